@@ -196,7 +196,7 @@ std::string text_of(const Session& session, const BoardCheck& board, const std::
   std::string out =
       fmt::format("{} of {} parts break the rules: {}\n", broken.size(), board.bodies().size(), board.rules());
   for (const Broken& b : broken)
-    out += check_text(b.check, fmt::format("{} at {}", b.body->part->name, anchor(*b.body->part, session.step())),
+    out += check_text(b.check, fmt::format("{} at {}", b.body->part->name, anchor(*b.body->part, session.step())), {},
                       session.unit(), nullptr, session.options().explain);
   return out;
 }

@@ -54,9 +54,9 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   };
   const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json
-              ? json()
-              : check_text(check, io::shown_point(distance::coordinates(at)), session.unit(), near, options.explain),
+  return {options.json ? json()
+                       : check_text(check, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
+                                    session.unit(), near, options.explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -77,9 +77,9 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json
-              ? json()
-              : measure_text(distances, io::shown_point(distance::coordinates(at)), session.unit(), shows_all(options)),
+  return {options.json ? json()
+                       : measure_text(distances, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
+                                      session.unit(), shows_all(options)),
           kDone};
 }
 

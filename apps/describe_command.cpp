@@ -6,9 +6,10 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "io/export/write_drawing.h"
+#include "io/export/write_wkt.h"
 #include "io/write/write_constructive.h"
 #include "io/write/write_json.h"
-#include "io/write/write_wkt.h"
 #include "line_choice.h"
 #include "plane/query/in_order.h"
 #include "report.h"
@@ -33,6 +34,12 @@ std::string wkt(const Session& session, const plane::Region& region) {
   io::WktText text = io::region_wkt(region, session.step());
   if (!text.lost.empty()) session.reporter().note(text.lost);
   return text.text;
+}
+
+/// The text of a drawing; what it loses is noted.
+std::string drawn(const Session& session, io::DrawingText text) {
+  if (!text.lost.empty()) session.reporter().note(text.lost);
+  return std::move(text.text);
 }
 
 }  // namespace
@@ -71,19 +78,19 @@ Outcome run_convert(const Options& options, Reporter& reporter) {
     throw Error(ErrorCode::kUsage, "--constructive is for the JSON of plane shapes: -o NAME.json or --json");
   const std::string name = chosen_shape(session);
   if (session.in_space()) return convert_space(session, name);
-  check_outputs(options, {".svg", ".wkt", ".json"});
+  check_outputs(options, {".svg", ".dxf", ".geojson", ".wkt", ".json"});
   const plane::Region region = plane::in_order(session.region(name));
   const auto json = [&] {
     if (options.constructive) return io::constructive_scene(region, name, session.scene());
     const plane::Summary summary = plane::summarize(region, session.step());
     return io::region_json(region, summary, session.step(), session.unit(), nullptr, true);
   };
-  const auto svg = [&] {
-    io::DrawingText text = io::shape_svg(region, session.step(), name, session.scene().unit);
-    if (!text.lost.empty()) reporter.note(text.lost);
-    return text.text;
-  };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", [&] { return wkt(session, region); }}});
+  const auto svg = [&] { return drawn(session, io::shape_svg(region, session.step(), name, session.scene().unit)); };
+  const io::NamedRegion named{name, &region};
+  const auto dxf = [&] { return drawn(session, io::shapes_dxf({&named, 1}, session.step(), session.scene().unit)); };
+  const auto geojson = [&] { return drawn(session, io::shapes_geojson({&named, 1}, session.step())); };
+  const auto text = [&] { return wkt(session, region); };
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".dxf", dxf}, {".geojson", geojson}, {".wkt", text}});
   if (options.json) return {json(), kDone};
   return {options.outputs.empty() ? wkt(session, region) : "", kDone};
 }

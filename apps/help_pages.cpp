@@ -195,14 +195,19 @@ constexpr Line kSceneKeys[] = {
     {"place", "several shapes to place: shapes, each, pairs, constraints, minimize, method, angles, count"},
     {"$schema", "the address of docs/scene.schema.json, for editors; not read"}};
 
-constexpr Line kPlaneShapes[] = {{"polygon, holes", "a ring [[X, Y], ..] and rings in it"},
-                                 {"disc", "{\"center\": [X, Y], \"radius\": R}"},
-                                 {"box", "{\"min\": [X, Y], \"max\": [X, Y]}"},
-                                 {"path", "SVG path data with M L H V A Z; y points upwards"},
-                                 {"points", "isolated points [[X, Y], ..]"},
-                                 {"polyline", "an open chain [[X, Y], ..]"},
-                                 {"cells", "an exact boundary, as convert writes it"},
-                                 {"file", "a .svg .dxf .wkt .geojson .json; with id, layer, index, unit"}};
+constexpr Line kPlaneShapes[] = {
+    {"polygon, holes", "a ring [[X, Y], ..] and rings in it"},
+    {"disc", "{\"center\": [X, Y], \"radius\": R}"},
+    {"box", "{\"min\": [X, Y], \"max\": [X, Y]}"},
+    {"path", "SVG path data, all commands; y points upwards"},
+    {"outline", "[[X, Y], step, ..]; steps: points, or to with through, center, bulge; bezier"},
+    {"ellipse", "{center, radii, rotate}"},
+    {"bezier", "[[X, Y], ..], the control points; with weights"},
+    {"spline", "{degree, points, knots, weights, closed}"},
+    {"points", "isolated points [[X, Y], ..]"},
+    {"polyline", "an open chain [[X, Y], ..]"},
+    {"cells", "an exact boundary, as convert writes it"},
+    {"file", "a .svg .dxf .wkt .geojson .json; with id, layer, index, unit, join"}};
 
 constexpr Line kSpaceShapes[] = {{"polytope", "the convex hull of points [[X, Y, Z], ..]"},
                                  {"box", "{\"min\": [X, Y, Z], \"max\": [X, Y, Z]}"},
@@ -218,7 +223,9 @@ constexpr Line kMadeShapes[] = {{"union, intersection", "of a list of shapes"},
                                 {"regularize", "the closure of the interior"},
                                 {"translate, of", "a shape moved by [X, Y]"},
                                 {"rotate, of", "a shape rotated by degrees; with about, and in space axis"},
-                                {"mirror", "the reflection through the origin"},
+                                {"simplify", "LENGTH, of: arcs for runs of short segments; with curves"},
+                                {"mirror", "DEGREES, about, of: mirrored in a line"},
+                                {"point_reflection", "reflected through the origin"},
                                 {"minkowski_sum", "of two shapes, as minkowski_difference"},
                                 {"offset, of", "a shape grown by a ball of this radius; below 0 it shrinks"},
                                 {"hull", "the convex hull"}};

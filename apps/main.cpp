@@ -33,7 +33,8 @@ namespace findspace::app {
 namespace {
 
 constexpr const char* kAbout = "Where can this part go? The exact set of its positions, from a scene file.";
-constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board";
+constexpr const char *kCommon = "Common", *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board",
+                     *kDrawing = "Of drawings";
 constexpr const char* kLimits = "Limits";
 
 /// Help for people: an entry a line, wrapped at 100 columns, without the types of arguments.
@@ -75,7 +76,7 @@ constexpr VerbEntry kVerbs[] = {
     {"convert", "Answers what a shape or a drawing is in another format.", run_convert},
     {"place", "Answers where several shapes can go together, one after another or all at once.", run_place},
     {"phi", "Answers whether two shapes overlap, touch or lie apart, by their Phi-function.", run_phi_verb},
-    {"pack", "Answers how parts can be packed into a strip that is as short as possible.", run_pack},
+    {"pack", "Answers how parts can be packed into a short strip, or onto few sheets.", run_pack},
     {"verify", "Answers whether a layout is feasible, exactly: overlaps, the strip, angles and counts.", run_verify},
     {"batch", "Answers many questions, a line each, over all cores, machines and restarts.", run_batch},
     {"serve", "Keeps scenes loaded and answers requests of other programs, in JSON-RPC 2.0.", run_serve},
@@ -147,7 +148,7 @@ void add_packing(CLI::App& command, const VerbEntry& verb, Options& o) {
   add_strip(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
-  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json or .svg; may be repeated")
+  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json, .svg or .dxf; may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)
@@ -248,6 +249,30 @@ void add_question(CLI::App& command, const VerbEntry& verb, Options& o) {
       only->type_name("NAME")->excludes(all)->group(kCommon);
     }
   }
+}
+
+/// How drawings are read, and curves beyond arcs.
+void add_drawings(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--curves", [&o](const std::string& word) { o.drawings.curves = io::parse_curve_rule(word); },
+          "near, inside or outside: where the arcs lie that stand for curves (default near: on either side)")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"near", "inside", "outside"}).description(""))
+      ->group(kDrawing);
+  command
+      .add_option("--tolerance", o.drawings.tolerance,
+                  "how far arcs may be from their curves, such as 0.01mm (default: 0.001mm, or 64 grid steps)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command.add_option("--join", o.drawings.join, "close gaps of outlines up to this width (default 0)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command
+      .add_flag_function(
+          "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
+          "outlines that stay open are lines (default: an error)")
+      ->group(kDrawing);
 }
 
 /// Of drawings, and the form of the result.
@@ -356,6 +381,7 @@ void add_options(CLI::App& command, const VerbEntry& verb, Options& o) {
     add_service(command, verb, o);
   else
     add_files(command, verb, o);
+  if (!is(verb, "pack") && !is(verb, "verify")) add_drawings(command, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
   add_board(command, verb, o);

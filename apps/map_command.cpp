@@ -6,7 +6,8 @@
 #include "asked_numbers.h"
 #include "commands.h"
 #include "io/draw/draw_layout.h"
-#include "io/write/write_wkt.h"
+#include "io/export/write_drawing.h"
+#include "io/export/write_wkt.h"
 #include "line_choice.h"
 #include "planar_map.h"
 #include "plane/query/topology.h"
@@ -84,7 +85,13 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
     return text.text;
   };
   session.reporter().stage("writing");
-  write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}});
+  const auto dxf = [&] {
+    const io::NamedRegion named{"region", &map.region};
+    io::DrawingText text = io::shapes_dxf({&named, 1}, session.step(), session.scene().unit);
+    if (!text.lost.empty()) session.reporter().note(text.lost);
+    return std::move(text.text);
+  };
+  write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}, {".dxf", dxf}});
   return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
           !summary.empty                              ? kDone
           : !map.outer || plane::is_empty(*map.outer) ? kEmpty
@@ -115,8 +122,8 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   refuse_lines(options, "for maps of 3D scenes");
   const io::Scene& scene = session.scene();
   const bool line = free == io::Free::Kind::kLine, time = free == io::Free::Kind::kTime;
-  check_outputs(options,
-                line || time ? std::vector<std::string>{".json"} : std::vector<std::string>{".svg", ".wkt", ".json"});
+  check_outputs(options, line || time ? std::vector<std::string>{".json"}
+                                      : std::vector<std::string>{".svg", ".dxf", ".wkt", ".json"});
   if ((line || time) && !options.apply.empty())
     throw Error(ErrorCode::kUsage, "--apply is for maps of the plane, not of a line or of time");
   session.require_positions(true);

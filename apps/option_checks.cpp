@@ -56,11 +56,14 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "batch") return {".jsonl"};
   if (verb == "check" || verb == "measure") return {".svg", ".json"};
+  if (verb == "pack") return {".json", ".svg", ".dxf"};
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");
   if (verb == "place") all.emplace_back(".kicad_pcb");
   if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
+  if (verb == "map" || verb == "convert" || verb == "place") all.emplace_back(".dxf");
+  if (verb == "convert") all.emplace_back(".geojson");
   all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
   return all;
 }

@@ -53,6 +53,7 @@ struct Options {
   bool no_files = false;           // shapes come from the scene alone, or
   std::filesystem::path root;      // from files in this folder
   std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWorkBudget;  // io/text/read_limits.h
+  io::DrawingRules drawings;                                                          // before those of the scene
   std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
   std::string gap = "0", edge = "0";           // of pack and verify: least distances
   std::optional<std::filesystem::path> start;  // of pack: a layout
@@ -63,8 +64,10 @@ struct Options {
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 
-/// What reading may open and cost.
-inline io::ReadOptions reading(const Options& o) { return {!o.no_files, o.root, o.input_limit, o.work_limit}; }
+/// What reading may open and cost, and how drawings are read.
+inline io::ReadOptions reading(const Options& o) {
+  return {!o.no_files, o.root, o.input_limit, o.work_limit, o.drawings};
+}
 
 /// Exit statuses (docs/commands.md).
 enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, kInternal = 70, kInterrupted = 130 };

@@ -15,7 +15,7 @@
 #include "io/text/read_text.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
-#include "packing/search/strip_search.h"
+#include "packing/search/box_search.h"
 #include "packing_report.h"
 #include "session.h"
 
@@ -50,10 +50,10 @@ class StopOnInterrupt {
 class Packing {
  public:
   Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
-    check_outputs(options, {".json", ".svg"});
+    check_outputs(options, {".json", ".svg", ".dxf"});
     problem_ =
         io::read_nesting(io::read_text(options.scene, options.input_limit), options.scene, nesting_wishes(options));
-    bound_ = packing::lower_bound(problem_);
+    if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 
   Outcome run() {
@@ -74,7 +74,7 @@ class Packing {
     std::optional<packing::Layout> best;
     {
       const StopOnInterrupt interrupt;
-      best = packing::search_strip(problem_, search, events, stop_wanted);
+      best = (problem_.box ? packing::search_box : packing::search_strip)(problem_, search, events, stop_wanted);
     }
     if (!best) return empty();
     return {options_.json ? json(*best) : summary(*best), stop_wanted ? kInterrupted : kDone};
@@ -100,22 +100,39 @@ class Packing {
 
   void write(const packing::Layout& layout) const {
     write_outputs(options_, {{".json", [&] { return json(layout); }},
-                             {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }}});
+                             {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }},
+                             {".dxf", [&] { return io::layout_dxf(problem_, layout); }}});
   }
 
   std::string json(const packing::Layout& layout) const { return io::layout_json(problem_, layout, facts_); }
 
   std::string summary(const packing::Layout& layout) const {
-    return fmt::format("length {}, density {:.4f} %, {} parts, proved free of overlaps\nno layout is shorter than {}\n",
-                       layout.length.text(), 100 * facts_.density, layout.items.size(), bound_.text());
+    std::string text = fmt::format("length {}", layout.length.text());
+    if (problem_.on_sheets())
+      text = fmt::format("{} sheet{}, of the last {} used", layout.sheets.size(), layout.sheets.size() == 1 ? "" : "s",
+                         layout.length.text());
+    if (problem_.box) text = fmt::format("{} wide, {} high", layout.length.text(), layout.height.text());
+    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * facts_.density,
+                        layout.items.size());
+    if (!problem_.on_sheets() && !problem_.box) text += fmt::format("no layout is shorter than {}\n", bound_.text());
+    for (const packing::LeftOut& out : layout.left_out)
+      text += fmt::format("left out: {} of {}: {}\n", out.copies, problem_.parts[out.part].name, out.why);
+    return text;
   }
 
   /// No parts, or none that are wanted.
   Outcome empty() {
-    const packing::Layout layout;
+    packing::Layout layout;
+    for (std::size_t part = 0; part < problem_.parts.size(); ++part)
+      if (problem_.parts[part].demand > 0)
+        layout.left_out.push_back({part, problem_.parts[part].demand, "it is larger than every sheet"});
     facts_.proven = true;
     write(layout);
-    return {options_.json ? json(layout) : "there are no parts to pack\n", kDone};
+    const bool wanted = problem_.items() > 0;
+    return {options_.json ? json(layout)
+            : wanted      ? "no part fits a sheet\n"
+                          : "there are no parts to pack\n",
+            wanted ? kEmpty : kDone};
   }
 
   const Options& options_;

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "findspace/error.h"
+#include "io/nesting/fault_text.h"
 #include "io/text/read_text.h"
 
 namespace findspace::app {
@@ -19,34 +20,8 @@ using packing::Fault;
 
 constexpr std::size_t kFaultsShown = 8;
 
-std::string item_name(const packing::Problem& problem, const packing::Layout& layout, std::size_t item) {
-  const packing::Placed& placed = layout.items[item];
-  return fmt::format("{}#{}", problem.parts[placed.part].name, placed.copy);
-}
-
-std::string fault_text(const packing::Problem& problem, const packing::Layout& layout, const Fault& fault) {
-  const auto item = [&](std::size_t i) { return item_name(problem, layout, i); };
-  switch (fault.kind) {
-    case Fault::Kind::kOverlap:
-      return fmt::format("{} and {} overlap by {:.3g} near ({:.6g}, {:.6g})", item(fault.first), item(fault.second),
-                         fault.depth, fault.x, fault.y);
-    case Fault::Kind::kGap:
-      return fmt::format("{} and {} are too near each other, near ({:.6g}, {:.6g})", item(fault.first),
-                         item(fault.second), fault.x, fault.y);
-    case Fault::Kind::kOutside:
-      return fmt::format("{} is outside the strip or its edges by {:.3g}", item(fault.first), fault.depth);
-    case Fault::Kind::kAngle:
-      return fmt::format("{} stands at an angle that is not allowed", item(fault.first));
-    case Fault::Kind::kCount:
-      break;
-  }
-  const std::string& part = problem.parts[fault.first].name;
-  return fault.depth > 0 ? fmt::format("part {}: {} too many", part, fault.depth)
-                         : fmt::format("part {}: {} missing", part, -fault.depth);
-}
-
 const char* kind_name(Fault::Kind kind) {
-  constexpr const char* kNames[] = {"overlap", "gap", "outside", "angle", "count"};
+  constexpr const char* kNames[] = {"overlap", "gap", "outside", "angle", "zone", "count", "sheets"};
   return kNames[std::size_t(kind)];
 }
 
@@ -72,6 +47,7 @@ packing::Layout start_layout(const packing::Problem& problem, const std::filesys
   std::vector<int> missing;
   for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
   for (const packing::Placed& item : layout.items) --missing[item.part];
+  for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
   if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
     throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem", path.string());
   return layout;
@@ -88,7 +64,7 @@ std::string verdict_text(const packing::Problem& problem, const packing::Layout&
       fmt::format("{}  {} items, length {}, density {:.4f} %\n", verdict.feasible() ? "feasible" : "not feasible",
                   layout.items.size(), layout.length.text(), 100 * verdict.density);
   for (std::size_t i = 0; i < std::min(kFaultsShown, verdict.faults.size()); ++i)
-    text += "  " + fault_text(problem, layout, verdict.faults[i]) + "\n";
+    text += "  " + io::fault_text(problem, layout, verdict.faults[i]) + "\n";
   if (verdict.faults.size() > kFaultsShown)
     text += fmt::format("  and {} more\n", verdict.faults.size() - kFaultsShown);
   return text;
@@ -101,9 +77,10 @@ std::string verdict_json(const packing::Problem& problem, const packing::Layout&
   for (const Fault& fault : verdict.faults) {
     if (fault.kind == Fault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
     std::string items =
-        fmt::format("\"{}\"", fault.kind == Fault::Kind::kCount ? problem.parts[fault.first].name
-                                                                : item_name(problem, layout, fault.first));
-    if (fault.kind <= Fault::Kind::kGap) items += fmt::format(", \"{}\"", item_name(problem, layout, fault.second));
+        fmt::format("\"{}\"", fault.kind == Fault::Kind::kCount    ? problem.parts[fault.first].name
+                              : fault.kind == Fault::Kind::kSheets ? problem.sheets[fault.first].name
+                                                                   : io::item_name(problem, layout, fault.first));
+    if (fault.kind <= Fault::Kind::kGap) items += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
     faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [{}], \"depth\": {}, \"near\": [{}, {}]}}",
                           faults.empty() ? "" : ",", kind_name(fault.kind), items, fault.depth, fault.x, fault.y);
   }

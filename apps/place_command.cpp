@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "findspace/error.h"
 #include "io/board/write_board.h"
+#include "io/export/write_drawing.h"
 #include "io/text/read_text.h"
 #include "io/write/write_placement.h"
 #include "placement_problem.h"
@@ -25,16 +26,27 @@ using planning::Problem;
 struct Answer {
   io::PlacementResult result;
   planning::Poses poses;
+  std::size_t shortened = 0;  // positions on the grid, as exact ones have too long numbers
 };
 
 Answer answered(const planning::Relations& relations, bool one_by_one, const planning::Limit& limit) {
   const Problem& problem = relations.problem();
   if (one_by_one) {
     const planning::SequentialPlacement found = planning::place_sequentially(relations, limit);
-    return {io::placement_result(problem, found), found.poses};
+    const auto shortened = std::count_if(found.steps.begin(), found.steps.end(),
+                                         [](const planning::Step& s) { return s.chosen.shortened; });
+    return {io::placement_result(problem, found), found.poses, std::size_t(shortened)};
   }
   const planning::SimultaneousPlacement found = planning::place_simultaneously(relations, limit);
   return {io::placement_result(problem, found), found.witness};
+}
+
+/// The placed shapes as a file to cut, a layer a shape.
+std::string cut_file(const Session& session, const Problem& problem, const Answer& answer) {
+  const io::PlacedRegions placed = io::placed_regions(problem, answer.poses);
+  io::DrawingText text = io::shapes_dxf(placed.named(), session.step(), session.scene().unit);
+  if (!text.lost.empty()) session.reporter().note(text.lost);
+  return std::move(text.text);
 }
 
 std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
@@ -96,7 +108,7 @@ Outcome place_scene(const Session& session, const planning::Limit& limit) {
   Reporter& reporter = session.reporter();
   const bool board = session.scene().board != nullptr;
   check_outputs(options, board ? std::vector<std::string>{".svg", ".json", ".kicad_pcb"}
-                               : std::vector<std::string>{".svg", ".json"});
+                               : std::vector<std::string>{".svg", ".dxf", ".json"});
   if (options.resolution > 0) throw Error(ErrorCode::kUsage, "--resolution is for 3D scenes");
   const Problem problem = placement_problem(session);
   reporter.stage("placing");
@@ -104,11 +116,18 @@ Outcome place_scene(const Session& session, const planning::Limit& limit) {
   const bool one_by_one = session.scene().place.method == io::Placement::Method::kSequential;
   Answer answer = answered(relations, one_by_one, limit);
   if (board) count_as_seen(answer);
+  if (answer.shortened > 0) {
+    reporter.note(
+        fmt::format("{} position{} put on the grid, a few steps at most from the best one, whose exact numbers "
+                    "are too long; say \"grid\" to have all of them there",
+                    answer.shortened, answer.shortened == 1 ? " was" : "s were"));
+  }
   const auto json = [&] { return io::placement_json(answer.result, session.step(), session.unit()); };
   const auto svg = [&] { return picture(session, problem, answer); };
+  const auto dxf = [&] { return cut_file(session, problem, answer); };
   reporter.stage("writing");
   const auto copy = [&] { return board_text(session, problem, answer); };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}});
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".kicad_pcb", copy}, {".dxf", dxf}});
   const ExitStatus status = answer.result.complete() && (one_by_one ? !answer.result.unproven : true) ? kDone
                             : answer.result.unproven                                                  ? kLimit
                                                                                                       : kEmpty;

@@ -139,7 +139,9 @@ PlanarMap planar_map(const Session& session, const formula::Solver& solver, cons
   } else if (const auto least = formula::minimum_of(formula, solver)) {
     map.extreme = value_of(*least, false, reporter);
   }
-  map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
+  // What is known has its order.
+  if (known == nullptr || goal || !session.options().apply.empty())
+    map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
   return map;
 }
 

@@ -21,10 +21,22 @@ std::string amount_text(const formula::DistanceAt& d, double amount, std::string
   return d.in_degrees ? number + "°" : unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
+/// How far the true value may be from the one that is shown; empty where that is exact.
+std::string within_text(const formula::DistanceAt& d) {
+  if (!d.answer || d.answer->proven || d.answer->minus_infinity) return "";
+  const distance::Enclosure between = d.answer->bounds();
+  if (!between.lower && !between.upper) return " (not certain)";
+  if (!between.lower) return fmt::format(" (at most {})", io::shown(between.upper->to_double()));
+  if (!between.upper) return fmt::format(" (at least {})", io::shown(between.lower->to_double()));
+  const exact::Real below = d.answer->value - *between.lower, above = *between.upper - d.answer->value;
+  constexpr double kRoundedUp = 1.1;  // to two digits
+  return fmt::format(" (within {:.1e})", std::max(below, above).to_double() * kRoundedUp);
+}
+
 std::string value_text(const formula::DistanceAt& d, std::string_view unit) {
   if (!d.refused.empty()) return "not computed";
   const auto value = d.value();
-  return value ? amount_text(d, *value, unit) : "undefined";
+  return value ? amount_text(d, *value, unit) + within_text(d) : "undefined";
 }
 
 /// With the value that its word says.
@@ -38,8 +50,8 @@ std::size_t widest(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-std::string check_text(const formula::Check& check, std::string_view at, std::string_view unit,
-                       const formula::NearestFeasible* nearest, bool explain) {
+std::string check_text(const formula::Check& check, std::string_view at, const distance::Coordinates& place,
+                       std::string_view unit, const formula::NearestFeasible* nearest, bool explain) {
   std::vector<std::string> texts;
   for (const auto& a : check.atoms) texts.push_back(formula::written(a.atom));
   const std::size_t width = widest(texts);
@@ -54,7 +66,10 @@ std::string check_text(const formula::Check& check, std::string_view at, std::st
                          amount_text(a.distance, *a.lacks, unit));
     if (explain) out += explained(a.way, a.milliseconds);
     const std::string where = io::witness_words(a.distance);
-    out += where.empty() ? "\n" : fmt::format("\n       {:<{}}  between {}\n", "", width, where);
+    const std::string way = a.holds ? "" : io::way_words(a.distance, place);
+    out += "\n";
+    if (!where.empty()) out += fmt::format("       {:<{}}  between {}\n", "", width, where);
+    if (!way.empty()) out += fmt::format("       {:<{}}  {}\n", "", width, way);
   }
   if (nearest != nullptr) {
     const std::string away = io::shown(nearest->distance.to_double());
@@ -65,8 +80,8 @@ std::string check_text(const formula::Check& check, std::string_view at, std::st
   return out;
 }
 
-std::string measure_text(const std::vector<formula::DistanceAt>& distances, std::string_view at, std::string_view unit,
-                         bool all) {
+std::string measure_text(const std::vector<formula::DistanceAt>& distances, std::string_view at,
+                         const distance::Coordinates& place, std::string_view unit, bool all) {
   const std::vector<MeasuredRow> rows = measured_rows(distances, all);
   std::vector<std::string> texts, values;
   for (const MeasuredRow& row : rows) {
@@ -76,7 +91,8 @@ std::string measure_text(const std::vector<formula::DistanceAt>& distances, std:
   const std::size_t width = widest(texts), columns = widest(values);
   std::string out = fmt::format("at {}\n", at);
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string where = io::witness_words(distances[rows[i].of]);
+    const formula::DistanceAt& d = distances[rows[i].of];
+    const std::string points = io::witness_words(d), where = points.empty() ? io::way_words(d, place) : points;
     out += fmt::format("  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : columns,
                        where.empty() ? "" : "  " + where);
   }

@@ -154,7 +154,7 @@ Outcome measure_at_angle(const Session& session) {
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json ? json()
                                  : measure_text(distances, io::shown_point(distance::coordinates(pose.at)),
-                                                session.unit(), session.options().all),
+                                                distance::coordinates(pose.at), session.unit(), session.options().all),
           kDone};
 }
 
@@ -175,9 +175,10 @@ Outcome check_at_angle(const Session& session) {
     return check_picture(session, shown_world(solver, rotated, pose), formula, pose.at, check, nullptr);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json()
-                                 : check_text(check, io::shown_point(distance::coordinates(pose.at)), session.unit(),
-                                              nullptr, session.options().explain),
+  return {session.options().json
+              ? json()
+              : check_text(check, io::shown_point(distance::coordinates(pose.at)), distance::coordinates(pose.at),
+                           session.unit(), nullptr, session.options().explain),
           check.holds ? kDone : kEmpty};
 }
 

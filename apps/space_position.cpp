@@ -100,7 +100,9 @@ Outcome check_space(const Session& session) {
                       std::move(lines), distances);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : check_text(check, where_text(at), session.unit(), near, options.explain),
+  return {options.json
+              ? json()
+              : check_text(check, where_text(at), distance::coordinates(at), session.unit(), near, options.explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -137,7 +139,10 @@ Outcome measure_space(const Session& session) {
                       fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json ? json() : measure_text(distances, where_text(at), session.unit(), shows_all(options)), kDone};
+  return {options.json
+              ? json()
+              : measure_text(distances, where_text(at), distance::coordinates(at), session.unit(), shows_all(options)),
+          kDone};
 }
 
 }  // namespace findspace::app

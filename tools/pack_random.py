@@ -5,8 +5,9 @@
 
 usage: pack_random.py EXECUTABLE [--count N] [--seed S]
 
-Checked: every copy of every part, an allowed angle, inside the strip, the length as stated and not below the lower
-bound, no two parts with a common area, and gaps as wide as asked for. The area is the sum over signed triangles of both parts, each pair clipped
+Every third instance has sheets, some with an outline that is no rectangle and a hole, and mirrored parts.
+Checked: every copy of every part or said to be left out, an allowed angle, inside the strip or its sheet, the length as
+stated and not below the lower bound, no two parts with a common area, and gaps as wide as asked for. The area is the sum over signed triangles of both parts, each pair clipped
 exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check."""
 import argparse
 import json
@@ -105,9 +106,22 @@ def instance(rng):
         rings = [[(a + shift[0], b + shift[1]) for a, b in ring] for ring in shape]
         angles = rng.choice([[0], [0, 180], [0, 90, 180, 270], [90]])
         items.append({"id": f"p{k}", "demand": rng.randint(0, 3) if k else 2, "angles": angles, "rings": rings})
+        items[-1]["mirrored"] = rng.random() < 0.3
     gap = rng.choice([0, 0, Fraction(1, 2), Fraction(3, 10)])
     edge = rng.choice([0, 0, Fraction(1, 2)])
-    return {"height": rng.randint(9, 14) + 2 * edge, "gap": gap, "edge": edge, "items": items}
+    problem = {"height": rng.randint(9, 14) + 2 * edge, "gap": gap, "edge": edge, "items": items, "sheets": []}
+    if rng.random() < 0.33:
+        problem["sheets"] = [sheet(rng, f"s{k}") for k in range(rng.randint(1, 2))]
+    return problem
+
+
+def sheet(rng, name):
+    """A rectangle, or one without a corner, perhaps with a hole."""
+    w, h = rng.randint(10, 16), rng.randint(10, 16)
+    outline = rng.choice([box_ring(w, h), [(0, 0), (w, 0), (w, h - 3), (w - 4, h), (0, h)],
+                          [(0, 0), (w, 0), (w, 4), (6, 4), (6, h), (0, h)]])
+    holes = [[(1, 1), (1, 3), (2, 3), (2, 1)]] if rng.random() < 0.4 else []
+    return {"id": name, "count": rng.randint(1, 2), "rings": [outline, *holes], "box": (w, h)}
 
 
 def square_to_segment(p, a, b):
@@ -136,13 +150,43 @@ def nesting_json(problem):
         shape = {"type": "simple_polygon", "data": rings[0]} if len(rings) == 1 else \
             {"type": "polygon", "data": {"outer": rings[0], "inner": rings[1:]}}
         items.append({"id": item["id"], "demand": item["demand"], "allowed_orientations": item["angles"], "shape": shape})
-    return {"name": "random", "strip_height": number(Fraction(problem["height"])), "items": items}
+        items[-1]["mirrored"] = item["mirrored"]
+    result = {"name": "random", "items": items}
+    if not problem["sheets"]:
+        return {**result, "strip_height": number(Fraction(problem["height"]))}
+    sheets = [{"id": s["id"], "count": s["count"], "shape": {"type": "polygon", "data": {
+        "outer": s["rings"][0], "inner": s["rings"][1:]}}} for s in problem["sheets"]]
+    return {**result, "sheets": sheets}
 
 
 def placed_rings(problem, item):
     part = next(p for p in problem["items"] if p["id"] == item["part"])
     x, y = (Fraction(v) for v in item["at"])
-    return [[(a + x, b + y) for a, b in turned(ring, int(item["angle"]))] for ring in part["rings"]]
+    rings = [[(-a, b) for a, b in ring][::-1] for ring in part["rings"]] if item["mirrored"] else part["rings"]
+    return [[(a + x, b + y) for a, b in turned(ring, int(item["angle"]))] for ring in rings]
+
+
+def outside_sheet(problem, kind, rings):
+    """Whether a part has a point outside the sheet, or nearer to its outline or holes than the edge."""
+    width, height = kind["box"]
+    edge = problem["edge"]
+    if any(x < edge or x > width - edge or y < edge or y > height - edge for x, y in rings[0]):
+        return True
+    frame = [[(-9, -9), (width + 9, -9), (width + 9, height + 9), (-9, height + 9)], kind["rings"][0][::-1]]
+    walls = [frame] + [[hole[::-1]] for hole in kind["rings"][1:]]
+    return any(common_area(rings, wall) > 0 or (edge and nearer(rings, wall, edge)) for wall in walls)
+
+
+def sheet_faults(problem, layout, shapes):
+    used = layout["container"]["sheets"]
+    for kind in problem["sheets"]:
+        if used.count(kind["id"]) > kind["count"]:
+            yield f"too many of {kind['id']}"
+    for item, rings in zip(layout["items"], shapes):
+        if item["sheet"] >= len(used):
+            yield f"{item['part']} is on no sheet"
+        elif outside_sheet(problem, next(k for k in problem["sheets"] if k["id"] == used[item["sheet"]]), rings):
+            yield f"{item['part']} is outside"
 
 
 def faults(problem, layout):
@@ -152,17 +196,24 @@ def faults(problem, layout):
     shapes = [placed_rings(problem, item) for item in layout["items"]]
     for part in problem["items"]:
         count = sum(item["part"] == part["id"] for item in layout["items"])
+        count += sum(out["copies"] for out in layout["left_out"] if out["part"] == part["id"])
         if count != part["demand"]:
             found.append(f"{count} copies of {part['id']}")
     for item, rings in zip(layout["items"], shapes):
         part = next(p for p in problem["items"] if p["id"] == item["part"])
         if int(item["angle"]) % 360 not in part["angles"]:
             found.append(f"{item['part']} turned by {item['angle']}")
+        if item["mirrored"] and not part["mirrored"]:
+            found.append(f"{item['part']} is mirrored")
         edge = problem["edge"]
-        if any(x < edge or x > length - edge or y < edge or y > height - edge for x, y in rings[0]):
+        if not problem["sheets"] and any(x < edge or x > length - edge or y < edge or y > height - edge for x, y in rings[0]):
             found.append(f"{item['part']} is outside")
+    if problem["sheets"]:
+        found.extend(sheet_faults(problem, layout, shapes))
     for i, first in enumerate(shapes):
         for j in range(i):
+            if layout["items"][i]["sheet"] != layout["items"][j]["sheet"]:
+                continue
             if common_area(first, shapes[j]) > 0 or (problem["gap"] and nearer(first, shapes[j], problem["gap"])):
                 found.append(f"{layout['items'][i]['part']} and {layout['items'][j]['part']} overlap")
     return found
@@ -188,13 +239,16 @@ def check_instance(program, seed, folder):
         json.dump(nesting_json(problem), file)
     threads = str(1 + seed % 2)
     packed = run(program, "pack", path, *wishes(problem), "--work", "2", "--threads", threads, "-o", out, "-q", "--json")
-    if packed.returncode != 0:
-        fail(seed, f"status {packed.returncode}: {packed.stderr}")
-    layout = json.loads(packed.stdout)["layout"]
+    layout = json.loads(packed.stdout)["layout"] if packed.returncode in (0, 1) else fail(seed, packed.stderr)
+    if (packed.returncode == 0) != bool(layout["items"]) or (layout["left_out"] and not problem["sheets"]):
+        fail(seed, f"status {packed.returncode}")
+    if not layout["items"]:
+        return
     wrong = faults(problem, layout)
     if wrong:
         fail(seed, "; ".join(wrong))
-    ends = [x for item in layout["items"] for x, _ in placed_rings(problem, item)[0]]
+    last = max(item["sheet"] for item in layout["items"])
+    ends = [x for item in layout["items"] if item["sheet"] == last for x, _ in placed_rings(problem, item)[0]]
     if Fraction(layout["length"]) != max(ends) + problem["edge"]:
         fail(seed, f"length {layout['length']}, but the parts end at {max(ends)}")
     if Fraction(layout["length"]) < Fraction(layout["lower_bound"]):
@@ -239,6 +293,61 @@ def check_interrupt(program, folder):
         fail(5, "; ".join(wrong))
 
 
+SQUARE = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [2, 2], [0, 2]]}
+PLATE = {"id": "plate", "width": 4, "height": 4}
+
+
+def item(**changes):
+    return {"id": "a", "demand": 1, "shape": SQUARE, **changes}
+
+
+def on_plate(**changes):
+    return {"items": [item()], "sheets": [{**PLATE, **changes}]}
+
+
+CROSSED = {"type": "simple_polygon", "data": [[0, 0], [2, 2], [2, 0], [0, 2]]}
+AWAY = {"type": "simple_polygon", "data": [[1, 0], [4, 0], [4, 4], [1, 4]]}
+REFUSALS = [  # problem, exit status, words of the message or the answer
+    ({"items": [], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item(demand=0)], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item()], "sheets": [{"id": "small", "width": 1, "height": 9}]}, 1, "no part fits a sheet"),
+    ({"items": [item()]}, 3, "'strip_height' is missing"),
+    ({"findspace": 1, "shapes": {}}, 3, "this is a scene"),
+    ({"strip_height": 4}, 3, "'items' is missing"),
+    ({"items": [item()], "strip_height": 1}, 3, "higher than the strip"),
+    ({"items": [item()], "strip_height": 0}, 3, "no height"),
+    ({"items": [item(demand=-1)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(demand=1.5)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(value=-1)], "strip_height": 4}, 3, "a value below 0"),
+    ({"items": [item(mirrored=1)], "strip_height": 4}, 3, "true or false"),
+    ({"items": [item(shape=CROSSED)], "strip_height": 4}, 3, "meets itself"),
+    ({"items": [item(shape={"type": "circle", "data": []})], "strip_height": 4}, 3, "a simple_polygon or a polygon"),
+    (on_plate(width=-4), 3, "above 0"),
+    (on_plate(shape=AWAY), 3, "begins at (0, 0)"),
+    (on_plate(zones=[{"shape": SQUARE}]), 3, "'keeps_out' or 'only'"),
+    (on_plate(zones=[{"shape": SQUARE, "only": ["b"]}]), 3, "no part 'b'"),
+    (on_plate(zones=[{"shape": {"type": "simple_polygon", "data": [[0, 0], [9, 0], [0, 9]]}, "only": []}]), 3, "beyond its sheet"),
+    ({"items": [item()], "sheets": [{**PLATE, "cost": 1}, {**PLATE, "id": "other"}]}, 3, "some sheets have a cost"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a"], "gap": 1}]}, 3, "between two parts"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a", "a"], "gap": -1}]}, 3, "a gap below 0"),
+]
+
+
+def check_refusals(program, folder):
+    """Wrong and empty problems: the status, the words, and no file where nothing was packed."""
+    path, out = os.path.join(folder, "wrong.json"), os.path.join(folder, "wrong.layout.json")
+    for problem, status, words in REFUSALS:
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(problem, file)
+        done = run(program, "pack", path, "--work", "1", "--threads", "1", "-o", out)
+        if done.returncode != status or words not in done.stdout + done.stderr:
+            fail(0, f"{problem}: status {done.returncode}, {done.stdout}{done.stderr}")
+        if status == 3 and os.path.exists(out):
+            fail(0, f"{problem}: a file was written")
+        if os.path.exists(out):
+            os.remove(out)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("executable")
@@ -246,6 +355,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
+        check_refusals(arguments.executable, folder)
         check_interrupt(arguments.executable, folder)
         for k in range(arguments.count):
             check_instance(arguments.executable, arguments.seed * 100000 + k, folder)

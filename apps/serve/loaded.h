@@ -26,6 +26,7 @@ struct Spot {
 /// Which region is wanted, and how.
 struct RegionWish {
   bool drawing = false;
+  bool brief = false;                // only whether it is empty, a position of it, and how it looks
   std::optional<std::string> where;  // of this formula; the scene keeps its own
   std::string apply;                 // interior closure boundary regularize complement, or nothing
   std::optional<exact::Real> angle;  // of the moving shape rotated so

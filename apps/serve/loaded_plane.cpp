@@ -19,10 +19,8 @@
 #include "io/write/write_rotations.h"
 #include "io/write/write_witness.h"
 #include "planar_map.h"
+#include "plane/complex/extent.h"
 #include "plane/query/in_order.h"
-#include "plane/query/locate.h"
-#include "plane/query/nearest.h"
-#include "plane/query/topology.h"
 #include "report.h"
 #include "serve/features.h"
 
@@ -46,13 +44,8 @@ io::Frame drawing_frame(const plane::Bounds& world, bool y_down) {
   return frame;
 }
 
-void include(std::optional<plane::Bounds>& all, const std::optional<plane::Bounds>& more) {
-  if (!more) return;
-  if (!all) all = more;
-  for (int k : {0, 1}) {
-    all->low[k] = std::min(all->low[k], more->low[k]);
-    all->high[k] = std::max(all->high[k], more->high[k]);
-  }
+void include(std::optional<plane::PieceBox>& all, const std::optional<plane::PieceBox>& more) {
+  if (more) all = all ? joined(*all, *more) : *more;
 }
 
 std::string places_json(const std::vector<plane::Place>& places) {
@@ -66,18 +59,6 @@ RealPoint point_of(const Spot& spot) { return {spot.at[0], spot.at[1]}; }
 bool has_rotations(const formula::Formula& formula) {
   return std::any_of(formula.atoms().begin(), formula.atoms().end(),
                      [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
-}
-
-bool is_in(plane::Mark m) { return m > 0; }
-
-/// The vertices alone, without those that only join two pieces of one circle.
-plane::Region corners_of(plane::Region region, const Real& step) {
-  const plane::CurveNet net(region, step);
-  for (plane::Index v = 0; v < region.vertices.size(); ++v)
-    if (net.number(v) == plane::kNone) region.vertices[v].mark = 0;
-  for (plane::Edge& e : region.edges) e.mark = 0;
-  for (plane::Face& f : region.faces) f.mark = 0;
-  return region;
 }
 
 }  // namespace
@@ -115,26 +96,18 @@ const LoadedPlane::Rotated& LoadedPlane::rotated(const std::optional<Real>& degr
   return *rotated_;
 }
 
-LoadedPlane::Answers LoadedPlane::solved(const formula::Solver& solver, const formula::Formula& formula) const {
-  Answers out;
-  if (solver.known_between_bounds(formula)) {
-    formula::RegionBounds bounds = solver.feasible_bounds(formula);
-    out.region = plane::in_order(std::move(bounds.inner));
-    out.outer = plane::in_order(std::move(bounds.outer));
-  } else {
-    out.region = plane::in_order(formula::feasible_near(solver, formula));
-  }
-  if (scene().free.kind == Kind::kLine) {
-    out.region = on_line(out.region, scene().free);
-    if (out.outer) out.outer = on_line(*out.outer, scene().free);
-  }
-  out.closure = plane::closure(out.region);
-  out.boundary = plane::boundary(out.closure);
-  out.corners = corners_of(out.closure, solver.world().step);
-  return out;
+std::shared_ptr<const RegionAnswers> LoadedPlane::solved(const formula::Solver& solver,
+                                                         const formula::Formula& formula) const {
+  const bool line = scene().free.kind == Kind::kLine;
+  const auto kept = [&](plane::Region region) { return line ? on_line(region, scene().free) : std::move(region); };
+  const Real& step = solver.world().step;
+  if (!solver.known_between_bounds(formula))
+    return std::make_shared<const RegionAnswers>(kept(formula::feasible_near(solver, formula)), std::nullopt, step);
+  formula::RegionBounds bounds = solver.feasible_bounds(formula);
+  return std::make_shared<const RegionAnswers>(kept(std::move(bounds.inner)), kept(std::move(bounds.outer)), step);
 }
 
-const LoadedPlane::Answers& LoadedPlane::answers(const Rotated& rotated) const {
+const RegionAnswers& LoadedPlane::answers(const Rotated& rotated) const {
   require_moving();
   if (!rotated.answers) rotated.answers = solved(*rotated.solver, formula());
   return *rotated.answers;
@@ -142,9 +115,11 @@ const LoadedPlane::Answers& LoadedPlane::answers(const Rotated& rotated) const {
 
 std::string LoadedPlane::drawing_json(const plane::Region& region) const {
   const Real& step = solver().world().step;
-  std::optional<plane::Bounds> box = plane::summarize(region, step).bbox;
-  for (const auto& [name, shape] : solver().world().shapes) include(box, plane::summarize(shape, step).bbox);
-  plane::Bounds world = box.value_or(plane::Bounds{{-1, -1}, {1, 1}});
+  std::optional<plane::PieceBox> box = plane::extent(region);
+  for (const auto& [name, shape] : solver().world().shapes) include(box, plane::extent(shape));
+  const double size = step.to_double();
+  plane::Bounds world{{-1, -1}, {1, 1}};
+  if (box) world = {{box->x0 * size, box->y0 * size}, {box->x1 * size, box->y1 * size}};
   const double more = kAround * std::max(world.high[0] - world.low[0], world.high[1] - world.low[1]);
   for (int k : {0, 1}) {
     world.low[k] -= more;
@@ -162,18 +137,35 @@ std::string LoadedPlane::drawing_of(const std::string& shape) const {
   return found == solver().world().shapes.end() ? "" : drawing_json(found->second);
 }
 
+std::string LoadedPlane::brief_json(const RegionAnswers& answers) const {
+  const auto sample = answers.sample();
+  const std::string at =
+      sample ? io::json_point(distance::coordinates(distance::times(solver().world().step, *sample))) : "null";
+  std::string out = fmt::format(R"({{"empty": {}, "sample": {}, "drawing": {})", io::truth(!sample), at,
+                                drawing_json(answers.region()));
+  if (answers.outer()) out += ", \"outer_drawing\": " + drawing_json(*answers.outer());
+  return out + "}";
+}
+
 std::string LoadedPlane::map_json(const RegionWish& wish) const {
   require_moving();
   const Rotated& world = rotated(wish.angle);
   const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
   const formula::Formula& wanted = wish.where ? other : formula();
+  const bool plain = scene().minimize.empty() && scene().maximize.empty() && wish.apply.empty();
+  if (wish.brief && plain) return brief_json(wish.where ? *solved(*world.solver, wanted) : answers(world));
   Options options;
   options.apply = wish.apply;
   return with_session(options, [&](const Session& session) {
     std::optional<formula::RegionBounds> known;
-    if (!wish.where)
-      known = formula::RegionBounds{answers(world).region, answers(world).outer.value_or(plane::Region{})};
-    const PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
+    if (!wish.where) {
+      const RegionAnswers& all = answers(world);
+      known = {all.in_order(), all.outer() ? plane::in_order(*all.outer()) : plane::Region{}};
+    }
+    PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
+    if (wish.brief) {
+      return brief_json(RegionAnswers(std::move(map.region), std::move(map.outer), solver().world().step));
+    }
     std::string out = planar_map_json(session, map);
     if (!wish.drawing) return out;
     out.resize(out.rfind('}'));
@@ -184,28 +176,11 @@ std::string LoadedPlane::map_json(const RegionWish& wish) const {
 }
 
 std::optional<formula::NearestFeasible> LoadedPlane::nearest(const Rotated& rotated, const RealPoint& at) const {
-  const Answers& all = answers(rotated);
   const Real& step = solver().world().step;
-  const RealPoint p{at.x / step, at.y / step};
-  const auto belongs = [&](const RealPoint& q) { return mark_of(all.region, plane::locate(all.region, q)) > 0; };
-  if (mark_of(all.closure, plane::locate(all.closure, p)) > 0)
-    return formula::NearestFeasible{distance::coordinates(at), Real(), belongs(p)};
-  const auto near = plane::nearest(all.closure, is_in, p);
+  const auto near = answers(rotated).nearest({at.x / step, at.y / step});
   if (!near) return std::nullopt;
   return formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)), near->distance * step,
-                                  belongs(near->at)};
-}
-
-std::optional<RealPoint> LoadedPlane::snapped(const Rotated& rotated, const RealPoint& at, const Real& within) const {
-  const Answers& all = answers(rotated);
-  const Real& step = solver().world().step;
-  const RealPoint p{at.x / step, at.y / step};
-  for (const plane::Region* set : {&all.corners, &all.boundary}) {
-    const auto near = plane::nearest(*set, is_in, p);
-    if (near && near->distance * step <= within && mark_of(all.region, plane::locate(all.region, near->at)) > 0)
-      return distance::times(step, near->at);
-  }
-  return std::nullopt;
+                                  near->attained};
 }
 
 formula::Check LoadedPlane::check(const Spot& spot, const RealPoint& at) const {
@@ -229,7 +204,11 @@ std::string LoadedPlane::check_json(const Spot& spot, const CheckWish& wish) con
   require_moving();
   RealPoint at = point_of(spot);
   const Rotated& world = rotated(spot.angle);
-  if (wish.snap.sign() > 0) at = snapped(world, at, wish.snap).value_or(at);
+  if (wish.snap.sign() > 0) {
+    const Real& step = solver().world().step;
+    const auto near = answers(world).snapped({at.x / step, at.y / step}, wish.snap / step);
+    if (near) at = distance::times(step, *near);
+  }
   const formula::Check found = check(spot, at);
   const auto near = wish.nearest && !found.holds && !spot.time ? nearest(world, at) : std::nullopt;
   const bool turns = spot.angle || scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose;

@@ -14,6 +14,7 @@
 #include "formula/planar/solve.h"
 #include "plane/build/transform.h"
 #include "serve/loaded.h"
+#include "serve/region_answers.h"
 
 namespace findspace::app {
 
@@ -31,17 +32,12 @@ class LoadedPlane final : public Loaded {
   std::string between_json(const Spot& spot, const std::array<exact::RealPoint, 2>& places) const override;
 
  private:
-  /// The region of the formula, and what one snaps to: its closure, the boundary of that, and the corners.
-  struct Answers {
-    plane::Region region, closure, boundary, corners;
-    std::optional<plane::Region> outer;  // where the region is known between bounds
-  };
   /// The world with the moving shape rotated.
   struct Rotated {
     exact::Real degrees;
     std::shared_ptr<const formula::Solver> solver;
     plane::Rounding rounding;
-    mutable std::optional<Answers> answers;
+    mutable std::shared_ptr<const RegionAnswers> answers;  // of the formula
   };
 
   std::string drawing_of(const std::string& shape) const override;
@@ -49,14 +45,13 @@ class LoadedPlane final : public Loaded {
 
   const formula::Solver& solver() const { return *upright_.solver; }
   const Rotated& rotated(const std::optional<exact::Real>& degrees) const;
-  const Answers& answers(const Rotated& rotated) const;
-  Answers solved(const formula::Solver& solver, const formula::Formula& formula) const;
+  const RegionAnswers& answers(const Rotated& rotated) const;
+  std::shared_ptr<const RegionAnswers> solved(const formula::Solver& solver, const formula::Formula& formula) const;
+  std::string brief_json(const RegionAnswers& answers) const;
   exact::RealPoint about() const;
   bool is_rotating(const formula::Formula& formula) const;
   formula::Check check(const Spot& spot, const exact::RealPoint& at) const;
   std::optional<formula::NearestFeasible> nearest(const Rotated& rotated, const exact::RealPoint& at) const;
-  std::optional<exact::RealPoint> snapped(const Rotated& rotated, const exact::RealPoint& at,
-                                          const exact::Real& within) const;
   std::string drawing_json(const plane::Region& region) const;
 
   Rotated upright_;

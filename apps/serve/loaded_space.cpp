@@ -86,8 +86,10 @@ SpaceWindow LoadedSpace::window() const {
   return *window_;
 }
 
-std::string LoadedSpace::map_json(const RegionWish& wish) const {
+std::string LoadedSpace::map_json(const RegionWish& asked) const {
   require_moving();
+  RegionWish wish = asked;
+  wish.drawing = wish.drawing || wish.brief;
   if (wish.angle) refuse("an angle in space");
   const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
   const formula::Formula& wanted = wish.where ? other : formula();

@@ -48,6 +48,7 @@ constexpr Parameter kSceneParameters[] = {kOfScene, kDrawing};
 constexpr Parameter kMapParameters[] = {
     kOfScene,
     kDrawing,
+    {"brief", kFlag, "only whether it is empty, one position of it, and how it looks"},
     {"where", kText, "of this formula instead; the scene keeps its own"},
     {"apply", kOperation, "what the region is made into"},
     kAngle,
@@ -209,6 +210,7 @@ std::string set(SceneStore& store, const JsonValue& parameters) {
 std::string map(SceneStore& store, const JsonValue& parameters) {
   RegionWish wish;
   wish.drawing = flag(parameters, "drawing");
+  wish.brief = flag(parameters, "brief");
   wish.where = text(parameters, "where");
   wish.apply = text(parameters, "apply").value_or("");
   constexpr std::array<std::string_view, 6> kOperations{"",         "interior",   "closure",

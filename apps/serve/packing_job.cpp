@@ -24,7 +24,11 @@ packing::Fraction fraction(const std::string& text) { return packing::Fraction::
 packing::Problem read(const std::string& problem, const std::string& file, const PackingWishes& wishes) {
   io::NestingWishes read{std::nullopt, fraction(wishes.gap), fraction(wishes.edge)};
   if (wishes.height) read.height = fraction(*wishes.height);
-  return io::read_nesting(problem, file, read);
+  packing::Problem result = io::read_nesting(problem, file, read);
+  if (result.on_sheets() || result.box)
+    throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
+                file);
+  return result;
 }
 
 std::string outline(const packing::Problem& problem, const packing::Polygon& shape) {
@@ -43,15 +47,16 @@ std::string outline(const packing::Problem& problem, const packing::Polygon& sha
 std::optional<packing::Layout> separated(const packing::Problem& problem, const packing::Layout& layout) {
   constexpr std::array<double, 7> kLonger{1, 1.02, 1.05, 1.1, 1.25, 1.5, 2};
   const packing::FieldTable table(problem);
+  const packing::Row row(problem, table, {});
   const double length = (layout.length - problem.edge - problem.edge).to_double();
   for (const double longer : kLonger) {
-    std::vector<packing::Pose> poses = packing::poses_of(problem, table, layout);
-    const packing::Arrangement strip(table, poses, length * longer);
+    std::vector<packing::Pose> poses = packing::poses_of(problem, table, row, layout);
+    const packing::Arrangement strip(table, row, poses, length * longer);
     for (packing::Pose& pose : poses) pose.at = strip.inside(pose.variant, pose.at);
-    packing::LinearMoves moves(table);
+    packing::LinearMoves moves(table, row);
     double reached = length * longer;
     if (!moves.separate(poses, reached, length * longer)) continue;
-    if (auto made = packing::finished(problem, table, poses, moves.shorten(poses, reached))) return made;
+    if (auto made = packing::finished(problem, table, row, poses, moves.shorten(poses, reached))) return made;
   }
   return std::nullopt;
 }
@@ -60,9 +65,10 @@ std::optional<packing::Layout> separated(const packing::Problem& problem, const 
 std::optional<packing::Layout> set_aside(const packing::Problem& problem, const packing::Layout& layout,
                                          std::size_t item) {
   const packing::FieldTable table(problem);
+  const packing::Row row(problem, table, {});
   double length = (layout.length - problem.edge - problem.edge).to_double();
-  std::vector<packing::Pose> poses = packing::poses_of(problem, table, layout);
-  const packing::Arrangement strip(table, poses, length);
+  std::vector<packing::Pose> poses = packing::poses_of(problem, table, row, layout);
+  const packing::Arrangement strip(table, row, poses, length);
   poses[item].at = strip.inside(poses[item].variant, poses[item].at);
   const double touching = table.height() * margin::kNoOverlap;
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -71,8 +77,8 @@ std::optional<packing::Layout> set_aside(const packing::Problem& problem, const 
     poses[k].at = {length + table.gap() - variant.low.x, -variant.low.y};
     length = poses[k].at.x + variant.high.x;
   }
-  packing::LinearMoves moves(table);
-  return packing::finished(problem, table, poses, moves.shorten(poses, length));
+  packing::LinearMoves moves(table, row);
+  return packing::finished(problem, table, row, poses, moves.shorten(poses, length));
 }
 
 }  // namespace

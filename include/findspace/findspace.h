@@ -12,6 +12,7 @@
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
+//   packing.h   many parts on a strip or on sheets
 //   space_region.h, surface.h   exact sets of space, and surfaces
 //   phi.h       Phi-functions with gradients
 //   error.h     what is thrown for bad input
@@ -24,6 +25,7 @@
 #include "findspace/motion.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/packing.h"
 #include "findspace/phi.h"
 #include "findspace/placement.h"
 #include "findspace/region.h"

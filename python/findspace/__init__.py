@@ -10,15 +10,17 @@
 (True, False)
 """
 from ._findspace import (AtomValue, Body, Check, Component, Distance, DistanceValue, Edge, Error, Feature, Formula,
-                         Instants, Interval, LineMap, Optimum, Phi, PhiValue, Placement, PoseMap, Query, Region, Ring,
+                         Instants, Interval, LeftOutPart, LineMap, Optimum, PackLayout, PackPart, PackProblem,
+                         PackSheet, PackZone, Phi, PhiValue, PlacedPart, Placement, PoseMap, Query, Region, Ring,
                          Shape, SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
-                         distance, gap, hausdorff, inside, margin, overlaps, place, protrusion, reach, touches, within)
+                         distance, gap, hausdorff, inside, margin, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _plot, _shapely
 
 __all__ = ["AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Feature",
-           "Formula", "Instants", "Interval", "LineMap", "Optimum", "Phi", "PhiValue", "Placement", "PoseMap", "Query",
+           "Formula", "Instants", "Interval", "LeftOutPart", "LineMap", "Optimum", "PackLayout", "PackPart", "PackProblem",
+           "PackSheet", "PackZone", "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query",
            "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "Surface", "World", "clear", "cover", "covers",
-           "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "place",
+           "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "pack", "place",
            "protrusion", "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape

@@ -19,6 +19,7 @@ void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
 void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
+void bind_packing(py::module_& m);
 
 namespace {
 
@@ -61,4 +62,5 @@ PYBIND11_MODULE(_findspace, m) {
   bind_regions(m);
   bind_space(m);
   bind_worlds(m);
+  bind_packing(m);
 }

@@ -265,3 +265,18 @@ def test_examples_in_docstrings(module):
     for test in finder.find(module, module.__name__, globs={**names, "fs": fs}):
         runner.run(test)
     assert runner.summarize(verbose=False).failed == 0
+
+
+def test_pack_on_sheets_and_into_a_strip():
+    domino = fs.PackPart("domino", [(0, 0), (1, 0), (1, 2), (0, 2)], count=8, angles=[0, 90])
+    layout = fs.pack(fs.PackProblem([domino], height=4), work=5)
+    assert layout.length == "4" and layout.density == 1
+    sheets = fs.PackProblem([domino], sheets=[fs.PackSheet("plate", [(0, 0), (2, 0), (2, 4), (0, 4)], count=3)])
+    layout = fs.pack(sheets, work=5)
+    assert layout.sheets == ["plate", "plate"] and layout.faults(sheets) == []
+    layout.items[0].at = ("1/3", 1)
+    assert any("overlap" in fault or "outside" in fault for fault in layout.faults(sheets))
+    assert '"sheets"' in layout.json(sheets) and "<svg" in layout.svg(sheets)
+    with pytest.raises(fs.Error):
+        fs.pack(fs.PackProblem([domino], height="0.5"), work=1)
+    assert fs.pack(fs.PackProblem([], height=4), work=1) is None

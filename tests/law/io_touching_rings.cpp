@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <array>
 
+#include "io/export/write_wkt.h"
 #include "io/read/read_file.h"
 #include "io/write/write_svg.h"
-#include "io/write/write_wkt.h"
 #include "law/plane_random.h"
 #include "plane/build/touching_rings.h"
 #include "plane/complex/primitives.h"

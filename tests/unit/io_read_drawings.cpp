@@ -30,6 +30,13 @@ ShapePtr svg(const std::string& inside, FileChoice choice = {},
                   context);
 }
 
+/// Open outlines taken for lines.
+ShapePtr lines(const std::string& inside) {
+  Context context;
+  context.drawing.open_lines = true;
+  return read_svg("<svg width='100mm' viewBox='0 0 100 100'>" + inside + "</svg>", "f.svg", {}, context);
+}
+
 template <class Read>
 void expect_refused(Read read, const std::string& words) {
   try {
@@ -48,18 +55,18 @@ TEST(ReadSvg, Refuses) {
   }
   expect_refused([&] { read_svg("<html/>", "f.svg", {}, context); }, "not <svg>");
   expect_refused([] { svg(""); }, "no shape");
-  expect_refused([] { svg("\n<path id='p' d='M0 0 C1 1 2 2 3 3'/>"); }, "<path id='p'> (f.svg:2:2): path, character 6");
+  expect_refused([] { svg("\n<path id='p' d='M0 0 X'/>"); }, "<path id='p'> (f.svg:2:2): path, character 6");
   expect_refused([] { svg("<path/>"); }, "the path is empty");
   expect_refused([] { svg("<circle r='0'/>"); }, "'r' must be more than 0");
-  expect_refused([] { svg("<circle r='1mm'/>"); }, "the unit 'mm'");
+  expect_refused([] { svg("<circle r='1em'/>"); }, "the unit 'em'");
   expect_refused([] { svg("<rect width='5'/>"); }, "'height' must be more than 0");
   expect_refused([] { svg("<rect width='50%' height='5'/>"); }, "the unit '%'");
-  expect_refused([] { svg("<rect width='9' height='5' rx='1' ry='2'/>"); }, "elliptical corners");
-  expect_refused([] { svg("<ellipse rx='9' ry='5'/>"); }, "only circles");
+  expect_refused([] { svg("<path d='M0 0 H9 V9'/><path d='M0 9 V1'/>"); },
+                 "2 outlines are open, the first from (0, 0) to (9, -9); the narrowest gap is 1 mm");
   expect_refused([] { svg("<polygon points='0 0 1'/>"); }, "odd number");
   expect_refused([] { svg("<polygon points='0 0 4 0 4 4' transform='turn(3)'/>"); }, "no such transform");
-  expect_refused([] { svg("<circle r='3' transform='scale(1, 2)'/>"); }, "makes it elliptical");
-  expect_refused([] { svg("<use href='#a'/>"); }, "<use> is not read");
+  expect_refused([] { svg("<use href='#a'/>"); }, "which is not in the drawing");
+  expect_refused([] { svg("<g id='a'><use href='#a'/></g>"); }, "nested too deeply");
   expect_refused([] { svg("<circle r='1' transform='scale(1'/>"); }, "incomplete");
   FileChoice choice;
   choice.id = "outlin";
@@ -91,8 +98,10 @@ TEST(ReadSvg, Elements) {
   EXPECT_EQ(rounded->contours[0].size(), 8u);
   EXPECT_EQ(svg("<rect width='20' height='10' rx='5'/>")->contours[0].size(), 6u);  // a stadium
   EXPECT_EQ(svg("<rect width='10' height='10' rx='9'/>")->contours[0].size(), 4u);  // a circle
-  EXPECT_EQ(svg("<line x1='0' y1='0' x2='5' y2='5'/>")->kind, Shape::Kind::kPolyline);
-  EXPECT_EQ(svg("<polyline points='0,0 5,0 5,5'/>")->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(lines("<line x1='0' y1='0' x2='5' y2='5'/>")->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(lines("<polyline points='0,0 5,0 5,5'/>")->kind, Shape::Kind::kPolyline);
+  EXPECT_EQ(svg("<polyline points='0,0 5,0 5,5'/><line x2='5' y2='5'/>")->kind, Shape::Kind::kRings);  // joined
+  EXPECT_EQ(svg("<circle r='25.4mm'/>")->amount.integer(), exact::int128(96));
   EXPECT_EQ(svg("<polygon points='0,0 5,0 5,5'/>")->kind, Shape::Kind::kRings);
 }
 
@@ -135,7 +144,7 @@ TEST(ReadSvg, Choice) {
   EXPECT_TRUE(all->collection);
   ASSERT_EQ(all->children.size(), 3u);
   EXPECT_EQ(all->children[1]->name, "b");
-  EXPECT_EQ(context.notes.back(), "f.svg: 1 <text> left out");
+  EXPECT_EQ(context.notes.back(), "f.svg: 1 <text> left out; an editor turns text into paths");
   FileChoice choice;
   choice.layer = "cuts";
   EXPECT_EQ(svg(drawing, choice)->children.size(), 2u);
@@ -183,13 +192,15 @@ TEST(ReadDxf, Refuses) {
   }
   expect_refused([&] { read_dxf("hello\nworld\n", "f.dxf", {}, context); }, "not ASCII DXF");
   expect_refused([&] { read_dxf(std::string_view("AutoCAD Binary DXF\r\n\x1a\0xxx", 25), "f.dxf", {}, context); },
-                 "binary DXF");
+                 "cut off");
   expect_refused([] { dxf(""); }, "no shape");
   expect_refused([] { dxf("0 LINE|10 0|20 0|11 5|"); }, "LINE (f.dxf:16): group 21 is missing");
   expect_refused([] { dxf("0 LINE|10 x|20 0|11 5|21 0|"); }, "'x' is not a number");
   expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 -1|"); }, "radius");
-  expect_refused([] { dxf("0 SPLINE|8 0|"); }, "SPLINE is not read");
-  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|230 -1|"); }, "plane is rotated");
+  expect_refused([] { dxf("0 SPLINE|8 0|"); }, "a curve of degree 0");
+  expect_refused([] { dxf("0 SPLINE|71 3|11 0|21 0|11 5|21 5|"); }, "fit points alone");
+  expect_refused([] { dxf("0 REGION|8 0|"); }, "REGION is not read");
+  expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|220 1|230 0|"); }, "plane is slanted");
   expect_refused([] { dxf("0 INSERT|2 none|10 0|20 0|"); }, "unknown block");
   expect_refused([] { dxf("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|"); }, "without SEQEND");
   expect_refused([] { dxf(kSquare, {}, "7"); }, "$INSUNITS 7");
@@ -231,8 +242,20 @@ TEST(ReadDxf, BulgesAndArcs) {
   EXPECT_EQ(dxf("0 POINT|10 3|20 4|")->points[0], (GridPoint{3, 4}));
 }
 
-TEST(ReadDxf, OpenOutlinesAreNoted) {
+TEST(ReadDxf, OpenOutlinesAreRefusedJoinedOrNoted) {
+  const std::string gaps =
+      "0 LINE|10 0|20 0|11 50|21 0|0 LINE|10 52|20 1|11 50|21 50|0 ARC|10 25|20 50|40 25|50 0|51 180|0 LINE|10 0|20 "
+      "49|11 0|21 1|";
+  expect_refused([&] { dxf(gaps); },
+                 "3 outlines are open, the first from (0, 0) to (50, 0); the narrowest gap is 1 mm");
+  Context joining;
+  joining.drawing.join = 3;
+  ShapePtr closed = read_dxf(dxf_text(gaps, "4"), "f.dxf", {}, joining);
+  ASSERT_EQ(closed->kind, Shape::Kind::kRings);
+  EXPECT_EQ(closed->contours[0].size(), 4u);
+  EXPECT_EQ(joining.notes.at(0), "f.dxf: 3 gaps closed, the widest 2.24 mm at (50, 0)");
   Context context;
+  context.drawing.open_lines = true;
   ShapePtr open =
       read_dxf(dxf_text("0 LINE|10 0|20 0|11 5|21 0|0 LINE|10 5|20 0|11 5|21 5|", "4"), "f.dxf", {}, context);
   EXPECT_EQ(open->kind, Shape::Kind::kPolyline);
@@ -242,6 +265,7 @@ TEST(ReadDxf, OpenOutlinesAreNoted) {
 TEST(ReadDxf, HeightsAreNoted) {
   auto notes = [](const std::string& entities) {
     Context context;
+    context.drawing.open_lines = true;
     read_dxf(dxf_text(entities, "4", "0 BLOCK|2 b|10 0|20 0|0 LINE|10 0|20 0|11 5|21 0|0 ENDBLK|"), "f.dxf", {},
              context);
     return context.notes;
@@ -264,7 +288,8 @@ TEST(ReadDxf, BlocksAndLayers) {
   FileChoice choice;
   choice.layer = "holes";
   EXPECT_EQ(dxf(kSquare + "0 INSERT|8 holes|2 part|10 30|20 40|", choice, "4", block)->kind, Shape::Kind::kDisc);
-  expect_refused([&] { dxf("0 INSERT|2 part|10 30|20 40|41 3|42 1|", {}, "4", block); }, "elliptical");
+  EXPECT_EQ(dxf("0 INSERT|2 part|10 30|20 40|70 3|71 2|44 9|45 9|", {}, "4", block)->children.size(), 6u);
+  EXPECT_EQ(dxf("0 INSERT|2 part|10 30|20 40|230 -1|", {}, "4", block)->points[0], (GridPoint{-30, 40}));
   FileChoice second;
   second.index = 1;
   EXPECT_EQ(dxf(kSquare + "0 LWPOLYLINE|70 1|10 50|20 0|10 60|20 0|10 60|20 9|", second)->contours[0].size(), 3u);

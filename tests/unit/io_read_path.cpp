@@ -25,6 +25,12 @@ class Recorder : public PathSink {
   void arc_to(const Real& r, bool large, bool sweep, const Real& x, const Real& y) override {
     put(large ? sweep ? "A11" : "A10" : sweep ? "A01" : "A00", {r, x, y});
   }
+  void curve_to(std::span<const plane::CurvePoint> points) override {
+    log += "C";
+    for (const plane::CurvePoint& p : points) log += " " + p.x.text() + " " + p.y.text();
+    log += " ";
+  }
+  void ellipse_to(const EllipseArc&, const Real& x, const Real& y) override { put("E", {x, y}); }
   void close() override { log += "Z "; }
 
  private:
@@ -61,9 +67,8 @@ TEST(SvgPath, Refuses) {
   expect_refused("M0 0 X", ErrorCode::kSyntax, "path, character 6");
   expect_refused("M0 0 L1 1 2", ErrorCode::kSyntax, "path, character 12");
   expect_refused("M0 0, L1 1", ErrorCode::kSyntax, "path, character 7");
-  expect_refused("M0 0 C1 1 2 2 3 3", ErrorCode::kUnsupported, "path, character 6");
-  expect_refused("M0 0 q1 1 2 2", ErrorCode::kUnsupported, "path, character 6");
-  expect_refused("M0 0 A5 3 0 0 1 1 1", ErrorCode::kUnsupported, "path, character 10");
+  expect_refused("M0 0 C1 1 2 2 3", ErrorCode::kSyntax, "path, character 16");
+  expect_refused("M0 0 q1 1 2", ErrorCode::kSyntax, "path, character 12");
   expect_refused("M0 0 A5 5 0 2 1 1 1", ErrorCode::kSyntax, "path, character 13");
   expect_refused("M0 0 Z 3 3", ErrorCode::kSyntax, "path, character 8");
   expect_refused("M0 0 Lnan 1", ErrorCode::kSyntax, "path, character 7");
@@ -93,6 +98,16 @@ TEST(SvgPath, ArcFlagsNeedNoSeparators) {
   EXPECT_EQ(commands("M0 0A-5 5 0 0 1 3 4"), "M 0 0 A01 5 3 4 ");
 }
 
+TEST(SvgPath, Curves) {
+  EXPECT_EQ(commands("M0 0 C1 1 2 2 3 3 4 4 5 5 6 6"), "M 0 0 C 1 1 2 2 3 3 C 4 4 5 5 6 6 ");
+  EXPECT_EQ(commands("M1 1 c1 1 2 2 3 3 s2 2 3 3"), "M 1 1 C 2 2 3 3 4 4 C 5 5 6 6 7 7 ");
+  EXPECT_EQ(commands("M1 1 S2 2 3 4"), "M 1 1 C 1 1 2 2 3 4 ");  // no curve before
+  EXPECT_EQ(commands("M0 0 Q1 2 4 0 T8 0 10 0"), "M 0 0 C 1 2 4 0 C 7 -2 8 0 C 9 2 10 0 ");
+  EXPECT_EQ(commands("M0 0 Q1 2 4 0 S5 5 6 0"), "M 0 0 C 1 2 4 0 C 4 0 5 5 6 0 ");  // of another kind
+  EXPECT_EQ(commands("M0 0 A5 3 20 0 1 1 1"), "M 0 0 E 1 1 ");
+  EXPECT_EQ(commands("M0 0 A5 0 20 0 1 1 1"), "M 0 0 L 1 1 ");
+}
+
 /// The shape of a path on a grid of whole units.
 struct Drawn {
   ReadContext context;
@@ -107,6 +122,8 @@ struct Drawn {
       void move_to(const Real& x, const Real& y) override { out.move_to(x, y); }
       void line_to(const Real& x, const Real& y) override { out.line_to(x, y); }
       void arc_to(const Real& r, bool l, bool s, const Real& x, const Real& y) override { out.arc_to(r, l, s, x, y); }
+      void curve_to(std::span<const plane::CurvePoint> points) override { out.curve_to(points); }
+      void ellipse_to(const EllipseArc& arc, const Real& x, const Real& y) override { out.ellipse_to(arc, x, y); }
       void close() override { out.close(); }
     } sink(outline);
     read_svg_path(data, sink);

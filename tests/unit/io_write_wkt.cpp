@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
+#include "io/export/write_wkt.h"
 #include "io/read/read_file.h"
-#include "io/write/write_wkt.h"
 #include "plane/build/build.h"
 #include "plane_topology_sets.h"
 

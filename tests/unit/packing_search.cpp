@@ -74,22 +74,24 @@ TEST(DepthField, KeepsASlit) {
 TEST(LinearMoves, PushBoxesTogether) {
   const Problem problem = problem_of(3, {{"box", 3, box(2, 3), {0}}});
   const FieldTable table(problem);
+  const Row row(problem, table, {});
   std::vector<Pose> poses{{0, {0.3, 0}}, {0, {2.5, 0}}, {0, {4.9, 0}}};
-  EXPECT_NEAR(LinearMoves(table).shorten(poses, 7), 6, 1e-6);
-  EXPECT_TRUE(finished(problem, table, poses, 6).has_value());
+  EXPECT_NEAR(LinearMoves(table, row).shorten(poses, 7), 6, 1e-6);
+  EXPECT_TRUE(finished(problem, table, row, poses, 6).has_value());
 }
 
 TEST(LinearMoves, SeparateAnOverlap) {
   const Problem problem = problem_of(3, {{"box", 2, box(2, 3), {0}}});
   const FieldTable table(problem);
+  const Row row(problem, table, {});
   std::vector<Pose> poses{{0, {0, 0}}, {0, {1.97, 0}}};
   double length = 4;
-  EXPECT_TRUE(LinearMoves(table).separate(poses, length, 4));
+  EXPECT_TRUE(LinearMoves(table, row).separate(poses, length, 4));
   EXPECT_LE(table.depth(poses[0], poses[1]), 1e-8);
   std::vector<Pose> tight{{0, {0, 0}}, {0, {1.9, 0}}};
   length = 3.9;
-  EXPECT_FALSE(LinearMoves(table).separate(tight, length, 3.95));
-  EXPECT_TRUE(LinearMoves(table).separate(tight, length, 4.5));
+  EXPECT_FALSE(LinearMoves(table, row).separate(tight, length, 3.95));
+  EXPECT_TRUE(LinearMoves(table, row).separate(tight, length, 4.5));
   EXPECT_NEAR(length, 4, 1e-6);
 }
 

@@ -115,7 +115,7 @@ bool capped(const ArcChain& chain, GridPoint origin, P p) {
 void expect_side(const Curve& curve, double bound, CurveSide side, const ArcChain& chain) {
   const std::vector<P> fine = samples(curve, 4000), arcs = points_of(chain, curve);
   const double towards = double(static_cast<int>(side));
-  for (std::size_t k = 7; k + 1 < fine.size(); k += 199) {
+  for (std::size_t k = 7; k + 1 < fine.size(); k += 397) {
     const double dx = fine[k + 1].x - fine[k].x, dy = fine[k + 1].y - fine[k].y, length = std::hypot(dx, dy);
     if (!(length > 0)) continue;
     for (double away : {-1.2, -0.5, -0.1, 0.1, 0.3, 0.6, 1.2}) {
@@ -134,7 +134,7 @@ void expect_side(const Curve& curve, double bound, CurveSide side, const ArcChai
 
 void expect_bound(const Curve& curve, double bound, CurveSide side) {
   const ArcChain chain = arcs_of(curve, bound, side);
-  for (const P& p : samples(curve, 300)) EXPECT_LE(nearest(chain, curve, p), bound);
+  for (const P& p : samples(curve, 120)) EXPECT_LE(nearest(chain, curve, p), bound);
   expect_side(curve, bound, side, chain);
 }
 

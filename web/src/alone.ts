@@ -3,7 +3,7 @@
 //
 // The page that stands alone: one HTML file with the scene and its region in it, for mail and reports. It has no
 // engine, so whether a position belongs is read off the picture.
-import type { Place, RegionMap, Summary } from "./engine";
+import type { Drawing, Place, RegionMap, Summary } from "./engine";
 import { shown } from "./picture";
 import type { Stage } from "./stage";
 
@@ -40,7 +40,7 @@ export function drawnAt(stage: Stage, map: RegionMap, y: "up" | "down"): (at: Pl
     const p = new DOMPoint(a, y === "down" ? b : -b), near = 3 * stage.unit;
     return [...document.querySelectorAll<SVGGeometryElement>("#layer-region .face")].some((f) => f.isPointInFill(p)) ||
       [...document.querySelectorAll<SVGGeometryElement>("#layer-region .free, #layer-region .closed")].some((f) => f.isPointInStroke(p)) ||
-      (map.isolated ?? []).some((q) => Math.hypot(q[0]! - a, q[1]! - b) < near);
+      (map.drawing as Drawing).points.some((q) => Math.hypot(q[0] - p.x, q[1] - p.y) < near);
   };
 }
 

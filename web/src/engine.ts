@@ -20,7 +20,7 @@ export interface Summary {
   motion?: { start: number; end: number; movements: Movement[] };
 }
 export interface RegionMap {
-  empty?: boolean; isolated?: Place[]; components?: { sample: Place }[]; drawing: AnyDrawing; outer_drawing?: Drawing;
+  empty?: boolean; sample?: Place | null; isolated?: Place[]; components?: { sample: Place }[]; drawing: AnyDrawing; outer_drawing?: Drawing;
   intervals?: Interval[]; on_lines?: string;
 }
 export interface Interval { from: number | null; to: number | null; from_in: boolean; to_in: boolean }

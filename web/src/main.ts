@@ -31,6 +31,7 @@ let measuring: Place[] | null = null;
 const unit = (): string => summary.unit ?? "";
 const state = (): State => ({ where: summary.where, at: picture.at, moving: summary.moving, angle: poses.pose.angle });
 const keep = (): void => history.keep(state());
+const typedPlace = (): Place => coordinates().map((k) => Number(get<HTMLInputElement>(k).value));
 const coordinates = (): string[] => ["x", "y", "z"].slice(0, summary.dimension);
 
 /// The angle or the instant that requests are about.
@@ -76,7 +77,7 @@ const showTurns = (): void => void turns().catch(() => poses.showIntervals([], p
 /// The set of one condition alone, or of none.
 async function pick(text: string): Promise<void> {
   picked = text;
-  picture.setRegion(text ? (await call<RegionMap>("map", { drawing: true, where: text, ...poseOf(false) })).drawing : null, true);
+  picture.setRegion(text ? (await call<RegionMap>("map", { brief: true, where: text, ...poseOf(false) })).drawing : null, true);
   await check(picture.at, 0);
 }
 
@@ -92,7 +93,7 @@ const explain = latest(async () => {
 
 async function solve(): Promise<void> {
   if (!summary.moving.length) return;
-  map = await call<RegionMap>("map", { drawing: true, ...(operation ? { apply: operation } : {}), ...poseOf(false) });
+  map = await call<RegionMap>("map", { brief: true, ...(operation ? { apply: operation } : {}), ...poseOf(false) });
   await showMap(map);
 }
 
@@ -184,10 +185,7 @@ function measure(on: boolean): void {
 async function pickFeature(at: Place): Promise<void> {
   if (!measuring || !stage) return;
   measuring.push(at);
-  if (measuring.length < 2) {
-    get("between").textContent = "Click the second feature";
-    return;
-  }
+  if (measuring.length < 2) return void (get("between").textContent = "Click the second feature");
   const [from, to] = measuring;
   measuring = [];
   const answer = await call<Between>("between", { from, to, at: picture.at, ...poseOf(false) });
@@ -214,7 +212,7 @@ function onKey(e: KeyboardEvent): void {
     return;
   }
   const turn = (by: number) => {
-    if (summary.dimension === 3 || summary.motion) return;
+    if (poses.method !== "angles") return;
     poses.setAngle((poses.pose.angle + by + 360) % 360);
     void setPose().then(keep);
   };
@@ -234,8 +232,7 @@ function connect(): void {
   poses.onPose = () => void setPose().catch(fault);
   poses.onDone = keep;
   for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
-    const at = coordinates().map((k) => Number(get<HTMLInputElement>(k).value));
-    if (at.every(Number.isFinite)) void moveTo(at).then(keep);
+    if (typedPlace().every(Number.isFinite)) void moveTo(typedPlace()).then(keep);
   };
   const clicks: Record<string, () => void> = {
     nearest: () => void toNearest(), explain: () => void explain().catch(fault), measure: () => measure(!measuring),
@@ -254,13 +251,12 @@ function connect(): void {
 
 /// Another scene in place of this one.
 async function openScene(text: string): Promise<void> {
-  const before = summary.dimension;
   const loaded = await call<Summary>("load", { text, drawing: true });
   hidden.clear();
   picked = operation = "";
   picture.setRegion(null, true);
   measure(false);
-  if (loaded.dimension !== before) await choosePicture(loaded);
+  if (loaded.dimension !== summary.dimension) await choosePicture(loaded);
   await showLoaded(loaded);
 }
 
@@ -292,7 +288,7 @@ async function showLoaded(loaded: Summary): Promise<void> {
   showScene();
   views();
   if (moving) {
-    map = alone?.map ?? (await call<RegionMap>("map", { drawing: true }));
+    map = alone?.map ?? (await call<RegionMap>("map", { brief: true }));
     picture.place(alone?.at ?? firstPlace());
     if (alone) picture.setRegion(map.drawing);
     else await showMap(map);
@@ -333,8 +329,7 @@ function connectAlone(): void {
   };
   picture.onDrag = show;
   for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
-    const at = coordinates().map((k) => Number(get<HTMLInputElement>(k).value));
-    if (at.every(Number.isFinite)) show(at);
+    if (typedPlace().every(Number.isFinite)) show(typedPlace());
   };
   if (stage && belongs) stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${unit()} ${belongs(at) ? "feasible" : "not feasible"}`; };
   show(picture.at);
@@ -343,7 +338,7 @@ function connectAlone(): void {
 /// In the region, if it has a point that says so; else where the part is drawn.
 function firstPlace(): Place {
   if (summary.free === "angle" || summary.free === "time") return [0, 0];
-  return map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
+  return map?.sample ?? map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
 }
 
 async function choosePicture(loaded: Summary): Promise<void> {
@@ -378,9 +373,8 @@ function buttons(): void {
   get("save-svg").onclick = () => save("findspace.svg", new Blob([picture.svg()], { type: "image/svg+xml" }));
   get("save-png").onclick = () => void picture.png().then((png) => save("findspace.png", png), fault);
   get("save-page").onclick = () => { if (map) save("findspace.html", new Blob([alonePage({ summary, map, at: picture.at }, spaceText)], { type: "text/html" })); };
-  get("zoom-in").onclick = () => picture.zoom(0.8);
-  get("zoom-out").onclick = () => picture.zoom(1.25);
-  get("fit").onclick = () => picture.fit();
+  const moves: Record<string, () => void> = { "zoom-in": () => picture.zoom(0.8), "zoom-out": () => picture.zoom(1.25), fit: () => picture.fit() };
+  for (const [id, act] of Object.entries(moves)) get(id).onclick = act;
 }
 
 async function beginPacking(): Promise<void> {

@@ -5,7 +5,7 @@
 // handle along each axis, dimension lines, a plane that cuts all open. A script of its own (space.js): pages of the plane
 // do without it.
 import {
-  AmbientLight, BackSide, Box3, BufferGeometry, CanvasTexture, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
+  AmbientLight, BackSide, Box3, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
   LineSegments, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial, Object3D, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene,
   Side, Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -14,6 +14,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
+import { arrowGeometry, dot, ofSheets, surface } from "./forms";
 import { roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Pose } from "./picture";
 
@@ -21,36 +22,6 @@ const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)]
 const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
 
 const colour = (name: string): Color => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7));
-
-/// Convex faces, each cut about its first corner.
-function surface(vertices: Corner[], faces: number[][]): BufferGeometry {
-  const at: number[] = [];
-  for (const f of faces) for (let k = 2; k < f.length; ++k) at.push(...vertices[f[0]!]!, ...vertices[f[k - 1]!]!, ...vertices[f[k]!]!);
-  const made = new BufferGeometry();
-  made.setAttribute("position", new Float32BufferAttribute(at, 3));
-  made.computeVertexNormals();
-  return made;
-}
-
-let dotMade: CanvasTexture | null = null;
-
-/// A round dot.
-function dot(): CanvasTexture {
-  if (dotMade) return dotMade;
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 32;
-  const context = canvas.getContext("2d")!;
-  context.fillStyle = "#fff";
-  context.arc(16, 16, 15, 0, 7);
-  context.fill();
-  return (dotMade = new CanvasTexture(canvas));
-}
-
-const ofSheets = (sheets: Corner[][]): BufferGeometry => {
-  const vertices = sheets.flat();
-  let from = 0;
-  return surface(vertices, sheets.map((s) => s.map(() => from++)));
-};
 
 interface Style { fill: string; opacity: number; edges: string; side?: Side }
 
@@ -401,23 +372,6 @@ export class SpaceStage implements Picture {
     this.render();
     return new Promise((done, fail) => this.canvas.toBlob((b) => (b ? done(b) : fail(new Error("no picture"))), "image/png"));
   }
-}
-
-/// A shaft and a tip along an axis, one long.
-function arrowGeometry(axis: Vector3): BufferGeometry {
-  const [u, v] = [new Vector3(axis.y, axis.z, axis.x), new Vector3(axis.z, axis.x, axis.y)];
-  const ring = (along: number, radius: number): Vector3[] =>
-    [...Array(8).keys()].map((k) => axis.clone().multiplyScalar(along).add(u.clone().multiplyScalar(radius * Math.cos((k * Math.PI) / 4))).add(v.clone().multiplyScalar(radius * Math.sin((k * Math.PI) / 4))));
-  const rings = [ring(0, 0.025), ring(0.78, 0.025), ring(0.78, 0.085), ring(1, 0)];
-  const at: number[] = [];
-  for (let r = 1; r < rings.length; ++r)
-    for (let k = 0; k < 8; ++k) {
-      const [a, b, c, d] = [rings[r - 1]![k]!, rings[r - 1]![(k + 1) % 8]!, rings[r]![k]!, rings[r]![(k + 1) % 8]!];
-      for (const p of [a, b, d, a, d, c]) at.push(p.x, p.y, p.z);
-    }
-  const made = new BufferGeometry();
-  made.setAttribute("position", new Float32BufferAttribute(at, 3));
-  return made;
 }
 
 (globalThis as { findspaceSpace?: typeof SpaceStage }).findspaceSpace = SpaceStage;

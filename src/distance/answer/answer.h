@@ -112,6 +112,29 @@ SceneAnswer in_scene(const AnswerOf<V>& a, const exact::Real& unit) {
   return in_unit(a, unit, [&](const V& p) { return coordinates(times(unit, p)); });
 }
 
+/// The answer, knowing that the value has that sign against the level: what it lies between ends there.
+template <class V>
+AnswerOf<V> narrowed(AnswerOf<V> a, const exact::Real& level, int sign) {
+  if (a.proven || a.minus_infinity) return a;
+  if (sign == 0) {
+    a.value = level;
+    a.proven = true;
+    a.error = 0;
+    a.enclosed.reset();
+    return a;
+  }
+  Enclosure ends = a.bounds();
+  std::optional<exact::Real>& near = sign > 0 ? ends.lower : ends.upper;
+  if (!near || (*near - level).sign() * sign < 0) near = level;
+  if ((a.value - level).sign() * sign <= 0) {
+    const std::optional<exact::Real>& far = sign > 0 ? ends.upper : ends.lower;
+    a.value = far ? (level + *far) / exact::Real(2) : level;
+  }
+  if (ends.lower && ends.upper) a.error = (*ends.upper - *ends.lower).to_double();
+  a.enclosed = std::move(ends);
+  return a;
+}
+
 /// An exact value.
 template <class V = exact::RealPoint>
 AnswerOf<V> exact_answer(exact::Real value, Way way, std::optional<V> nearest = {}) {

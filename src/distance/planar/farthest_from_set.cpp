@@ -22,12 +22,12 @@ using plane::Mark;
 using plane::Region;
 
 using plane::operator+;
+using plane::operator-;
 
 namespace {
 
 constexpr long kMostRanges = 100000;
 constexpr MaxMinEffort kCoarse{margin::kMaxMinGuess, kMostRanges}, kFine{margin::kMaxMinFine, kMostRanges};
-constexpr std::size_t kMostMaxMins = 10;
 
 bool inside(Mark m) { return m > 0; }
 
@@ -76,11 +76,13 @@ double FarthestFromSet::scale(double px, double py) const { return scale_ + std:
 std::vector<MaxMinPlace> FarthestFromSet::distinct(const std::vector<MaxMinPlace>& all, double scale) {
   std::vector<MaxMinPlace> out;
   for (const MaxMinPlace& k : all) {
-    bool known = std::any_of(out.begin(), out.end(), [&](const MaxMinPlace& u) {
+    const auto known = std::find_if(out.begin(), out.end(), [&](const MaxMinPlace& u) {
       return u.cell == k.cell && std::hypot(u.x - k.x, u.y - k.y) <= scale * margin::kSamePlace;
     });
-    if (!known) out.push_back(k);
-    if (out.size() == kMostMaxMins) break;
+    if (known != out.end())
+      known->unnamed = known->unnamed || k.unnamed;
+    else if (out.size() < kMostMaxMins)
+      out.push_back(k);
   }
   return out;
 }
@@ -95,29 +97,99 @@ std::vector<MaxMinPlace> FarthestFromSet::max_mins(double px, double py, double 
 std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, double least_value) const {
   const double px = near_value(p.x), py = near_value(p.y), scale = this->scale(px, py);
   std::optional<FarthestPlace> best;
-  auto take = [&](const std::vector<MaxMinPlace>& all) {
+  double unnamed = -std::numeric_limits<double>::infinity();  // so far a place may be that no formula gives
+  auto take = [&](const std::vector<MaxMinPlace>& all, double short_part) {
     for (const MaxMinPlace& k : distinct(all, scale)) {
       FarthestPlace place = exact_place(k, p);
+      if (k.unnamed) unnamed = std::max(unnamed, k.value + scale * short_part);
       if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
     }
   };
   MaxMinSearch search({a_, b_, a_features_, b_features_, a_reach_}, px, py,
                       {scale, scale * margin::kSamePlace, least_value, kCoarse});
-  take(search.run());
+  take(search.run(), kCoarse.short_part);
   // Where an arc crosses a parabola no formula gives the place, and what was taken for it is less than the greatest.
   // Only what is more is looked for; all that is about as far would be too much where a ridge touches an edge.
   const double more_than = best ? near_value(best->value) + scale * margin::kNothingMore : least_value;
-  take(search.finer({scale, scale * margin::kRoundedPlace, more_than, kFine}));
+  take(search.finer({scale, scale * margin::kRoundedPlace, more_than, kFine}), kFine.short_part);
   if (!best && search.open() > least_value) best = exact_place({0, 0, 0, {0, 0}}, p);
-  if (best) best->open = search.open();
+  if (!best) return best;
+  const double value = near_value(best->value);
+  best->open = std::max(best->open, search.open());
+  if (unnamed >= value) best->open = std::max(best->open, value + scale * 2 * margin::kMaxMinFine);
   return best;
 }
 
-/// The event's level is the distance to A there, not only to some of its parts.
+/// The event's level is about the distance to A there, not only to some of its parts.
 bool FarthestFromSet::is_distance(const Event& e) const {
   double x = near_value(e.at->x), y = near_value(e.at->y), least = std::numeric_limits<double>::infinity();
   for (const BoundaryFeature& s : a_features_) least = std::min(least, s.distance(x, y));
   return std::abs(near_value(e.level) - least) <= (scale_ + std::abs(x) + std::abs(y)) * margin::kRoundedPlace;
+}
+
+/// The places near a found one where parts of A are equally far, on the edge of B if it is on one, the farthest first.
+std::vector<FarthestFromSet::Meeting> FarthestFromSet::meetings(const MaxMinPlace& max_min, const RealPoint& p) const {
+  const double px = near_value(p.x), py = near_value(p.y);
+  const double scale = std::max(this->scale(px, py), scale_ + std::abs(max_min.x) + std::abs(max_min.y));
+  std::vector<Index> near = near_features(max_min.x, max_min.y, scale * margin::kSamePlace);
+  near.resize(std::min(near.size(), kMostMaxMins));
+  std::vector<LevelCurve> level_curves;
+  for (Index k : near) level_curves.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
+  std::optional<LevelCurve> edge;
+  std::optional<BoundaryFeature> edge_part;
+  if (max_min.cell.dimension == 1) {
+    edge_part = edge_feature(b_, max_min.cell.index);
+    edge = fixed_level_curve(b_, *edge_part).moved({-p.x, -p.y});
+  }
+  std::vector<Meeting> out;
+  auto take = [&](const std::vector<Index>& parts, const std::vector<Event>& all) {
+    for (const Event& e : all) {
+      if (!e.at || !is_value(e.level, max_min, scale)) continue;
+      double x = near_value(e.at->x), y = near_value(e.at->y);
+      if (!(std::hypot(x - max_min.x, y - max_min.y) <= scale * margin::kSamePlace) || !is_distance(e)) continue;
+      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * margin::kRoundedPlace)) continue;
+      out.push_back({e.level, *e.at, parts});
+    }
+  };
+  for (std::size_t i = 0; i < level_curves.size(); ++i) {
+    if (!edge) take({near[i]}, events(level_curves[i]));
+    if (edge && (edge->circle || level_curves[i].circle)) take({near[i]}, events(level_curves[i], *edge));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (edge) take({near[i], near[j]}, events(level_curves[i], level_curves[j], *edge));
+      if (!edge && (level_curves[i].circle || level_curves[j].circle))
+        take({near[i], near[j]}, events(level_curves[i], level_curves[j]));
+      for (std::size_t k = 0; !edge && k < j; ++k)
+        take({near[i], near[j], near[k]}, events(level_curves[i], level_curves[j], level_curves[k]));
+    }
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Meeting& s, const Meeting& t) { return near_value(s.level) > near_value(t.level); });
+  return out;
+}
+
+/// The place is one of B + p, exactly: of its edge's line or circle it is one already.
+bool FarthestFromSet::is_in_b(const MaxMinPlace& max_min, const RealPoint& own) const {
+  if (max_min.cell.dimension == 1) {
+    const BoundaryFeature edge = edge_feature(b_, max_min.cell.index);
+    const double x = near_value(own.x), y = near_value(own.y), near = scale(x, y) * margin::kRoundedPlace;
+    const double to_ends = std::min(plain_length(x - edge.x0, y - edge.y0), plain_length(x - edge.x1, y - edge.y1));
+    if (to_ends > near && edge.faces(x, y)) return true;
+  }
+  return inside(mark_of(b_, locate(b_, own)));
+}
+
+/// The level is the distance to A, exactly. It is where no other part of A is about as near.
+bool FarthestFromSet::is_exact(const Meeting& m) const {
+  const double x = near_value(m.at.x), y = near_value(m.at.y), level = near_value(m.level);
+  const double near = (scale_ + std::abs(x) + std::abs(y)) * margin::kRoundedPlace;
+  const bool alone = [&] {
+    for (Index k = 0; k < a_features_.size(); ++k) {
+      if (a_features_[k].distance(x, y) > level + near) continue;
+      if (std::find(m.parts.begin(), m.parts.end(), k) == m.parts.end()) return false;
+    }
+    return true;
+  }();
+  return alone || plane::nearest(a_, inside, m.at)->distance == m.level;
 }
 
 FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const RealPoint& p) const {
@@ -125,41 +197,15 @@ FarthestPlace FarthestFromSet::exact_place(const MaxMinPlace& max_min, const Rea
     RealPoint at = b_.geometry.exact(b_.vertices[max_min.cell.index].point) + p;
     return {plane::nearest(a_, inside, at)->distance, at, max_min.cell};
   }
-  double px = near_value(p.x), py = near_value(p.y);
-  double scale = std::max(this->scale(px, py), scale_ + std::abs(max_min.x) + std::abs(max_min.y));
-  std::vector<LevelCurve> level_curves;
-  for (Index k : near_features(max_min.x, max_min.y, scale * margin::kSamePlace))
-    if (level_curves.size() < kMostMaxMins)
-      level_curves.push_back(near_level_curve(a_, a_features_[k], max_min.x, max_min.y, 1));
-  std::optional<LevelCurve> edge;
-  std::optional<BoundaryFeature> edge_part;
-  if (max_min.cell.dimension == 1) {
-    edge_part = edge_feature(b_, max_min.cell.index);
-    edge = fixed_level_curve(b_, *edge_part).moved({-p.x, -p.y});
-  }
-  std::optional<FarthestPlace> best;
-  auto take = [&](const std::vector<Event>& all) {
-    for (const Event& e : all) {
-      if (!e.at || (best && near_value(e.level) <= near_value(best->value))) continue;
-      if (!is_value(e.level, max_min, scale)) continue;
-      double x = near_value(e.at->x), y = near_value(e.at->y);
-      if (!(std::hypot(x - max_min.x, y - max_min.y) <= scale * margin::kSamePlace) || !is_distance(e)) continue;
-      if (edge_part && !(edge_part->distance(x - px, y - py) <= scale * margin::kRoundedPlace)) continue;
-      best = FarthestPlace{e.level, *e.at, max_min.cell};
-    }
-  };
-  for (std::size_t i = 0; i < level_curves.size(); ++i) {
-    if (!edge) take(events(level_curves[i]));
-    if (edge && (edge->circle || level_curves[i].circle)) take(events(level_curves[i], *edge));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (edge) take(events(level_curves[i], level_curves[j], *edge));
-      if (!edge && (level_curves[i].circle || level_curves[j].circle)) take(events(level_curves[i], level_curves[j]));
-      for (std::size_t k = 0; !edge && k < j; ++k) take(events(level_curves[i], level_curves[j], level_curves[k]));
-    }
-  }
-  if (best) return *best;
-  RealPoint at{Real::from_double(max_min.x), Real::from_double(max_min.y)};
-  return {plane::nearest(a_, inside, at)->distance, at, max_min.cell};
+  for (const Meeting& m : meetings(max_min, p))
+    if (is_in_b(max_min, m.at - p) && is_exact(m)) return {m.level, m.at, max_min.cell};
+  const RealPoint at{Real::from_double(max_min.x), Real::from_double(max_min.y)}, own = at - p;
+  FarthestPlace out{plane::nearest(a_, inside, at)->distance, at, max_min.cell};
+  const double scale = this->scale(near_value(p.x), near_value(p.y));
+  if (!inside(mark_of(b_, locate(b_, own))))
+    out.off = near_value(plane::nearest(b_, inside, own)->distance) + scale * margin::kFewRoundings;
+  out.open = near_value(out.value) + scale * 2 * margin::kMaxMinFine;
+  return out;
 }
 
 void FarthestFromSet::add_level_curves(const MaxMinPlace& max_min, const RealPoint& p, double tolerance,

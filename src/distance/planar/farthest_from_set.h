@@ -8,9 +8,11 @@
 // box with few parts the candidates are: B's vertices; on B's edges the places between two parts of A, by intervals
 // with the same bound; inside B the places equally far from three parts. The best place is then computed exactly from
 // the level curves that meet there; last, a finer search for what is more. Guarantee: numbers to about 1e-14 of the
-// coordinates, the final value exact in the place found, and no place has more by 2^-44 of the scale. Cost: about (n +
-// m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt, Behrends, Blömer 1995 for where
-// the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch and bound.
+// coordinates, the final value exact in the place found, and no place has more by 2^-43 of the scale. A value at a
+// place that no formula gives, as where an arc of B crosses a parabola between two parts of A, is enclosed that
+// tightly. Cost: about (n + m) log(n + m) for shapes that are apart or similar. Source: branch and bound; Alt,
+// Behrends, Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, lower envelope, branch
+// and bound.
 #pragma once
 
 #include <limits>
@@ -26,6 +28,7 @@ namespace findspace::distance {
 struct MaxMinPlace {
   double value = 0, x = 0, y = 0;  // the place itself, in A's coordinates
   plane::Cell cell{};              // of B; dimension 2 for a place inside B
+  bool unnamed = false;            // no formula may give it: parts of A meet there on an arc, or too many do
 };
 
 /// How far a search goes.
@@ -33,6 +36,8 @@ struct MaxMinEffort {
   double short_part;  // of the scale: a part of an edge this short is a place
   long most_ranges = std::numeric_limits<long>::max();
 };
+
+inline constexpr std::size_t kMostMaxMins = 10;  // places, and parts of A at one place
 
 class FarthestFromSet {
  public:
@@ -43,7 +48,7 @@ class FarthestFromSet {
   /// each place, as far as the effort goes.
   std::vector<MaxMinPlace> max_mins(double px, double py, double tolerance, double least_value,
                                     const MaxMinEffort& effort) const;
-  /// The exact distance to A in the max-min place.
+  /// The distance to A in the place of the max_min: exact, or in the place as the search has it.
   FarthestPlace exact_place(const MaxMinPlace& max_min, const exact::RealPoint& p) const;
   /// The farthest place if its value is more than `least_value`.
   std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
@@ -55,8 +60,17 @@ class FarthestFromSet {
   double scale(double px, double py) const;
 
  private:
+  /// Of parts of A that are equally far from a place, perhaps on an edge of B.
+  struct Meeting {
+    exact::Real level;
+    exact::RealPoint at;
+    std::vector<plane::Index> parts;
+  };
   static std::vector<MaxMinPlace> distinct(const std::vector<MaxMinPlace>& all, double scale);
   bool is_distance(const Event& e) const;
+  std::vector<Meeting> meetings(const MaxMinPlace& max_min, const exact::RealPoint& p) const;
+  bool is_in_b(const MaxMinPlace& max_min, const exact::RealPoint& own) const;
+  bool is_exact(const Meeting& m) const;
   std::vector<plane::Index> near_features(double x, double y, double tolerance) const;
 
   const plane::Region &b_, &a_;

@@ -103,14 +103,21 @@ std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& 
   // A place found by a box at B's boundary may lie beyond it; then the edge has its own.
   if (f.cell.dimension == 2 && !is_in_b(sets, f, place, tolerance)) return best;
   FeaturePair near = nearest_point(sets.a, place);
-  return FarthestPlace{near.distance, place, f.cell, near};
+  FarthestPlace out{near.distance, place, f.cell, near};
+  out.open = near_value(near.distance) + 2 * f.error + sets.slack;
+  if (f.cell.dimension == 1) {
+    const auto own = exact_pair(sets.b.region(), f.cell, {place.x - sets.p.x, place.y - sets.p.y});
+    out.off = near_value(own->distance) + sets.scale * margin::kFewRoundings;
+  }
+  return out;
 }
 
 }  // namespace
 
 PlanarAnswer FarthestPlace::answer() const {
   const Real most = Real::from_double(open);
-  return value < most ? enclosed_answer(value, value, most) : exact_answer(value, Way::kFeatures);
+  if (off == 0 && !(value < most)) return exact_answer(value, Way::kFeatures);
+  return enclosed_answer(value, value - Real::from_double(off), value < most ? most : value);
 }
 
 std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureTree& a, const MaxMinBoxes& boxes,
@@ -127,7 +134,7 @@ std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureT
   }
   if (found.open == 0) return best;
   if (!best) best = exact_vertex(sets, {{}, found.first});
-  best->open = found.open;
+  best->open = std::max(best->open, found.open);
   return best;
 }
 

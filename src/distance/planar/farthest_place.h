@@ -25,9 +25,10 @@ struct FarthestPlace {
   exact::RealPoint at;                   // of B + p
   plane::Cell cell;                      // of B; dimension 2: inside
   std::optional<FeaturePair> nearest{};  // the nearest point of A, where it is known
-  double open = 0;                       // where the search ended early: no place is farther than this or the value
+  double open = 0;                       // no place is farther than this or the value
+  double off = 0;                        // how far `at`, known in numbers only, may be from B
 
-  /// The value as an answer; what lies beside it where the search ended early.
+  /// The value as an answer: exact, or between what is certain and what is open.
   PlanarAnswer answer() const;
 };
 

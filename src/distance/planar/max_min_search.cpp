@@ -69,6 +69,26 @@ bool MaxMinSearch::agree(const List& list, Spot at) const {
   });
 }
 
+/// Whether a formula may lack for the place in this short part of an edge. On a line there is one for any two parts of
+/// A, on an arc where these are equally far along a line.
+bool MaxMinSearch::unnamed(const SearchRange& part, Spot at) const {
+  if (part.a.size() > kMostMaxMins) return true;
+  if (!b_[std::size_t(part.edge)].arc) return false;
+  const auto beside_line = [&](Index k, Index l) {
+    const BoundaryFeature &s = a_[k], &t = a_[l];
+    const auto straight = [](const BoundaryFeature& f) { return !f.arc && !f.is_vertex(); };
+    const auto within = [&](const BoundaryFeature& f) {
+      return f.arc && plain_length(at.x - f.cx, at.y - f.cy) < f.r;
+    };
+    if (straight(s) || straight(t)) return straight(s) && straight(t);
+    return s.r == t.r && within(s) == within(t);
+  };
+  for (std::size_t i = 0; i < part.a.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!beside_line(part.a[i], part.a[j])) return true;
+  return false;
+}
+
 bool MaxMinSearch::in_a(Spot at) { return locate_a_.mark({Real::from_double(at.x), Real::from_double(at.y)}) > 0; }
 bool MaxMinSearch::in_b(Spot at) {
   return locate_b_.mark({Real::from_double(at.x - px_), Real::from_double(at.y - py_)}) > 0;
@@ -131,7 +151,7 @@ void MaxMinSearch::split_edge(SearchRange& part) {
   const double h = height(part.a, at);
   if (length < query_.scale * query_.effort.short_part) {
     places_.push_back(part);
-    return record({h, at.x, at.y, cell});
+    return record({h, at.x, at.y, cell, unnamed(part, at)});
   }
   best_ = std::max(best_, h);
   if (agree(part.a, at) && agree(part.a, b_.on_edge(part.edge, part.t0)) &&
@@ -157,6 +177,7 @@ void MaxMinSearch::split_edge(SearchRange& part) {
 /// maximum.
 void MaxMinSearch::inner_candidates(const SearchRange& box) {
   const List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min<std::size_t>(box.a.size(), 8)));
+  const bool some = list.size() < box.a.size();
   const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = query_.scale * margin::kCandidateBox;
   std::vector<LevelCurve> level_curves;
   for (Index k : list) level_curves.push_back(near_level_curve(sets_.a, a_[k], cx, cy, 1));
@@ -164,7 +185,7 @@ void MaxMinSearch::inner_candidates(const SearchRange& box) {
     if (!e.at) return;
     const Spot at{near_value(e.at->x), near_value(e.at->y)};
     if (!(at.x >= box.x0 - slack && at.x <= box.x1 + slack && at.y >= box.y0 - slack && at.y <= box.y1 + slack)) return;
-    if (in_b(at)) record({height(box.a, at), at.x, at.y, {2, 0}});
+    if (in_b(at)) record({height(box.a, at), at.x, at.y, {2, 0}, some});
   };
   for (std::size_t i = 0; i < level_curves.size(); ++i) {
     for (const Event& e : events(level_curves[i])) try_at(e);
@@ -234,7 +255,6 @@ SearchRange MaxMinSearch::root() const {
 
 void MaxMinSearch::look(SearchRange& r) {
   if (r.edge >= 0) return split_edge(r);
-  if (seen_) seen_.add_box({r.x0, r.y0, 0}, {r.x1, r.y1, 0});
   visit_vertices(r);
   const bool small = std::max(r.x1 - r.x0, r.y1 - r.y0) < query_.scale * margin::kMaxMinBox;
   if (r.a.size() <= kFewFeatures || small)
@@ -244,11 +264,11 @@ void MaxMinSearch::look(SearchRange& r) {
 }
 
 std::vector<MaxMinPlace> MaxMinSearch::found() {
-  for (long left = query_.effort.most_ranges; !todo_.empty() && left > 0; --left) {
-    SearchRange r = todo_.top();
-    todo_.pop();
-    if (matters(r)) look(r);
-  }
+  todo_.run(
+      query_.effort.most_ranges, [](const SearchRange&) { return false; },
+      [&](SearchRange r) {
+        if (matters(r)) look(r);
+      });
   std::erase_if(places_found_, [&](const MaxMinPlace& p) {
     return p.value <= query_.least_value || p.value < best_ - query_.tolerance;
   });

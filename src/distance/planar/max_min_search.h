@@ -11,13 +11,12 @@
 // the effort's short part.
 #pragma once
 
-#include <queue>
 #include <vector>
 
 #include "distance/planar/farthest_from_set.h"
 #include "distance/planar_features/search_range.h"
 #include "distance/planar_features/voronoi_cells.h"
-#include "plane/base/stage_observer.h"
+#include "plane/base/subdivide.h"
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
@@ -41,7 +40,7 @@ class MaxMinSearch {
   /// After run(), what that took for places looked at with more effort; the max-min places that are asked for now.
   std::vector<MaxMinPlace> finer(const MaxMinQuery& query);
   /// What no place left aside is farther than; 0 where all was looked at.
-  double open() const { return todo_.empty() ? 0 : todo_.top().bound; }
+  double open() const { return todo_.empty() ? 0 : todo_.best().bound; }
 
  private:
   using List = SearchRange::List;
@@ -54,6 +53,7 @@ class MaxMinSearch {
   double least(const List& list, Spot at) const;
   Close close_to(const List& list, Spot at, double radius) const;
   bool agree(const List& list, Spot at) const;
+  bool unnamed(const SearchRange& part, Spot at) const;
   bool in_a(Spot at);
   bool in_b(Spot at);
   double height(const List& list, Spot at);
@@ -76,11 +76,10 @@ class MaxMinSearch {
   MaxMinQuery query_;
   plane::Locator locate_a_, locate_b_;
   std::vector<char> arc_done_;
-  std::priority_queue<SearchRange> todo_;
+  plane::Subdivision<SearchRange> todo_{"boxes of the farthest place of a set from another", true};
   std::vector<SearchRange> places_;  // parts of edges that were too short for more
   double best_ = 0;
   std::vector<MaxMinPlace> places_found_;
-  plane::ObservedCells seen_{"boxes of the farthest place of a set from another", true};
 };
 
 }  // namespace findspace::distance

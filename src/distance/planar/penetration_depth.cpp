@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
-#include "plane/base/stage_observer.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -101,6 +100,9 @@ struct Box {
   int vain = 0;        // halvings in a row that left nearly all curves
   std::shared_ptr<const Curves> among = nullptr;  // all curves of the box it is a half of, if there are not many
   bool operator<(const Box& o) const { return bound > o.bound; }  // the best on top
+  void draw(plane::ObservedCells& seen) const {
+    seen.add_box({double(window.x0), double(window.y0), 0}, {double(window.x1), double(window.y1), 0});
+  }
 };
 
 /// Halves across the longer side.
@@ -221,20 +223,20 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
       [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;
-  plane::ObservedCells seen("boxes of the nearest position on the boundary of a sum", true);
-  std::priority_queue<Box<Curves>> boxes;
+  plane::Subdivision<Box<Curves>> boxes("boxes of the nearest position on the boundary of a sum", true);
   if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far), kManyCurves});
-  while (!boxes.empty()) {
-    const Box<Curves> box = boxes.top();
-    boxes.pop();
+  bool spent = false;
+  const auto settled = [&](const Box<Curves>& box) {
     if (best) {
       const double d = best->distance.to_double();
-      if (box.bound > (far ? -d : d) + d * margin::kDepthTolerance) break;
+      if (box.bound > (far ? -d : d) + d * margin::kDepthTolerance) return true;
     }
-    if (--boxes_left_ < 0) return {false, std::nullopt};
+    spent = --boxes_left_ < 0;
+    return spent;
+  };
+  const auto look = [&](const Box<Curves>& box) {
     const GridBox& w = box.window;
-    if (seen) seen.add_box({double(w.x0), double(w.y0), 0}, {double(w.x1), double(w.y1), 0});
-    if (certainly_holds(w)) continue;
+    if (certainly_holds(w)) return;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;
     auto curves = std::make_shared<const Curves>(box.among ? boundary.curves_in(grown(w), *box.among)
@@ -245,11 +247,13 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
       auto found = boundary.best(grown(w), *curves, far, certain);
       if (found && (!best || (far ? found->distance > best->distance : found->distance < best->distance)))
         best = std::move(found);
-      continue;
+      return;
     }
     if (count == most) curves = nullptr;
     for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
-  }
+  };
+  boxes.run(settled, look);
+  if (spent) return {false, std::nullopt};
   return {true, std::move(best)};
 }
 

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
-#include "plane/base/stage_observer.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -114,16 +113,12 @@ void PlaceSearch::walk_boundary() {
     bool sharp = false;
     bool operator<(const Entry& o) const { return bound < o.bound; }
   };
-  std::priority_queue<Entry> todo;
+  plane::Subdivision<Entry> todo;
   auto push = [&](const Entry& e) {
     if (e.bound > best_ + slack_) todo.push(e);
   };
   todo.push({std::numeric_limits<double>::infinity(), 0, start(), true});
-  while (!todo.empty()) {
-    Entry e = todo.top();
-    todo.pop();
-    if (e.bound <= best_ + slack_) break;
-    if (spent()) return leave_open(e.bound);
+  const auto look = [&](const Entry& e) {
     const FeatureTree::Node& n = sets_.b.nodes()[e.node];
     if (!e.sharp) {
       const FeatureBox box = sets_.placed(e.node);
@@ -131,19 +126,20 @@ void PlaceSearch::walk_boundary() {
       const double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
       const auto near = sets_.a.nearest(c.x, c.y, e.guess);
       const double bound = sets_.most(box, near.feature);
-      if (bound <= best_ + slack_) continue;
+      if (bound <= best_ + slack_) return;
       if (!sets_.in_a(c, near))
         push({bound, e.node, near.feature, true});
       else if (near.distance <= radius)
         push({std::min(bound, radius), e.node, near.feature, true});
-      continue;
+      return;
     }
     if (n.right == kNone) {
       for (Index k = n.first; k < n.last; ++k) visit_edge(sets_.b.features()[k], e.guess);
-      continue;
+      return;
     }
     for (Index child : {e.node + 1, n.right}) push({sets_.most(sets_.placed(child), e.guess), child, e.guess});
-  }
+  };
+  todo.run([&](const Entry& e) { return settled(e.bound); }, look);
 }
 
 /// Where along the part the nearest features of its ends are equally far, from 0 to 1.
@@ -197,25 +193,20 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
 void PlaceSearch::search_inside() {
   const auto& faces = sets_.b.region().faces;
   if (std::none_of(faces.begin(), faces.end(), [](const plane::Face& f) { return f.mark > 0; })) return;
-  plane::ObservedCells seen_cells("squares of the farthest place inside a set", true);
-  std::priority_queue<Square> todo;
-  todo.push({std::numeric_limits<double>::infinity(), {}, kNone});
-  while (!todo.empty()) {
-    const Square e = todo.top();
-    todo.pop();
-    if (e.bound <= best_ + slack_) return;
-    if (spent()) return leave_open(e.bound);
-    if (seen_cells) {
-      const FeatureBox box = box_of(e.part);
-      seen_cells.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0});
-    }
-    const auto nearest = look_inside(e);
-    for (int k = 0; nearest && k < 4; ++k) {
-      const MaxMinBoxes::Part quarter = e.part.quarter(k);
-      const double bound = std::min(e.bound, sets_.most(box_of(quarter), *nearest));
-      if (bound > best_ + slack_) todo.push({bound, quarter, *nearest});
-    }
-  }
+  plane::Subdivision<Square> todo("squares of the farthest place inside a set", true);
+  const auto push = [&](double bound, const MaxMinBoxes::Part& part, Index guess) {
+    todo.push({bound, part, guess, box_of(part)});
+  };
+  push(std::numeric_limits<double>::infinity(), {}, kNone);
+  todo.run([&](const Square& e) { return settled(e.bound); },
+           [&](const Square& e) {
+             const auto nearest = look_inside(e);
+             for (int k = 0; nearest && k < 4; ++k) {
+               const MaxMinBoxes::Part quarter = e.part.quarter(k);
+               const double bound = std::min(e.bound, sets_.most(box_of(quarter), *nearest));
+               if (bound > best_ + slack_) push(bound, quarter, *nearest);
+             }
+           });
 }
 
 FeatureBox PlaceSearch::box_of(const MaxMinBoxes::Part& part) const {
@@ -226,7 +217,7 @@ FeatureBox PlaceSearch::box_of(const MaxMinBoxes::Part& part) const {
 
 /// The feature of A nearest to the square's middle, if the square is to be divided.
 std::optional<Index> PlaceSearch::look_inside(const Square& e) {
-  const FeatureBox box = box_of(e.part), reach = sets_.placed(0);
+  const FeatureBox &box = e.box, reach = sets_.placed(0);
   if (box.x0 >= reach.x1 || box.x1 <= reach.x0 || box.y0 >= reach.y1 || box.y1 <= reach.y0) return std::nullopt;
   const auto look = boxes_.look(e.part, e.guess);
   if (look.barren || sets_.most(box, look.near.feature) <= best_ + slack_) return std::nullopt;

@@ -75,7 +75,9 @@ class PlaceSearch {
     double bound;
     MaxMinBoxes::Part part;
     plane::Index guess;
+    FeatureBox box;
     bool operator<(const Square& o) const { return bound < o.bound; }
+    void draw(plane::ObservedCells& seen) const { seen.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0}); }
   };
   Seen see(Spot at, plane::Index guess) const;
   void record(const Seen& seen, plane::Cell cell, double error = 0);
@@ -88,6 +90,13 @@ class PlaceSearch {
   std::optional<plane::Index> look_inside(const Square& e);
   /// Counts a step; true once all are taken.
   bool spent() { return left_ <= 0 || --left_ <= 0; }
+  /// Whether nothing that has no place farther than this is looked into: it is no farther, or all steps are taken.
+  bool settled(double bound) {
+    if (bound <= best_ + slack_) return true;
+    if (!spent()) return false;
+    leave_open(bound);
+    return true;
+  }
   /// Something is not looked into that has no place farther than this.
   void leave_open(double bound) { out_.open = std::max(out_.open, bound); }
 

@@ -4,7 +4,8 @@
 #include "distance/planar_features/inner_disc.h"
 
 #include <cmath>
-#include <queue>
+
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 namespace {
@@ -36,17 +37,17 @@ InnerDisc inner_disc(const FeatureTree& tree) {
   InnerDisc best;
   if (tree.empty()) return best;
   const FeatureBox& box = tree.nodes()[0].box;
-  std::priority_queue<DiscCell> cells;
+  plane::Subdivision<DiscCell> cells;
   cells.push(cell(tree, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, std::max(box.x1 - box.x0, box.y1 - box.y0) / 2));
-  for (int k = 0; k < kMostCells && !cells.empty(); ++k) {
-    const DiscCell top = cells.top();
-    cells.pop();
+  const auto settled = [&](const DiscCell& top) {
     if (top.depth > best.radius) best = {top.x, top.y, top.depth};
-    if (top.most <= best.radius * kGoodEnough) break;
+    return top.most <= best.radius * kGoodEnough;
+  };
+  cells.run(kMostCells, settled, [&](const DiscCell& top) {
     const double half = top.half / 2;
     for (double dx : {-half, half})
       for (double dy : {-half, half}) cells.push(cell(tree, top.x + dx, top.y + dy, half));
-  }
+  });
   return best;
 }
 

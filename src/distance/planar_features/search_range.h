@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "distance/planar_features/boundary_features.h"
+#include "plane/base/stage_observer.h"
 
 namespace findspace::distance {
 
@@ -26,6 +27,9 @@ struct SearchRange {
   double t0 = 0, t1 = 1;                  // part of the edge
   List a, b;                              // parts of A's boundary; parts of B's (boxes only)
   bool operator<(const SearchRange& other) const { return bound < other.bound; }
+  void draw(plane::ObservedCells& seen) const {
+    if (edge < 0) seen.add_box({x0, y0, 0}, {x1, y1, 0});
+  }
 };
 
 /// Ranges of a set whose features are moved by (px, py).

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <queue>
 
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -45,13 +45,10 @@ class Search {
     all.at_from = values(all.from, all.active);
     all.at_to = values(all.to, all.active);
     add(std::move(all));
-    for (int count = 0; count < kMostPieces && !queue_.empty(); ++count) {
-      const Piece top = queue_.top();
-      if (settled(best_, std::max(best_, top.bound), size_)) break;
-      queue_.pop();
-      divide(top);
-    }
-    const double high = queue_.empty() ? best_ : std::max(best_, queue_.top().bound);
+    queue_.run(
+        kMostPieces, [&](const Piece& top) { return settled(best_, std::max(best_, top.bound), size_); },
+        [&](const Piece& top) { divide(top); });
+    const double high = queue_.empty() ? best_ : std::max(best_, queue_.best().bound);
     return {best_ - margin::kRayNoise * size_, high + margin::kRayNoise * size_};
   }
 
@@ -108,7 +105,7 @@ class Search {
   Vector p_;
   PathStretch way_;
   double size_, best_ = -kInfinity;
-  std::priority_queue<Piece> queue_;
+  plane::Subdivision<Piece> queue_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/plane.h"
 #include "exact/margins/rounding.h"
+#include "plane/base/subdivide.h"
 #include "plane/build/path_region.h"
 #include "plane/build/swept.h"
 #include "plane/complex/overlay.h"
@@ -48,17 +49,15 @@ class PathSearch {
       }
       length += way(leg);
     }
-    for (int k = 0; k < kMost && !gaps_.empty(); ++k) {
-      const Gap gap = gaps_.front();
-      if (best_ - gap.low <= length * margin::kPathEnough) break;
-      std::pop_heap(gaps_.begin(), gaps_.end());
-      gaps_.pop_back();
-      const double middle = gap.from + (gap.to - gap.from) / 2, f = look(gap.leg, middle);
-      push({gap.leg, gap.from, middle, gap.f, f, 0});
-      push({gap.leg, middle, gap.to, f, gap.g, 0});
-    }
+    gaps_.run(
+        kMost, [&](const Gap& gap) { return best_ - gap.low <= length * margin::kPathEnough; },
+        [&](const Gap& gap) {
+          const double middle = gap.from + (gap.to - gap.from) / 2, f = look(gap.leg, middle);
+          push({gap.leg, gap.from, middle, gap.f, f, 0});
+          push({gap.leg, middle, gap.to, f, gap.g, 0});
+        });
     refine();
-    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.front().low)), true};
+    return Bracket{sign_ * best_, sign_ * (gaps_.empty() ? best_ : std::min(best_, gaps_.best().low)), true};
   }
 
  private:
@@ -72,13 +71,14 @@ class PathSearch {
   void refine() {
     constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
     constexpr int kSteps = 50;
+    const std::span<const Gap> gaps = gaps_.left();
     const auto best = std::min_element(
-        gaps_.begin(), gaps_.end(), [](const Gap& g, const Gap& h) { return std::min(g.f, g.g) < std::min(h.f, h.g); });
-    if (best == gaps_.end()) return;
+        gaps.begin(), gaps.end(), [](const Gap& g, const Gap& h) { return std::min(g.f, g.g) < std::min(h.f, h.g); });
+    if (best == gaps.end()) return;
     const std::size_t leg = best->leg;
     const double at = best->f < best->g ? best->from : best->to;
     double from = best->from, to = best->to;
-    for (const Gap& g : gaps_) {
+    for (const Gap& g : gaps) {
       if (g.leg == leg && g.to == at) from = g.from;
       if (g.leg == leg && g.from == at) to = g.to;
     }
@@ -118,14 +118,13 @@ class PathSearch {
 
   void push(Gap gap) {
     gap.low = (gap.f + gap.g - way(gap.leg) * (gap.to - gap.from)) / 2;
-    gaps_.push_back(gap);
-    std::push_heap(gaps_.begin(), gaps_.end());
+    gaps_.push(gap);
   }
 
   const TDistance& f_;
   const RelativePath& path_;
   double sign_, best_ = std::numeric_limits<double>::infinity();
-  std::vector<Gap> gaps_;
+  plane::Subdivision<Gap> gaps_;
 };
 
 /// The sign of the least (greatest) value along the path from every position.

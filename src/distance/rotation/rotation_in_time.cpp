@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotational_distance.h"
 #include "exact/margins/rounding.h"
+#include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
@@ -126,9 +126,9 @@ ValueRange RotationInTime::extremum(Sense sense) const {
   struct Part {
     PartOfLeg part;
     double low;
+    bool operator<(const Part& other) const { return low > other.low; }
   };
-  const auto later = [](const Part& p, const Part& q) { return p.low > q.low; };
-  std::priority_queue<Part, std::vector<Part>, decltype(later)> queue(later);
+  plane::Subdivision<Part> queue;
   double best = kInfinity;
   const auto look = [&](std::size_t leg, const Real& s) {
     const ValueRange there = values({leg, s, s});
@@ -145,14 +145,14 @@ ValueRange RotationInTime::extremum(Sense sense) const {
     look(leg, Real(1));
     for (int k = 0; k < first_parts_; ++k) add({leg, Real::ratio(k, first_parts_), Real::ratio(k + 1, first_parts_)});
   }
-  for (int k = 0; k < most_parts_ && best - queue.top().low > kCloseEnough; k += 2) {
-    const PartOfLeg part = queue.top().part;
-    queue.pop();
-    const Real mid = Real::ratio(1, 2) * (part.from + part.to);
-    add({part.leg, part.from, mid});
-    add({part.leg, mid, part.to});
-  }
-  const double low = std::min(queue.top().low, best);
+  queue.run((most_parts_ + 1) / 2, [&](const Part& top) { return !(best - top.low > kCloseEnough); },
+            [&](const Part& top) {
+              const PartOfLeg& part = top.part;
+              const Real mid = Real::ratio(1, 2) * (part.from + part.to);
+              add({part.leg, part.from, mid});
+              add({part.leg, mid, part.to});
+            });
+  const double low = std::min(queue.best().low, best);
   return least ? ValueRange{low, best} : ValueRange{-best, -low};
 }
 

@@ -13,6 +13,7 @@
 #include "distance/planar_features/boundary_features.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
+#include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
 
@@ -73,22 +74,18 @@ class LeastSearch {
       }
       scale_ = std::max(scale_, motion_.rate(leg));
     }
-    std::make_heap(gaps_.begin(), gaps_.end(), by_low);
   }
 
   /// Until the best value is as near its bound as `enough`, and roundings allow, or `most` more instants are known.
   void narrow(double enough, int most) {
     least_gap_ = std::max(enough, scale_ * margin::kMotionGap);
-    for (int k = 0; k < most && best_.f - certain() > least_gap_; ++k) {
-      std::pop_heap(gaps_.begin(), gaps_.end(), by_low);
-      const Gap gap = gaps_.back();
-      gaps_.pop_back();
-      const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
-      add(gap.a, middle);
-      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
-      add(middle, gap.b);
-      std::push_heap(gaps_.begin(), gaps_.end(), by_low);
-    }
+    gaps_.run(
+        most, [&](const Gap& gap) { return !(best_.f - gap.low > least_gap_); },
+        [&](const Gap& gap) {
+          const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
+          add(gap.a, middle);
+          add(middle, gap.b);
+        });
   }
 
   /// f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
@@ -118,7 +115,7 @@ class LeastSearch {
 
   bool undefined() const { return undefined_; }  // at an instant that was looked at
   double best() const { return best_.f; }
-  double certain() const { return gaps_.front().low; }  // f is nowhere less, if it keeps to its rate
+  double certain() const { return gaps_.best().low; }  // f is nowhere less, if it keeps to its rate
   double rounding() const { return rounding_; }
   double most() const { return most_; }  // of the plain f
 
@@ -126,8 +123,8 @@ class LeastSearch {
   struct Gap {
     Sample a, b;
     double low;
+    bool operator<(const Gap& other) const { return low > other.low; }
   };
-  static bool by_low(const Gap& g, const Gap& h) { return g.low > h.low; }
 
   Sample look(std::size_t leg, double s) {
     const auto v = motion_.instant(p_, leg, Real::from_double(s));
@@ -149,7 +146,7 @@ class LeastSearch {
                        : std::isinf(a.f)                  ? b.f - drop
                        : std::isinf(b.f)                  ? a.f - drop
                                                           : (a.f + b.f - drop) / 2;
-    gaps_.push_back({a, b, low});
+    gaps_.push({a, b, low});
     keep_better(a);
     keep_better(b);
   }
@@ -157,7 +154,7 @@ class LeastSearch {
   /// The instants looked at before and after the best one, on its leg.
   std::pair<double, double> beside_best() const {
     double from = best_.s, to = best_.s;
-    for (const Gap& g : gaps_) {
+    for (const Gap& g : gaps_.left()) {
       if (g.a.leg != best_.leg) continue;
       if (g.b.s == best_.s) from = g.a.s;
       if (g.a.s == best_.s) to = g.b.s;
@@ -168,7 +165,7 @@ class LeastSearch {
   const RotatingMotion& motion_;
   const RealPoint& p_;
   double sign_;
-  std::vector<Gap> gaps_;  // a heap, the lowest first
+  plane::Subdivision<Gap> gaps_;  // the lowest first
   Sample best_{0, 0, kNone};
   double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
   bool undefined_ = false;

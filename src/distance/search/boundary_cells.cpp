@@ -31,6 +31,23 @@ Vector centre(const Tetrahedron& t) {
   return space::scaled(0.25, space::plus(space::plus(t[0], t[1]), space::plus(t[2], t[3])));
 }
 
+std::array<Tetrahedron, 2> halves(const Tetrahedron& t, std::size_t a, std::size_t b) {
+  std::array<Tetrahedron, 2> out{t, t};
+  out[0][a] = out[1][b] = space::scaled(0.5, space::plus(t[a], t[b]));
+  return out;
+}
+
+Vector mean(const std::array<double, 4>& weights, const Tetrahedron& t) {
+  Vector out;
+  for (std::size_t v = 0; v < 4; ++v) out = space::plus(out, space::scaled(weights[v], t[v]));
+  return out;
+}
+
+void TetrahedralCell::draw(plane::ObservedCells& seen) const {
+  const auto at = [&](std::size_t v) { return plane::StageDrawing::Corner{corner[v].x, corner[v].y, corner[v].z}; };
+  seen.add_tetrahedron({at(0), at(1), at(2), at(3)});
+}
+
 bool holds(const Tetrahedron& t, const Vector& x) {
   for (std::size_t v = 0; v < 4; ++v) {
     const Vector &a = t[(v + 1) % 4], &b = t[(v + 2) % 4], &c = t[(v + 3) % 4];

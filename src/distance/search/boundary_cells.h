@@ -24,11 +24,16 @@ space::Vector centre(const Tetrahedron& t);
 /// Whether x is on the same side of each face as the corner that is not on it; numbers.
 bool holds(const Tetrahedron& t, const space::Vector& x);
 
-/// Given to the observer of the search.
-inline void observe(plane::ObservedCells& cells, const Tetrahedron& t) {
-  if (!cells) return;
-  const auto corner = [](const space::Vector& v) { return plane::StageDrawing::Corner{v.x, v.y, v.z}; };
-  cells.add_tetrahedron({corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3])});
-}
+/// Its two halves across the edge from corner a to corner b.
+std::array<Tetrahedron, 2> halves(const Tetrahedron& t, std::size_t a, std::size_t b);
+
+/// The mean of the corners by weights of sum 1.
+space::Vector mean(const std::array<double, 4>& weights, const Tetrahedron& t);
+
+/// What cells of a search have that are tetrahedra.
+struct TetrahedralCell {
+  Tetrahedron corner;
+  void draw(plane::ObservedCells& seen) const;
+};
 
 }  // namespace findspace::distance

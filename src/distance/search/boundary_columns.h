@@ -45,9 +45,7 @@ inline HighestPlace highest_place(std::vector<Column> columns, const Tetrahedron
     for (double& entry : c) entry -= lowest;
   }
   const LpBound bound = lp_bound(columns);
-  HighestPlace out{bound.value + lowest, highest - lowest, {}};
-  for (std::size_t v = 0; v < 4; ++v) out.place = space::plus(out.place, space::scaled(bound.rows[v], corner[v]));
-  return out;
+  return {bound.value + lowest, highest - lowest, mean(bound.rows, corner)};
 }
 
 }  // namespace findspace::distance

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <queue>
 
 #include "distance/search/boundary_columns.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -22,8 +22,7 @@ constexpr int kRounds = 3;  // of tangents in a cell
 /// Cells after which it is asked for a place of zero clearance, as most of what is left may be such.
 constexpr int kAskAt = 3000;
 
-struct BoundaryCell {
-  Tetrahedron corner;
+struct BoundaryCell : TetrahedralCell {
   std::vector<int> out, in;  // the functions that are not satisfied in all of the cell
   std::vector<int> more;     // likewise, of LazyConstraints
   double key = 0;            // nothing in it is better
@@ -55,31 +54,28 @@ class BoundarySearch {
     if (rules_.more) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
-    for (int count = 0; !queue_.empty(); ++count) {
-      const BoundaryCell top = queue_.top();
-      if (!(top.key < wanted())) break;
-      if (until && decided(*until, top.key)) {
-        left = std::min(left, top.key);
-        break;
-      }
-      if (count == kAskAt) ask();
-      if (count == kMostSearchCells || (rules_.more && rules_.more->spent())) {
-        best_.complete = false;
-        left = std::min(left, top.key);
-        break;
-      }
-      queue_.pop();
-      observe(seen_, top.corner);
+    long count = 0;
+    const auto settled = [&](const BoundaryCell& top) {
+      if (!(top.key < wanted())) return true;
+      const bool enough = until && decided(*until, top.key);
+      if (!enough && count++ == kAskAt) ask();
+      best_.complete = enough || !(rules_.more && rules_.more->spent());
+      if (!enough && best_.complete) return false;
+      left = std::min(left, top.key);
+      return true;
+    };
+    const auto end = queue_.run(kMostSearchCells, settled, [&](const BoundaryCell& top) {
       std::size_t a = 0, b = 1;
-      if (longest_edge(top.corner, a, b) < margin::kSmallestCell * size_) {
-        if (top.key < left) {
-          left = top.key;
-          best_.unresolved = centre(top.corner);
-        }
-        ask();
-        continue;
+      if (longest_edge(top.corner, a, b) >= margin::kSmallestCell * size_) return split(top, a, b);
+      if (top.key < left) {
+        left = top.key;
+        best_.unresolved = centre(top.corner);
       }
-      split(top, a, b);
+      ask();
+    });
+    if (end == plane::SubdivisionEnd::kSpent) {
+      best_.complete = false;
+      left = std::min(left, queue_.best().key);
     }
     best_.bound = std::min({best_.value, wanted(), left});
     return best_;
@@ -276,12 +272,7 @@ class BoundarySearch {
   }
 
   void split(const BoundaryCell& cell, std::size_t a, std::size_t b) {
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
-    for (const std::size_t moved : {a, b}) {
-      Tetrahedron corner = cell.corner;
-      corner[moved] = middle;
-      add(corner, cell, cell.key, cell.depth + 1);
-    }
+    for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell, cell.key, cell.depth + 1);
   }
 
   const Constraints& rules_;
@@ -293,8 +284,7 @@ class BoundarySearch {
   BoundaryPlace best_;
   const Until* until_ = nullptr;
   bool asked_ = false;
-  std::priority_queue<BoundaryCell> queue_;
-  plane::ObservedCells seen_{"tetrahedra of the nearest or farthest allowed place"};
+  plane::Subdivision<BoundaryCell> queue_{"tetrahedra of the nearest or farthest allowed place"};
 };
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/boundary_columns.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -21,8 +21,7 @@ constexpr int kMostSlackCells = 20000;
 constexpr int kSlackRounds = 4;  // of tangents in a cell
 constexpr double kNear = 0.75;   // of the bound: a value that more tangents do not help
 
-struct SlackCell {
-  Tetrahedron corner;
+struct SlackCell : TetrahedralCell {
   double bound = 0;
   bool operator<(const SlackCell& other) const { return bound < other.bound; }
 };
@@ -66,8 +65,7 @@ Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corne
 
 Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end) {
   Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
-  std::priority_queue<SlackCell> queue;
-  plane::ObservedCells seen("tetrahedra of the place with the most slack");
+  plane::Subdivision<SlackCell> queue("tetrahedra of the place with the most slack");
   const auto add = [&](const Tetrahedron& corner) {
     std::vector<Column> columns = chords(rules, corner);
     touch(rules, corner, centre(corner), columns);
@@ -83,25 +81,20 @@ Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, 
       if (value > kNear * bound && value > 0) break;
       touch(rules, corner, at.place, columns);
     }
-    queue.push({corner, bound});
+    queue.push({{corner}, bound});
   };
   for (const Tetrahedron& t : domain) add(t);
-  for (; !queue.empty() && best.cells < kMostSlackCells; ++best.cells) {
-    const SlackCell top = queue.top();
-    if (top.bound <= end.enough || top.bound - best.value <= end.blur) break;
-    if (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound) break;
-    queue.pop();
-    observe(seen, top.corner);
+  const auto settled = [&](const SlackCell& top) {
+    return top.bound <= end.enough || top.bound - best.value <= end.blur ||
+           (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound);
+  };
+  queue.run(kMostSlackCells, settled, [&](const SlackCell& top) {
+    ++best.cells;
     std::size_t a = 0, b = 1;
     longest_edge(top.corner, a, b);
-    const Vector middle = space::scaled(0.5, space::plus(top.corner[a], top.corner[b]));
-    for (const std::size_t moved : {a, b}) {
-      Tetrahedron corner = top.corner;
-      corner[moved] = middle;
-      add(corner);
-    }
-  }
-  best.bound = queue.empty() ? best.value : std::max(best.value, queue.top().bound);
+    for (const Tetrahedron& half : halves(top.corner, a, b)) add(half);
+  });
+  best.bound = queue.empty() ? best.value : std::max(best.value, queue.best().bound);
   return best;
 }
 

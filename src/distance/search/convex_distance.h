@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Distances of points to closed convex sets, in doubles, for searches that confirm exactly what they find.
-// Guarantee: to about 2^-44 of the coordinates. Keywords: point to polytope distance, point to polygon distance.
+// Guarantee: to about 2^-44 of the coordinates, 2^-36 beside edges as sharp as 2^-16; sharper ones by exact corners, to
+// 2^-44 again. Cost: some hundred nanoseconds; the corners of a sharp set are made once. Keywords: point to polytope
+// distance, point to polygon distance.
 #pragma once
 
 #include "distance/search/solid_max_min.h"

@@ -3,11 +3,11 @@
 #include "distance/search/least_in_box.h"
 
 #include <algorithm>
-#include <queue>
+#include <utility>
 
 #include "exact/margins/space_distance.h"
 #include "plane/base/parallel.h"
-#include "plane/base/stage_observer.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -24,6 +24,10 @@ struct Box {
   Vector center, half;
   double bound = 0;
   bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
+  void draw(plane::ObservedCells& seen) const {
+    const Vector low = center - half, high = space::plus(center, half);
+    seen.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
+  }
 };
 
 using Value = std::function<Tried<Real>(const RealVector&)>;
@@ -36,18 +40,15 @@ class BoxSearch {
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
-    while (!refused_ && count_ < kMostValues && !queue_.empty() && least_ - queue_.top().bound > tolerance_ &&
-           least_ > floor_) {
-      std::vector<Box> parts;
-      for (std::size_t k = 0; k < kAtOnce && !queue_.empty(); ++k) {
-        observe(queue_.top());
-        divide(queue_.top(), parts);
-        queue_.pop();
-      }
-      take(std::move(parts));
-    }
+    std::vector<Box> parts;
+    queue_.run(
+        kMostValues, kAtOnce,
+        [&](const Box& top) {
+          return refused_ || count_ >= kMostValues || least_ - top.bound <= tolerance_ || least_ <= floor_;
+        },
+        [&](const Box& top) { divide(top, parts); }, [&] { take(std::exchange(parts, {})); });
     if (refused_) return *refused_;
-    const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.top().bound, least_));
+    const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.best().bound, least_));
     // Roundings: of the centres and of the values.
     const double noise = floor_ >= bound ? 0 : margin::kPlaceNoise * (std::fabs(bound) + space::length(half));
     const Real least = std::min(value_at_best_, Real::from_double((floor_ >= bound ? floor_ : bound) - noise));
@@ -55,12 +56,6 @@ class BoxSearch {
   }
 
  private:
-  void observe(const Box& box) {
-    if (!seen_) return;
-    const Vector low = box.center - box.half, high = space::plus(box.center, box.half);
-    seen_.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
-  }
-
   static void divide(const Box& box, std::vector<Box>& parts) {
     const Vector h = space::scaled(0.5, box.half);
     for (int k = 0; k < 8; ++k) {
@@ -93,11 +88,10 @@ class BoxSearch {
   const Value& value_;
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int count_ = 0;
-  std::priority_queue<Box> queue_;
+  plane::Subdivision<Box> queue_{"boxes of the position with the least value"};
   std::optional<exact::Refusal> refused_;
   Real value_at_best_;
   RealVector best_{};
-  plane::ObservedCells seen_{"boxes of the position with the least value"};
 };
 
 }  // namespace

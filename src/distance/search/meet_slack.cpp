@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
@@ -108,9 +109,7 @@ class Game {
       for (double& entry : c) entry -= lowest;
     }
     const LpBound lp = lp_bound(all);
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(lp.rows[v], about_[v]));
-    return {lp.value + lowest, x};
+    return {lp.value + lowest, mean(lp.rows, about_)};
   }
 
   double offer(const Vector& x) {

@@ -3,13 +3,11 @@
 #include "distance/search/solid_max_min.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <optional>
+#include <utility>
 
-#include "distance/search/lp_bound.h"
-#include "distance/search/max_min_queue.h"
 #include "distance/search/round_solid.h"
+#include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope.h"
@@ -20,138 +18,58 @@ using space::Vector;
 
 namespace {
 
-struct MaxMinCell {
-  Tetrahedron corner;
-  std::vector<int> sets;  // that can be nearest in the cell
-  std::vector<Column> distances;
-  const RoundSolid* round = nullptr;  // only what lies in it counts
-  double bound = 0;
-  bool operator<(const MaxMinCell& other) const { return bound < other.bound; }
-};
-
-class MaxMinSearch {
+/// Convex sets that are all known: in each cell those that can be nearest.
+class ConvexSets : public MaxMinTarget {
  public:
-  MaxMinSearch(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
-               std::span<const ConvexDistance> sets, double slack, double share)
-      : sets_(sets), queue_(slack, share) {
-    all_.resize(sets.size());
+  explicit ConvexSets(std::span<const ConvexDistance> sets) : sets_(sets), all_(sets.size()) {
     std::iota(all_.begin(), all_.end(), 0);
-    for (const Tetrahedron& t : solid) add(t, all_, exact::kInfinity, nullptr);
-    for (const RoundSolid& r : round) {
-      for (const Tetrahedron& t : around(r)) add(t, all_, exact::kInfinity, &r);
-    }
   }
+  const std::vector<int>& all() const { return all_; }
 
-  SolidMaxMin run(int most) {
-    return queue_.run([this](const MaxMinCell& top) { split(top); }, most);
-  }
-
- private:
-  double nearest(const Vector& x, const std::vector<int>& sets) const {
-    double least = exact::kInfinity;
-    for (const int i : sets) least = std::min(least, sets_[std::size_t(i)](x));
-    return least;
-  }
-
-  void add(const Tetrahedron& corner, const std::vector<int>& sets, double ceiling, const RoundSolid* round) {
-    MaxMinCell cell;
-    cell.corner = corner;
-    cell.round = round;
-    const Vector middle =
-        space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
-    std::optional<Column> beyond;
-    if (round) beyond = round->beyond_plane(middle, corner);
-    if (beyond && *std::min_element(beyond->begin(), beyond->end()) > 0) return;
-    double size = 0, bound = exact::kInfinity;
-    for (const Vector& v : corner) {
-      for (const Vector& w : corner) size = std::max(size, space::length(v - w));
-    }
+  bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
+    std::size_t a = 0, b = 1;
+    const double size = longest_edge(cell.corner, a, b);
+    const std::vector<int> known = std::exchange(cell.sets, {});
     std::vector<Column> all;
     Column least;
     least.fill(exact::kInfinity);
-    for (const int i : sets) {
-      Column d{};
+    double bound = exact::kInfinity;
+    for (const int i : known) {
+      Column& d = all.emplace_back();
       for (std::size_t v = 0; v < 4; ++v) {
-        d[v] = sets_[std::size_t(i)](corner[v]);
+        d[v] = distance(i, cell.corner[v]);
         least[v] = std::min(least[v], d[v]);
       }
-      all.push_back(d);
       bound = std::min(bound, *std::max_element(d.begin(), d.end()));
     }
-    for (std::size_t k = 0; k < sets.size(); ++k) {
+    for (std::size_t k = 0; k < known.size(); ++k) {
       if (*std::max_element(all[k].begin(), all[k].end()) - size > bound) continue;
-      cell.sets.push_back(sets[k]);
+      cell.sets.push_back(known[k]);
       cell.distances.push_back(all[k]);
     }
-    if (round) {
-      offer_in(*round, middle, cell.sets);
+    if (cell.round) {
+      offer(middle, cell, best);
     } else {
-      for (std::size_t v = 0; v < 4; ++v) queue_.offer(corner[v], least[v]);
+      for (std::size_t v = 0; v < 4; ++v) best.offer(cell.corner[v], least[v]);
     }
-    if (!queue_.worth(bound)) return;
-    const LpBound lp = bounding_lp(cell.distances, beyond);
-    cell.bound = std::min(ceiling, lp.value);
-    if (!queue_.worth(cell.bound)) return;
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(lp.rows[v], corner[v]));
-    if (round)
-      offer_in(*round, x, cell.sets);
-    else
-      queue_.offer(x, nearest(x, cell.sets));
-    queue_.push(std::move(cell));
+    cell.bound = std::min(cell.bound, bound);
+    return true;
   }
 
-  /// Pulled into the solid it may leave the cell, for which `sets` are.
-  void offer_in(const RoundSolid& round, const Vector& x, const std::vector<int>& sets) {
-    const bool out = round.beyond(x) > 0;
-    const Vector in = out ? round.pulled_in(x) : x;
-    queue_.offer(in, nearest(in, out ? all_ : sets));
+  /// Pulled into a round solid it may leave the cell, for which its sets are.
+  void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
+    const bool out = cell.round && cell.round->beyond(x) > 0;
+    const Vector in = out ? cell.round->pulled_in(x) : x;
+    double nearest = exact::kInfinity;
+    for (const int i : out ? all_ : cell.sets) nearest = std::min(nearest, distance(i, in));
+    best.offer(in, nearest);
   }
 
-  /// By how much the distances exceed, half-way between two corners, what their values there make one expect: none
-  /// where they are linear. That is what the bound of a cell loses.
-  double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const {
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
-    double most = 0;
-    for (std::size_t k = 0; k < cell.sets.size(); ++k) {
-      const double mean = (cell.distances[k][v] + cell.distances[k][w]) / 2;
-      most = std::max(most, mean - sets_[std::size_t(cell.sets[k])](middle));
-    }
-    if (!cell.round) return most;
-    const double mean = (cell.round->beyond(cell.corner[v]) + cell.round->beyond(cell.corner[w])) / 2;
-    return std::max(most, mean - cell.round->beyond(middle));
-  }
+  double distance(int set, const Vector& x) const override { return sets_[static_cast<std::size_t>(set)](x); }
 
-  /// Across the edge with the greatest bend, so that cells stay long on flat ridges; else the longest edge.
-  void split(const MaxMinCell& cell) {
-    std::size_t a = 0, b = 1;
-    double longest = 0, greatest = margin::kDistanceNoise * std::fabs(queue_.best().value);
-    for (std::size_t v = 0; v < 4; ++v) {
-      for (std::size_t w = v + 1; w < 4; ++w) {
-        const double d = space::length(cell.corner[v] - cell.corner[w]), bent = bend(cell, v, w);
-        if (bent > greatest) {
-          greatest = bent;
-          longest = exact::kInfinity;
-          a = v;
-          b = w;
-        } else if (d > longest) {
-          longest = d;
-          a = v;
-          b = w;
-        }
-      }
-    }
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
-    for (const std::size_t moved : {a, b}) {
-      Tetrahedron corner = cell.corner;
-      corner[moved] = middle;
-      add(corner, cell.sets, cell.bound, cell.round);
-    }
-  }
-
+ private:
   std::span<const ConvexDistance> sets_;
   std::vector<int> all_;
-  MaxMinQueue<MaxMinCell> queue_;
 };
 
 /// A fan over the facet's circuit from corner `apex`.
@@ -180,12 +98,18 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
 
 SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
                           double share) {
-  return MaxMinSearch(solid, {}, sets, slack, share).run(kMostCells);
+  return solid_max_min(solid, {}, sets, slack, share, kMostCells);
 }
 
 SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
                           std::span<const ConvexDistance> sets, double slack, double share, int most) {
-  return MaxMinSearch(solid, round, sets, slack, share).run(most);
+  const ConvexSets target(sets);
+  TetrahedralMaxMin search(target, MaxMinBest(std::min(0.0, slack), slack, share, 0));
+  for (const Tetrahedron& t : solid) search.add(t, nullptr, exact::kInfinity, target.all());
+  for (const RoundSolid& r : round) {
+    for (const Tetrahedron& t : around(r)) search.add(t, &r, exact::kInfinity, target.all());
+  }
+  return search.run(most);
 }
 
 std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <queue>
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -39,7 +39,9 @@ struct FitCell {
   CornerPointer inside;  // a corner of it or of one that it is a part of, at which B fits
   double key = 0;
   int depth = 0;
+  Tetrahedron corners() const { return {corner[0]->at, corner[1]->at, corner[2]->at, corner[3]->at}; }
   bool operator<(const FitCell& other) const { return key > other.key || (key == other.key && depth < other.depth); }
+  void draw(plane::ObservedCells& seen) const { TetrahedralCell{corners()}.draw(seen); }
 };
 
 /// A place where the columns, of which one of each witness is chosen, are all at most 0, and the objective allows it.
@@ -115,33 +117,30 @@ class FitSearch {
       cell.key = query_.floor;
       add(std::move(cell));
     }
-    int count = 0;
     double left = exact::kInfinity;
-    for (; !queue_.empty(); ++count) {
-      const FitCell top = queue_.top();
-      if (!(top.key < wanted())) break;
-      queue_.pop();
-      observe(seen_, corners(top));
-      std::size_t a = 0, b = 1;
-      const double edge = longest_edge(corners(top), a, b);
-      if (edge <= margin::kSmallestFitCell * size_ || count >= kMostCells) {
-        best_.complete = count < kMostCells;
-        left = top.key;
-        best_.unresolved = middle(corners(top));
-        break;
-      }
-      split(top, a, b, edge);
-    }
+    bool stopped = false;
+    const auto stop = [&](const FitCell& cell, bool complete) {
+      best_.complete = complete;
+      left = cell.key;
+      best_.unresolved = centre(cell.corners());
+      stopped = true;
+    };
+    const auto end = queue_.run(
+        kMostCells, [&](const FitCell& top) { return stopped || !(top.key < wanted()); },
+        [&](const FitCell& top) {
+          std::size_t a = 0, b = 1;
+          const double edge = longest_edge(top.corners(), a, b);
+          if (edge <= margin::kSmallestFitCell * size_)
+            stop(top, true);
+          else
+            split(top, a, b, edge);
+        });
+    if (end == plane::SubdivisionEnd::kSpent) stop(queue_.best(), false);
     best_.bound = std::min(best_.value, left);
     return best_;
   }
 
  private:
-  static Tetrahedron corners(const FitCell& cell) {
-    return {cell.corner[0]->at, cell.corner[1]->at, cell.corner[2]->at, cell.corner[3]->at};
-  }
-  static Vector middle(const Tetrahedron& t) { return scaled(0.25, plus(plus(t[0], t[1]), plus(t[2], t[3]))); }
-
   CornerPointer corner(const Vector& at, double precision) const {
     return std::make_shared<const FitCorner>(FitCorner{at, protrusion_.farthest(at, precision, kRough)});
   }
@@ -155,7 +154,7 @@ class FitSearch {
   /// At the corners, what is nowhere more than the objective.
   Column objective_below(const Tetrahedron& t) const {
     Column out;
-    const Vector at = middle(t), off = at - query_.from;
+    const Vector at = centre(t), off = at - query_.from;
     const double d = space::length(off);
     for (std::size_t v = 0; v < 4; ++v)
       out[v] = query_.farthest ? objective(t[v]) : d > 0 ? d + space::dot(off, t[v] - at) / d : 0;
@@ -211,7 +210,7 @@ class FitSearch {
     all.insert(all.end(), cell.witnesses.begin(), cell.witnesses.end());
     for (Witness& w : all) {
       if (kept.size() == kMostWitnesses) break;
-      protrusion_.follow(w, middle(t), edge);
+      protrusion_.follow(w, centre(t), edge);
       const bool same = std::any_of(kept.begin(), kept.end(), [&](const Witness& other) {
         return w.piece == other.piece && space::length(w.point - other.point) <= edge / 4;
       });
@@ -232,7 +231,7 @@ class FitSearch {
   }
 
   void add(FitCell cell) {
-    const Tetrahedron t = corners(cell);
+    const Tetrahedron t = cell.corners();
     const Column objective = objective_below(t);
     cell.key = std::max(cell.key, *std::min_element(objective.begin(), objective.end()));
     if (!(cell.key < wanted())) return;
@@ -253,9 +252,7 @@ class FitSearch {
     }
     const auto rows = Choice(std::move(witnesses), std::move(better), margin::kDistanceNoise * size_).place();
     if (!rows) return;
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = plus(x, scaled((*rows)[v], t[v]));
-    offer(x, cell, edge);
+    offer(mean(*rows, t), cell, edge);
     if (cell.key < wanted()) queue_.push(std::move(cell));
   }
 
@@ -274,8 +271,7 @@ class FitSearch {
   const FitQuery& query_;
   double size_;
   BoundaryPlace best_;
-  std::priority_queue<FitCell> queue_;
-  plane::ObservedCells seen_{"tetrahedra of the best fit into a union"};
+  plane::Subdivision<FitCell> queue_{"tetrahedra of the best fit into a union"};
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/convex_distance.h"
 #include "distance/search/free_space.h"
 #include "distance/search/lp_bound.h"
@@ -21,14 +22,6 @@ namespace {
 
 /// To the nearest place that protrudes farthest; a place before is as good.
 constexpr int kMostFarSteps = 12;
-
-Vector mixed(const std::array<double, 4>& weights, const Tetrahedron& t) {
-  Vector out;
-  for (std::size_t v = 0; v < 4; ++v) out = plus(out, scaled(weights[v], t[v]));
-  return out;
-}
-
-Vector middle_of(const Tetrahedron& t) { return mixed({0.25, 0.25, 0.25, 0.25}, t); }
 
 /// How far a point is beyond the tetrahedron, about: the most beyond a face.
 double beyond_faces(const Tetrahedron& t, const Vector& x) {
@@ -151,7 +144,7 @@ Vector UnionProtrusion::farthest_out(const Tetrahedron& among, const Vector& x, 
   for (Column& c : columns) {
     for (double& entry : c) entry -= lowest;
   }
-  return mixed(lp_bound(columns).rows, among);
+  return mean(lp_bound(columns).rows, among);
 }
 
 void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) const {
@@ -182,7 +175,7 @@ std::vector<Column> UnionProtrusion::holders(const Witness& witness, const Tetra
   Tetrahedron moved;  // the point at each corner of the cell
   for (std::size_t v = 0; v < 4; ++v)
     moved[v] = plus(cell[v], reach > 0 ? farthest_out(near, cell[v], there, at) : witness.point);
-  at = middle_of(moved);
+  at = centre(moved);
   std::vector<Column> out;
   for (const TouchingRule& part : parts_) {
     const Touching t = part(at);

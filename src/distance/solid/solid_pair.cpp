@@ -114,6 +114,7 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
   });
   TriedAnswer out = round_overlap_->nearest(p, true);
   if (!out) return out.refusal();
+  if (!*out) return Refusal("the nearest free position of the rounded shapes is not found");
   return minus(**std::move(out));
 }
 

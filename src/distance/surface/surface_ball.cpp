@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 #include "distance/search/boundary_search.h"
 #include "distance/surface/surface_ball_name.h"
 #include "distance/surface/surface_max_min.h"
 #include "exact/margins/space_distance.h"
-#include "plane/base/stage_observer.h"
+#include "plane/base/subdivide.h"
 #include "space/polytope/extent.h"
 
 namespace findspace::distance {
@@ -27,6 +26,9 @@ struct BallBox {
   space::Extent of;
   double key = 0;  // nothing in it is nearer; or minus that nothing is farther
   bool operator<(const BallBox& other) const { return key > other.key; }
+  void draw(plane::ObservedCells& seen) const {
+    seen.add_box({of.low.x, of.low.y, of.low.z}, {of.high.x, of.high.y, of.high.z});
+  }
 };
 
 /// Triangles whose distances are searched in a box of that share of the radius.
@@ -51,15 +53,12 @@ class BallSearch {
   }
 
   BallPlace run() {
-    for (int count = 0; !queue_.empty() && queue_.top().key < best_ - margin::kNearerAtAll * size_; ++count) {
-      if (count == kMostBallBoxes) return {};
-      const BallBox top = queue_.top();
-      queue_.pop();
-      const Vector &low = top.of.low, &high = top.of.high;
-      if (seen_) seen_.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
-      if (!settled(top)) divide(top);
-      if (lost_) return {};
-    }
+    const auto end = queue_.run(
+        kMostBallBoxes, [&](const BallBox& top) { return lost_ || !(top.key < best_ - margin::kNearerAtAll * size_); },
+        [&](const BallBox& top) {
+          if (!settled(top)) divide(top);
+        });
+    if (lost_ || end == plane::SubdivisionEnd::kSpent) return {};
     if (!found_) return {!(bound_ < exact::kInfinity), std::nullopt};
     const double off = std::max(best_ - bound_, 0.0);
     if (off > margin::kMostFoundError * size_) return {};
@@ -122,10 +121,10 @@ class BallSearch {
   }
 
   /// All of the box is on the right side.
-  void search(const BallBox& box, const std::vector<SurfaceField::Distance>& triangles) {
+  void search(const BallBox& box, const std::vector<int>& triangles) {
     Constraints rules;
-    for (const SurfaceField::Distance& f : triangles)
-      rules.keep_out.push_back([&f, r = radius_](const Vector& y) { return f(y) - r; });
+    for (const int t : triangles)
+      rules.keep_out.push_back([this, t](const Vector& y) { return field_.distance(t, y) - radius_; });
     const TouchingRule away = [&](const Vector& y) {
       const double d = space::length(y - near_);
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
@@ -177,8 +176,7 @@ class BallSearch {
   bool farthest_;
   SurfaceField field_;
   double size_ = 0;
-  std::priority_queue<BallBox> queue_;
-  plane::ObservedCells seen_{"boxes of the nearest or farthest place of a ball"};
+  plane::Subdivision<BallBox> queue_{"boxes of the nearest or farthest place of a ball"};
   bool found_ = false, lost_ = false;
   double best_ = exact::kInfinity, bound_ = exact::kInfinity;
   Vector place_;

@@ -3,11 +3,11 @@
 #include "distance/surface/surface_contact.h"
 
 #include <algorithm>
-#include <queue>
 
 #include "distance/search/plane_projections.h"
 #include "distance/surface/contact_boxes.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -38,12 +38,9 @@ class ContactSearch {
   }
 
   SurfaceContact run() {
-    for (int count = 0; !queue_.empty() && !beyond(queue_.top().key); ++count) {
-      if (count == kMostContactBoxes) return {};
-      const Task top = queue_.top();
-      queue_.pop();
-      look(top);
-    }
+    const auto end = queue_.run(
+        kMostContactBoxes, [&](const Task& top) { return beyond(top.key); }, [&](const Task& top) { look(top); });
+    if (end == plane::SubdivisionEnd::kSpent) return {};
     const double off = std::max(best_ - bound_, 0.0);
     if (off > margin::kMostContactOff * size_) return {};
     return {true, place_, off};
@@ -143,7 +140,7 @@ class ContactSearch {
   Vector near_;
   bool farthest_;
   double size_;
-  std::priority_queue<Task> queue_;
+  plane::Subdivision<Task> queue_;
   std::optional<RealVector> place_;
   Real square_;
   double best_ = exact::kInfinity, bound_ = exact::kInfinity;

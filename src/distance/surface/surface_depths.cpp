@@ -3,9 +3,9 @@
 #include "distance/surface/surface_depths.h"
 
 #include <algorithm>
-#include <queue>
 
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -117,7 +117,7 @@ bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than
     int node;
     bool operator<(const Task& o) const { return depth != o.depth ? depth < o.depth : node > o.node; }
   };
-  std::priority_queue<Task> queue;
+  plane::Subdivision<Task> queue;
   int looks = 0;
   const auto look = [&](int k) {
     const Node& node = tree.nodes[static_cast<std::size_t>(k)];
@@ -130,13 +130,13 @@ bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than
     if (at + node.radius + node.most > than && node.first >= 0) queue.push({at + node.most, k});
     return false;
   };
-  if (look(0)) return true;
-  while (!queue.empty() && looks < kMostLooks) {
-    const int first = tree.nodes[static_cast<std::size_t>(queue.top().node)].first;
-    queue.pop();
-    if (look(first) || look(first + 1)) return true;
-  }
-  return false;
+  bool found = look(0);
+  queue.run([&](const Task&) { return found || looks >= kMostLooks; },
+            [&](const Task& top) {
+              const int first = tree.nodes[static_cast<std::size_t>(top.node)].first;
+              found = look(first) || look(first + 1);
+            });
+  return found;
 }
 
 bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) const {

@@ -109,7 +109,9 @@ std::optional<bool> inside(const Sheet& sheet, const Vector& x, double away) {
 
 }  // namespace
 
-SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set_(set), by_(by) {}
+SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set_(set), by_(by), first_{0} {
+  for (const auto& sheet : set.sheets()) first_.push_back(first_.back() + static_cast<int>(sheet->body.faces.size()));
+}
 
 SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
   const Vector x = place - by_;
@@ -141,25 +143,26 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
   return out;
 }
 
-std::optional<std::vector<SurfaceField::Distance>> SurfaceField::near(const Vector& place, double within,
-                                                                      std::size_t most) const {
+double SurfaceField::distance(int part, const Vector& x) const {
+  const auto after = std::upper_bound(first_.begin(), first_.end(), part);
+  const auto k = static_cast<std::size_t>(after - first_.begin()) - 1;
+  if (k < set_.sheets().size()) return std::sqrt(space::squared_distance(*set_.sheets()[k], part - first_[k], x - by_));
+  const auto& ball = set_.balls()[static_cast<std::size_t>(part - first_.back())];
+  return space::length(x - space::plus(exact::approx(ball.center), by_)) - ball.radius.to_double();
+}
+
+std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double within, std::size_t most) const {
   const Vector x = place - by_;
-  std::vector<Distance> out;
-  for (const auto& sheet : set_.sheets()) {
+  std::vector<int> out;
+  for (std::size_t k = 0; k < set_.sheets().size(); ++k) {
     double reach = within;
-    near_faces(*sheet, x, reach, [&](int face, double d) {
-      if (d <= within)
-        out.emplace_back([&sheet = *sheet, face, by = by_](const Vector& y) {
-          return std::sqrt(space::squared_distance(sheet, face, y - by));
-        });
+    near_faces(*set_.sheets()[k], x, reach, [&](int face, double d) {
+      if (d <= within) out.push_back(first_[k] + face);
       return out.size() <= most;
     });
     if (out.size() > most) return std::nullopt;
   }
-  for (const auto& ball : set_.balls()) {
-    const Vector center = space::plus(exact::approx(ball.center), by_);
-    out.emplace_back([center, r = ball.radius.to_double()](const Vector& y) { return space::length(y - center) - r; });
-  }
+  for (std::size_t k = 0; k < set_.balls().size(); ++k) out.push_back(first_.back() + static_cast<int>(k));
   if (out.empty() || out.size() > most) return std::nullopt;
   return out;
 }

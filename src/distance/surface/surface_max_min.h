@@ -3,12 +3,12 @@
 //
 // The greatest signed distance of a point of B + p to A, which are given by their surfaces: how far B protrudes from A,
 // where it does. A cell that a tetrahedron fills is bounded by the signed distance of its centre and its size, as no
-// distance grows faster than a step; where few triangles can be nearest in it, by the matrix bound_of_lp of their
-// distances, which are convex (solid_max_min.h). The centre's signed distance is that to the nearest triangle of a tree
-// of boxes, its sign exact. Cells fill B's parts where they are known; else the box about B, less what is found to lie
-// outside B, and what a corner is beyond a plane of its hull may be taken off its distances. Guarantee: doubles; no
-// point has more than `bound`, which is within 2^-40 of the value, or of the sizes, unless kMostMaxMinCells cells were
-// not enough
+// distance grows faster than a step; where few triangles can be nearest in it, by the linear program of their
+// distances, which are convex (tetrahedral_max_min.h). The centre's signed distance is that to the nearest triangle of
+// a tree of boxes, its sign exact. Cells fill B's parts where they are known; else the box about B, less what is found
+// to lie outside B, and what a corner is beyond a plane of its hull may be taken off its distances. Guarantee: doubles;
+// no point has more than `bound`, which is within 2^-40 of the value, or of the sizes, unless kMostMaxMinCells cells
+// were not enough
 // (`complete` is false then). Cost: some ten microseconds a cell, where triangles are small a thousand cells. Keywords:
 // directed Hausdorff distance, branch and bound.
 #pragma once
@@ -35,22 +35,18 @@ class SurfaceField {
   /// Inside a union it is not less than the true one; outside it is that.
   /// `known`: some place of the surface is no farther.
   Signed at(const space::Vector& x, double known = exact::kInfinity) const;
-  /// The distances from surfaces and balls to which some place within `reach` of x may be nearest, if they are not more
+  /// The triangles and balls to which some place within `within` of x may be nearest, by number, if they are not more
   /// than `most`.
-  using Distance = std::function<double(const space::Vector&)>;
-  std::optional<std::vector<Distance>> near(const space::Vector& x, double within, std::size_t most) const;
+  std::optional<std::vector<int>> near(const space::Vector& x, double within, std::size_t most) const;
+  /// From one of them.
+  double distance(int part, const space::Vector& x) const;
   const space::SurfaceSet& set() const { return set_; }
   const space::Vector& by() const { return by_; }
 
  private:
   const space::SurfaceSet& set_;
   space::Vector by_;
-};
-
-struct SurfaceMaxMin {
-  double value = 0, bound = 0;
-  space::Vector place;
-  bool complete = true;
+  std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
 };
 
 /// B as its parts, already moved, or by its field.
@@ -62,6 +58,6 @@ struct MaxMinDomain {
   std::vector<space::Vector> corners;      // of B
 };
 
-SurfaceMaxMin surface_max_min(const MaxMinDomain& domain, const SurfaceField& a);
+SolidMaxMin surface_max_min(const MaxMinDomain& domain, const SurfaceField& a);
 
 }  // namespace findspace::distance

@@ -95,7 +95,7 @@ Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
   MaxMinDomain domain =
       side.moving->parts ? domain_of_parts(*side.moving->parts, by) : domain_of_field(of_b, side.moving->outline.get());
   add_corners(b, by, domain);
-  const SurfaceMaxMin max_min = surface_max_min(domain, of_a);
+  const SolidMaxMin max_min = surface_max_min(domain, of_a);
   if (max_min.complete) {
     if (auto exact = at_corner(b, a, p, max_min.place)) return *exact;
   }

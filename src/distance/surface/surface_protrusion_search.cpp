@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "distance/search/field_boxes.h"
-#include "distance/search/lp_bound.h"
-#include "distance/search/max_min_queue.h"
 #include "distance/search/protrusion_field.h"
+#include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "space/surface/surface_side.h"
 
@@ -159,61 +158,53 @@ class TriangleField : public ProtrusionField {
   std::unique_ptr<const FieldBoxes> known_;
 };
 
-struct ProtrusionCell {
-  Tetrahedron corner;
-  double bound = 0;
-  std::vector<int> triangles;  // that bound it: any do
-  bool operator<(const ProtrusionCell& other) const { return bound < other.bound; }
-};
-
-class ProtrusionSearch {
+/// A cell is bounded by a few triangles: any do.
+class TriangleTarget : public MaxMinTarget {
  public:
-  ProtrusionSearch(const TriangleField& field, double slack, double share) : field_(field), queue_(slack, share) {}
+  explicit TriangleTarget(const TriangleField& field) : field_(field) {}
 
-  SolidMaxMin run(std::span<const Tetrahedron> solid) {
-    for (const Tetrahedron& t : solid) {
-      if (field_.surely_within(t, queue_.slack())) continue;
-      std::vector<int> triangles;
-      for (const Vector& v : t) triangles.push_back(field_.nearest(v).triangle);
-      add(t, exact::kInfinity, std::move(triangles));
-    }
-    return queue_.run([this](const ProtrusionCell& top) { split(top); });
-  }
-
- private:
-  void add(const Tetrahedron& corner, double ceiling, std::vector<int> triangles) {
-    ProtrusionCell cell{corner, ceiling, std::move(triangles)};
-    const Vector middle =
-        space::scaled(0.25, space::plus(space::plus(corner[0], corner[1]), space::plus(corner[2], corner[3])));
+  bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     double radius = 0;
-    for (const Vector& v : corner) radius = std::max(radius, space::length(v - middle));
-    const double most = std::max(queue_.slack(), queue_.best().value);
-    if (radius > 4 * field_.least_known() && field_.surely_within(corner, most)) return;
-    const TriangleField::Nearest near = field_.nearest(middle, most - radius, cell.triangles);
-    if (!queue_.worth(near.distance + radius)) return;
-    cell.triangles.push_back(near.triangle);
-    const std::vector<std::array<double, 4>> columns = find_columns(cell);
-    if (!queue_.worth(cell.bound)) return;
+    for (const Vector& v : cell.corner) radius = std::max(radius, space::length(v - middle));
+    const double most = std::max(best.slack(), best.found().value);
+    if (radius > 4 * field_.least_known() && field_.surely_within(cell.corner, most)) return false;
+    if (cell.sets.empty()) {
+      for (const Vector& v : cell.corner) cell.sets.push_back(field_.nearest(v).triangle);
+    }
+    const TriangleField::Nearest near = field_.nearest(middle, most - radius, cell.sets);
+    if (!best.worth(near.distance + radius)) return false;
+    cell.sets.push_back(near.triangle);
+    find_columns(cell);
+    if (!best.worth(cell.bound)) return false;
     const bool inside = field_.inside(middle);
     const double value = inside ? -near.distance : near.distance;
     cell.bound = std::min(cell.bound, value + radius);
-    if (!queue_.worth(cell.bound)) return;
-    if (!inside) queue_.offer(middle, value);
-    play(cell, columns);
-    if (queue_.worth(cell.bound)) queue_.push(std::move(cell));
+    if (!best.worth(cell.bound)) return false;
+    if (!inside) best.offer(middle, value);
+    return true;
   }
 
+  void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
+    const TriangleField::Nearest near = field_.nearest(x, 0, cell.sets);
+    cell.sets.push_back(near.triangle);
+    if (near.distance > best.found().value && !field_.inside(x)) best.offer(x, near.distance);
+  }
+
+  double distance(int set, const Vector& x) const override { return field_.distance(set, x); }
+  double shortest_share() const override { return 1; }
+
+ private:
   /// The distances of the cell's triangles from its corners; keeps those that bound it best.
-  std::vector<std::array<double, 4>> find_columns(ProtrusionCell& cell) {
+  void find_columns(MaxMinCell& cell) const {
     struct Bounding {
       double most;
       int triangle;
-      std::array<double, 4> column;
+      Column column;
     };
-    std::sort(cell.triangles.begin(), cell.triangles.end());
-    cell.triangles.erase(std::unique(cell.triangles.begin(), cell.triangles.end()), cell.triangles.end());
+    std::sort(cell.sets.begin(), cell.sets.end());
+    cell.sets.erase(std::unique(cell.sets.begin(), cell.sets.end()), cell.sets.end());
     std::vector<Bounding> order;
-    for (const int f : cell.triangles) {
+    for (const int f : cell.sets) {
       Bounding& next = order.emplace_back(Bounding{0, f, {}});
       for (std::size_t v = 0; v < 4; ++v) next.column[v] = field_.distance(f, cell.corner[v]);
       next.most = *std::max_element(next.column.begin(), next.column.end());
@@ -223,55 +214,24 @@ class ProtrusionSearch {
     });
     cell.bound = std::min(cell.bound, order[0].most);
     order.resize(std::min(order.size(), kFew));
-    cell.triangles.clear();
-    std::vector<std::array<double, 4>> columns;
+    cell.sets.clear();
     for (const Bounding& b : order) {
-      cell.triangles.push_back(b.triangle);
-      columns.push_back(b.column);
-    }
-    return columns;
-  }
-
-  /// Lowers the bound by the bound_of_lp, and tries its place.
-  void play(ProtrusionCell& cell, const std::vector<std::array<double, 4>>& columns) {
-    const LpBound bound_of_lp = lp_bound(columns);
-    cell.bound = std::min(cell.bound, bound_of_lp.value);
-    if (!queue_.worth(cell.bound)) return;
-    Vector x;
-    for (std::size_t v = 0; v < 4; ++v) x = space::plus(x, space::scaled(bound_of_lp.rows[v], cell.corner[v]));
-    const TriangleField::Nearest near = field_.nearest(x, 0, cell.triangles);
-    cell.triangles.push_back(near.triangle);
-    if (near.distance > queue_.best().value && !field_.inside(x)) queue_.offer(x, near.distance);
-  }
-
-  void split(const ProtrusionCell& cell) {
-    std::size_t a = 0, b = 1;
-    double longest = 0;
-    for (std::size_t v = 0; v < 4; ++v) {
-      for (std::size_t w = v + 1; w < 4; ++w) {
-        const double d = space::length(cell.corner[v] - cell.corner[w]);
-        if (d > longest) {
-          longest = d;
-          a = v;
-          b = w;
-        }
-      }
-    }
-    const Vector middle = space::scaled(0.5, space::plus(cell.corner[a], cell.corner[b]));
-    for (const std::size_t moved : {a, b}) {
-      Tetrahedron corner = cell.corner;
-      corner[moved] = middle;
-      add(corner, cell.bound, cell.triangles);
+      cell.sets.push_back(b.triangle);
+      cell.distances.push_back(b.column);
     }
   }
 
   const TriangleField& field_;
-  MaxMinQueue<ProtrusionCell> queue_;
 };
 
 SolidMaxMin TriangleField::max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> /*round*/,
                                    double slack, double share) const {
-  return ProtrusionSearch(*this, slack, share).run(solid);
+  const TriangleTarget target(*this);
+  TetrahedralMaxMin search(target, MaxMinBest(std::min(0.0, slack), slack, share, 0));
+  for (const Tetrahedron& t : solid) {
+    if (!surely_within(t, slack)) search.add(t, nullptr, exact::kInfinity, {});
+  }
+  return search.run(kMostCells);
 }
 
 }  // namespace

@@ -88,9 +88,14 @@ inline constexpr double kAroundBox = 0x1p-30;
 /// Sets in which a place is less deep by this than in the deepest cannot have the nearest boundary. Filters: the others
 /// are computed exactly.
 inline constexpr double kDeepestSets = 0x1p-40;
-/// Of Gram determinants of unit normals: below it the planes share a direction. Filters: the dual simplex then goes on
-/// with fewer planes.
+/// The sine of the angle of unit normals: below it the planes share a direction. Filters: the dual simplex then goes on
+/// with fewer planes, or by facets.
 inline constexpr double kDependentNormals = 0x1p-40;
+/// The sine of the angle of two planes that make an edge: where it is more, the edge is off by less than 2^-36, as
+/// planes are by kRoundings4. Filters: places near sharper edges are found between exact corners.
+inline constexpr double kSharpEdge = 0x1p-16;
+/// The sine of the angle of two unit normals that is rounding: the planes are parallel, and make no edge. Filters.
+inline constexpr double kParallelSine = 0x1p-48;
 /// Of the box: a least value over a box is bracketed to this; each value is exact, and as many as this allows are
 /// taken. Bounds.
 inline constexpr double kLeastInBox = 0x1p-30;

@@ -4,10 +4,12 @@
 #include "formula/planar/feasible_near.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "distance/planar/signed_distance.h"
@@ -20,6 +22,7 @@
 #include "plane/base/stage_observer.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
+#include "plane/complex/primitives.h"
 #include "plane/query/topology.h"
 
 namespace findspace::formula {
@@ -36,25 +39,57 @@ bool is_plain(const Distance& d) { return d.mode == Mode::kPlain; }
 
 class Near {
  public:
-  Near(const PreparedWorld& world, const Formula& formula) : world_(world), formula_(formula) {}
+  Near(const PreparedWorld& world, const Formula& formula) : world_(world), formula_(formula) {
+    const Node& root = formula_.root();
+    const bool several = root.op == Node::Op::kAnd;
+    for (const Node& operand : several ? std::span<const Node>(root.operands) : std::span<const Node>(&root, 1)) {
+      if (bounds(operand))
+        bounding_.push_back(alone(operand));
+      else
+        others_.push_back(&operand);
+    }
+  }
 
   Region run() {
-    const Node& root = formula_.root();
-    if (root.op != Node::Op::kAnd || world_.world().instant) return feasible(world_, formula_);
-    std::vector<Formula> bounding, near;
-    std::vector<const Node*> others;
-    for (const Node& operand : root.operands) {
-      if (bounds(operand))
-        bounding.push_back(alone(operand));
-      else
-        others.push_back(&operand);
-    }
-    if (bounding.empty() || others.empty()) return feasible(world_, formula_);
-    Region tolerance = feasible(world_, conjunction(bounding));
+    if (bounding_.empty() || others_.empty() || world_.world().instant) return feasible(world_, formula_);
+    Region tolerance = feasible(world_, conjunction(bounding_));
     if (plane::is_empty(tolerance)) return tolerance;
     if (!plane::is_bounded(tolerance)) return feasible(world_, formula_);
+    return within(std::move(tolerance));
+  }
+
+  /// What holds in a window depends on what is near it, but for what bounds the positions.
+  bool all_local() const {
+    if (world_.world().instant) return false;
+    return std::all_of(others_.begin(), others_.end(), [&](const Node* other) {
+      const Formula alone = this->alone(*other);
+      return std::all_of(alone.sign_maps().begin(), alone.sign_maps().end(),
+                         [&](const SignMap& m) { return is_local(m); });
+    });
+  }
+
+  /// The positions of the window where the formula holds.
+  Region in_window(const Region& window) {
+    if (bounding_.empty()) return within(window);
+    // What bounds the positions is the same for every window.
+    if (!tolerance_) tolerance_ = feasible(world_, conjunction(bounding_));
+    const std::array<const Region*, 2> both{&*tolerance_, &window};
+    return within(plane::intersect(both));
+  }
+
+ private:
+  struct Mover {
+    Region shape;
+    std::optional<PieceBox> box;
+  };
+  using Names = std::vector<std::string>;
+
+  /// Of these positions, the ones where all others hold.
+  Region within(Region tolerance) {
+    if (plane::is_empty(tolerance)) return tolerance;
     box_ = *plane::extent(tolerance);
-    for (const Node* other : others) {
+    std::vector<Formula> near;
+    for (const Node* other : others_) {
       const std::optional<bool> far = if_far(*other);
       if (!far) near.push_back(alone(*other));
       if (far && !*far) return CellComplex::uniform(0);
@@ -70,13 +105,6 @@ class Near {
     return region;
   }
 
- private:
-  struct Mover {
-    Region shape;
-    std::optional<PieceBox> box;
-  };
-  using Names = std::vector<std::string>;
-
   Formula alone(const Node& node) const { return part_of(formula_, node); }
 
   bool moves(const std::string& name) const {
@@ -88,7 +116,7 @@ class Near {
   bool bounds(const Node& node) const {
     if (node.op != Node::Op::kAtom) return false;
     const Atom& atom = formula_.atoms()[node.atom];
-    return !atom.minimum && is_plain(atom.distance) && atom.distance.kind == Kind::kEta1 &&
+    return !atom.minimum && atom.more.empty() && is_plain(atom.distance) && atom.distance.kind == Kind::kEta1 &&
            moves(atom.distance.first[0]) && (atom.relation == Relation::kLess || atom.relation == Relation::kLessEqual);
   }
 
@@ -112,7 +140,7 @@ class Near {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
     const Distance d = moving_first(atom.distance, world_.world().moving);
-    if (atom.minimum || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
+    if (atom.minimum || !atom.more.empty() || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
         atom.level.sign() < 0)
       return std::nullopt;
     auto mover = movers_.find(d.first);
@@ -126,14 +154,20 @@ class Near {
     return holds(atom, 1);
   }
 
+  /// gamma1 from level 0 on, of bounded shapes.
+  bool is_local(const SignMap& wanted) const {
+    const Distance d = moving_first(wanted.distance, world_.world().moving);
+    return !wanted.minimum && wanted.more.empty() && is_plain(d) && d.kind == Kind::kGamma1 && wanted.level.sign() >= 0 && moves(d.first[0]) &&
+           std::all_of(d.second.begin(), d.second.end(),
+                       [&](const std::string& name) { return world_.box(name) != nullptr; });
+  }
+
   plane::SignMap sign_map(const SignMap& wanted) const {
     const Real level = wanted.level / world_.step();
     const Distance d = moving_first(wanted.distance, world_.world().moving);
+    if (!wanted.more.empty()) return formula::sign_map(world_, wanted);
     if (wanted.minimum) return minimiser_map(least(world_, wanted.distance));
-    const bool local = is_plain(d) && d.kind == Kind::kGamma1 && level.sign() >= 0 && moves(d.first[0]);
-    const bool bounded = local && std::all_of(d.second.begin(), d.second.end(),
-                                              [&](const std::string& name) { return world_.box(name) != nullptr; });
-    if (!bounded) return position_function(world_, wanted.distance)->sign_map(level);
+    if (!is_local(wanted)) return position_function(world_, wanted.distance)->sign_map(level);
     const auto known = movers_.find(d.first);
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
     if (!b.box) return position_function(world_, wanted.distance)->sign_map(level);
@@ -182,12 +216,56 @@ class Near {
 
   const PreparedWorld& world_;
   const Formula& formula_;
-  PieceBox box_{};                 // of the positions in question
-  std::map<Names, Mover> movers_;  // known so far
+  std::vector<Formula> bounding_;      // operands that bound the positions
+  std::vector<const Node*> others_;    // the other ones
+  std::optional<Region> tolerance_{};  // where all that bound hold
+  PieceBox box_{};                     // of the positions in question
+  std::map<Names, Mover> movers_;      // known so far
 };
+
+/// Half the sides of the windows: of the first one, and what none is to pass.
+struct WindowSizes {
+  double first, most;
+};
+
+/// The first window is a few times as large as what moves, and the last one holds a quarter of everything.
+std::optional<WindowSizes> window_sizes(const PreparedWorld& world) {
+  std::optional<PieceBox> all, moving;
+  const auto join = [](std::optional<PieceBox>& to, const PieceBox& box) { to = to ? plane::joined(*to, box) : box; };
+  for (const auto& [name, shape] : world.world().shapes)
+    if (const PieceBox* box = world.box(name)) join(all, *box);
+  for (const std::string& name : world.world().moving)
+    if (const PieceBox* box = world.box(name)) join(moving, *box);
+  if (!all || !moving) return std::nullopt;
+  const auto size = [](const PieceBox& b) { return std::max(b.x1 - b.x0, b.y1 - b.y0); };
+  return WindowSizes{2 * size(*moving) + 2, size(*all) / 4};
+}
 
 }  // namespace
 
 Region feasible_near(const Solver& solver, const Formula& formula) { return Near(solver.prepared(), formula).run(); }
+
+std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
+                                                  const exact::RealPoint& p) {
+  constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is no coordinate
+  const double x = distance::near_value(p.x), y = distance::near_value(p.y);
+  const auto sizes = window_sizes(world);
+  Near near(world, formula);
+  if (!sizes || !near.all_local()) return std::nullopt;
+  for (double half = sizes->first; half < sizes->most; half *= 2) {
+    if (std::max(std::abs(x), std::abs(y)) + half > kLargest) return std::nullopt;
+    const std::int64_t x0 = std::llround(x - half), y0 = std::llround(y - half), x1 = std::llround(x + half),
+                       y1 = std::llround(y + half);
+    const plane::Contour ring{{.start = {x0, y0}}, {.start = {x1, y0}}, {.start = {x1, y1}}, {.start = {x0, y1}}};
+    const Region inside = near.in_window(plane::region_of_rings({&ring, 1})), closed = plane::closure(inside);
+    const auto found = mark_of(closed, locate(closed, p)) > 0 ? std::optional(plane::Nearest{Real(), p, {}})
+                                                              : plane::nearest(
+                                                                    closed, [](Mark m) { return m > 0; }, p);
+    // What is nearer than the window's sides is what it is without the window.
+    if (found && found->distance.to_double() < half - 1)
+      return NearestInWindow{*found, mark_of(inside, locate(inside, found->at)) > 0};
+  }
+  return std::nullopt;
+}
 
 }  // namespace findspace::formula

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <queue>
 
 #include "exact/margins/formula.h"
 #include "findspace/error.h"
@@ -19,6 +18,7 @@
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
 #include "plane/base/parallel.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::formula {
 
@@ -39,14 +39,14 @@ struct Piece {
   double from, to;
   Mark low = -1, high = 1;
   bool open() const { return low < high && to - from > margin::kNarrowestTime; }
+  bool operator<(const Piece& other) const { return to - from < other.to - other.from; }
 };
 
 using Look = std::function<void(Piece&)>;
 
 /// Halves the widest pieces whose signs are open.
 std::vector<Piece> looked_through(std::size_t legs, int most, const Look& look) {
-  const auto wider = [](const Piece& a, const Piece& b) { return a.to - a.from < b.to - b.from; };
-  std::priority_queue<Piece, std::vector<Piece>, decltype(wider)> queue(wider);
+  plane::Subdivision<Piece> queue;
   std::vector<Piece> done;
   const auto add = [&](Piece piece) {
     look(piece);
@@ -56,14 +56,13 @@ std::vector<Piece> looked_through(std::size_t legs, int most, const Look& look) 
       done.push_back(piece);
   };
   for (std::size_t leg = 0; leg < legs; ++leg) add({leg, 0, 1});
-  for (int k = 0; k < most && !queue.empty(); k += 2) {
-    const Piece piece = queue.top();
-    queue.pop();
-    const double middle = piece.from + (piece.to - piece.from) / 2;
-    add({piece.leg, piece.from, middle});
-    add({piece.leg, middle, piece.to});
-  }
-  for (; !queue.empty(); queue.pop()) done.push_back(queue.top());
+  queue.run((most + 1) / 2, [](const Piece&) { return false; },
+            [&](const Piece& piece) {
+              const double middle = piece.from + (piece.to - piece.from) / 2;
+              add({piece.leg, piece.from, middle});
+              add({piece.leg, middle, piece.to});
+            });
+  done.insert(done.end(), queue.left().begin(), queue.left().end());
   std::sort(done.begin(), done.end(),
             [](const Piece& a, const Piece& b) { return a.leg != b.leg ? a.leg < b.leg : a.from < b.from; });
   return done;

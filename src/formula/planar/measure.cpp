@@ -193,6 +193,11 @@ DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const
   return out;
 }
 
+DistanceAt plain_distance_at(const PreparedWorld& world, const Distance& wanted, distance::PlanarAnswer answer,
+                             const RealPoint& p) {
+  return named_answer(world, wanted, world.roles(wanted), std::move(answer), p);
+}
+
 std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& p, const Formula& formula) {
   std::vector<Distance> wanted = all_distances(world.world());
   for (const SignMap& m : formula.sign_maps()) {

@@ -15,6 +15,10 @@ namespace findspace::formula {
 /// One distance at p, in grid steps.
 DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const exact::RealPoint& p);
 
+/// The same of a plain distance without a motion, whose answer is known.
+DistanceAt plain_distance_at(const PreparedWorld& world, const Distance& wanted, distance::PlanarAnswer answer,
+                             const exact::RealPoint& p);
+
 /// All distances of the moving shapes to every other shape at p, in grid steps, with a motion their inf and sup; and
 /// those that the formula names besides.
 std::vector<DistanceAt> measure_at(const PreparedWorld& world, const exact::RealPoint& p, const Formula& formula);

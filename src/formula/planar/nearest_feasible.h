@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The nearest feasible position, min {|q - p| : the formula holds at q}, or of the closure of those. Where all
-// atoms must hold and those that fail compare gamma1, eta1 or delta1 with a number, no map is made if their contacts
-// decide. Such a distance f changes no faster than the position, so no position with the level is nearer to p than
-// |f(p) - level|; one that is as near lies on the line through p and the nearest contact, and it is the answer if f has
-// the level there (beyond it, too, for `<` and `>`, which it bounds) and the other atoms hold. Else the whole region is
-// made. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
+// The nearest feasible position, min {|q - p| : the formula holds at q}, or of the closure of those: from contacts
+// where these decide (nearest_contact.h), else from windows of the region that grow about p, and from the whole region
+// where these are no longer small. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
 #pragma once
 
 #include <optional>

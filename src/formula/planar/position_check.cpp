@@ -28,19 +28,17 @@ namespace {
 
 /// From the value, where it is clearly not the level: no map of all positions is made then.
 std::optional<DecidedSign> clear_sign(const PreparedWorld& world, const SignMap& wanted, const Roles& r,
-                                      const RealPoint& p) {
-  if (wanted.minimum || world.motion().given() || r.wanted.mode != Mode::kPlain) return std::nullopt;
-  const auto m = world.pair(r.names)->measure(r.which(), p);
+                                      const std::optional<distance::PlanarAnswer>& m, const RealPoint& p) {
   if (!m) return DecidedSign{1, Way::kFeatures};
-  if (m->minus_infinity) return DecidedSign{-1, m->way};
+  if (m->minus_infinity) return DecidedSign{-1, m->way, m};
   const double level = (wanted.level / world.step()).to_double();
   const distance::Enclosure within = m->bounds();
   if (!within.lower || !within.upper) return std::nullopt;
   const double low = within.lower->to_double(), high = within.upper->to_double();
   const double size = std::max(std::abs(low), std::abs(high)) + std::abs(level) + world.pair(r.names)->scale(p);
   const double tolerance = size * margin::kClearOfLevel;
-  if (low - level > tolerance) return DecidedSign{1, m->way};
-  if (level - high > tolerance) return DecidedSign{-1, m->way};
+  if (low - level > tolerance) return DecidedSign{1, m->way, m};
+  if (level - high > tolerance) return DecidedSign{-1, m->way, m};
   return std::nullopt;
 }
 
@@ -60,9 +58,13 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
   const Roles r = world.roles(wanted.distance);
   const bool rotation = in_rotation(wanted);
   if (!r.rotating && !(rotation && world.motion().given())) {
-    if (const auto clear = clear_sign(world, wanted, r, p)) return *clear;
+    std::optional<distance::PlanarAnswer> value;
+    if (!wanted.minimum && !world.motion().given() && r.wanted.mode == Mode::kPlain) {
+      value = world.pair(r.names)->measure(r.which(), p);
+      if (auto clear = clear_sign(world, wanted, r, value, p)) return *std::move(clear);
+    }
     const plane::SignMap m = sign_map(world, wanted);
-    return {mark_of(m, locate(m, p)), Way::kMap};
+    return {mark_of(m, locate(m, p)), Way::kMap, std::move(value)};
   }
   if (wanted.minimum) refuse(wanted.distance, "whether a position is the best of all is not computed with a motion");
   const bool at_instant = world.world().instant && wanted.distance.prefix == Extremum::kNone;
@@ -105,13 +107,12 @@ bool holds_at(const PreparedWorld& world, const Formula& formula, const RealPoin
 Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
   const std::size_t count = formula.sign_maps().size();
   std::vector<std::int8_t> signs(count);
-  std::vector<Way> ways(count);
+  std::vector<DecidedSign> decisions(count);
   std::vector<double> milliseconds(count);
   plane::parallel_for(count, [&](std::size_t k) {
     const plane::Stopwatch watch;
-    const DecidedSign decided = decided_sign(world, formula.sign_maps()[k], p);
-    signs[k] = decided.sign;
-    ways[k] = decided.way;
+    decisions[k] = decided_sign(world, formula.sign_maps()[k], p);
+    signs[k] = decisions[k].sign;
     milliseconds[k] = watch.milliseconds();
   });
   Check out;
@@ -120,11 +121,16 @@ Check check_at(const PreparedWorld& world, const Formula& formula, const RealPoi
     const Atom& atom = formula.atoms()[k];
     const std::size_t map = formula.sign_map_of(k);
     const plane::Stopwatch watch;
-    out.atoms.push_back(atom_at(atom,
-                                atom.more.empty() ? distance_at(world, atom.distance, p)
-                                                  : sum_at(world, formula.sign_maps()[map], written_sum(atom), p),
-                                signs[map]));
-    out.atoms.back().way = ways[map];
+    const auto& known = decisions[map].value;
+    const bool same = known && atom.more.empty() && atom.distance.mode == Mode::kPlain &&
+                      atom.distance == formula.sign_maps()[map].distance;
+    DistanceAt value = same                ? plain_distance_at(world, atom.distance, *known, p)
+                       : atom.more.empty() ? distance_at(world, atom.distance, p)
+                                           : sum_at(world, formula.sign_maps()[map], written_sum(atom), p);
+    if (value.answer && !atom.minimum && atom.more.empty())
+      value.answer = distance::narrowed(*std::move(value.answer), atom.level, signs[map]);
+    out.atoms.push_back(atom_at(atom, std::move(value), signs[map]));
+    out.atoms.back().way = decisions[map].way;
     out.atoms.back().milliseconds = milliseconds[map] + watch.milliseconds();
   }
   return out;

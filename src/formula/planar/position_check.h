@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
@@ -16,6 +17,7 @@ namespace findspace::formula {
 struct DecidedSign {
   std::int8_t sign = 0;
   distance::Way way = distance::Way::kMap;
+  std::optional<distance::PlanarAnswer> value{};  // of its distance, where it was found for the sign
 };
 
 /// The sign of a distance minus the level at p, in grid steps, and which way decided it.

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <utility>
 
 #include "exact/margins/formula.h"
 #include "plane/base/parallel.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::formula {
 
@@ -41,16 +42,15 @@ class Search {
       first = k + 1;
     }
     look(std::move(start));
-    while (count_ < kMostPlaces && !queue_.empty() && best_.value - queue_.top().bound > tolerance_) {
-      std::vector<Group> parts;
-      for (std::size_t k = 0; k < kAtOnce && !queue_.empty(); ++k) {
-        const Group top = queue_.top();
-        queue_.pop();
-        if (best_.value - top.bound > tolerance_) divide(top, parts);
-      }
-      look(std::move(parts));
-    }
-    best_.bound = queue_.empty() ? best_.value : std::min(queue_.top().bound, best_.value);
+    const auto worth = [&](const Group& g) { return best_.value - g.bound > tolerance_; };
+    std::vector<Group> parts;
+    queue_.run(
+        kMostPlaces, kAtOnce, [&](const Group& top) { return count_ >= kMostPlaces || !worth(top); },
+        [&](const Group& top) {
+          if (worth(top)) divide(top, parts);
+        },
+        [&] { look(std::exchange(parts, {})); });
+    best_.bound = queue_.empty() ? best_.value : std::min(queue_.best().bound, best_.value);
     best_.value *= sense_;
     best_.bound *= sense_;
     return best_;
@@ -181,7 +181,7 @@ class Search {
   std::vector<RayInterval> intervals_;
   double sense_;
   const std::function<double(const Place&)>& value_;
-  std::priority_queue<Group> queue_;
+  plane::Subdivision<Group> queue_;
   double tolerance_ = 0;
   int count_ = 0;
   bool found_ = false;

@@ -102,7 +102,8 @@ class SpaceSolver {
   std::unique_ptr<const PreparedSpace> space_;
 };
 
-/// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope.
+/// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope and
+/// contacts do not decide.
 std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
                                                 const space::RealVector& p);
 

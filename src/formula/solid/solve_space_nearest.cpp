@@ -1,14 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The nearest feasible position, where the region is made of boxes or is one convex polytope. Exact.
+// The nearest feasible position, where the region is made of boxes or is one convex polytope, or contacts decide
+// (nearest_contact.h). Exact.
 #include "findspace/error.h"
+#include "formula/language/nearest_contact.h"
 #include "formula/solid/optimize_convex.h"
 #include "formula/solid/solve_space.h"
 
 namespace findspace::formula {
 
+using distance::Coordinates;
+using exact::Real;
 using space::RealVector;
+
+namespace {
+
+std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Formula& formula, const RealVector& p) {
+  const Real& step = solver.world().step;
+  const auto value = [&](const Distance& d, const Coordinates& q) {
+    return solver.try_value(d, space::scaled(Real(1) / step, {q[0], q[1], q[2]}));
+  };
+  const ContactWorld asked{[&](const Distance& d, const Coordinates& q) -> std::optional<distance::SceneAnswer> {
+                             const auto v = value(d, q);
+                             return v && *v ? std::optional(distance::in_scene(**v, step)) : std::nullopt;
+                           },
+                           [&](std::size_t atom, const Coordinates& q) -> std::optional<int> {
+                             const Atom& a = formula.atoms()[atom];
+                             if (a.minimum || !a.more.empty()) return std::nullopt;
+                             const auto v = value(a.distance, q);
+                             if (!v) return std::nullopt;
+                             if (!*v) return 1;
+                             if ((*v)->minus_infinity) return -1;
+                             const distance::Enclosure e = (*v)->bounds();
+                             const Real level = a.level / step;
+                             if (e.lower && *e.lower > level) return 1;
+                             if (e.upper && *e.upper < level) return -1;
+                             return (*v)->proven ? std::optional(0) : std::nullopt;
+                           }};
+  return nearest_by_contact(asked, formula, distance::coordinates(p));
+}
+
+}  // namespace
 
 std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
                                                 const RealVector& p) {
@@ -24,7 +57,7 @@ std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const
                            *best.value, best.attained};
   }
   const auto convex = solver.feasible_convex(formula);
-  if (!convex || !*convex) return std::nullopt;
+  if (!convex || !*convex) return from_contacts(solver, formula, p);
   const SpaceSolver::ConvexMap& map = **convex;
   const auto best = optimize(map.set, map.step, to_p, distance::Sense::kMinimum);
   if (!best || !best->value) return std::nullopt;

@@ -10,11 +10,11 @@
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
+#include "io/export/write_wkt.h"
 #include "io/scene/scene.h"
 #include "io/write/write_cells.h"
 #include "io/write/write_json.h"
 #include "io/write/write_svg.h"
-#include "io/write/write_wkt.h"
 
 namespace findspace {
 namespace {

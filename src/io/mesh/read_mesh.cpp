@@ -151,17 +151,43 @@ void MeshBuilder::vertex(const TextLines& lines, std::string_view x, std::string
   vertex(p);
 }
 
+MeshBuilder::MeshBuilder(ReadContext& context, const exact::Real& scale) : context_(context), scale_(scale) {
+  constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
+  const auto steps = (scale / context.grid.step()).integer();
+  if (steps && *steps > 0 && *steps <= kMostSteps) steps_ = double(*steps);
+}
+
+std::int64_t MeshBuilder::on_grid(const exact::Real& coordinate, double& moved) const {
+  return context_.grid.nearest(coordinate * scale_, moved);
+}
+
+/// The number of steps is the sum of two doubles, exactly, and rounded from it unless it is nearly a tie.
+std::int64_t MeshBuilder::on_grid(double coordinate, double& moved) const {
+  constexpr double kNearlyHalf = 0.49;
+  const double steps = coordinate * steps_, rest = std::fma(coordinate, steps_, -steps), whole = std::nearbyint(steps),
+               off = (steps - whole) + rest;
+  const bool clear = steps_ > 0 && std::abs(steps) < double(plane::Grid::kLimit) && std::abs(off) < kNearlyHalf;
+  if (!clear) return on_grid(exact::Real::from_double(coordinate), moved);
+  moved = std::abs(off);
+  return static_cast<std::int64_t>(whole);
+}
+
 void MeshBuilder::vertex(double x, double y, double z) {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
     throw Error(ErrorCode::kBadValue, "a coordinate is not finite");
-  vertex({exact::Real::from_double(x), exact::Real::from_double(y), exact::Real::from_double(z)});
+  std::array<double, 3> moved{};
+  const std::int64_t gx = on_grid(x, moved[0]), gy = on_grid(y, moved[1]), gz = on_grid(z, moved[2]);
+  add({gx, gy, gz}, moved);
 }
 
 void MeshBuilder::vertex(const std::array<exact::Real, 3>& p) {
-  double moved[3];
-  const auto at = [&](int k) { return context_.grid.nearest(p[k] * scale_, moved[k]); };
-  const std::int64_t x = at(0), y = at(1), z = at(2);
-  mesh_.vertices.push_back({x, y, z});
+  std::array<double, 3> moved{};
+  const std::int64_t gx = on_grid(p[0], moved[0]), gy = on_grid(p[1], moved[1]), gz = on_grid(p[2], moved[2]);
+  add({gx, gy, gz}, moved);
+}
+
+void MeshBuilder::add(const space::Point& at, const std::array<double, 3>& moved) {
+  mesh_.vertices.push_back(at);
   context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
 }
 

@@ -41,7 +41,7 @@ class TextLines {
 
 class MeshBuilder {
  public:
-  MeshBuilder(ReadContext& context, const exact::Real& scale) : context_(context), scale_(scale) {}
+  MeshBuilder(ReadContext& context, const exact::Real& scale);
   void vertex(const TextLines& lines, std::string_view x, std::string_view y, std::string_view z);
   void vertex(double x, double y, double z);
   void vertex(const std::array<exact::Real, 3>& p);
@@ -54,8 +54,13 @@ class MeshBuilder {
   space::Mesh& mesh() { return mesh_; }
 
  private:
+  std::int64_t on_grid(double coordinate, double& moved) const;
+  std::int64_t on_grid(const exact::Real& coordinate, double& moved) const;
+  void add(const space::Point& at, const std::array<double, 3>& moved);
+
   ReadContext& context_;
   exact::Real scale_;
+  double steps_ = 0;  // that one of the file's numbers makes, if a whole number of them
   space::Mesh mesh_;
 };
 

@@ -26,11 +26,22 @@ class Reader {
   packing::Problem problem(const NestingWishes& wishes) const {
     UnscaledProblem result;
     if (const JsonValue* named = tree_.find("name")) result.name = named->text;
-    result.height = wishes.height ? *wishes.height : number(need(tree_, "strip_height"));
-    result.gap = wishes.gap;
-    result.edge = wishes.edge;
+    if (tree_.find("findspace") != nullptr && tree_.find("items") == nullptr)
+      fail(tree_,
+           "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
+           "(docs/nesting.md); few shapes of a scene are placed by 'findspace place'");
     const JsonValue& items = list(need(tree_, "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
+    if (const JsonValue* sheets = tree_.find("sheets"); sheets != nullptr && !wishes.height)
+      for (const JsonValue& value : list(*sheets).items) result.sheets.push_back(sheet(value, result.parts));
+    check_costs(result);
+    if (const JsonValue* box = tree_.find("box")) result.box = truth(*box) && result.sheets.empty() && !wishes.height;
+    if (result.sheets.empty() && !result.box)
+      result.height = wishes.height ? *wishes.height : number(need(tree_, "strip_height"));
+    result.gap = wishes.gap;
+    result.edge = wishes.edge;
+    if (const JsonValue* gaps = tree_.find("gaps"))
+      for (const JsonValue& value : list(*gaps).items) result.pair_gaps.push_back(pair_gap(value, result.parts));
     return std::move(result).on_grid(name_);
   }
 
@@ -39,11 +50,15 @@ class Reader {
     packing::Layout result;
     result.length = number(need(body, "length"));
     for (const JsonValue& item : list(need(body, "items")).items) result.items.push_back(placed(item, problem));
+    if (problem.box) result.height = number(need(need(body, "container"), "box"));
+    if (problem.on_sheets())
+      for (const JsonValue& sheet : list(need(need(body, "container"), "sheets")).items)
+        result.sheets.push_back(index_of(sheet, problem.sheets, "sheet"));
     const JsonValue* left = body.find("left_out");
     if (left == nullptr) return result;
     for (const JsonValue& out : list(*left).items)
       result.left_out.push_back(
-          {part_index(need(out, "part"), problem), whole(need(out, "copies")), need(out, "why").text});
+          {index_of(need(out, "part"), problem.parts, "part"), whole(need(out, "copies")), need(out, "why").text});
     return result;
   }
 
@@ -81,6 +96,76 @@ class Reader {
     return result;
   }
 
+  bool truth(const JsonValue& value) const {
+    if (!value.is(Kind::kBoolean)) fail(value, fmt::format("true or false is meant, not {}", value.kind_name()));
+    return value.boolean;
+  }
+
+  std::vector<UnscaledRing> shape(const JsonValue& value) const {
+    const JsonValue &type = need(value, "type"), &data = need(value, "data");
+    std::vector<UnscaledRing> rings;
+    if (type.text == "simple_polygon") {
+      rings.push_back(ring(data));
+    } else if (type.text == "polygon") {
+      rings.push_back(ring(need(data, "outer")));
+      if (const JsonValue* inner = data.find("inner"))
+        for (const JsonValue& hole : list(*inner).items) rings.push_back(ring(hole));
+    } else {
+      fail(type, "a shape is a simple_polygon or a polygon");
+    }
+    return rings;
+  }
+
+  UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
+    UnscaledSheet result;
+    result.name = need(value, "id").text;
+    if (const JsonValue* count = value.find("count")) result.count = whole(*count);
+    if (const JsonValue* cost = value.find("cost")) {
+      result.cost = number(*cost);
+      if (*result.cost < 0) fail(*cost, "a cost below 0");
+    }
+    if (const JsonValue* outline = value.find("shape")) {
+      result.rings = shape(*outline);
+    } else {
+      const Fraction w = number(need(value, "width")), h = number(need(value, "height"));
+      if (w <= 0 || h <= 0) fail(value, "a sheet has a width and a height above 0");
+      result.rings = {{{0, 0}, {w, 0}, {w, h}, {0, h}}};
+    }
+    if (const JsonValue* zones = value.find("zones"))
+      for (const JsonValue& item : list(*zones).items) result.zones.push_back(zone(item, parts));
+    return result;
+  }
+
+  /// Zones keep out the parts named, or all but those named.
+  UnscaledZone zone(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
+    UnscaledZone result{shape(need(value, "shape")), {}};
+    const JsonValue *only = value.find("only"), *kept_out = value.find("keeps_out");
+    if ((only == nullptr) == (kept_out == nullptr))
+      fail(value, "a zone has either 'keeps_out' or 'only': names of parts");
+    std::vector<std::size_t> named;
+    for (const JsonValue& name : list(only != nullptr ? *only : *kept_out).items)
+      named.push_back(index_of(name, parts, "part"));
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if ((std::count(named.begin(), named.end(), part) > 0) == (only == nullptr)) result.parts.push_back(part);
+    return result;
+  }
+
+  packing::PairGap pair_gap(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
+    const JsonValue& between = list(need(value, "between"));
+    if (between.size() != 2) fail(between, "a gap is between two parts");
+    packing::PairGap result{index_of(between.items[0], parts, "part"), index_of(between.items[1], parts, "part"),
+                            number(need(value, "gap"))};
+    if (result.gap < 0) fail(value, "a gap below 0");
+    return result;
+  }
+
+  void check_costs(const UnscaledProblem& problem) const {
+    const auto has_cost = [](const UnscaledSheet& sheet) { return sheet.cost.has_value(); };
+    const auto count = std::count_if(problem.sheets.begin(), problem.sheets.end(), has_cost);
+    if (count != 0 && std::size_t(count) != problem.sheets.size())
+      throw Error(ErrorCode::kBadValue, "some sheets have a cost and others none", name_);
+  }
+
   UnscaledPart part(const JsonValue& item) const {
     UnscaledPart result;
     result.name = need(item, "id").text;
@@ -88,32 +173,30 @@ class Reader {
     if (const JsonValue* angles = item.find("allowed_orientations"); angles != nullptr && angles->is(Kind::kArray))
       for (const JsonValue& angle : angles->items) result.angles.push_back(number(angle));
     if (result.angles.empty()) result.angles.push_back(0);
-    const JsonValue &shape = need(item, "shape"), &type = need(shape, "type"), &data = need(shape, "data");
-    if (type.text == "simple_polygon") {
-      result.rings.push_back(ring(data));
-    } else if (type.text == "polygon") {
-      result.rings.push_back(ring(need(data, "outer")));
-      if (const JsonValue* inner = data.find("inner"))
-        for (const JsonValue& hole : list(*inner).items) result.rings.push_back(ring(hole));
-    } else {
-      fail(type, "a shape is a simple_polygon or a polygon");
+    if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
+    if (const JsonValue* value = item.find("value")) {
+      result.value = number(*value);
+      if (*result.value < 0) fail(*value, "a value below 0");
     }
+    result.rings = shape(need(item, "shape"));
     return result;
   }
 
-  std::size_t part_index(const JsonValue& name, const packing::Problem& problem) const {
-    const auto same = [&](const packing::Part& part) { return part.name == name.text; };
-    const auto found = std::find_if(problem.parts.begin(), problem.parts.end(), same);
-    if (found == problem.parts.end()) fail(name, fmt::format("there is no part '{}'", name.text));
-    return std::size_t(found - problem.parts.begin());
+  template <class Named>
+  std::size_t index_of(const JsonValue& name, const std::vector<Named>& all, const char* what) const {
+    const auto same = [&](const Named& one) { return one.name == name.text; };
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text));
+    return std::size_t(found - all.begin());
   }
 
   packing::Placed placed(const JsonValue& item, const packing::Problem& problem) const {
     packing::Placed result;
-    result.part = part_index(need(item, "part"), problem);
+    result.part = index_of(need(item, "part"), problem.parts, "part");
     if (const JsonValue* copy = item.find("copy")) result.copy = whole(*copy);
     if (const JsonValue* angle = item.find("angle")) result.angle = number(*angle);
-    if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = mirrored->boolean;
+    if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
+    if (const JsonValue* sheet = item.find("sheet")) result.sheet = std::size_t(whole(*sheet));
     const JsonValue& at = list(need(item, "at"));
     if (at.size() != 2) fail(at, "a position is a list of two numbers");
     result.x = number(at.items[0]);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Packing problems and layouts as files: the common nesting JSON (items, demand, allowed_orientations, strip_height),
-// layouts as JSON (docs/nesting.md), and the SVG of sparrow, which holds shapes and transforms both. Numbers are read
-// exactly. Keywords: ESICUP, jagua-rs, sparrow.
+// Packing problems and layouts as files: the common nesting JSON (items, demand, allowed_orientations, strip_height,
+// and here sheets, zones, values and gaps of pairs), layouts as JSON (docs/nesting.md), and the SVG of sparrow, which
+// holds shapes and transforms both. Numbers are read exactly. Keywords: ESICUP, jagua-rs, sparrow.
 #pragma once
 
 #include <filesystem>

@@ -28,14 +28,51 @@ int gap_digits(const Fraction& gap) {
   return digits;
 }
 
-int grid_digits(const std::vector<UnscaledPart>& parts, int least) {
-  int digits = least, finer = 0;
-  for (const UnscaledPart& part : parts) {
-    for (const UnscaledRing& ring : part.rings)
-      for (const auto& [x, y] : ring) digits = std::max({digits, digits_of(x), digits_of(y)});
+int digits_of(const std::vector<UnscaledRing>& rings) {
+  int digits = 0;
+  for (const UnscaledRing& ring : rings)
+    for (const auto& [x, y] : ring) digits = std::max({digits, digits_of(x), digits_of(y)});
+  return digits;
+}
+
+int grid_digits(const UnscaledProblem& problem) {
+  int digits = gap_digits(problem.gap), finer = 0;
+  for (const packing::PairGap& pair : problem.pair_gaps) digits = std::max(digits, gap_digits(pair.gap));
+  if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
+  for (const UnscaledPart& part : problem.parts) {
+    digits = std::max(digits, digits_of(part.rings));
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
+  for (const UnscaledSheet& sheet : problem.sheets) {
+    digits = std::max(digits, digits_of(sheet.rings));
+    for (const UnscaledZone& zone : sheet.zones) digits = std::max(digits, digits_of(zone.rings));
+  }
   return digits + finer;
+}
+
+packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) {
+  std::vector<packing::Ring> result;
+  for (const UnscaledRing& ring : rings) {
+    packing::Ring& out = result.emplace_back();
+    for (const auto& [x, y] : ring) out.push_back({x.over(steps), y.over(steps)});
+  }
+  return packing::make_polygon(std::move(result), place);
+}
+
+packing::Sheet sheet_on(UnscaledSheet& sheet, packing::int128 steps, const std::string& place) {
+  packing::Sheet result{std::move(sheet.name), sheet.count, sheet.cost, {}};
+  const std::string own = fmt::format("{}: sheet '{}'", place, result.name);
+  result.shape = on_steps(sheet.rings, steps, own);
+  const packing::LatticeBox box = box_of(result.shape);
+  if (box.low.x != 0 || box.low.y != 0) throw Error(ErrorCode::kGeometry, "a sheet's box begins at (0, 0)", own);
+  for (UnscaledZone& zone : sheet.zones) {
+    packing::Polygon shape = on_steps(zone.rings, steps, own + ": a zone");
+    const packing::LatticeBox in = box_of(shape);
+    if (in.low.x < 0 || in.low.y < 0 || in.high.x > box.high.x || in.high.y > box.high.y)
+      throw Error(ErrorCode::kGeometry, "a zone reaches beyond its sheet", own);
+    result.zones.push_back({std::move(shape), std::move(zone.parts)});
+  }
+  return result;
 }
 
 }  // namespace
@@ -44,21 +81,21 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   packing::Problem result;
   result.name = std::move(name);
   result.height = height;
+  result.box = box;
   result.gap = gap;
   result.edge = edge;
+  result.pair_gaps = pair_gaps;
   if (gap < 0 || edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0", place);
-  if (height <= edge + edge) throw Error(ErrorCode::kBadValue, "the strip has no height between its edges", place);
-  result.digits = grid_digits(parts, gap_digits(gap));
+  if (sheets.empty() && !box && height <= edge + edge)
+    throw Error(ErrorCode::kBadValue, "the strip has no height between its edges", place);
+  result.digits = grid_digits(*this);
   const packing::int128 steps = result.steps();
   for (UnscaledPart& part : parts) {
-    std::vector<packing::Ring> rings;
-    for (const UnscaledRing& ring : part.rings) {
-      packing::Ring& out = rings.emplace_back();
-      for (const auto& [x, y] : ring) out.push_back({x.over(steps), y.over(steps)});
-    }
-    packing::Polygon shape = packing::make_polygon(std::move(rings), fmt::format("{}: part '{}'", place, part.name));
-    result.parts.push_back({std::move(part.name), part.demand, std::move(shape), std::move(part.angles)});
+    packing::Polygon shape = on_steps(part.rings, steps, fmt::format("{}: part '{}'", place, part.name));
+    result.parts.push_back(
+        {std::move(part.name), part.demand, std::move(shape), std::move(part.angles), part.mirrored, part.value});
   }
+  for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
   return result;
 }
 

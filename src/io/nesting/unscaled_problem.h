@@ -4,6 +4,7 @@
 // A packing problem as its file states it, before all its coordinates stand on one grid.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,12 +20,30 @@ struct UnscaledPart {
   int demand = 1;
   std::vector<UnscaledRing> rings;
   std::vector<packing::Fraction> angles;
+  bool mirrored = false;
+  std::optional<packing::Fraction> value = {};
+};
+
+struct UnscaledZone {
+  std::vector<UnscaledRing> rings;
+  std::vector<std::size_t> parts;
+};
+
+struct UnscaledSheet {
+  std::string name;
+  int count = 1;
+  std::optional<packing::Fraction> cost;
+  std::vector<UnscaledRing> rings;
+  std::vector<UnscaledZone> zones;
 };
 
 struct UnscaledProblem {
   std::string name;
   packing::Fraction height, gap, edge;
+  bool box = false;  // of the least area, instead of a strip
   std::vector<UnscaledPart> parts;
+  std::vector<UnscaledSheet> sheets;
+  std::vector<packing::PairGap> pair_gaps;
 
   /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.
   packing::Problem on_grid(const std::string& place) &&;

@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "io/draw/draw_canvas.h"
 
@@ -21,23 +24,79 @@ std::string angle_text(const packing::Fraction& angle) {
 
 std::string item_json(const packing::Problem& problem, const packing::Placed& item) {
   return fmt::format(
-      "    {{\"part\": {}, \"copy\": {}, \"sheet\": 0, \"angle\": {}, \"mirrored\": {}, \"at\": [\"{}\", \"{}\"]}}",
-      quoted(problem.parts[item.part].name), item.copy, angle_text(item.angle), item.mirrored, item.x.text(),
-      item.y.text());
+      "    {{\"part\": {}, \"copy\": {}, \"sheet\": {}, \"angle\": {}, \"mirrored\": {}, \"at\": [\"{}\", \"{}\"]}}",
+      quoted(problem.parts[item.part].name), item.copy, item.sheet, angle_text(item.angle), item.mirrored,
+      item.x.text(), item.y.text());
 }
 
-/// The outline where it stands, in doubles.
-std::string path_of(const packing::Problem& problem, const packing::Placed& item) {
-  const packing::Polygon shape = turned(problem.parts[item.part].shape, item.angle, item.mirrored);
-  const double steps = double(problem.steps()), x = item.x.to_double(), y = item.y.to_double();
-  std::string path;
+std::string container_json(const packing::Problem& problem, const packing::Layout& layout) {
+  if (!problem.on_sheets())
+    return fmt::format("{{\"{}\": \"{}\"}}", problem.box ? "box" : "strip", height_of(problem, layout).text());
+  std::string names;
+  for (const std::size_t kind : layout.sheets) names += (names.empty() ? "" : ", ") + quoted(problem.sheets[kind].name);
+  return fmt::format("{{\"sheets\": [{}]}}", names);
+}
+
+/// A page of the drawing: the strip, or one sheet.
+struct Page {
+  std::string title;
+  double width, height;
+  std::vector<std::vector<std::pair<double, double>>> outline, zones;
+};
+
+using Outlines = std::vector<std::vector<std::pair<double, double>>>;
+
+Outlines outlines_of(const packing::Polygon& shape, packing::int128 grid, double x, double y) {
+  Outlines result;
+  const double steps = double(grid);
   for (const packing::Ring& ring : shape.rings) {
+    auto& out = result.emplace_back();
+    for (const packing::LatticePoint& p : ring) out.emplace_back(x + double(p.x) / steps, y + double(p.y) / steps);
+  }
+  return result;
+}
+
+/// The outline of an item where it stands, in doubles.
+Outlines outlines_of(const packing::Problem& problem, const packing::Placed& item) {
+  return outlines_of(turned(problem.parts[item.part].shape, item.angle, item.mirrored), problem.steps(),
+                     item.x.to_double(), item.y.to_double());
+}
+
+std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layout& layout) {
+  std::vector<Page> pages;
+  const double length = layout.length.to_double(), height = height_of(problem, layout).to_double();
+  if (!problem.on_sheets()) return {{"", length, height, {{{0, 0}, {length, 0}, {length, height}, {0, height}}}, {}}};
+  for (std::size_t k = 0; k < layout.sheets.size(); ++k) {
+    const packing::Sheet& sheet = problem.sheets[layout.sheets[k]];
+    const packing::LatticeBox box = box_of(sheet.shape);
+    Page& page = pages.emplace_back();
+    page.title = fmt::format("sheet {}: {}", k + 1, sheet.name);
+    page.width = double(box.high.x) / double(problem.steps());
+    page.height = double(box.high.y) / double(problem.steps());
+    page.outline = outlines_of(sheet.shape, problem.steps(), 0, 0);
+    for (const packing::Zone& zone : sheet.zones)
+      for (auto& ring : outlines_of(zone.shape, problem.steps(), 0, 0)) page.zones.push_back(std::move(ring));
+  }
+  return pages;
+}
+
+std::string path_of(const Outlines& outlines) {
+  std::string path;
+  for (const auto& ring : outlines) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      path += fmt::format("{}{:.9g},{:.9g}", i == 0 ? "M" : " ", x + double(ring[i].x) / steps,
-                          y + double(ring[i].y) / steps);
+      path += fmt::format("{}{:.9g},{:.9g}", i == 0 ? "M" : " ", ring[i].first, ring[i].second);
     path += "z";
   }
   return path;
+}
+
+/// "0 POLYLINE ... SEQEND": a closed polyline of the drawing exchange format of 1992, which all programs read.
+void add_polyline(std::string& dxf, const char* layer, const std::vector<std::pair<double, double>>& ring,
+                  double down) {
+  dxf += fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);
+  for (const auto& [x, y] : ring)
+    dxf += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.12g}\n20\n{:.12g}\n30\n0\n", layer, x, y - down);
+  dxf += fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
 }  // namespace
@@ -54,32 +113,67 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
                             quoted(problem.parts[out.part].name), out.copies, quoted(out.why));
   return fmt::format(
       "{{\"findspace\": 1, \"layout\": {{\n"
-      "  \"instance\": {}, \"container\": {{\"strip\": \"{}\"}}, \"gap\": \"{}\", \"edge\": \"{}\", \"length\": "
+      "  \"instance\": {}, \"container\": {}, \"gap\": \"{}\", \"edge\": \"{}\", \"length\": "
       "\"{}\", \"density\": {:.6f}, "
       "\"lower_bound\": \"{}\", \"proven\": {}, {}\n"
       "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": [{}]}}}}\n",
-      quoted(problem.name), problem.height.text(), problem.gap.text(), problem.edge.text(), layout.length.text(),
-      facts.density, facts.lower_bound.text(), facts.proven, grid, facts.seed, facts.threads, facts.seconds, items,
-      left_out);
+      quoted(problem.name), container_json(problem, layout), problem.gap.text(), problem.edge.text(),
+      layout.length.text(), facts.density, facts.lower_bound.text(), facts.proven, grid, facts.seed, facts.threads,
+      facts.seconds, items, left_out);
 }
 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts) {
-  const double length = layout.length.to_double(), height = problem.height.to_double(), room = 0.06 * height;
-  const double size = 0.03 * height;
-  std::string body;
-  for (const packing::Placed& item : layout.items) {
-    const double hue = 360.0 * double(item.part) / double(problem.parts.size());
-    body +=
-        fmt::format("<path d=\"{}\" fill=\"hsl({:.0f},45%,78%)\"><title>{}</title></path>\n", path_of(problem, item),
-                    hue, xml_escaped(problem.parts[item.part].name + " #" + std::to_string(item.copy)));
+  const std::vector<Page> pages = pages_of(problem, layout);
+  double width = 0, high = 0, down = 0;
+  for (const Page& page : pages) {
+    width = std::max(width, page.width);
+    high = std::max(high, page.height);
   }
+  const double room = 0.06 * high;
+  std::string body;
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    const Page& page = pages[k];
+    body +=
+        fmt::format("<g id=\"sheet-{}\" transform=\"translate(0,{:.9g}) scale(1,-1)\">\n", k + 1, down + page.height);
+    body += fmt::format("<path d=\"{}\" fill=\"#f6f6f2\"/>\n", path_of(page.outline));
+    if (!page.zones.empty())
+      body += fmt::format("<path d=\"{}\" fill=\"#e8c7a8\" stroke=\"none\"/>\n", path_of(page.zones));
+    for (const packing::Placed& item : layout.items) {
+      if (item.sheet != k) continue;
+      const double hue = 360.0 * double(item.part) / double(problem.parts.size());
+      body += fmt::format("<path d=\"{}\" fill=\"hsl({:.0f},45%,78%)\"><title>{}</title></path>\n",
+                          path_of(outlines_of(problem, item)), hue,
+                          xml_escaped(problem.parts[item.part].name + " #" + std::to_string(item.copy)));
+    }
+    body += "</g>\n";
+    down += page.height + 1.5 * room;
+    if (!page.title.empty())
+      body += fmt::format("<text x=\"0\" y=\"{:.9g}\" font-size=\"{:.6g}\" stroke=\"none\">{}</text>\n",
+                          down - 0.5 * room, 0.5 * room, xml_escaped(page.title));
+  }
+  const std::string what = problem.on_sheets()
+                               ? fmt::format("{} sheets, {} of the last", pages.size(), layout.length.text())
+                               : "length " + layout.length.text();
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.9g} {:.9g} {:.9g} {:.9g}\" font-family=\"sans-serif\">\n"
-      "<g transform=\"scale(1,-1)\" stroke=\"#333\" stroke-width=\"{:.6g}\" stroke-linejoin=\"round\" "
-      "fill-rule=\"evenodd\">\n<rect width=\"{:.9g}\" height=\"{:.9g}\" fill=\"#f6f6f2\"/>\n{}</g>\n"
-      "<text x=\"0\" y=\"{:.9g}\" font-size=\"{:.6g}\">length {}, density {:.3f} %, {} parts</text>\n</svg>\n",
-      -room, -height - room, length + 2 * room, height + 3 * room, height / 600, length, height, body, 1.5 * room, size,
-      layout.length.text(), 100 * facts.density, layout.items.size());
+      "<g stroke=\"#333\" stroke-width=\"{:.6g}\" stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n{}</g>\n"
+      "<text x=\"0\" y=\"{:.9g}\" font-size=\"{:.6g}\">{}, density {:.3f} %, {} parts</text>\n</svg>\n",
+      -room, -room, width + 2 * room, down + 1.5 * room, high / 600, body, down, 0.5 * room, what, 100 * facts.density,
+      layout.items.size());
+}
+
+std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout) {
+  std::string dxf = "0\nSECTION\n2\nENTITIES\n";
+  double down = 0;
+  const std::vector<Page> pages = pages_of(problem, layout);
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    for (const auto& ring : pages[k].outline) add_polyline(dxf, "sheet", ring, down);
+    for (const packing::Placed& item : layout.items)
+      if (item.sheet == k)
+        for (const auto& ring : outlines_of(problem, item)) add_polyline(dxf, "cut", ring, down);
+    if (k + 1 < pages.size()) down += 1.1 * pages[k + 1].height;
+  }
+  return dxf + "0\nENDSEC\n0\nEOF\n";
 }
 
 }  // namespace findspace::io

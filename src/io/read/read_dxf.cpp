@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// DXF drawings (ASCII): LINE, LWPOLYLINE and POLYLINE with bulges, CIRCLE, ARC, POINT, INSERT of blocks. Lines, arcs
-// and open polylines whose ends are the same grid point are joined; closed outlines nest by the even-odd rule, so a
-// circle inside an outline is a hole. What stays open is a polyline, and a note says so. Splines, ellipses and regions
-// are refused; texts, dimensions and hatches are left out with a note, and a z other than 0 is, with a note. Unit:
-// $INSUNITS. Source: AutoCAD DXF reference (2012).
+// DXF drawings, ASCII or binary: LINE, LWPOLYLINE and POLYLINE with bulges, CIRCLE, ARC, ELLIPSE, SPLINE, SOLID, POINT,
+// INSERT of blocks, in rows and columns too. Open ones are joined where ends meet or the gap is allowed; closed
+// outlines nest by the even-odd rule, so a circle inside an outline is a hole. A HATCH is read where nothing else is
+// drawn: it fills outlines that are drawn beside it. Solids and regions are refused; texts and dimensions are left out
+// with a note, and a z other than 0 is, with a note. Unit: $INSUNITS. Source: AutoCAD DXF reference (2012).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <set>
 
 #include "findspace/error.h"
-#include "io/read/read_dxf_groups.h"
+#include "io/read/read_dxf_entities.h"
 #include "io/read/read_file.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/read_transform.h"
@@ -63,10 +63,13 @@ class DxfReader {
 
   std::vector<ShapePtr> read() {
     for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, entity.layer(), 0);
+    draw_hatches();
     std::vector<ShapePtr> parts = joined();
     if (parts.empty() && choice_.layer) refuse_layer();
     for (const auto& [type, count] : left_out_) {
-      context_.notes.push_back(fmt::format("{}: {} {} left out", document_.name, count, type));
+      const bool text = type == "TEXT" || type == "MTEXT";
+      context_.notes.push_back(fmt::format("{}: {} {} left out{}", document_.name, count, type,
+                                           text ? "; a CAD program turns text into outlines" : ""));
     }
     if (raised_ > 0) {
       context_.notes.push_back(fmt::format("{}: {} {} a z other than 0, read as seen from above", document_.name,
@@ -78,12 +81,7 @@ class DxfReader {
  private:
   std::vector<ShapePtr> joined() try {
     Drawing drawing = outline_.take();
-    join_open_chains(drawing, context_.grid.step_size());
-    if (const int n = open_chains(drawing); n > 0) {
-      context_.notes.push_back(fmt::format("{}: {} open {} read as {}, without an inside", document_.name, n,
-                                           n == 1 ? "outline is" : "outlines are",
-                                           n == 1 ? "a polyline" : "polylines"));
-    }
+    close_outlines(drawing, context_, document_.name);
     return parts_of(std::move(drawing), context_, document_.name);
   } catch (const Error& e) {
     throw e.within(document_.name);
@@ -99,9 +97,16 @@ class DxfReader {
     layers_.insert(std::string(layer));
     if (entity.type == "INSERT") return insert(entity, map, layer, depth);
     if (choice_.layer && layer != *choice_.layer) return;
-    if (document_.flags(entity, 67) == 1) return;  // paper space: the frame around the drawing
+    if (document_.flags(entity, 67) == 1 || entity.type == "SEQEND")
+      return;  // paper space: the frame around the drawing
+    placed(entity, [&] { draw_one(entity, map); });
+  }
+
+  /// Errors get the place of the entity.
+  template <class Action>
+  void placed(const DxfEntity& entity, Action action) {
     try {
-      draw_one(entity, map);
+      action();
     } catch (const Error& e) {
       if (e.place().find(document_.name) != std::string::npos) throw;
       throw e.within(document_.place(entity));
@@ -109,96 +114,26 @@ class DxfReader {
   }
 
   void draw_one(const DxfEntity& e, const Affine& map) {
-    Placed out(map, outline_);
-    check_flat(e);
-    if (e.type == "LINE") {
-      out.move_to(number(e, 10), number(e, 20));
-      out.line_to(number(e, 11), number(e, 21));
-      out.finish();
-    } else if (e.type == "CIRCLE") {
-      out.circle(number(e, 10), number(e, 20), number(e, 40));
-    } else if (e.type == "ARC") {
-      arc(e, out);
-    } else if (e.type == "POINT") {
-      out.point(number(e, 10), number(e, 20));
-    } else if (e.type == "LWPOLYLINE") {
-      light_polyline(e, out);
-    } else if (e.type == "POLYLINE") {
-      polyline(e, out);
+    static const std::set<std::string_view> refused{"REGION", "3DFACE", "3DSOLID", "MESH",
+                                                    "BODY",   "MLINE",  "HELIX",   "SURFACE"};
+    if (draw_dxf_entity(document_, e, map, outline_)) {
+      raised_ += is_raised(document_, e) ? 1 : 0;
+      drawn_any_ = true;
+    } else if (refused.count(e.type) > 0) {
+      throw Error(ErrorCode::kUnsupported, fmt::format("{} is not read; lines and curves in the plane are", e.type));
+    } else if (e.type == "HATCH") {
+      hatches_.push_back({&e, map});
     } else {
-      return other(e);
+      ++left_out_[std::string(e.type)];
     }
-    raised_ += is_raised(e) ? 1 : 0;
   }
 
-  /// Whether some height of it is not 0: its own, that of a line's end, or of a vertex.
-  bool is_raised(const DxfEntity& e) const {
-    for (const int code : {30, 31, 38})
-      if (document_.number(e, code, 0).sign() != 0) return true;
-    return std::any_of(e.vertices.begin(), e.vertices.end(), [&](const DxfEntity& v) { return is_raised(v); });
-  }
-
-  Real number(const DxfEntity& e, int code) const { return document_.number(e, code); }
-
-  /// Entities drawn on a plane other than z = 0 seen from above.
-  void check_flat(const DxfEntity& e) const {
-    if (compare(document_.number(e, 230, 1), Real(1)) == 0) return;
-    throw Error(ErrorCode::kUnsupported, "its plane is rotated (extrusion direction other than 0, 0, 1)");
-  }
-
-  void other(const DxfEntity& e) {
-    static const std::set<std::string_view> refused{"SPLINE", "ELLIPSE", "REGION", "3DFACE", "SOLID", "3DSOLID",
-                                                    "TRACE",  "MESH",    "BODY",   "MLINE",  "HELIX", "SURFACE"};
-    if (refused.count(e.type) > 0)
-      throw Error(ErrorCode::kUnsupported, fmt::format("{} is not read; only lines and circular arcs are", e.type));
-    ++left_out_[std::string(e.type)];
-  }
-
-  void arc(const DxfEntity& e, Placed& out) {
-    Real x = number(e, 10), y = number(e, 20), r = number(e, 40), from = number(e, 50), to = number(e, 51);
-    if (r.sign() <= 0) throw Error(ErrorCode::kBadValue, "a radius must be more than 0");
-    Real sweep = to - from;
-    sweep = sweep - Real(360) * Real(floor(sweep / Real(360)));
-    if (sweep.sign() == 0) return out.circle(x, y, r);
-    Direction a = direction(from), b = direction(to);
-    out.move_to(x + r * a.cosine, y + r * a.sine);
-    out.arc_to(r, Real(180) < sweep, true, x + r * b.cosine, y + r * b.sine);
-    out.finish();
-  }
-
-  struct Vertex {
-    Real x, y, bulge;
-  };
-
-  void run(const std::vector<Vertex>& v, bool closed, Placed& out) {
-    if (v.size() < 2) throw Error(ErrorCode::kGeometry, "a polyline of fewer than two vertices");
-    out.move_to(v[0].x, v[0].y);
-    for (std::size_t i = 1; i < v.size(); ++i) out.bulge_to(v[i - 1].bulge, v[i].x, v[i].y);
-    if (!closed) return out.finish();
-    if (v.back().bulge.sign() != 0) out.bulge_to(v.back().bulge, v[0].x, v[0].y);
-    out.close();
-  }
-
-  void light_polyline(const DxfEntity& e, Placed& out) {
-    std::vector<Vertex> v;
-    for (const DxfGroup& group : e.groups) {
-      if (group.code == 10) v.push_back({document_.number(group), 0, 0});
-      if (v.empty()) continue;
-      if (group.code == 20) v.back().y = document_.number(group);
-      if (group.code == 42) v.back().bulge = document_.number(group);
-    }
-    run(v, (document_.flags(e, 70) & 1) != 0, out);
-  }
-
-  void polyline(const DxfEntity& e, Placed& out) {
-    constexpr int kCurveFitOrMesh = 2 | 4 | 8 | 16 | 64;
-    int flags = document_.flags(e, 70);
-    if ((flags & kCurveFitOrMesh) != 0) throw Error(ErrorCode::kUnsupported, "a 3D or curve-fitted POLYLINE");
-    std::vector<Vertex> v;
-    for (const DxfEntity& vertex : e.vertices) {
-      v.push_back({number(vertex, 10), number(vertex, 20), document_.number(vertex, 42, 0)});
-    }
-    run(v, (flags & 1) != 0, out);
+  /// Hatches where nothing else is drawn.
+  void draw_hatches() {
+    if (drawn_any_ && !hatches_.empty()) left_out_["HATCH"] += static_cast<int>(hatches_.size());
+    if (drawn_any_) return;
+    for (const auto& [entity, map] : hatches_)
+      placed(*entity, [&, e = entity, &m = map] { draw_dxf_hatch(document_, *e, m, outline_); });
   }
 
   void insert(const DxfEntity& e, const Affine& map, std::string_view layer, int depth) {
@@ -208,20 +143,27 @@ class DxfReader {
     auto block = name ? document_.blocks.find(name->value) : document_.blocks.end();
     if (block == document_.blocks.end())
       throw Error(ErrorCode::kUnknownName, "it inserts an unknown block", document_.place(e));
-    if (document_.flags(e, 70) > 1 || document_.flags(e, 71) > 1) {
-      throw Error(ErrorCode::kUnsupported, "an array of blocks (several rows or columns)", document_.place(e));
-    }
-    check_flat(e);
-    raised_ += is_raised(e) ? 1 : 0;
-    const DxfEntity& head = block->second.head;
-    Affine own = map * Affine::translation(number(e, 10), number(e, 20)) *
-                 Affine::rotation(document_.number(e, 50, 0)) *
-                 Affine::scaling(document_.number(e, 41, 1), document_.number(e, 42, 1)) *
-                 Affine::translation(-document_.number(head, 10, 0), -document_.number(head, 20, 0));
-    for (const DxfEntity& inner : block->second.entities) {
-      if (++drawn_ > kMaxInserted)
-        throw Error(ErrorCode::kUnsupported, "more than a million entities in blocks", document_.place(e));
-      draw(inner, own, inner.layer() == "0" ? layer : inner.layer(), depth + 1);
+    placed(e, [&] {
+      raised_ += is_raised(document_, e) ? 1 : 0;
+      const DxfEntity& head = block->second.head;
+      const Affine base = map * dxf_plane(document_, e) *
+                          Affine::translation(document_.number(e, 10), document_.number(e, 20)) *
+                          Affine::rotation(document_.number(e, 50, 0));
+      const Affine inner = Affine::scaling(document_.number(e, 41, 1), document_.number(e, 42, 1)) *
+                           Affine::translation(-document_.number(head, 10, 0), -document_.number(head, 20, 0));
+      const int columns = std::max(1, document_.flags(e, 70)), rows = std::max(1, document_.flags(e, 71));
+      const Real dx = document_.number(e, 44, 0), dy = document_.number(e, 45, 0);
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+          draw_block(block->second, base * Affine::translation(dx * Real(column), dy * Real(row)) * inner, layer,
+                     depth);
+    });
+  }
+
+  void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, int depth) {
+    for (const DxfEntity& entity : block.entities) {
+      if (++drawn_ > kMaxInserted) throw Error(ErrorCode::kUnsupported, "more than a million entities in blocks");
+      draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), depth + 1);
     }
   }
 
@@ -235,6 +177,8 @@ class DxfReader {
   std::map<std::string, int> left_out_;
   int raised_ = 0;
   int drawn_ = 0;
+  bool drawn_any_ = false;
+  std::vector<std::pair<const DxfEntity*, Affine>> hatches_;
 };
 
 }  // namespace

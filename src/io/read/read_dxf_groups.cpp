@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
+#include <cstring>
 
 #include "findspace/error.h"
 
@@ -22,9 +24,9 @@ class DxfParser {
   DxfParser(std::string_view text, const std::string& name) : text_(text) { document_.name = name; }
 
   DxfDocument parse() {
-    if (text_.substr(0, 18) == "AutoCAD Binary DXF") {
-      throw Error(ErrorCode::kUnsupported, "this is a binary DXF file; save it as ASCII DXF", document_.name);
-    }
+    constexpr std::string_view kBinary("AutoCAD Binary DXF\r\n\x1a\0", 22);
+    binary_ = text_.starts_with(kBinary);
+    if (binary_) at_ = kBinary.size();
     advance();
     while (!is(0, "EOF")) {
       if (!is(0, "SECTION")) fail("a SECTION is expected");
@@ -50,11 +52,13 @@ class DxfParser {
 
   bool is(int code, std::string_view value) const { return now_.code == code && now_.value == value; }
 
+  [[noreturn]] void cut_off() const {
+    throw Error(ErrorCode::kFile, "the DXF file ends before its EOF: it is cut off",
+                fmt::format("{}:{}", document_.name, line_));
+  }
+
   std::string_view next_line() {
-    if (at_ >= text_.size()) {
-      throw Error(ErrorCode::kFile, "the DXF file ends before its EOF: it is cut off",
-                  fmt::format("{}:{}", document_.name, line_));
-    }
+    if (at_ >= text_.size()) cut_off();
     std::size_t end = std::min(text_.find('\n', at_), text_.size());
     std::string_view line = text_.substr(at_, end - at_);
     at_ = end + 1;
@@ -62,7 +66,49 @@ class DxfParser {
     return without_blanks(line);
   }
 
+  std::string_view bytes(std::size_t count) {
+    if (text_.size() - at_ < count) cut_off();
+    const std::string_view found = text_.substr(at_, count);
+    at_ += count;
+    return found;
+  }
+
+  template <class T>
+  T value() {
+    T out;  // files are little endian, as the machines that this is built for
+    std::memcpy(&out, bytes(sizeof(T)).data(), sizeof(T));
+    return out;
+  }
+
+  /// The value that the code says, as text.
+  std::string binary_value(int code) {
+    const auto in = [&](int low, int high) { return low <= code && code <= high; };
+    if (in(10, 59) || in(110, 149) || in(210, 239) || in(460, 469) || in(1010, 1059))
+      return fmt::format("{}", value<double>());
+    if (in(60, 79) || in(170, 179) || in(270, 289) || in(370, 389) || in(400, 409) || in(1060, 1070))
+      return fmt::format("{}", value<std::int16_t>());
+    if (in(90, 99) || in(420, 429) || in(440, 459) || code == 1071) return fmt::format("{}", value<std::int32_t>());
+    if (in(160, 169)) return fmt::format("{}", value<std::int64_t>());
+    if (in(290, 299)) return fmt::format("{}", int(value<std::uint8_t>()));
+    if (in(310, 319) || code == 1004) return std::string(bytes(value<std::uint8_t>()).size(), '.');
+    const std::size_t end = text_.find('\0', at_);
+    if (end == std::string_view::npos) cut_off();
+    std::string out(text_.substr(at_, end - at_));
+    at_ = end + 1;
+    return out;
+  }
+
+  void advance_binary() {
+    do {
+      ++line_;
+      const int code = value<std::uint16_t>();
+      document_.texts.push_back(binary_value(code));
+      now_ = {code, without_blanks(document_.texts.back()), line_};
+    } while (now_.code == 999);
+  }
+
   void advance() {
+    if (binary_) return advance_binary();
     do {
       std::string_view code = next_line();
       int number = 0;
@@ -120,6 +166,7 @@ class DxfParser {
   DxfDocument document_;
   std::size_t at_ = 0;
   int line_ = 0;
+  bool binary_ = false;
   DxfGroup now_;
 };
 

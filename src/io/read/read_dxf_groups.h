@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// ASCII DXF as a sequence of groups (a code and a value, on two lines), and these as entities. Used by read_dxf.cpp.
+// DXF as a sequence of groups (a code and a value), and these as entities. In ASCII a group is two lines; in binary
+// files a number and a value of the kind that the code says, which becomes the shortest decimal that reads back as it.
+// Used by read_dxf.cpp.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,7 +20,7 @@ namespace findspace::io {
 struct DxfGroup {
   int code = 0;
   std::string_view value;  // without blanks around
-  int line = 0;            // of the value, from 1
+  int line = 0;            // of the value, from 1; in binary files the number of the group
 };
 
 struct DxfEntity {
@@ -37,7 +40,8 @@ struct DxfBlock {
 
 struct DxfDocument {
   std::string name;
-  std::optional<int> units;  // $INSUNITS
+  std::deque<std::string> texts;  // what the values of a binary file refer to
+  std::optional<int> units;       // $INSUNITS
   std::map<std::string, DxfBlock, std::less<>> blocks;
   std::vector<DxfEntity> entities;
 
@@ -49,7 +53,7 @@ struct DxfDocument {
   std::string place(const DxfEntity& entity) const;  // "LINE (part.dxf:120)"
 };
 
-/// Throws Error(kSyntax) at "name:line", kUnsupported for binary DXF, kFile where the end is missing.
+/// Throws Error(kSyntax) at "name:line", kFile where the end is missing. The document refers to `text`.
 DxfDocument read_dxf_document(std::string_view text, const std::string& name);
 
 }  // namespace findspace::io

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SVG drawings: path, polygon, polyline, line, rect, circle, ellipse (rx = ry), in groups, with transforms. SVG's y
-// axis points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
+// SVG drawings: path, polygon, polyline, line, rect, circle, ellipse, use, in groups, with transforms. SVG's y axis
+// points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
 // The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
-// element is the area it encloses (even-odd), whatever its fill; open parts are polylines.
+// element is the area it encloses (even-odd), whatever its fill. What is open is joined over all elements, where ends
+// meet or the gap is allowed. Layers are Inkscape's, groups by id, and colours.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "findspace/error.h"
 #include "io/read/read_file.h"
 #include "io/read/read_svg_attributes.h"
+#include "io/read/read_svg_style.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/read_transform.h"
 #include "io/text/scene_reader.h"
@@ -41,13 +43,6 @@ bool one_of(std::string_view word, std::initializer_list<std::string_view> words
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool hidden(const pugi::xml_node& node) {
-  std::string style = node.attribute("style").value();
-  style.erase(std::remove(style.begin(), style.end(), ' '), style.end());
-  return std::string_view(node.attribute("display").value()) == "none" ||
-         style.find("display:none") != std::string::npos;
-}
-
 class SvgReader {
  public:
   SvgReader(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context)
@@ -64,10 +59,15 @@ class SvgReader {
     pugi::xml_node root = document.document_element();
     if (local_name(root) != "svg") throw Error(ErrorCode::kSyntax, "its first element is not <svg>", name_);
     scale_ = file_scale(stated_unit(root), name_, choice_, context_);
+    styles_ = SvgStyles(root);
+    find_ids(root, 0);
+    if (choice_.layer) colour_ = svg_colour(*choice_.layer);
     walk_children(root, Affine::scaling(1, -1), {!choice_.id, !choice_.layer, false}, 0);
+    add_pooled();
     check_found();
     for (const auto& [element, count] : left_out_) {
-      context_.notes.push_back(fmt::format("{}: {} <{}> left out", name_, count, element));
+      const char* hint = element == "text" ? "; an editor turns text into paths" : "";
+      context_.notes.push_back(fmt::format("{}: {} <{}> left out{}", name_, count, element, hint));
     }
     return chosen(std::move(parts_), name_, choice_);
   }
@@ -77,6 +77,7 @@ class SvgReader {
   struct Inside {
     bool id, layer, undrawn;
     std::uint64_t operations = 0;  // of the transforms on the way to it
+    SvgLook look{};                // of the group around it
   };
 
   std::string place(const pugi::xml_node& node) const {
@@ -109,16 +110,20 @@ class SvgReader {
     std::string id = node.attribute("id").value();
     if (!id.empty()) ids_.insert(id);
     inside.id = inside.id || (choice_.id && id == *choice_.id);
-    inside.undrawn =
-        (inside.undrawn || hidden(node) || one_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})) &&
-        !(choice_.id && inside.id);
+    context_.work.charge(styles_.rules() / kRulesAUnit, "so many elements and rules of style");
+    inside.look = styles_.look(node, inside.look);
+    inside.undrawn = (inside.undrawn || inside.look.hidden ||
+                      one_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})) &&
+                     !(choice_.id && inside.id);
     bool group = one_of(kind, {"g", "a", "svg", "switch", "defs", "symbol", "clipPath", "mask", "marker", "pattern"});
     bool leaf = one_of(kind, {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"});
     if (group) see_layer(node, id, inside);
+    if (kind == "use") return use(node, map, inside, depth);
     if (!group && !leaf) return skip(kind, inside);
+    if (leaf) see_colour(inside);
     try {
       Affine own = map * read_svg_transform(node.attribute("transform").value(), inside.operations, context_.work);
-      if (kind == "svg") own = own * nested_origin(node);
+      if (kind == "svg") own = own * nested_view(node, node);
       if (group) return walk_children(node, own, inside, depth + 1);
       if (inside.id && inside.layer && !inside.undrawn) {
         charge(node, inside.operations);
@@ -138,17 +143,51 @@ class SvgReader {
     if (choice_.layer && (label == *choice_.layer || id == *choice_.layer)) inside.layer = true;
   }
 
-  /// Elements that draw what is not read must not vanish unnoticed.
-  void skip(std::string_view kind, Inside inside) {
-    bool drawn = inside.id && inside.layer && !inside.undrawn;
-    if (!drawn || !one_of(kind, {"use", "text", "image", "foreignObject"})) return;
-    if (kind == "use") throw Error(ErrorCode::kUnsupported, "<use> is not read; write the shape in its place", name_);
-    ++left_out_[std::string(kind)];
+  void see_colour(Inside& inside) {
+    const std::string& colour = inside.look.colour();
+    if (colour.empty() || colour == "none") return;
+    layers_.insert(colour);
+    if (choice_.layer && colour == colour_) inside.layer = true;
   }
 
-  Affine nested_origin(const pugi::xml_node& node) const {
-    if (node.attribute("viewBox")) throw Error(ErrorCode::kUnsupported, "a nested <svg> with a viewBox", place(node));
-    return Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
+  /// Elements that draw what is not read must not vanish unnoticed.
+  void skip(std::string_view kind, const Inside& inside) {
+    const bool drawn = inside.id && inside.layer && !inside.undrawn;
+    if (drawn && one_of(kind, {"text", "image", "foreignObject"})) ++left_out_[std::string(kind)];
+  }
+
+  void find_ids(const pugi::xml_node& node, int depth) {
+    if (depth > kMostGroupDepth) throw Error(ErrorCode::kUnsupported, "groups nested too deeply", name_);
+    if (const pugi::xml_attribute id = node.attribute("id")) by_id_.emplace(id.value(), node);
+    for (const pugi::xml_node& child : node.children()) find_ids(child, depth + 1);
+  }
+
+  /// What it refers to, in its place.
+  void use(const pugi::xml_node& node, const Affine& map, Inside inside, int depth) {
+    if (inside.undrawn) return;
+    pugi::xml_attribute link = node.attribute("href");
+    if (!link) link = node.attribute("xlink:href");
+    const std::string_view target = link.value();
+    const auto found = target.starts_with("#") ? by_id_.find(target.substr(1)) : by_id_.end();
+    if (found == by_id_.end())
+      throw Error(ErrorCode::kUnknownName, fmt::format("<use> of '{}', which is not in the drawing", target),
+                  place(node));
+    if (depth >= kMostUseDepth)
+      throw Error(ErrorCode::kUnsupported, "<use> nested too deeply, or of what it stands in", place(node));
+    context_.work.charge(kUse, "an element that is used so often");
+    Affine own = map * read_svg_transform(node.attribute("transform").value(), inside.operations, context_.work) *
+                 Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
+    if (local_name(found->second) != "symbol") return walk(found->second, own, inside, depth + 1);
+    inside.look = styles_.look(found->second, inside.look);
+    walk_children(found->second, own * nested_view(found->second, node), inside, depth + 1);
+  }
+
+  /// The view of a nested <svg> or a <symbol>: `frame` has its width and height.
+  Affine nested_view(const pugi::xml_node& node, const pugi::xml_node& frame) const {
+    Affine origin;
+    if (local_name(node) == "svg") origin = Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
+    if (!node.attribute("viewBox")) return origin;
+    return origin * svg_view(node, frame);
   }
 
   /// Many transforms make long numbers, and every point of the element costs as much as they are long.
@@ -164,9 +203,26 @@ class SvgReader {
   void add(const pugi::xml_node& node, const Affine& map, const std::string& id) {
     Outline outline(context_, scale_);
     draw_svg_element(node, local_name(node), map, outline);
-    Shape shape = *shape_of(outline.take(), context_, place(node));
+    Drawing drawing = outline.take();
+    const bool empty = drawing.chains.empty() && drawing.discs.empty();
+    if (!context_.drawing.open_lines || context_.drawing.join > 0) {
+      for (Chain& chain : drawing.chains)
+        if (!chain.closed) pool_.chains.push_back(std::move(chain));
+      std::erase_if(drawing.chains, [](const Chain& c) { return c.edges.empty(); });
+      if (!empty && drawing.chains.empty() && drawing.discs.empty()) return;
+    }
+    Shape shape = *shape_of(std::move(drawing), context_, place(node));
     shape.name = id;
     parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
+  }
+
+  /// Open outlines of all elements, joined.
+  void add_pooled() try {
+    if (pool_.chains.empty()) return;
+    close_outlines(pool_, context_, name_);
+    for (ShapePtr& part : parts_of(std::move(pool_), context_, name_)) parts_.push_back(std::move(part));
+  } catch (const Error& e) {
+    throw e.within(name_);
   }
 
   void check_found() const {
@@ -184,7 +240,15 @@ class SvgReader {
   const std::string& name_;
   const FileChoice& choice_;
   ReadContext& context_;
+  static constexpr int kMostUseDepth = 40;
+  static constexpr std::uint64_t kUse = 10;  // units of work
+  static constexpr std::size_t kRulesAUnit = 10;
+
   Real scale_;
+  SvgStyles styles_{pugi::xml_node()};
+  std::map<std::string, pugi::xml_node, std::less<>> by_id_;
+  std::string colour_;  // of the layer that is chosen
+  Drawing pool_;        // open outlines
   std::vector<ShapePtr> parts_;
   std::set<std::string> ids_, layers_;
   std::map<std::string, int> left_out_;

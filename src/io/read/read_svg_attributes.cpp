@@ -99,21 +99,28 @@ void draw_rectangle(const pugi::xml_node& node, Placed& out) {
   Real rx = svg_length(node, "rx", svg_length(node, "ry", 0)), ry = svg_length(node, "ry", rx);
   if (w < rx + rx) rx = w / Real(2);  // the rule of SVG
   if (h < ry + ry) ry = h / Real(2);
-  if (compare(rx, ry) != 0) throw Error(ErrorCode::kUnsupported, "elliptical corners (rx and ry differ)");
-  const Real& r = rx;
-  bool wide = r + r < w, high = r + r < h;  // otherwise a side is all corner
+  if (rx.sign() <= 0 || ry.sign() <= 0) rx = ry = Real(0);
+  bool wide = rx + rx < w, high = ry + ry < h;  // otherwise a side is all corner
+  int quarter = -1;
   auto corner = [&](const Real& cx, const Real& cy) {
-    if (r.sign() > 0) out.arc_to(r, false, true, cx, cy);
+    ++quarter;
+    if (rx.sign() <= 0) return;
+    if (compare(rx, ry) == 0) return out.arc_to(rx, false, true, cx, cy);
+    const bool right = quarter < 2, low = quarter == 1 || quarter == 2;
+    EllipseArc arc = whole_ellipse(right ? x + w - rx : x + rx, low ? y + h - ry : y + ry, rx, ry);
+    arc.sweep = std::numbers::pi / 2;
+    arc.first = (quarter - 1) * arc.sweep;
+    out.ellipse_to(arc, cx, cy);
   };
-  out.move_to(x + r, y);
-  if (wide) out.line_to(x + w - r, y);
-  corner(x + w, y + r);
-  if (high) out.line_to(x + w, y + h - r);
-  corner(x + w - r, y + h);
-  if (wide) out.line_to(x + r, y + h);
-  corner(x, y + h - r);
-  if (high) out.line_to(x, y + r);
-  corner(x + r, y);
+  out.move_to(x + rx, y);
+  if (wide) out.line_to(x + w - rx, y);
+  corner(x + w, y + ry);
+  if (high) out.line_to(x + w, y + h - ry);
+  corner(x + w - rx, y + h);
+  if (wide) out.line_to(x + rx, y + h);
+  corner(x, y + h - ry);
+  if (high) out.line_to(x, y + ry);
+  corner(x + rx, y);
   out.close();
 }
 
@@ -126,11 +133,11 @@ Real svg_length(const pugi::xml_node& node, const char* name, const Real& missin
   std::string_view unit = text.substr(length);
   if (length == 0)
     throw Error(ErrorCode::kSyntax, fmt::format("'{}' of attribute {} is not a number", text.substr(0, 20), name));
-  if (!unit.empty() && unit != "px") {
-    throw Error(ErrorCode::kUnsupported,
-                fmt::format("attribute {} with the unit '{}'; only plain numbers are read", name, unit));
-  }
-  return Real::parse_decimal(text.substr(0, length));
+  const Real value = Real::parse_decimal(text.substr(0, length));
+  if (unit.empty() || unit == "px") return value;
+  if (const auto millimetres = physical(text)) return *millimetres * Real::ratio(960, 254);
+  throw Error(ErrorCode::kUnsupported,
+              fmt::format("attribute {} with the unit '{}', which depends on the page", name, unit));
 }
 
 /// Units of work for each operation before, by each operation after.
@@ -171,6 +178,27 @@ std::optional<Real> svg_millimetres(const pugi::xml_node& root) {
   return width ? *width / box[2] : *height / box[3];
 }
 
+Affine svg_view(const pugi::xml_node& node, const pugi::xml_node& frame) {
+  const std::vector<Real> box = numbers(node.attribute("viewBox").value());
+  if (box.size() != 4 || box[2].sign() <= 0 || box[3].sign() <= 0)
+    throw Error(ErrorCode::kBadValue, "a viewBox is x, y, width and height, both more than 0");
+  const Real width = svg_length(frame, "width", svg_length(node, "width", box[2]));
+  const Real height = svg_length(frame, "height", svg_length(node, "height", box[3]));
+  Real sx = width / box[2], sy = height / box[3];
+  const std::string_view kept = node.attribute("preserveAspectRatio").value();
+  if (kept.find("none") == std::string_view::npos) {
+    const bool fills = kept.find("slice") != std::string_view::npos;
+    sx = sy = (sx < sy) != fills ? sx : sy;
+  }
+  auto aligned = [&](const Real& room, const char* least, const char* most) {
+    if (kept.find("none") != std::string_view::npos || kept.find(least) != std::string_view::npos) return Real(0);
+    return kept.find(most) != std::string_view::npos ? room : room / Real(2);
+  };
+  return Affine::translation(aligned(width - sx * box[2], "xMin", "xMax"),
+                             aligned(height - sy * box[3], "YMin", "YMax")) *
+         Affine::scaling(sx, sy) * Affine::translation(-box[0], -box[1]);
+}
+
 void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const Affine& map, Outline& outline) {
   Placed out(map, outline);
   if (kind == "path") return read_svg_path(node.attribute("d").value(), out);
@@ -181,11 +209,10 @@ void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const A
     out.move_to(svg_length(node, "x1", 0), svg_length(node, "y1", 0));
     return out.line_to(svg_length(node, "x2", 0), svg_length(node, "y2", 0));
   }
-  Real rx = positive(node, kind == "circle" ? "r" : "rx");
-  if (kind == "ellipse" && compare(rx, positive(node, "ry")) != 0) {
-    throw Error(ErrorCode::kUnsupported, "an ellipse (rx and ry differ); only circles are read");
-  }
-  out.circle(svg_length(node, "cx", 0), svg_length(node, "cy", 0), rx);
+  const Real rx = positive(node, kind == "circle" ? "r" : "rx"), ry = kind == "circle" ? rx : positive(node, "ry");
+  const Real cx = svg_length(node, "cx", 0), cy = svg_length(node, "cy", 0);
+  if (compare(rx, ry) != 0) return out.ellipse(whole_ellipse(cx, cy, rx, ry));
+  out.circle(cx, cy, rx);
 }
 
 }  // namespace findspace::io

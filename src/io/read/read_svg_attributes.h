@@ -14,7 +14,7 @@
 
 namespace findspace::io {
 
-/// A length attribute in user units; `missing` where it is absent. Throws Error for units and percentages.
+/// A length attribute in user units, 96 to the inch; `missing` where it is absent. Throws Error for percentages.
 exact::Real svg_length(const pugi::xml_node& node, const char* name, const exact::Real& missing);
 /// `translate scale rotate matrix skewX skewY`, in any sequence.
 /// The transform that an attribute states. `operations` counts those on the way from the root: numbers grow with each,
@@ -22,6 +22,8 @@ exact::Real svg_length(const pugi::xml_node& node, const char* name, const exact
 Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plane::WorkBudget& work);
 /// How many millimetres one user unit of the drawing is, if its width or height states a unit.
 std::optional<exact::Real> svg_millimetres(const pugi::xml_node& root);
+/// The map of a `viewBox` into the width and height of `frame`, by `preserveAspectRatio`.
+Affine svg_view(const pugi::xml_node& node, const pugi::xml_node& frame);
 /// Draws a path, polygon, polyline, line, rect, circle or ellipse.
 void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const Affine& map, Outline& outline);
 

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 
+#include "io/scene/scene_curves.h"
 #include "io/scene/scene_extras.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/read_text.h"
@@ -14,9 +18,47 @@
 namespace findspace::io {
 namespace {
 
-constexpr std::array<std::string_view, 16> kKeys{"y",      "groups", "$schema", "findspace", "unit",     "grid",
-                                                 "shapes", "moving", "where",   "minimize",  "maximize", "free",
-                                                 "motion", "place",  "about",   "angles"};
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+constexpr std::array<std::string_view, 20> kKeys{
+    "curves", "tolerance", "join",  "open_lines", "y",        "groups", "$schema", "findspace", "unit",  "grid",
+    "shapes", "moving",    "where", "minimize",   "maximize", "free",   "motion",  "place",     "about", "angles"};
+
+/// Decimals of a number as it is written.
+int decimals_of(std::string_view text) {
+  const std::size_t exponent = std::min(text.find_first_of("eE"), text.size()), point = text.find('.');
+  int decimals = point < exponent ? static_cast<int>(exponent - point) - 1 : 0;
+  if (exponent < text.size()) decimals -= std::atoi(std::string(text.substr(exponent + 1)).c_str());
+  return std::max(decimals, 0);
+}
+
+/// The largest number in a value, and the most decimals of one.
+struct NumberRange {
+  double largest = 0;
+  int decimals = 0;
+
+  void add(const JsonValue& value) {
+    if (value.is(JsonValue::Kind::kNumber)) {
+      largest = std::max(largest, std::abs(std::strtod(value.text.c_str(), nullptr)));
+      decimals = std::max(decimals, decimals_of(value.text));
+    }
+    for (const JsonValue& item : value.items) add(item);
+  }
+};
+
+/// 10^-6 of the unit, or coarser where numbers of the scene would lie beyond the grid and none loses a digit.
+Grid usual_grid(const JsonValue& shapes) {
+  NumberRange range;
+  range.add(shapes);
+  constexpr int kUsualDecimals = 6;
+  constexpr double kMost = double(Grid::kLimit) / 4;  // leaves room to move
+  int decimals = kUsualDecimals;
+  const double most = range.largest * std::pow(10.0, kUsualDecimals) > double(Grid::kLimit) ? kMost : kInfinite;
+  while (decimals > range.decimals && decimals > 0 && range.largest * std::pow(10.0, decimals) > most) --decimals;
+  exact::int128 steps = 1;
+  for (int k = 0; k < decimals; ++k) steps *= 10;
+  return Grid(exact::Real::ratio(1, steps));
+}
 
 void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
   json.expect(root, JsonValue::Kind::kObject, "a scene", {});
@@ -40,7 +82,11 @@ void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
     exact::Real step = json.number(*grid, at);
     if (step.sign() <= 0) json.fail(ErrorCode::kBadValue, "\"grid\" must be more than 0", at, *grid);
     context.grid = Grid(step);
+  } else if (const JsonValue* shapes = root.find("shapes")) {
+    context.grid = usual_grid(*shapes);
   }
+  context.scene_rules = read_drawing_rules(json, root, {});
+  json.placed({}, root, [&] { context.use(context.options.drawings.over(context.scene_rules)); });
   scene.unit = context.unit;
   scene.grid = context.grid;
 }

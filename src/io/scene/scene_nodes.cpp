@@ -4,8 +4,10 @@
 // Constructive nodes: shapes made from shapes. The trees keep them as they are; nothing is computed here.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
+#include "io/scene/mirror_tree.h"
 #include "io/scene/scene_shapes.h"
 #include "space/shape/rotated_shape.h"
 
@@ -101,11 +103,43 @@ ShapePtr build_offset(ShapeReader& reader, const JsonValue& object, const JsonVa
   return share(std::move(shape));
 }
 
+ShapePtr over_one(ShapeReader& reader, Shape::Kind kind, ShapePtr child, plane::GridPoint point,
+                  const JsonValue& object, const Label& label) {
+  Shape shape = reader.node(kind, label, object);
+  shape.children = {std::move(child)};
+  shape.points = {point};
+  return share(std::move(shape));
+}
+
+/// About an axis through `about`, `mirror` degrees from the x axis; of a shape alone, through the origin.
+ShapePtr build_mirror(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  if (!value.is(JsonValue::Kind::kNumber)) {
+    const std::string note = "\"mirror\" of a shape alone is its reflection through the origin: \"point_reflection\"";
+    std::vector<std::string>& notes = reader.context().notes;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    return build_one<Shape::Kind::kMirror>(reader, object, value, label);
+  }
+  const exact::Real degrees = json.number(value, label.part("mirror"));
+  const JsonValue* about = object.find("about");
+  const plane::GridPoint q = about ? json.point(*about, label.part("about")) : plane::GridPoint{};
+  ShapePtr shape = operand(reader, object, label);
+  const bool moved = q != plane::GridPoint{};
+  if (moved) shape = over_one(reader, Shape::Kind::kTranslate, shape, {-q.x, -q.y}, object, label);
+  shape = json.placed(label, value, [&] { return mirrored_in_x_axis(shape); });
+  if (degrees.sign() != 0) {
+    Shape turned = *over_one(reader, Shape::Kind::kRotate, shape, {}, object, label);
+    turned.degrees = degrees + degrees;
+    shape = share(std::move(turned));
+  }
+  return moved ? over_one(reader, Shape::Kind::kTranslate, shape, q, object, label) : shape;
+}
+
 }  // namespace
 
 std::span<const ShapeKind> node_kinds() {
   using Kind = Shape::Kind;
-  static const std::array<ShapeKind, 15> kinds{
+  static const std::array<ShapeKind, 16> kinds{
       {{"union", {}, build_several<Kind::kUnion, 1, kAny>},
        {"intersection", {}, build_several<Kind::kIntersection, 1, kAny>},
        {"difference", {}, build_several<Kind::kDifference, 2, kAny>},
@@ -116,7 +150,8 @@ std::span<const ShapeKind> node_kinds() {
        {"regularize", {}, build_one<Kind::kRegularize>},
        {"translate", {"of"}, build_translate},
        {"rotate", {"about", "axis", "of"}, build_rotate},
-       {"mirror", {}, build_one<Kind::kMirror>},
+       {"mirror", {"about", "of"}, build_mirror},
+       {"point_reflection", {}, build_one<Kind::kMirror>},
        {"minkowski_sum", {}, build_several<Kind::kMinkowskiSum, 2, 2>},
        {"minkowski_difference", {}, build_several<Kind::kMinkowskiDifference, 2, 2>},
        {"offset", {"of"}, build_offset},

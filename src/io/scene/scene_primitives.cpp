@@ -7,6 +7,7 @@
 #include <array>
 
 #include "io/read/read_file.h"
+#include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
 #include "io/scene/scene_space.h"
 #include "io/text/file_kind.h"
@@ -123,14 +124,17 @@ class OutlineSink : public PathSink {
   void arc_to(const Real& radius, bool large, bool sweep, const Real& x, const Real& y) override {
     outline_.arc_to(radius, large, sweep, x, y);
   }
+  void curve_to(std::span<const plane::CurvePoint> points) override { outline_.curve_to(points); }
+  void ellipse_to(const EllipseArc& arc, const Real& x, const Real& y) override { outline_.ellipse_to(arc, x, y); }
   void close() override { outline_.close(); }
 
  private:
   Outline& outline_;
 };
 
-ShapePtr build_path(ShapeReader& reader, const JsonValue&, const JsonValue& value, const Label& label) {
+ShapePtr build_path(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   reader.use_dimension(2, label, value);
+  const RulesBeside rules(reader, object, label);
   const std::string& data = reader.json().text(value, "\"path\"", label);
   return reader.json().placed(label, value, [&] {
     Outline outline(reader.context());
@@ -165,6 +169,7 @@ ShapePtr build_file(ShapeReader& reader, const JsonValue& object, const JsonValu
   if (is_space_ending(ending)) return build_space_file(reader, path, read_choice(reader, object, label), value, label);
   if (is_plane_ending(ending)) reader.use_dimension(2, label, value);
   FileChoice choice = read_choice(reader, object, label);
+  const RulesBeside rules(reader, object, label);
   return json.placed(label, value, [&] { return read_shape_file(path, choice, json.context()); });
 }
 
@@ -176,14 +181,15 @@ ShapePtr build_cells(ShapeReader& reader, const JsonValue&, const JsonValue& val
 }  // namespace
 
 std::span<const ShapeKind> primitive_kinds() {
-  static const std::array<ShapeKind, 8> kinds{{{"polygon", {"holes"}, build_polygon},
-                                               {"disc", {}, build_disc},
-                                               {"box", {}, build_box},
-                                               {"points", {}, build_points},
-                                               {"polyline", {}, build_polyline},
-                                               {"path", {}, build_path},
-                                               {"cells", {}, build_cells},
-                                               {"file", {"id", "layer", "index", "unit"}, build_file}}};
+  static const std::array<ShapeKind, 8> kinds{
+      {{"polygon", {"holes"}, build_polygon},
+       {"disc", {}, build_disc},
+       {"box", {}, build_box},
+       {"points", {}, build_points},
+       {"polyline", {}, build_polyline},
+       {"path", {"curves", "tolerance"}, build_path},
+       {"cells", {}, build_cells},
+       {"file", {"id", "layer", "index", "unit", "curves", "tolerance", "join", "open_lines"}, build_file}}};
   return kinds;
 }
 

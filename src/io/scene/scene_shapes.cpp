@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/scene/scene_curves.h"
+
 namespace findspace::io {
 namespace {
 
@@ -17,7 +19,7 @@ using plane::ShapePtr;
 
 std::vector<const ShapeKind*> all_kinds() {
   std::vector<const ShapeKind*> all;
-  for (auto kinds : {primitive_kinds(), node_kinds(), space_kinds()}) {
+  for (auto kinds : {primitive_kinds(), curve_kinds(), simplify_kinds(), node_kinds(), space_kinds()}) {
     for (const ShapeKind& kind : kinds) all.push_back(&kind);
   }
   return all;

@@ -3,11 +3,14 @@
 #include "io/text/outline_shapes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "findspace/error.h"
 #include "plane/build/touching_rings.h"
 #include "plane/contour/contour.h"
+#include "plane/contour/nesting_depths.h"
+#include "plane/curve/curve_arcs.h"
 
 namespace findspace::io {
 
@@ -48,22 +51,107 @@ Contour ring_of(const Disc& disc, ReadContext& context) {
   return plane::circle_ring(disc.center, radius);
 }
 
-std::vector<Contour> take_rings(Drawing& drawing) {
-  std::vector<Contour> rings;
-  for (Chain& chain : drawing.chains) {
-    if (chain.closed) rings.push_back(std::move(chain.edges));
+/// The chain with arcs in place of its curves; the boxes beside it are added to `caps`.
+Contour expanded(Chain chain, const ReadContext& context, plane::CurveSide side, std::vector<plane::CapBox>& caps) {
+  if (chain.curves.empty()) return std::move(chain.edges);
+  Contour out;
+  for (std::size_t k = 0; k < chain.edges.size(); ++k) {
+    if (!chain.curves[k]) {
+      out.push_back(std::move(chain.edges[k]));
+      continue;
+    }
+    plane::ArcChain arcs = plane::arcs_of(*chain.curves[k], context.drawing.tolerance, side);
+    std::move(arcs.edges.begin(), arcs.edges.end(), std::back_inserter(out));
+    caps.insert(caps.end(), arcs.caps.begin(), arcs.caps.end());
   }
-  drawing.chains.erase(
-      std::remove_if(drawing.chains.begin(), drawing.chains.end(), [](const Chain& c) { return c.closed; }),
-      drawing.chains.end());
+  return out;
+}
+
+void count_curves(const Chain& chain, std::size_t edges, ReadContext& context) {
+  const auto curves = std::count_if(chain.curves.begin(), chain.curves.end(), [](const auto& c) { return bool(c); });
+  if (curves == 0) return;
+  CurveLog& log = context.curves;
+  log.curves += curves;
+  log.arcs += static_cast<std::int64_t>(edges + static_cast<std::size_t>(curves)) - std::int64_t(chain.edges.size());
+  log.bound = std::max(log.bound, context.drawing.tolerance);
+  const std::string word =
+      context.drawing.curves == CurveRule::kNear ? "on either side" : std::string(name(context.drawing.curves));
+  if (log.sides.find(word) == std::string::npos) log.sides += (log.sides.empty() ? "" : ", ") + word;
+}
+
+/// The rings of closed chains, and the boxes that the side of their curves needs beside them.
+struct Rings {
+  std::vector<Contour> contours;
+  std::vector<plane::CapBox> caps;
+};
+
+std::vector<Chain> take_closed(Drawing& drawing) {
+  std::vector<Chain> closed;
+  for (Chain& chain : drawing.chains)
+    if (chain.closed) closed.push_back(std::move(chain));
+  std::erase_if(drawing.chains, [](const Chain& c) { return c.closed; });
+  return closed;
+}
+
+/// Curves on the side that the rule wants; `others` are rings without curves that count in the nesting.
+Rings take_rings(Drawing& drawing, ReadContext& context, const std::vector<Contour>& others) {
+  const std::vector<Chain> closed = take_closed(drawing);
+  Rings rings;
+  for (const Chain& chain : closed)
+    rings.contours.push_back(expanded(chain, context, plane::CurveSide::kNear, rings.caps));
+  if (std::any_of(rings.contours.begin(), rings.contours.end(), [](const Contour& c) { return c.size() < 2; }))
+    throw Error(ErrorCode::kGeometry, "a closed curve smaller than the tolerance");
+  const bool any = std::any_of(closed.begin(), closed.end(), [](const Chain& c) { return !c.curves.empty(); });
+  if (any && context.drawing.curves != CurveRule::kNear) {
+    std::vector<Contour> all = rings.contours;
+    all.insert(all.end(), others.begin(), others.end());
+    const std::vector<std::size_t> depths = plane::nesting_depths(all);
+    for (std::size_t k = 0; k < closed.size(); ++k) {
+      if (closed[k].curves.empty()) continue;
+      const bool material_left = (plane::orientation(all[k]) > 0) == (depths[k] % 2 == 0);
+      const bool left = material_left == (context.drawing.curves == CurveRule::kInside);
+      const auto side = left ? plane::CurveSide::kLeft : plane::CurveSide::kRight;
+      rings.contours[k] = expanded(closed[k], context, side, rings.caps);
+    }
+  }
+  for (std::size_t k = 0; k < closed.size(); ++k) count_curves(closed[k], rings.contours[k].size(), context);
+  context.curves.caps += std::int64_t(rings.caps.size());
   return rings;
+}
+
+ShapePtr box_shape(const plane::CapBox& box, const std::string& place) {
+  const auto [a, b] = box;
+  Contour ring;
+  for (const plane::GridPoint& p : {a, {b.x, a.y}, b, {a.x, b.y}}) ring.push_back({.start = p});
+  return rings_shape({std::move(ring)}, place);
+}
+
+/// The shape joined with the boxes, or less their insides.
+ShapePtr with_caps(ShapePtr shape, const std::vector<plane::CapBox>& caps, CurveRule rule, const std::string& place) {
+  if (caps.empty()) return shape;
+  const bool outside = rule == CurveRule::kOutside;
+  Shape all = make(outside ? Shape::Kind::kUnion : Shape::Kind::kDifference, place);
+  all.children.push_back(std::move(shape));
+  for (const plane::CapBox& cap : caps) {
+    ShapePtr box = box_shape(cap, place);
+    if (!outside) {
+      Shape inside = make(Shape::Kind::kInterior, place);
+      inside.children.push_back(std::move(box));
+      box = share(std::move(inside));
+    }
+    all.children.push_back(std::move(box));
+  }
+  return share(std::move(all));
 }
 
 void add_lines_and_points(Drawing drawing, ReadContext& context, const std::string& place, std::vector<ShapePtr>& all) {
   for (Chain& chain : drawing.chains) {
-    if (chain.closed) chain.edges.push_back(ContourEdge{.start = chain.edges[0].start});
+    std::vector<plane::CapBox> none;
+    Contour edges = expanded(chain, context, plane::CurveSide::kNear, none);
+    count_curves(chain, edges.size(), context);
+    if (chain.closed) edges.push_back(ContourEdge{.start = edges[0].start});
     Shape shape = make(Shape::Kind::kPolyline, place);
-    shape.contours.push_back(plane::make_chain(std::move(chain.edges), context.repeated_points));
+    shape.contours.push_back(plane::make_chain(std::move(edges), context.repeated_points));
     all.push_back(share(std::move(shape)));
   }
   if (!drawing.points.empty()) {
@@ -83,29 +171,44 @@ ShapePtr united(std::vector<ShapePtr> parts, const std::string& place, bool coll
   return share(std::move(shape));
 }
 
-int open_chains(const Drawing& drawing) {
-  return static_cast<int>(
-      std::count_if(drawing.chains.begin(), drawing.chains.end(), [](const Chain& c) { return !c.closed; }));
+namespace {
+
+bool is_one_disc(const Drawing& drawing) {
+  return drawing.discs.size() == 1 &&
+         std::none_of(drawing.chains.begin(), drawing.chains.end(), [](const Chain& c) { return c.closed; });
 }
+
+void add_areas(Drawing& drawing, ReadContext& context, const std::string& place, std::vector<ShapePtr>& all) {
+  std::vector<Contour> discs;
+  for (const Disc& disc : drawing.discs) discs.push_back(ring_of(disc, context));
+  Rings rings = take_rings(drawing, context, discs);
+  std::vector<Contour>& contours = rings.contours;
+  std::move(discs.begin(), discs.end(), std::back_inserter(contours));
+  auto add = [&](ShapePtr shape) {
+    all.push_back(with_caps(std::move(shape), rings.caps, context.drawing.curves, place));
+  };
+  if (auto cells = plane::region_of_touching_rings(contours, plane::RingRule::kEvenOdd))
+    return add(cells_shape(*std::move(cells), place));
+  std::vector<ShapePtr> parts;
+  for (plane::RingSet& set : plane::nest_rings(std::move(contours), context.grid.step_size())) {
+    context.repeated_points += set.repeated_points;
+    parts.push_back(rings_shape(std::move(set.contours), place));
+  }
+  if (!rings.caps.empty()) return add(united(std::move(parts), place));
+  std::move(parts.begin(), parts.end(), std::back_inserter(all));
+}
+
+}  // namespace
 
 std::vector<ShapePtr> parts_of(Drawing drawing, ReadContext& context, const std::string& place) {
   std::vector<ShapePtr> all;
-  std::vector<Contour> rings = take_rings(drawing);
-  if (rings.empty() && drawing.discs.size() == 1) {
+  if (is_one_disc(drawing)) {
     Shape shape = make(Shape::Kind::kDisc, place);
     shape.points = {drawing.discs[0].center};
     shape.amount = drawing.discs[0].radius;
     all.push_back(share(std::move(shape)));
   } else {
-    for (const Disc& disc : drawing.discs) rings.push_back(ring_of(disc, context));
-    if (auto cells = plane::region_of_touching_rings(rings, plane::RingRule::kEvenOdd)) {
-      all.push_back(cells_shape(*std::move(cells), place));
-      rings.clear();
-    }
-    for (plane::RingSet& set : plane::nest_rings(std::move(rings), context.grid.step_size())) {
-      context.repeated_points += set.repeated_points;
-      all.push_back(rings_shape(std::move(set.contours), place));
-    }
+    add_areas(drawing, context, place, all);
   }
   add_lines_and_points(std::move(drawing), context, place, all);
   return all;
@@ -124,7 +227,8 @@ ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& plac
 }
 
 ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place) {
-  std::vector<Contour> rings = take_rings(drawing);
+  std::vector<Contour> rings;
+  for (Chain& chain : take_closed(drawing)) rings.push_back(std::move(chain.edges));
   if (auto cells = plane::region_of_touching_rings(rings, plane::RingRule::kHoles))
     return cells_shape(*std::move(cells), place);
   plane::RingSet set = plane::make_rings(std::move(rings), context.grid.step_size());

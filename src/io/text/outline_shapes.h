@@ -13,10 +13,15 @@
 
 namespace findspace::io {
 
-/// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where more than two meet. `step`: of
+/// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where an odd number above one meets. `step`: of
 /// the grid, for the message.
 void join_open_chains(Drawing& drawing, double step);
 int open_chains(const Drawing& drawing);
+
+/// What the rules say of open chains: joins ends that are the same grid point, then those no farther apart than the
+/// gap, the nearest first, and notes how many and the widest gap. Throws Error(kGeometry) for chains that stay open,
+/// with the least gap that is left, unless the rules take them for lines. `name`: what notes call the drawing.
+void close_outlines(Drawing& drawing, ReadContext& context, const std::string& name);
 
 /// Closed chains and circles by even-odd nesting, each outer ring with its holes one shape, or all as one where rings
 /// touch in common corners (plane/build/touching_rings.h); then the open chains as polylines, then the points.

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "findspace/error.h"
 #include "io/text/read_text.h"
+#include "plane/curve/curve_arcs.h"
 
 namespace findspace::io {
 namespace {
@@ -31,6 +33,21 @@ void ReadContext::take_bytes(std::uint64_t bytes, const std::string& what) {
   bytes_left -= bytes;
 }
 
+void ReadContext::use(const DrawingRules& rules) {
+  drawing = {};
+  if (rules.curves) drawing.curves = *rules.curves;
+  const exact::Real thousandth = exact::Real::ratio(1, 1000);
+  const exact::Real usual = unit ? thousandth * formula::factor(Unit::kMillimetre, *unit) : thousandth;
+  drawing.tolerance = std::max((usual / grid.step()).to_double(), plane::kLeastBound);
+  if (rules.tolerance) drawing.tolerance = grid.steps(parse_length(*rules.tolerance, unit)).to_double();
+  if (rules.join) drawing.join = grid.steps(parse_length(*rules.join, unit)).to_double();
+  if (rules.open_lines) drawing.open_lines = *rules.open_lines;
+  if (drawing.tolerance < plane::kLeastBound)
+    throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {:.3g} grid steps is too small; {} are needed, so "
+                                                  "give the scene a finer \"grid\"",
+                                                  drawing.tolerance, plane::kLeastBound));
+}
+
 std::vector<std::string> ReadContext::summary() const {
   std::vector<std::string> all = notes;
   if (rounding.points > 0) {
@@ -38,6 +55,12 @@ std::vector<std::string> ReadContext::summary() const {
     all.push_back(fmt::format("{} rounded to the grid, largest move {:.2g}{}",
                               count(rounding.points, "point", "points"), rounding.largest * grid.step_size(),
                               blank_unit));
+  }
+  if (curves.curves > 0) {
+    all.push_back(fmt::format("{} became {}, proved to be within {:.10g}{} ({})",
+                              count(curves.curves, "curve", "curves"), count(curves.arcs, "arc", "arcs and segments"),
+                              curves.bound * grid.step_size(), unit ? fmt::format(" {}", formula::name(*unit)) : "",
+                              curves.sides));
   }
   if (grown_arcs > 0) {
     all.push_back(fmt::format("{} enlarged to reach both ends", count(grown_arcs, "arc", "arcs")));

@@ -15,6 +15,20 @@
 
 namespace findspace::io {
 
+/// The rules of drawings in grid steps.
+struct DrawingUse {
+  CurveRule curves = CurveRule::kNear;
+  double tolerance = 1000, join = 0;
+  bool open_lines = false;
+};
+
+/// What curves have become.
+struct CurveLog {
+  std::int64_t curves = 0, arcs = 0, caps = 0;
+  double bound = 0;     // the largest tolerance, in grid steps
+  std::string sides{};  // "near", "inside", "outside" or several of them
+};
+
 struct ReadContext {
   ReadContext() = default;
   explicit ReadContext(const ReadOptions& o) : options(o), work(o.work_limit), bytes_left(o.input_limit) {}
@@ -26,6 +40,10 @@ struct ReadContext {
   std::optional<Unit> unit;                // the scene's
   Grid grid;
 
+  DrawingRules scene_rules;  // as the scene states them
+  DrawingUse drawing;        // of the shape that is read
+  CurveLog curves;
+
   RoundingLog rounding;
   std::int64_t repeated_points = 0;  // dropped
   std::int64_t reversed_rings = 0;   // outer rings given clockwise
@@ -36,6 +54,9 @@ struct ReadContext {
   std::string take_file(const std::filesystem::path& path);
   /// Counts bytes that were packed in a file. Throws Error(kLimit).
   void take_bytes(std::uint64_t bytes, const std::string& what);
+
+  /// Makes these rules those of what is read from here on; throws Error. Needs the unit and the grid.
+  void use(const DrawingRules& rules);
 
   /// All of it in words, e.g. "12 points rounded to the grid, largest move 3.1e-07 mm".
   std::vector<std::string> summary() const;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "io/text/drawing_rules.h"
 #include "plane/base/work_budget.h"
 
 namespace findspace::io {
@@ -19,6 +20,7 @@ struct ReadOptions {
   std::filesystem::path root{};                        // these lie in this folder, links followed; empty: anywhere
   std::uint64_t input_limit = kUsualInput;             // bytes of all files together, packed ones as they are unpacked
   std::uint64_t work_limit = plane::kUsualWorkBudget;  // units, of reading, of each shape and of each formula
+  DrawingRules drawings{};                             // before those that the scene states
 };
 
 }  // namespace findspace::io

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "io/text/read_outline.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "findspace/error.h"
@@ -92,12 +93,72 @@ void Outline::through_to(const Real& mx, const Real& my, const Real& x, const Re
   add(std::move(edge), to);
 }
 
+plane::CurvePoint Outline::steps(const plane::CurvePoint& p) const {
+  return {context_.grid.steps(p.x * scale_), context_.grid.steps(p.y * scale_)};
+}
+
+EllipseArc Outline::steps(const EllipseArc& arc) const {
+  return {{steps(arc.frame.center), steps(arc.frame.u), steps(arc.frame.v)}, arc.first, arc.sweep};
+}
+
+void Outline::add(plane::Curve curve) {
+  const GridPoint to = curve.to;
+  edges_.push_back(segment(at_));
+  curves_.resize(edges_.size());
+  curves_.back() = std::make_shared<const plane::Curve>(std::move(curve));
+  at_ = to;
+}
+
+void Outline::curve_to(std::span<const plane::CurvePoint> points, std::span<const Real> weights) {
+  begin();
+  std::vector<plane::CurvePoint> all{{Real(at_.x), Real(at_.y)}};
+  for (const plane::CurvePoint& p : points) all.push_back(steps(p));
+  const GridPoint to = grid_point(points.back().x, points.back().y);
+  auto here = [&](const plane::CurvePoint& p) {
+    return abs(p.x - Real(at_.x)) <= Real(1) && abs(p.y - Real(at_.y)) <= Real(1);
+  };
+  if (to == at_ && std::all_of(all.begin(), all.end(), here)) return;
+  add(plane::bezier_curve(all, weights, at_, to));
+}
+
+void Outline::ellipse_to(const EllipseArc& arc, const Real& x, const Real& y) {
+  begin();
+  const GridPoint to = grid_point(x, y);
+  if (to == at_) return;
+  const EllipseArc a = steps(arc);
+  add(plane::ellipse_curve(a.frame, a.first, a.sweep, at_, to));
+}
+
+void Outline::spline_to(plane::Spline spline) {
+  begin();
+  plane::check_spline(spline);
+  const plane::CurvePoint end = plane::spline_end(spline, true);
+  const GridPoint to = grid_point(end.x, end.y);
+  for (plane::CurvePoint& p : spline.points) p = steps(p);
+  add(plane::spline_curve(spline, at_, to));
+}
+
+void Outline::ellipse(const EllipseArc& whole) {
+  finish();
+  const plane::EllipseFrame& f = whole.frame;
+  move_to(f.center.x + f.u.x, f.center.y + f.u.y);
+  const EllipseArc a = steps(whole);
+  add(plane::ellipse_curve(a.frame, a.first, a.sweep, at_, at_));
+  close();
+}
+
+void Outline::end_chain(bool closed) {
+  if (!curves_.empty()) curves_.resize(edges_.size());
+  drawing_.chains.push_back({std::move(edges_), closed, std::move(curves_)});
+}
+
 void Outline::close() {
   if (!running_) return;
   if (edges_.empty()) throw Error(ErrorCode::kGeometry, "a closed outline of a single point");
   if (at_ != start_) edges_.push_back(segment(at_));
-  drawing_.chains.push_back({std::move(edges_), true});
+  end_chain(true);
   edges_.clear();
+  curves_.clear();
   running_ = false;
 }
 
@@ -105,9 +166,10 @@ void Outline::finish() {
   if (running_ && !edges_.empty()) {
     bool closed = at_ == start_;
     if (!closed) edges_.push_back(segment(at_));
-    drawing_.chains.push_back({std::move(edges_), closed});
+    end_chain(closed);
   }
   edges_.clear();
+  curves_.clear();
   running_ = false;
 }
 

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Affine maps of drawings, with exact coefficients (only the sine and cosine of an angle that is no multiple of 90
-// degrees come from doubles). Arcs go through similarities only; `Placed` passes the commands of a path on.
+// degrees come from doubles). `Placed` passes the commands of a path on; arcs that a map makes elliptical become
+// curves.
 #pragma once
 
 #include <optional>
@@ -26,8 +27,9 @@ struct Affine {
 
   exact::Real x_of(const exact::Real& x, const exact::Real& y) const { return a * x + c * y + e; }
   exact::Real y_of(const exact::Real& x, const exact::Real& y) const { return b * x + d * y + f; }
-  /// The factor of lengths; throws Error(kUnsupported) where circles would become ellipses.
-  const exact::Real& similarity() const;
+  plane::CurvePoint of(const plane::CurvePoint& p) const { return {x_of(p.x, p.y), y_of(p.x, p.y)}; }
+  /// The image of an ellipse.
+  EllipseArc of(const EllipseArc& arc) const;
 };
 
 /// First `inner`, then `outer`.
@@ -43,29 +45,28 @@ Direction direction(const exact::Real& degrees);
 class Placed : public PathSink {
  public:
   Placed(const Affine& map, Outline& outline) : map_(map), outline_(outline) {}
-  void move_to(const exact::Real& x, const exact::Real& y) override {
-    outline_.move_to(map_.x_of(x, y), map_.y_of(x, y));
-  }
-  void line_to(const exact::Real& x, const exact::Real& y) override {
-    outline_.line_to(map_.x_of(x, y), map_.y_of(x, y));
-  }
-  void arc_to(const exact::Real& radius, bool large, bool sweep, const exact::Real& x, const exact::Real& y) override {
-    outline_.arc_to(radius * map_.similarity(), large, sweep != map_.mirrors, map_.x_of(x, y), map_.y_of(x, y));
-  }
-  void close() override { outline_.close(); }
+  void move_to(const exact::Real& x, const exact::Real& y) override;
+  void line_to(const exact::Real& x, const exact::Real& y) override;
+  void arc_to(const exact::Real& radius, bool large, bool sweep, const exact::Real& x, const exact::Real& y) override;
+  void curve_to(std::span<const plane::CurvePoint> points) override { curve_to(points, {}); }
+  void curve_to(std::span<const plane::CurvePoint> points, std::span<const exact::Real> weights);
+  void ellipse_to(const EllipseArc& arc, const exact::Real& x, const exact::Real& y) override;
+  void close() override;
   void finish() { outline_.finish(); }
-  void bulge_to(const exact::Real& bulge, const exact::Real& x, const exact::Real& y) {
-    if (bulge.sign() != 0) map_.similarity();
-    outline_.bulge_to(map_.mirrors ? -bulge : bulge, map_.x_of(x, y), map_.y_of(x, y));
-  }
-  void circle(const exact::Real& x, const exact::Real& y, const exact::Real& radius) {
-    outline_.circle(map_.x_of(x, y), map_.y_of(x, y), radius * map_.similarity());
-  }
+  void bulge_to(const exact::Real& bulge, const exact::Real& x, const exact::Real& y);
+  /// A B-spline that begins where the chain is, or a chain of its own.
+  void spline_to(plane::Spline spline);
+  void spline(plane::Spline spline, bool closed);
+  void circle(const exact::Real& x, const exact::Real& y, const exact::Real& radius);
+  void ellipse(const EllipseArc& whole);
   void point(const exact::Real& x, const exact::Real& y) { outline_.point(map_.x_of(x, y), map_.y_of(x, y)); }
 
  private:
+  void reach(const exact::Real& x, const exact::Real& y) { at_ = {x, y}; }
+
   Affine map_;
   Outline& outline_;
+  plane::CurvePoint at_, start_;  // before the map
 };
 
 }  // namespace findspace::io

@@ -76,17 +76,14 @@ class PathReader {
   void arguments(char command) {
     char upper = command >= 'a' ? static_cast<char>(command - 'a' + 'A') : command;
     bool relative = command != upper;
-    if (std::string_view("CSQT").find(upper) != std::string_view::npos) {
-      at_ = command_at_;
-      fail(ErrorCode::kUnsupported, fmt::format("'{}' is a Bezier curve; paths are made of M L H V A Z", command));
-    }
-    if (std::string_view("MLHVAZ").find(upper) == std::string_view::npos) {
+    if (std::string_view("MLHVACSQTZ").find(upper) == std::string_view::npos) {
       at_ = command_at_;
       fail(ErrorCode::kSyntax, fmt::format("'{}' is no path command", command));
     }
     if (upper == 'Z') return close();
     do {
       one(upper, relative, command);
+      before_ = upper;
       if (upper == 'M') upper = 'L';  // further points of a move are lines
     } while (number_follows());
   }
@@ -95,10 +92,12 @@ class PathReader {
     tell([&] { sink_.close(); });
     x_ = start_x_;
     y_ = start_y_;
+    before_ = 'Z';
   }
 
   void one(char upper, bool relative, char command) {
     if (upper == 'A') return arc(relative, command);
+    if (std::string_view("CSQT").find(upper) != std::string_view::npos) return bezier(upper, relative, command);
     Real x = x_, y = y_;
     if (upper != 'V') x = relative ? x_ + number(command) : number(command);
     if (upper != 'H') y = relative ? y_ + number(command) : number(command);
@@ -112,14 +111,41 @@ class PathReader {
 
   void arc(bool relative, char command) {
     Real rx = abs(number(command)), ry = abs(number(command));
-    if (compare(rx, ry) != 0) fail(ErrorCode::kUnsupported, "an elliptical arc (rx and ry differ); arcs are circular");
-    number(command);  // the rotation of an ellipse's axes means nothing for a circle
+    const Real degrees = number(command);
+    const Real from_x = x_, from_y = y_;
     bool large = flag(), sweep = flag();
     Real x = number(command), y = number(command);
     x_ = relative ? x_ + x : x;
     y_ = relative ? y_ + y : y;
-    if (rx.sign() == 0) return tell([&] { sink_.line_to(x_, y_); });
+    if (rx.sign() == 0 || ry.sign() == 0) return tell([&] { sink_.line_to(x_, y_); });
+    if (compare(rx, ry) != 0) {
+      if (from_x == x_ && from_y == y_) return;
+      const EllipseArc ellipse = ellipse_arc({from_x.to_double(), from_y.to_double(), rx.to_double(), ry.to_double(),
+                                              degrees.to_double(), large, sweep, x_.to_double(), y_.to_double()});
+      return tell([&] { sink_.ellipse_to(ellipse, x_, y_); });
+    }
     tell([&] { sink_.arc_to(rx, large, sweep, x_, y_); });
+  }
+
+  /// The control point before the last end, reflected in it, where the command before was one of `kinds`.
+  plane::CurvePoint reflected(std::string_view kinds) const {
+    if (kinds.find(before_) == std::string_view::npos) return {x_, y_};
+    return {x_ + x_ - control_.x, y_ + y_ - control_.y};
+  }
+
+  void bezier(char upper, bool relative, char command) {
+    std::vector<plane::CurvePoint> points;
+    if (upper == 'S') points.push_back(reflected("CS"));
+    if (upper == 'T') points.push_back(reflected("QT"));
+    const std::size_t count = upper == 'C' ? 3 : upper == 'Q' ? 2 : points.size() + (upper == 'S' ? 2 : 1);
+    while (points.size() < count) {
+      Real x = number(command), y = number(command);
+      points.push_back(relative ? plane::CurvePoint{x_ + x, y_ + y} : plane::CurvePoint{std::move(x), std::move(y)});
+    }
+    control_ = points[points.size() - 2];
+    x_ = points.back().x;
+    y_ = points.back().y;
+    tell([&] { sink_.curve_to(points); });
   }
 
   /// Errors of the sink get the place in the path.
@@ -136,6 +162,8 @@ class PathReader {
   PathSink& sink_;
   std::size_t at_ = 0, command_at_ = 0;
   Real x_, y_, start_x_, start_y_;
+  plane::CurvePoint control_;  // of the last curve
+  char before_ = ' ';          // the command before
 };
 
 }  // namespace

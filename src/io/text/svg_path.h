@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SVG path data, read exactly: `M L H V A Z` in absolute and relative form, with implicit repetition and arc flags
-// without separators. Curves are refused: `C S Q T`, and arcs with rx != ry. Source: SVG 1.1, chapter 8.3.
+// SVG path data, read exactly: `M L H V A C S Q T Z` in absolute and relative form, with implicit repetition and arc
+// flags without separators. The frame of an elliptical arc is found in doubles. Source: SVG 1.1, chapter 8.3.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "exact/number/real.h"
+#include "io/text/ellipse_arc.h"
 
 namespace findspace::io {
 
@@ -20,6 +22,9 @@ class PathSink {
   /// radius > 0; `sweep`: the angle grows from the x axis towards the y axis.
   virtual void arc_to(const exact::Real& radius, bool large, bool sweep, const exact::Real& x,
                       const exact::Real& y) = 0;
+  /// Control points of a Bezier curve behind the point where the path is.
+  virtual void curve_to(std::span<const plane::CurvePoint> points) = 0;
+  virtual void ellipse_to(const EllipseArc& arc, const exact::Real& x, const exact::Real& y) = 0;
   virtual void close() = 0;
 };
 

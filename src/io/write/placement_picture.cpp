@@ -25,6 +25,26 @@ std::vector<std::string> standing_still(const planning::Demands& demands, const 
   return out;
 }
 
+std::vector<NamedRegion> PlacedRegions::named() const {
+  std::vector<NamedRegion> all;
+  for (std::size_t k = 0; k < regions.size(); ++k) all.push_back({names[k], &regions[k]});
+  return all;
+}
+
+PlacedRegions placed_regions(const planning::Problem& problem, const planning::Poses& poses) {
+  PlacedRegions out;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    if (!poses[b]) continue;
+    const Body& body = problem.bodies[b];
+    for (std::size_t k = 0; k < body.shapes.size(); ++k) {
+      const std::string& variant = body.variants[poses[b]->angle][k];
+      out.regions.push_back(plane::moved(problem.world.shapes.at(variant), poses[b]->at));
+      out.names.push_back(body.shapes[k]);
+    }
+  }
+  return out;
+}
+
 std::string placement_svg(const planning::Problem& problem, const planning::Poses& poses,
                           const PlacementPicture& picture) {
   Picture p;
@@ -36,18 +56,8 @@ std::string placement_svg(const planning::Problem& problem, const planning::Pose
   p.y_down = picture.y_down;
   for (const std::string& name : picture.fixed)
     if (problem.world.shapes.count(name) > 0) p.fixed.push_back({name, &problem.world.shapes.at(name)});
-  std::vector<plane::Region> moved;
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < poses.size(); ++b) {
-    if (!poses[b]) continue;
-    const Body& body = problem.bodies[b];
-    for (std::size_t k = 0; k < body.shapes.size(); ++k) {
-      const std::string& variant = body.variants[poses[b]->angle][k];
-      moved.push_back(plane::moved(problem.world.shapes.at(variant), poses[b]->at));
-      names.push_back(body.shapes[k]);
-    }
-  }
-  for (std::size_t k = 0; k < moved.size(); ++k) p.placed.push_back({names[k], &moved[k]});
+  const PlacedRegions placed = placed_regions(problem, poses);
+  p.placed = placed.named();
   return picture_svg(p);
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/write/write_svg.h"
 #include "planning/outcome/outcome.h"
 
 namespace findspace::io {
@@ -32,6 +33,15 @@ PlacementResult placement_result(const planning::SpaceProblem& problem, const pl
 
 std::string placement_json(const PlacementResult& result, const exact::Real& step, std::string_view unit);
 std::string placement_text(const PlacementResult& result, const exact::Real& step, std::string_view unit);
+
+/// The shapes of all placed bodies where they were put, by name.
+struct PlacedRegions {
+  std::vector<plane::Region> regions;
+  std::vector<std::string> names;
+  /// Refers to the regions.
+  std::vector<NamedRegion> named() const;
+};
+PlacedRegions placed_regions(const planning::Problem& problem, const planning::Poses& poses);
 
 /// What a picture of a placement says besides the shapes.
 struct PlacementPicture {

@@ -54,18 +54,20 @@ std::string explanation(const formula::AtomAt& a) {
   return fmt::format(R"("way": {}, "milliseconds": {:.3f}, )", json_string(distance::name(a.way)), a.milliseconds);
 }
 
-/// The members after a value: "lower" and "upper" of one that is not exact, else "closed_form".
+/// The members after a value: "exact", "lower" and "upper" of one that is not exact, else "closed_form".
 std::string ends_text(const DistanceAt& d) {
   const auto between = ends(d);
   const std::string closed = closed_form(d);
   if (!closed.empty()) return fmt::format(R"( "closed_form": {},)", closed);
   if (!between) return "";
-  return fmt::format(R"( "lower": {}, "upper": {},)", json_number(between->lower), json_number(between->upper));
+  return fmt::format(R"( "exact": false, "lower": {}, "upper": {},)", json_number(between->lower),
+                     json_number(between->upper));
 }
 
 /// The keys "atoms" and "distances": an atom with the names of its writer, the distances with the papers' names
 /// too.
-void put_atoms(std::string& out, const std::vector<formula::AtomAt>& atoms, bool explain) {
+void put_atoms(std::string& out, const std::vector<formula::AtomAt>& atoms, const distance::Coordinates& at,
+               bool explain) {
   std::map<std::string, std::optional<double>> distances;
   out += "  \"atoms\": ";
   out += list(
@@ -77,7 +79,7 @@ void put_atoms(std::string& out, const std::vector<formula::AtomAt>& atoms, bool
         distances[formula::written(of)] = said.value();
         return fmt::format(R"({{"text": {}, "value": {},{} "true": {},{} {}"witness": {{{}}}}})",
                            json_string(formula::written(a.atom)), number(said.value()), ends_text(said), truth(a.holds),
-                           lacks_text(a), explain ? explanation(a) : "", witness_members(a.distance));
+                           lacks_text(a), explain ? explanation(a) : "", witness_members(a.distance, at));
       },
       true);
   out += ",\n  \"distances\": {";
@@ -106,15 +108,15 @@ std::string by_name(const char* key, const std::vector<DistanceAt>& distances, c
   return fmt::format("  \"{}\": {{{}\n  }}", key, out);
 }
 
-std::string witness_text(const DistanceAt& d) {
-  const std::string members = witness_members(d);
+std::string witness_text(const DistanceAt& d, const distance::Coordinates& at) {
+  const std::string members = witness_members(d, at);
   return members.empty() ? "" : "{" + members + "}";
 }
 
 /// The keys "distances" and "witnesses"; "closed_form", "lower" and "upper" where some value has them.
-void put_distances(std::string& out, const std::vector<DistanceAt>& distances) {
+void put_distances(std::string& out, const std::vector<DistanceAt>& distances, const distance::Coordinates& at) {
   out += by_name("distances", distances, [](const DistanceAt& d) { return number(d.value()); });
-  out += ",\n" + by_name("witnesses", distances, witness_text);
+  out += ",\n" + by_name("witnesses", distances, [&](const DistanceAt& d) { return witness_text(d, at); });
   const auto any = [&](const auto& has) { return std::any_of(distances.begin(), distances.end(), has); };
   if (any([](const DistanceAt& d) { return !closed_form(d).empty(); }))
     out += ",\n" + by_name("closed_form", distances, closed_form);
@@ -152,7 +154,7 @@ std::string place_text(const distance::Coordinates& at, std::string_view unit, s
 std::string check_json(const formula::Check& check, const distance::Coordinates& at, std::string_view unit,
                        std::optional<double> angle, const formula::NearestFeasible* nearest, bool explain) {
   std::string out = place_text(at, unit, angle) + fmt::format(" \"true\": {},\n", truth(check.holds));
-  put_atoms(out, check.atoms, explain);
+  put_atoms(out, check.atoms, at, explain);
   if (nearest != nullptr)
     put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}", json_point(nearest->at),
         json_number(nearest->distance.to_double()), truth(nearest->attained));
@@ -164,7 +166,7 @@ std::string check_json(const formula::Check& check, const distance::Coordinates&
 std::string measure_json(const std::vector<DistanceAt>& distances, const distance::Coordinates& at,
                          std::string_view unit, std::optional<double> angle) {
   std::string out = place_text(at, unit, angle) + "\n";
-  put_distances(out, distances);
+  put_distances(out, distances, at);
   return out + bounds_text(distances) + "\n}\n";
 }
 

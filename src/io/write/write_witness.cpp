@@ -25,6 +25,12 @@ std::string joined(const distance::Coordinates& p, const Number& number) {
   return out;
 }
 
+distance::Coordinates way_to(const distance::Coordinates& there, const distance::Coordinates& at) {
+  distance::Coordinates out = there;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= at[k];
+  return out;
+}
+
 std::string feature_json(const FeatureAt& f) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(f.shape));
   if (!f.part.empty()) out += fmt::format(", \"part\": {}", json_string(f.part));
@@ -48,11 +54,14 @@ std::string json_point(const distance::Coordinates& p) { return "[" + joined(p, 
 
 std::string shown_point(const distance::Coordinates& p) { return "(" + joined(p, shown) + ")"; }
 
-std::string witness_members(const formula::DistanceAt& d) {
+std::string witness_members(const formula::DistanceAt& d, const distance::Coordinates& at) {
   std::string out;
   if (!d.answer) return out;
   auto add = [&](const std::string& member) { out += (out.empty() ? "" : ", ") + member; };
-  if (d.answer->nearest) add("\"nearest\": " + json_point(*d.answer->nearest));
+  if (d.answer->nearest) {
+    add("\"nearest\": " + json_point(*d.answer->nearest));
+    add("\"by\": " + json_point(way_to(*d.answer->nearest, at)));
+  }
   if (d.answer->farthest) add("\"farthest\": " + json_point(*d.answer->farthest));
   const auto& points = d.answer->witness;
   if (points.size() == 2) add(fmt::format("\"points\": [{}, {}]", json_point(points[0].at), json_point(points[1].at)));
@@ -64,7 +73,15 @@ std::string witness_members(const formula::DistanceAt& d) {
 std::string witness_words(const formula::DistanceAt& d) {
   DistanceValue value;
   value.features = api::features_of(d);
-  return value.witness();
+  const std::string features = value.witness();
+  if (!features.empty() || !d.answer || d.answer->witness.size() != 2) return features;
+  return shown_point(d.answer->witness[0].at) + " and " + shown_point(d.answer->witness[1].at);
+}
+
+std::string way_words(const formula::DistanceAt& d, const distance::Coordinates& at) {
+  if (!d.answer || !d.answer->nearest || at.size() != d.answer->nearest->size()) return "";
+  const distance::Coordinates& there = *d.answer->nearest;
+  return fmt::format("is 0 after {}, at {}", shown_point(way_to(there, at)), shown_point(there));
 }
 
 }  // namespace findspace::io

@@ -11,10 +11,12 @@
 
 namespace findspace::io {
 
-/// The members of a "witness" object, without the braces; "" where nothing is known.
-std::string witness_members(const formula::DistanceAt& d);
-/// "vertex (1, 2) of B and edge (0, 0) to (4, 0) of A, part left"; "" where nothing is known.
+/// The members of a "witness" object of a distance at a position, without the braces; "" where nothing is known.
+std::string witness_members(const formula::DistanceAt& d, const distance::Coordinates& at);
+/// "vertex (1, 2) of B and edge (0, 0) to (4, 0) of A, part left", or the two points; "" where nothing is known.
 std::string witness_words(const formula::DistanceAt& d);
+/// "is 0 after (0, 0, 1.5), at (5, 5, 11)": the way to the nearest contact; "" where there is none.
+std::string way_words(const formula::DistanceAt& d, const distance::Coordinates& at);
 /// "[x, y]" or "[x, y, z]".
 std::string json_point(const distance::Coordinates& p);
 /// "(x, y)" or "(x, y, z)", to six digits.

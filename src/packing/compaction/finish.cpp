@@ -22,8 +22,9 @@ constexpr int kSearchGridDigits = 7;  // to these the search's shapes are those 
 
 class Finisher {
  public:
-  Finisher(const Problem& problem, const FieldTable& table) : problem_(problem), table_(table) {
-    while (double(power_of_ten(digits_)) * problem.height.to_double() * margin::kLayoutGrid < 1) ++digits_;
+  Finisher(const Problem& problem, const FieldTable& table, const Row& row)
+      : problem_(problem), table_(table), row_(row) {
+    while (double(power_of_ten(digits_)) * table.height() * margin::kLayoutGrid < 1) ++digits_;
   }
 
   double step() const { return 1 / double(power_of_ten(digits_)); }
@@ -31,12 +32,21 @@ class Finisher {
 
   Layout rounded(const std::vector<Pose>& poses, double snap) const {
     Layout layout;
+    std::vector<std::size_t> rooms;
+    for (const Pose& pose : poses) rooms.push_back(row_.room_of(table_.variants()[pose.variant], pose.at));
+    std::vector<std::size_t> used(rooms);
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (problem_.on_sheets())
+      for (const std::size_t room : used) layout.sheets.push_back(row_.rooms()[room].kind);
     std::vector<int> copies(problem_.parts.size());
-    for (const Pose& pose : poses) {
-      const Variant& v = table_.variants()[pose.variant];
-      layout.items.push_back({v.part, ++copies[v.part], v.angle, false, 0, 0});
-      put(layout, pose, snap);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const Variant& v = table_.variants()[poses[i].variant];
+      const std::size_t sheet = std::size_t(std::lower_bound(used.begin(), used.end(), rooms[i]) - used.begin());
+      layout.items.push_back({v.part, ++copies[v.part], v.angle, v.mirrored, 0, 0, sheet});
+      put(layout, poses[i].at - Vec{row_.rooms()[rooms[i]].x, 0}, snap);
     }
+    leave_out(layout, copies);
     return layout;
   }
 
@@ -55,33 +65,51 @@ class Finisher {
     return scaled >= 0 ? scaled / d : -((-scaled + d - 1) / d);
   }
 
-  /// The last item's position: on the grid, above the strip's lower side and behind its end.
-  void put(Layout& layout, const Pose& pose, double snap) const {
+  /// The last item's position: on the grid, above the lower side and behind the end, and on a sheet before its end.
+  void put(Layout& layout, Vec at, double snap) const {
     Placed& item = layout.items.back();
-    const auto [low, high] = box_of(turned(problem_.parts[item.part].shape, item.angle, false));
+    const auto [low, high] = box_of(turned(problem_.parts[item.part].shape, item.angle, item.mirrored));
     const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
     const Fraction& edge = problem_.edge;
     const int128 left = above(edge - Fraction(low.x, steps)), bottom = above(edge - Fraction(low.y, steps));
-    const int128 top = below(problem_.height - edge - Fraction(high.y, steps));
-    item.x = Fraction(std::max(nearest(pose.at.x + table_.edge(), snap), left), grid);
-    item.y = Fraction(std::max(bottom, std::min(top, nearest(pose.at.y + table_.edge(), snap))), grid);
-    layout.length = std::max(layout.length, item.x + Fraction(high.x, steps) + edge);
+    int128 x = nearest(at.x + table_.edge(), snap), y = nearest(at.y + table_.edge(), snap);
+    Fraction height = problem_.height;
+    if (problem_.on_sheets()) {
+      const LatticeBox box = box_of(problem_.sheets[layout.sheets[item.sheet]].shape);
+      height = Fraction(box.high.y, steps);
+      x = std::min(x, below(Fraction(box.high.x - high.x, steps) - edge));
+    }
+    y = std::min(y, below(height - edge - Fraction(high.y, steps)));
+    item.x = Fraction(std::max(x, left), grid);
+    item.y = Fraction(std::max(y, bottom), grid);
+    if (item.sheet + 1 >= layout.sheets.size())
+      layout.length = std::max(layout.length, item.x + Fraction(high.x, steps) + edge);
+  }
+
+  void leave_out(Layout& layout, const std::vector<int>& copies) const {
+    for (std::size_t part = 0; part < copies.size(); ++part) {
+      const int missing = problem_.parts[part].demand - copies[part];
+      if (missing <= 0) continue;
+      const bool fits = !table_.variants_of(part).empty();
+      layout.left_out.push_back({part, missing, fits ? "no room was found for it" : "it is larger than every sheet"});
+    }
   }
 
   const Problem& problem_;
   const FieldTable& table_;
+  const Row& row_;
   int digits_ = 0;
 };
 
 }  // namespace
 
-std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const std::vector<Pose>& poses,
-                               double length) {
-  const Finisher finisher(problem, table);
+std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const Row& row,
+                               const std::vector<Pose>& poses, double length) {
+  const Finisher finisher(problem, table, row);
   for (const auto& [steps, keep_contacts] : kLoosenings) {
     std::vector<Pose> moved = poses;
     if (steps > 0)
-      LinearMoves(table).loosen(moved, length, steps * finisher.step(), keep_contacts && finisher.on_grid());
+      LinearMoves(table, row).loosen(moved, length, steps * finisher.step(), keep_contacts && finisher.on_grid());
     Layout layout = finisher.rounded(moved, kSnap + 2 * steps);
     if (verify(problem, layout).feasible()) return layout;
   }
@@ -90,11 +118,13 @@ std::optional<Layout> finished(const Problem& problem, const FieldTable& table, 
 
 Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   Layout layout;
+  Fraction gap = problem.gap;
+  for (const PairGap& pair : problem.pair_gaps) gap = std::max(gap, pair.gap);
   Fraction column = problem.edge, x = problem.edge, y = problem.edge;
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
     if (problem.parts[part].demand == 0) continue;
-    const Fraction angle = table.variants()[table.variants_of(part)[0]].angle;
-    const LatticeBox box = box_of(turned(problem.parts[part].shape, angle, false));
+    const Variant& v = table.variants()[table.variants_of(part)[0]];
+    const LatticeBox box = box_of(turned(problem.parts[part].shape, v.angle, v.mirrored));
     const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
@@ -103,23 +133,24 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
         x = column;
         y = problem.edge;
       }
-      layout.items.push_back({part, copy, angle, false, x - low_x, y - low_y});
-      y = y + height + problem.gap;
-      column = std::max(column, x + width + problem.gap);
+      layout.items.push_back({part, copy, v.angle, v.mirrored, x - low_x, y - low_y});
+      y = y + height + gap;
+      column = std::max(column, x + width + gap);
       layout.length = std::max(layout.length, x + width + problem.edge);
     }
   }
   return layout;
 }
 
-std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Layout& layout) {
+std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout) {
   std::vector<Pose> poses;
   for (const Placed& item : layout.items) {
-    const Polygon shape = turned(problem.parts[item.part].shape, item.angle, false);
+    const Polygon shape = turned(problem.parts[item.part].shape, item.angle, item.mirrored);
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(shape, problem.digits);
     Pose pose{table.variants_of(item.part)[0],
-              {(item.x - problem.edge).to_double(), (item.y - problem.edge).to_double()}};
+              {(item.x - problem.edge).to_double() + row.rooms()[problem.on_sheets() ? item.sheet : 0].x,
+               (item.y - problem.edge).to_double()}};
     for (const std::size_t v : table.variants_of(item.part)) {
       const auto off = table.offset_to(v, mine);
       if (!off) continue;

@@ -15,14 +15,14 @@
 
 namespace findspace::packing {
 
-/// Nothing where the overlaps of the layout are too deep for that.
-std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const std::vector<Pose>& poses,
-                               double length);
+/// Nothing where the overlaps of the layout are too deep for that. What is missing is left out, for the reason given.
+std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const Row& row,
+                               const std::vector<Pose>& poses, double length);
 
-/// Columns of the parts' boxes: feasible always.
+/// Columns of the parts' boxes on a strip: feasible always.
 Layout layout_of_boxes(const Problem& problem, const FieldTable& table);
 
-/// The poses of a layout, in its order.
-std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Layout& layout);
+/// The poses of a layout, in its order. The row begins with the layout's sheets.
+std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout);
 
 }  // namespace findspace::packing

@@ -71,13 +71,14 @@ class Program {
 
 void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, std::size_t b, double trust, Goal goal,
                                double gap, bool on_grid) {
-  const Vec t = poses[b].at - poses[a].at;
+  const Pose &first = poses[a], &second = b < poses.size() ? poses[b] : row_.obstacles()[b - poses.size()];
+  const Vec t = second.at - first.at;
   const auto& variants = table_.variants();
-  const Variant &va = variants[poses[a].variant], &vb = variants[poses[b].variant];
+  const Variant &va = variants[first.variant], &vb = variants[second.variant];
   const double reach = 2 * trust + gap, clearance = reach + 2 * table_.gap();
   if (t.x - clearance > va.high.x - vb.low.x || t.x + clearance < va.low.x - vb.high.x) return;
   if (t.y - clearance > va.high.y - vb.low.y || t.y + clearance < va.low.y - vb.high.y) return;
-  const FieldTable::Link& link = table_.link(poses[a].variant, poses[b].variant);
+  const FieldTable::Link& link = table_.link(first.variant, second.variant);
   const DepthField& field = link.field();
   const Vec at = link.in_field(t);
   const Nearest inside = field.nearest(at);
@@ -98,7 +99,8 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
 void LinearMoves::collect(const std::vector<Pose>& poses, double trust, Goal goal, double gap, bool on_grid) {
   rows_.clear();
   for (std::size_t a = 0; a < poses.size(); ++a)
-    for (std::size_t b = a + 1; b < poses.size(); ++b) collect_pair(poses, a, b, trust, goal, gap, on_grid);
+    for (std::size_t b = a + 1; b < poses.size() + row_.obstacles().size(); ++b)
+      collect_pair(poses, a, b, trust, goal, gap, on_grid);
 }
 
 bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, double trust, Goal goal) {
@@ -106,9 +108,11 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
   const auto& variants = table_.variants();
   for (const Pose& p : poses) {
     const Variant& v = variants[p.variant];
-    program.add_column(std::clamp(-v.low.x - p.at.x, -trust, 0.0), trust, 0);
+    const Room& room = row_.rooms()[row_.room_of(v, p.at)];
+    program.add_column(std::clamp(room.x - v.low.x - p.at.x, -trust, 0.0),
+                       std::clamp(room.x + room.width - v.high.x - p.at.x, 0.0, trust), 0);
     program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
-                       std::clamp(table_.height() - v.high.y - p.at.y, 0.0, trust), 0);
+                       std::clamp(room.height - v.high.y - p.at.y, 0.0, trust), 0);
   }
   program.add_column(0, most, goal == Goal::kSeparate ? kLengthOfOverlap : 1);
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -117,10 +121,12 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
     program.add(program.x(i), -1);
   }
   std::vector<int> slacks;
-  for (const Row& row : rows_) {
+  for (const Bound& row : rows_) {
     program.begin_row(row.need);
-    program.add(program.x(row.b), row.normal.x);
-    program.add(program.y(row.b), row.normal.y);
+    if (row.b < poses.size()) {
+      program.add(program.x(row.b), row.normal.x);
+      program.add(program.y(row.b), row.normal.y);
+    }
     program.add(program.x(row.a), -row.normal.x);
     program.add(program.y(row.a), -row.normal.y);
     if (!row.soft) continue;

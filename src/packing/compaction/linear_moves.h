@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "packing/compaction/free_room.h"
-#include "packing/nfp/field_table.h"
+#include "packing/nfp/row.h"
 
 namespace findspace::packing {
 
 class LinearMoves {
  public:
-  explicit LinearMoves(const FieldTable& table) : table_(table) {}
+  /// Both must live as long.
+  LinearMoves(const FieldTable& table, const Row& row) : table_(table), row_(row) {}
 
   /// Shortens a layout without overlaps until it gains no more; the new length.
   double shorten(std::vector<Pose>& poses, double length);
@@ -28,7 +29,7 @@ class LinearMoves {
   int solved() const { return solved_; }
 
  private:
-  struct Row {
+  struct Bound {
     std::size_t a, b;
     Vec normal;
     double need;          // dot(normal, move of b - move of a) >= need,
@@ -44,7 +45,8 @@ class LinearMoves {
   bool solve(std::vector<Pose>& poses, double& length, double most, double trust, Goal goal);
 
   const FieldTable& table_;
-  std::vector<Row> rows_;
+  const Row& row_;
+  std::vector<Bound> rows_;
   std::vector<HalfPlane> planes_;
   double left_ = 0;  // the sum of what soft rows lack
   int solved_ = 0;

@@ -12,8 +12,8 @@
 namespace findspace::packing {
 namespace {
 
-Variant variant_of(const Problem& problem, std::size_t part, const Fraction& angle) {
-  Variant result{part, angle, {}, {}, search_shape(turned(problem.parts[part].shape, angle, false), problem.digits)};
+Variant variant_of(std::size_t part, const Fraction& angle, bool mirrored, SearchShape shape) {
+  Variant result{part, angle, {}, {}, std::move(shape), mirrored};
   const auto& ring = result.shape.rings[0];
   const auto [left, right] = std::minmax_element(ring.begin(), ring.end());
   const auto lower = [](const auto& p, const auto& q) { return p.second < q.second; };
@@ -22,6 +22,18 @@ Variant variant_of(const Problem& problem, std::size_t part, const Fraction& ang
   result.low = {double(left->first) * step, double(bottom->second) * step};
   result.high = {double(right->first) * step, double(top->second) * step};
   return result;
+}
+
+/// Whether the variant fits the strip's height, or the box of a sheet, between the edges.
+bool fits_somewhere(const Problem& problem, const Variant& v, double height) {
+  if (!problem.on_sheets()) return v.high.y - v.low.y <= height;
+  const double steps = double(problem.steps()), edges = 2 * problem.edge.to_double();
+  const auto fits = [&](const Sheet& sheet) {
+    const LatticeBox box = box_of(sheet.shape);
+    return v.high.x - v.low.x <= double(box.high.x) / steps - edges &&
+           v.high.y - v.low.y <= double(box.high.y) / steps - edges;
+  };
+  return std::any_of(problem.sheets.begin(), problem.sheets.end(), fits);
 }
 
 /// The rings as a set, from the lowest corner on: the same for parts that are translates of one another.
@@ -41,31 +53,58 @@ auto normal_form(const SearchShape& shape) {
 
 }  // namespace
 
-FieldTable::FieldTable(const Problem& problem)
-    : gap_(problem.gap.to_double()),
-      edge_(problem.edge.to_double()),
-      height_((problem.height - problem.edge - problem.edge).to_double()) {
+FieldTable::FieldTable(const Problem& problem) : edge_(problem.edge.to_double()) {
+  double height = problem.height.to_double();
+  for (const Sheet& sheet : problem.sheets)
+    height = std::max(height, double(box_of(sheet.shape).high.y) / double(problem.steps()));
+  height_ = (problem.on_sheets() ? height : problem.height.to_double()) - 2 * edge_;
   of_part_.resize(problem.parts.size());
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
     if (problem.parts[part].demand > 0) add_variants(problem, part);
-  link_pairs();
+  add_obstacles(problem);
+  link_pairs(problem);
 }
 
 /// An angle at which the part looks as at one before adds nothing.
-void FieldTable::add_variants(const Problem& problem, std::size_t part) {
-  bool known = false;
-  for (const Fraction& angle : problem.parts[part].angles) {
-    Variant variant = variant_of(problem, part, angle);
-    if (variant.high.y - variant.low.y > height_) continue;
-    const auto form = normal_form(variant.shape);
-    const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };
-    known = true;
-    if (std::any_of(of_part_[part].begin(), of_part_[part].end(), same)) continue;
-    of_part_[part].push_back(variants_.size());
-    variants_.push_back(std::move(variant));
+void FieldTable::add_variants(const Problem& problem, std::size_t number) {
+  const Part& part = problem.parts[number];
+  for (const bool mirrored : {false, true})
+    for (const Fraction& angle : part.angles) {
+      if (mirrored && !part.mirrored) continue;
+      Variant variant =
+          variant_of(number, angle, mirrored, search_shape(turned(part.shape, angle, mirrored), problem.digits));
+      if (!fits_somewhere(problem, variant, height_)) continue;
+      const auto form = normal_form(variant.shape);
+      const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };
+      if (std::any_of(of_part_[number].begin(), of_part_[number].end(), same)) continue;
+      of_part_[number].push_back(variants_.size());
+      variants_.push_back(std::move(variant));
+    }
+  if (of_part_[number].empty() && !problem.on_sheets())
+    throw Error(ErrorCode::kBadValue, fmt::format("part '{}' is higher than the strip", part.name));
+}
+
+void FieldTable::add_obstacles(const Problem& problem) {
+  for (const Sheet& sheet : problem.sheets) {
+    std::vector<std::size_t>& added = of_sheet_.emplace_back();
+    const auto add = [&](const Polygon& shape, const Zone* zone) {
+      added.push_back(variants_.size());
+      variants_.push_back(variant_of(kNoPart, 0, false, search_shape(shape, problem.digits)));
+      variants_.back().zone = zone;
+    };
+    for (const Polygon& shape : packing::obstacles_of(problem, sheet)) add(shape, nullptr);
+    for (const Zone& zone : sheet.zones) add(zone.shape, &zone);
   }
-  if (!known)
-    throw Error(ErrorCode::kBadValue, fmt::format("part '{}' is higher than the strip", problem.parts[part].name));
+}
+
+/// Nothing where the two may overlap.
+std::optional<double> FieldTable::gap_of(const Problem& problem, const Variant& a, const Variant& b) const {
+  if (a.part == kNoPart && b.part == kNoPart) return std::nullopt;
+  if (a.part != kNoPart && b.part != kNoPart) return problem.gap_of(a.part, b.part).to_double();
+  const Variant &obstacle = a.part == kNoPart ? a : b, &part = a.part == kNoPart ? b : a;
+  if (obstacle.zone == nullptr) return edge_;
+  const auto& kept_out = obstacle.zone->parts;
+  return std::count(kept_out.begin(), kept_out.end(), part.part) > 0 ? std::optional(0.0) : std::nullopt;
 }
 
 std::optional<Vec> FieldTable::offset_to(std::size_t variant, const SearchShape& shape) const {
@@ -83,40 +122,49 @@ std::optional<FieldTable::Opposite> FieldTable::opposite_of(std::size_t variant)
       x = -x;
       y = -y;
     }
+  if (variants_[variant].part == kNoPart) return std::nullopt;
   for (const std::size_t other : of_part_[variants_[variant].part])
     if (const auto off = offset_to(other, opposite)) return Opposite{other, *off};
   return std::nullopt;
 }
 
-void FieldTable::link_pairs() {
+void FieldTable::link_pairs(const Problem& problem) {
   const std::size_t n = variants_.size();
   std::vector<std::optional<Opposite>> opposites;
   for (std::size_t v = 0; v < n; ++v) opposites.push_back(opposite_of(v));
   links_ = std::vector<Link>(n * n);
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < n; ++b) {
+      link_pair(opposites, a, b);
       Link& link = links_[a * n + b];
-      link.sign_ = a <= b ? 1 : -1;
-      std::size_t first = std::min(a, b), second = std::max(a, b);
-      if (opposites[a] && opposites[b]) {
-        const auto [x, y] = std::minmax(opposites[a]->variant, opposites[b]->variant);
-        if (std::pair(x, y) < std::pair(first, second)) {
-          link.sign_ = opposites[a]->variant <= opposites[b]->variant ? -1 : 1;
-          link.shift_ = -link.sign_ * (opposites[b]->off - opposites[a]->off);
-          first = x;
-          second = y;
-        }
-      }
-      link.first_ = std::uint32_t(first);
-      link.second_ = std::uint32_t(second);
+      const std::optional<double> gap = gap_of(problem, variants_[a], variants_[b]);
+      if (!gap) link.field_ = &nothing_;
+      link.gap_ = gap.value_or(0);
+      gap_ = std::max(gap_, link.gap_);
     }
+}
+
+void FieldTable::link_pair(const std::vector<std::optional<Opposite>>& opposites, std::size_t a, std::size_t b) {
+  Link& link = links_[a * variants_.size() + b];
+  link.sign_ = a <= b ? 1 : -1;
+  link.first_ = std::uint32_t(std::min(a, b));
+  link.second_ = std::uint32_t(std::max(a, b));
+  if (!opposites[a] || !opposites[b]) return;
+  const auto [first, second] = std::minmax(opposites[a]->variant, opposites[b]->variant);
+  if (std::pair<std::size_t, std::size_t>(first, second) >=
+      std::pair<std::size_t, std::size_t>(link.first_, link.second_))
+    return;
+  link.sign_ = opposites[a]->variant <= opposites[b]->variant ? -1 : 1;
+  link.shift_ = -link.sign_ * (opposites[b]->off - opposites[a]->off);
+  link.first_ = std::uint32_t(first);
+  link.second_ = std::uint32_t(second);
 }
 
 void FieldTable::make(const Link& link) const {
   const Link& whole = links_[link.first_ * variants_.size() + link.second_];
   if (whole.field_.load(std::memory_order_acquire) == nullptr) {
     auto made = std::make_unique<const DepthField>(
-        no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, gap_));
+        no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, link.gap_));
     const std::lock_guard lock(guard_);
     if (whole.field_.load(std::memory_order_acquire) == nullptr) {
       whole.field_.store(made.get(), std::memory_order_release);

@@ -18,11 +18,14 @@
 namespace findspace::packing {
 
 struct Variant {
-  std::size_t part = 0;
+  std::size_t part = 0;  // kNoPart: an obstacle of a sheet
   Fraction angle;
   Vec low, high;  // the box of the part about its origin
   SearchShape shape;
+  bool mirrored = false;
+  const Zone* zone = nullptr;  // of an obstacle that keeps out some parts only
 };
+inline constexpr std::size_t kNoPart = std::size_t(-1);
 
 /// A part where it stands, relative to the corner between the edges.
 struct Pose {
@@ -32,15 +35,19 @@ struct Pose {
 
 class FieldTable {
  public:
-  /// Throws Error(kBadValue) where a part is higher than the strip at every angle.
+  /// Throws Error(kBadValue) where a part is higher than the strip at every angle. A part that fits no sheet has no
+  /// variants. The problem must live as long as the table.
   explicit FieldTable(const Problem& problem);
 
-  /// Between the edges.
+  /// Between the edges; of the highest sheet.
   double height() const { return height_; }
+  /// The widest gap of any two.
   double gap() const { return gap_; }
   double edge() const { return edge_; }
   const std::vector<Variant>& variants() const { return variants_; }
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
+  /// The obstacles and zones of a kind of sheet.
+  const std::vector<std::size_t>& obstacles_of(std::size_t kind) const { return of_sheet_[kind]; }
 
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
@@ -56,7 +63,7 @@ class FieldTable {
    private:
     friend class FieldTable;
     mutable std::atomic<const DepthField*> field_ = nullptr;
-    double sign_ = 1;
+    double sign_ = 1, gap_ = 0;
     Vec shift_;
     std::uint32_t first_ = 0, second_ = 0;  // the pair whose field it is
   };
@@ -78,13 +85,17 @@ class FieldTable {
 
   void make(const Link& link) const;
   void add_variants(const Problem& problem, std::size_t part);
-  void link_pairs();
+  void add_obstacles(const Problem& problem);
+  void link_pairs(const Problem& problem);
+  void link_pair(const std::vector<std::optional<Opposite>>& opposites, std::size_t a, std::size_t b);
+  std::optional<double> gap_of(const Problem& problem, const Variant& a, const Variant& b) const;
   std::optional<Opposite> opposite_of(std::size_t variant) const;
 
-  double gap_, edge_, height_;
+  double gap_ = 0, edge_ = 0, height_ = 0;
   std::vector<Variant> variants_;
-  std::vector<std::vector<std::size_t>> of_part_;
+  std::vector<std::vector<std::size_t>> of_part_, of_sheet_;
   std::vector<Link> links_;
+  DepthField nothing_{NoFitPolygon{}};  // of two that never collide
   mutable std::vector<std::unique_ptr<const DepthField>> made_;
   mutable std::mutex guard_;
 };

@@ -92,6 +92,35 @@ LatticePoint turned(const LatticePoint& p, const Fraction& angle) {
 
 }  // namespace
 
+Fraction Problem::gap_of(std::size_t first, std::size_t second) const {
+  Fraction result = gap;
+  for (const PairGap& pair : pair_gaps)
+    if ((pair.first == first && pair.second == second) || (pair.first == second && pair.second == first))
+      result = std::max(result, pair.gap);
+  return result;
+}
+
+std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet) {
+  std::vector<Polygon> result;
+  const LatticeBox box = box_of(sheet.shape);
+  const Ring& outline = sheet.shape.rings[0];
+  const Ring corners{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  const auto is_corner = [&](const LatticePoint& p) { return std::count(corners.begin(), corners.end(), p) > 0; };
+  if (outline.size() != 4 || !std::all_of(outline.begin(), outline.end(), is_corner)) {
+    const int128 out = bounded_product(problem.steps(), int128(std::ceil(problem.edge.to_double())) + 1);
+    Polygon frame;
+    frame.rings.push_back({{box.low.x - out, box.low.y - out},
+                           {box.high.x + out, box.low.y - out},
+                           {box.high.x + out, box.high.y + out},
+                           {box.low.x - out, box.high.y + out}});
+    frame.rings.emplace_back(outline.rbegin(), outline.rend());
+    result.push_back(std::move(frame));
+  }
+  for (std::size_t hole = 1; hole < sheet.shape.rings.size(); ++hole)
+    result.push_back({{Ring(sheet.shape.rings[hole].rbegin(), sheet.shape.rings[hole].rend())}});
+  return result;
+}
+
 std::size_t Problem::items() const {
   std::size_t count = 0;
   for (const Part& part : parts) count += std::size_t(part.demand);
@@ -139,6 +168,25 @@ double area(const Problem& problem) {
   double sum = 0;
   const double steps = double(problem.steps());
   for (const Part& part : problem.parts) sum += part.demand * (twice_area(part.shape) / 2 / steps / steps);
+  return sum;
+}
+
+double area(const Problem& problem, const Layout& layout) {
+  double sum = 0;
+  const double steps = double(problem.steps());
+  for (const Placed& item : layout.items) sum += twice_area(problem.parts[item.part].shape) / 2 / steps / steps;
+  return sum;
+}
+
+double room(const Problem& problem, const Layout& layout) {
+  if (!problem.on_sheets()) return height_of(problem, layout).to_double() * layout.length.to_double();
+  const double steps = double(problem.steps());
+  double sum = 0;
+  for (std::size_t k = 0; k < layout.sheets.size(); ++k) {
+    const Polygon& shape = problem.sheets[layout.sheets[k]].shape;
+    const double whole = twice_area(shape) / 2 / steps / steps, width = double(box_of(shape).high.x) / steps;
+    sum += k + 1 == layout.sheets.size() && width > 0 ? whole * (layout.length.to_double() / width) : whole;
+  }
   return sum;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Packing problems and layouts as values. A strip lies at 0 <= y <= height and 0 <= x <= length; its length is sought.
+// Sheets have a box from (0, 0) on, an outline in it, and zones that some parts may not enter. Of sheets the fewest are
+// sought, the last as empty as possible; where they cannot hold all parts, the most valuable choice of parts.
 // Parts are closed polygons with holes on a decimal grid: coordinates are integers of 10^-digits. A point q of a part
 // goes to at + R(angle) M q: M turns x into -x where mirrored, R turns counter-clockwise about the part's origin.
 // Where an angle is no multiple of 90 degrees the turned part has its vertices rounded to the grid, and is exact from
@@ -37,15 +39,44 @@ struct Part {
   int demand = 1;
   Polygon shape;
   std::vector<Fraction> angles = {0};  // degrees
+  bool mirrored = false;               // whether it may be turned over as well
+  std::optional<Fraction> value = {};  // of a copy, where not all fit; without it its area
+};
+
+/// What parts of some kinds, or of all, may not enter.
+struct Zone {
+  Polygon shape;
+  std::vector<std::size_t> parts;  // that it keeps out
+};
+
+struct Sheet {
+  std::string name;
+  int count = 1;                 // how many there are
+  std::optional<Fraction> cost;  // of one: cheap ones for their area are used first; else they are used in order
+  Polygon shape;                 // its outline and holes; the box begins at (0, 0)
+  std::vector<Zone> zones = {};
+};
+
+/// Copies of two parts keep this distance, where it is more than the gap of all.
+struct PairGap {
+  std::size_t first = 0, second = 0;
+  Fraction gap;
 };
 
 struct Problem {
   std::string name;
-  int digits = 0;  // the grid: steps of 10^-digits
-  Fraction height;
+  int digits = 0;             // the grid: steps of 10^-digits
+  Fraction height;            // of a strip
+  std::vector<Sheet> sheets;  // instead of a strip, or
+  bool box = false;           // a rectangle of the least area, whose height is sought as well
   std::vector<Part> parts;
   Fraction gap;   // the least distance of any two parts; at 0 they may touch
-  Fraction edge;  // the least distance of a part to the sides of the strip, its ends among them
+  Fraction edge;  // the least distance of a part to the sides of the strip, its ends among them; to a sheet's outline
+  std::vector<PairGap> pair_gaps;
+
+  bool on_sheets() const { return !sheets.empty(); }
+  /// The least distance of copies of two parts.
+  Fraction gap_of(std::size_t first, std::size_t second) const;
 
   int128 steps() const { return power_of_ten(digits); }  // in a unit
   std::size_t items() const;                             // the sum of demands
@@ -57,6 +88,7 @@ struct Placed {
   Fraction angle;
   bool mirrored = false;
   Fraction x, y;
+  std::size_t sheet = 0;  // of the layout's
 };
 
 struct LeftOut {
@@ -66,9 +98,11 @@ struct LeftOut {
 };
 
 struct Layout {
-  Fraction length;
+  Fraction length;  // of the strip; of the last sheet what is used, its edge included
   std::vector<Placed> items;
   std::vector<LeftOut> left_out;
+  std::vector<std::size_t> sheets = {};  // the kind of each sheet that is used
+  Fraction height = {};                  // of the box, where one is sought
 };
 
 /// The outline as a polygon of the grid: directions made right, repeated points dropped. Throws Error(kGeometry) where
@@ -81,9 +115,20 @@ bool is_quarter(const Fraction& angle);
 /// The part turned by an angle and mirrored before, on the grid.
 Polygon turned(const Polygon& shape, const Fraction& angle, bool mirrored);
 
+/// What of the plane is no place for a part on this sheet: a frame about the outline, unless that is a rectangle, and
+/// each hole. The frame reaches far enough beyond the edge.
+std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet);
+
 /// Twice the area, in grid steps.
 double twice_area(const Polygon& shape);
-/// The area of all copies, in square units.
+/// The area of all copies, and of those in a layout, in square units.
 double area(const Problem& problem);
+double area(const Problem& problem, const Layout& layout);
+/// Of the strip or box.
+inline const Fraction& height_of(const Problem& problem, const Layout& layout) {
+  return problem.box ? layout.height : problem.height;
+}
+/// What a layout's container holds: the strip up to its length; its sheets, the last up to what is used of it.
+double room(const Problem& problem, const Layout& layout);
 
 }  // namespace findspace::packing

@@ -19,12 +19,19 @@ bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
   return a.low.x - gap < b.high.x && b.low.x - gap < a.high.x && a.low.y - gap < b.high.y && b.low.y - gap < a.high.y;
 }
 
+/// A sheet in the common steps.
+struct Room {
+  LatticeBox box;
+  std::vector<Polygon> obstacles, zones;
+};
+
 class Check {
  public:
   Check(const Problem& problem, const Layout& layout) : problem_(problem), layout_(layout) {
-    common_ =
-        common_multiple(problem.steps(), common_multiple(problem.height.denominator(), layout.length.denominator()));
+    common_ = common_multiple(problem.steps(),
+                              common_multiple(height_of(problem, layout).denominator(), layout.length.denominator()));
     common_ = common_multiple(common_, common_multiple(problem.gap.denominator(), problem.edge.denominator()));
+    for (const PairGap& pair : problem.pair_gaps) common_ = common_multiple(common_, pair.gap.denominator());
     for (const Placed& item : layout.items)
       common_ = common_multiple(common_multiple(common_, item.x.denominator()), item.y.denominator());
     for (const Placed& item : layout.items) add(item);
@@ -32,16 +39,16 @@ class Check {
 
   Verdict verdict() {
     count_copies();
+    count_sheets();
     int128 used = 0;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       check_inside(i);
-      used = std::max(used, boxes_[i].high.x);
-      area_ += twice_area(shapes_[i]) / 2 / double(common_) / double(common_);
+      if (sheet_of(i) + 1 >= layout_.sheets.size()) used = std::max(used, boxes_[i].high.x);
     }
     check_pairs();
     result_.used = Fraction(used, common_);
-    const double room = problem_.height.to_double() * layout_.length.to_double();
-    result_.density = room > 0 ? area_ / room : 0;
+    const double room = packing::room(problem_, layout_);
+    result_.density = room > 0 ? area(problem_, layout_) / room : 0;
     std::stable_sort(result_.faults.begin(), result_.faults.end(),
                      [](const Fault& f, const Fault& g) { return f.depth > g.depth; });
     return std::move(result_);
@@ -49,13 +56,35 @@ class Check {
 
  private:
   void add(const Placed& item) {
-    Polygon shape = turned(problem_.parts[item.part].shape, item.angle, item.mirrored);
+    shapes_.push_back(scaled(turned(problem_.parts[item.part].shape, item.angle, item.mirrored),
+                             {item.x.over(common_), item.y.over(common_)}));
+    boxes_.push_back(box_of(shapes_.back()));
+  }
+
+  Polygon scaled(Polygon shape, const LatticePoint& at) const {
     const int128 scale = common_ / problem_.steps();
-    const LatticePoint at{item.x.over(common_), item.y.over(common_)};
     for (Ring& ring : shape.rings)
       for (LatticePoint& p : ring) p = LatticePoint{bounded_product(p.x, scale), bounded_product(p.y, scale)} + at;
-    boxes_.push_back(box_of(shape));
-    shapes_.push_back(std::move(shape));
+    return shape;
+  }
+
+  std::size_t sheet_of(std::size_t i) const { return layout_.items[i].sheet; }
+
+  /// No more sheets of a kind than there are, and every item on one of them.
+  void count_sheets() {
+    std::vector<int> left;
+    for (const Sheet& sheet : problem_.sheets) left.push_back(sheet.count);
+    for (const std::size_t kind : layout_.sheets) --left[kind];
+    for (std::size_t kind = 0; kind < left.size(); ++kind)
+      if (left[kind] < 0)
+        result_.faults.push_back({.kind = Fault::Kind::kSheets, .first = kind, .depth = -double(left[kind])});
+    for (const std::size_t kind : layout_.sheets) {
+      Room& room = rooms_.emplace_back();
+      const Sheet& sheet = problem_.sheets[kind];
+      room.box = box_of(scaled(sheet.shape, {}));
+      for (const Polygon& obstacle : obstacles_of(problem_, sheet)) room.obstacles.push_back(scaled(obstacle, {}));
+      for (const Zone& zone : sheet.zones) room.zones.push_back(scaled(zone.shape, {}));
+    }
   }
 
   void count_copies() {
@@ -67,7 +96,7 @@ class Check {
       --left[item.part];
       const auto& angles = problem_.parts[item.part].angles;
       const auto same = [&](const Fraction& angle) { return same_angle(angle, item.angle); };
-      if (item.mirrored || std::none_of(angles.begin(), angles.end(), same))
+      if ((item.mirrored && !problem_.parts[item.part].mirrored) || std::none_of(angles.begin(), angles.end(), same))
         result_.faults.push_back({.kind = Fault::Kind::kAngle, .first = i});
     }
     for (std::size_t p = 0; p < left.size(); ++p)
@@ -80,16 +109,42 @@ class Check {
   }
 
   void check_inside(std::size_t i) {
+    const bool on_sheets = problem_.on_sheets();
+    if (on_sheets && sheet_of(i) >= rooms_.size()) return outside(i, 0);
     const LatticeBox& box = boxes_[i];
-    const int128 right = layout_.length.over(common_), top = problem_.height.over(common_);
+    const int128 right = on_sheets ? rooms_[sheet_of(i)].box.high.x : layout_.length.over(common_);
+    const int128 top = on_sheets ? rooms_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
     const int128 out =
         problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
-    if (out <= 0) return;
+    if (out > 0) return outside(i, double(out) / double(common_));
+    if (on_sheets) check_sheet(i, rooms_[sheet_of(i)]);
+  }
+
+  void outside(std::size_t i, double depth) {
     result_.faults.push_back({.kind = Fault::Kind::kOutside,
                               .first = i,
-                              .depth = double(out) / double(common_),
+                              .depth = depth,
                               .x = layout_.items[i].x.to_double(),
                               .y = layout_.items[i].y.to_double()});
+  }
+
+  void check_sheet(std::size_t i, const Room& room) {
+    const int128 edge = problem_.edge.over(common_);
+    for (const Polygon& obstacle : room.obstacles) {
+      if (!meet(boxes_[i], box_of(obstacle), edge)) continue;
+      if (interiors_meet(shapes_[i], obstacle) || (edge > 0 && are_nearer(shapes_[i], obstacle, edge)))
+        return outside(i, 0);
+    }
+    const auto& zones = problem_.sheets[layout_.sheets[sheet_of(i)]].zones;
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      const auto& kept_out = zones[z].parts;
+      if (std::count(kept_out.begin(), kept_out.end(), layout_.items[i].part) == 0) continue;
+      if (!interiors_meet(shapes_[i], room.zones[z])) continue;
+      result_.faults.push_back({.kind = Fault::Kind::kZone,
+                                .first = i,
+                                .x = layout_.items[i].x.to_double(),
+                                .y = layout_.items[i].y.to_double()});
+    }
   }
 
   void check_pairs() {
@@ -102,7 +157,8 @@ class Check {
   }
 
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
-    const int128 gap = problem_.gap.over(common_);
+    if (sheet_of(i) != sheet_of(j)) return std::nullopt;
+    const int128 gap = problem_.gap_of(layout_.items[i].part, layout_.items[j].part).over(common_);
     if (!meet(boxes_[i], boxes_[j], gap)) return std::nullopt;
     if (interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
     if (gap == 0 || !are_nearer(shapes_[i], shapes_[j], gap)) return std::nullopt;
@@ -135,7 +191,7 @@ class Check {
   int128 common_ = 1;  // all coordinates are integers over this
   std::vector<Polygon> shapes_;
   std::vector<LatticeBox> boxes_;
-  double area_ = 0;
+  std::vector<Room> rooms_;
   Verdict result_;
 };
 

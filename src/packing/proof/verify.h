@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Whether a layout keeps its promises: every part inside the strip by its edge, no two interiors meeting,
-// gaps as wide as asked for, allowed angles, and the
-// right number of copies. Guarantee: exact, on the original shapes; only depths are doubles. Cost: the pairs of parts
+// Whether a layout keeps its promises: every part inside the strip or its sheet by the edge and outside the zones that
+// keep it out, no two interiors meeting, gaps as wide as asked for, allowed angles, and the right number of copies and
+// sheets. Guarantee: exact, on the original shapes; only depths are doubles. Cost: the pairs of parts
 // whose boxes meet. Keywords: layout validation, nesting check.
 #pragma once
 
@@ -14,18 +14,18 @@
 namespace findspace::packing {
 
 struct Fault {
-  enum class Kind { kOverlap, kGap, kOutside, kAngle, kCount };
+  enum class Kind { kOverlap, kGap, kOutside, kAngle, kZone, kCount, kSheets };
   Kind kind = Kind::kOverlap;
-  std::size_t first = 0,
-              second = 0;  // kOverlap, kGap: items of the layout; kOutside, kAngle: first; kCount: first is a part
-  double depth = 0;        // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
-  double x = 0, y = 0;     // where, but of kAngle and kCount
+  /// kOverlap, kGap: items of the layout; kOutside, kAngle, kZone: an item; kCount: a part; kSheets: a kind of sheet.
+  std::size_t first = 0, second = 0;
+  double depth = 0;     // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
+  double x = 0, y = 0;  // where, but of kAngle and kCount
 };
 
 struct Verdict {
   std::vector<Fault> faults;  // the deepest first
-  Fraction used;              // the greatest x of a part
-  double density = 0;         // of the parts in the layout's strip
+  Fraction used;              // the greatest x of a part; on the last sheet
+  double density = 0;         // of the parts in the layout's strip or sheets
 
   bool feasible() const { return faults.empty(); }
 };

@@ -19,16 +19,20 @@ constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kDecay = 0.95;
 
 }  // namespace
 
-Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, double length)
+Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Pose> poses, double length)
     : table_(&table),
+      row_(&row),
+      size_(poses.size()),
       poses_(std::move(poses)),
       length_(length),
       shallow_(table.height() * margin::kNoOverlap),
       slack_(std::max(length, table.height()) * margin::kBoxRounding) {
+  poses_.insert(poses_.end(), row.obstacles().begin(), row.obstacles().end());
   const std::size_t n = poses_.size();
   constexpr float kFar = std::numeric_limits<float>::infinity();
   const Lanes far{kFar, kFar, kFar, kFar};
   boxes_.assign((n + kLanes - 1) / kLanes, {far, far, -far, -far});
+  for (std::size_t i = size_; i < n; ++i) move(i, poses_[i]);
   depths_.resize(n);
   near_.resize(n + 1);
   looks_.resize(n);
@@ -37,32 +41,56 @@ Arrangement::Arrangement(const FieldTable& table, std::vector<Pose> poses, doubl
 }
 
 void Arrangement::reset_weights() {
-  weights_.assign(size() * size(), 1);
+  weights_.assign(poses_.size() * poses_.size(), 1);
   strip_weights_.assign(size(), 1);
 }
 
-Vec Arrangement::least_position(std::size_t variant) const {
-  const Variant& v = table_->variants()[variant];
-  return {-v.low.x, -v.low.y};
-}
-
-Vec Arrangement::greatest_position(std::size_t variant) const {
-  const Variant& v = table_->variants()[variant];
-  return {length_ - v.high.x, table_->height() - v.high.y};
+void Arrangement::find_ranges() {
+  ranges_.clear();
+  first_range_.assign(1, 0);
+  excess_.clear();
+  for (const Variant& v : table_->variants()) {
+    Range tightest;
+    double least_excess = std::numeric_limits<double>::infinity();
+    for (const Room& room : row_->rooms()) {
+      const double end = std::min(room.x + room.width, length_);
+      const Range range{{room.x - v.low.x, -v.low.y}, {end - v.high.x, room.height - v.high.y}};
+      if (range.low.y > range.high.y) continue;
+      if (range.low.x <= range.high.x)
+        ranges_.push_back(range);
+      else if (range.low.x - range.high.x < least_excess)
+        least_excess = (tightest = range).low.x - range.high.x;
+    }
+    const bool fits = ranges_.size() > first_range_.back();
+    if (!fits) ranges_.push_back(tightest);
+    excess_.push_back(fits || v.part == kNoPart ? 0 : least_excess);
+    first_range_.push_back(std::uint32_t(ranges_.size()));
+  }
 }
 
 Vec Arrangement::inside(std::size_t variant, Vec at) const {
-  const Vec least = least_position(variant), most = greatest_position(variant);
-  return {std::max(least.x, std::min(at.x, most.x)), std::max(least.y, std::min(at.y, most.y))};
+  const auto into = [&](const Range& range) {
+    return Vec{std::max(range.low.x, std::min(at.x, range.high.x)),
+               std::max(range.low.y, std::min(at.y, range.high.y))};
+  };
+  Vec best = into(ranges_[first_range_[variant]]);
+  for (std::uint32_t k = first_range_[variant] + 1; k < first_range_[variant + 1]; ++k) {
+    const Vec other = into(ranges_[k]), off = other - at, least = best - at;
+    if (std::abs(off.x) + std::abs(off.y) < std::abs(least.x) + std::abs(least.y)) best = other;
+  }
+  return best;
 }
 
-double Arrangement::excess(std::size_t variant) const {
-  return std::max(0.0, least_position(variant).x - greatest_position(variant).x);
+Vec Arrangement::random_position(std::size_t variant, Random& random) const {
+  const std::uint32_t first = first_range_[variant], count = first_range_[variant + 1] - first;
+  const Range& range = ranges_[first + (count > 1 ? random.below(count) : 0)];
+  return {std::max(range.low.x, random.between(range.low.x, range.high.x)), random.between(range.low.y, range.high.y)};
 }
 
 void Arrangement::set_length(double length) {
   length_ = length;
-  set_poses(std::vector<Pose>(poses_));
+  find_ranges();
+  set_poses(poses());
 }
 
 void Arrangement::set_poses(const std::vector<Pose>& poses) {
@@ -110,7 +138,7 @@ std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose
 }
 
 double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
-  const double* weights = &weights_[i * size()];
+  const double* weights = &weights_[i * poses_.size()];
   const double out = excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
   std::size_t count = 0;
@@ -171,9 +199,9 @@ void Arrangement::update_weights() {
   for (const Overlap& o : overlaps_) deepest = std::max(deepest, o.depth);
   for (const Overlap& o : overlaps_) {
     const double growth = kLeastGrowth + (kMostGrowth - kLeastGrowth) * o.depth / deepest;
-    const double weight = weights_[o.i * size() + o.j] * growth / kDecay;
-    weights_[o.i * size() + o.j] = weight;
-    weights_[o.j * size() + o.i] = weight;
+    const double weight = weights_[o.i * poses_.size() + o.j] * growth / kDecay;
+    weights_[o.i * poses_.size() + o.j] = weight;
+    weights_[o.j * poses_.size() + o.i] = weight;
   }
   for (double& w : weights_) w = std::max(1.0, w * kDecay);
   for (std::size_t i = 0; i < size(); ++i)

@@ -3,36 +3,37 @@
 //
 // Parts in a strip of a given length, perhaps overlapping: depths, weighted costs of positions, and the weights that
 // grow where an overlap persists. Cost of a position: the weighted sum of the depths. Where a part is longer than the
-// strip at its angle, the excess counts as an overlap with the strip. Guarantee: none; it is a search's state.
-// Keywords: guided local search, overlap minimisation.
+// strip at its angle, the excess counts as an overlap with the strip. Obstacles of sheets are parts that never move.
+// Guarantee: none; it is a search's state. Keywords: guided local search, overlap minimisation.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "packing/nfp/field_table.h"
+#include "packing/nfp/row.h"
+#include "packing/search/random.h"
 
 namespace findspace::packing {
 
 class Arrangement {
  public:
-  Arrangement(const FieldTable& table, std::vector<Pose> poses, double length);
+  /// The table and the row must live as long.
+  Arrangement(const FieldTable& table, const Row& row, std::vector<Pose> poses, double length);
 
-  std::size_t size() const { return poses_.size(); }
+  /// Of parts; obstacles have numbers from here on.
+  std::size_t size() const { return size_; }
   const FieldTable& table() const { return *table_; }
-  const std::vector<Pose>& poses() const { return poses_; }
+  std::vector<Pose> poses() const { return {poses_.begin(), poses_.begin() + std::ptrdiff_t(size_)}; }
   const Pose& pose(std::size_t i) const { return poses_[i]; }
   double length() const { return length_; }
   /// Parts that stick out are moved in.
   void set_length(double length);
   void set_poses(const std::vector<Pose>& poses);
   void move(std::size_t i, const Pose& pose);
-  /// The nearest position of the variant within the strip.
+  /// The nearest position of the variant within a room.
   Vec inside(std::size_t variant, Vec at) const;
-  /// Where a variant may stand: from the first corner to the second; crossed where it does not fit.
-  Vec least_position(std::size_t variant) const;
-  Vec greatest_position(std::size_t variant) const;
+  Vec random_position(std::size_t variant, Random& random) const;
 
   /// The weighted cost of an item at a pose, or something not below `bound` where it is not below. Lower bounds of the
   /// depths come first, and exact ones only while the pose can still be better than `bound`.
@@ -45,7 +46,7 @@ class Arrangement {
     Vec move, line;  // to the nearest free position with respect to j; along the edge there
   };
   Exit exit(const Pose& pose, std::size_t j) const;
-  double weight(std::size_t i, std::size_t j) const { return weights_[i * size() + j]; }
+  double weight(std::size_t i, std::size_t j) const { return weights_[i * poses_.size() + j]; }
 
   /// The sum of all depths; fills depth_of(i), the sum of those of an item.
   double loss();
@@ -80,10 +81,21 @@ class Arrangement {
   /// Calls meet(j) for the other items whose boxes meet that of the pose, in order, until it says false.
   template <class Meet>
   void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
-  double excess(std::size_t variant) const;
+  /// Where a variant may stand in a room: from the first corner to the second; crossed where it fits none.
+  struct Range {
+    Vec low, high;
+  };
+  /// Those of a variant are ranges_[first_range_[v]] to ranges_[first_range_[v + 1]].
+  void find_ranges();
+  double excess(std::size_t variant) const { return excess_[variant]; }
 
   const FieldTable* table_;
+  const Row* row_;
+  std::size_t size_;
   std::vector<Pose> poses_;
+  std::vector<Range> ranges_;
+  std::vector<std::uint32_t> first_range_;
+  std::vector<double> excess_;
   double length_, shallow_, slack_;
   std::vector<BoxBlock> boxes_;
   std::vector<double> weights_, strip_weights_, depths_;

@@ -6,68 +6,86 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "exact/margins/packing.h"
 
 namespace findspace::packing {
 namespace {
 
-constexpr std::size_t kMostCorners = 40;   // of a no-fit polygon
+constexpr std::size_t kMostCorners = 40, kAllCorners = 100000;  // of a no-fit polygon
 constexpr std::size_t kMostVariants = 64;  // beyond that a part stands at its first angle: fewer no-fit polygons
 
 class Builder {
  public:
-  Builder(const Problem& problem, const FieldTable& table)
-      : problem_(problem), table_(table), shallow_(table.height() * margin::kNoOverlap) {}
+  Builder(const Problem& problem, const FieldTable& table, const Row& row)
+      : problem_(problem), table_(table), row_(row), shallow_(table.height() * margin::kNoOverlap) {}
 
-  DoubleLayout build() {
+  /// The largest first, or those of the highest value for their area.
+  FirstLayout build(const std::vector<double>& values) {
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) order.push_back(p);
-    const auto larger = [&](std::size_t p, std::size_t q) {
-      return twice_area(problem_.parts[p].shape) > twice_area(problem_.parts[q].shape);
-    };
-    std::stable_sort(order.begin(), order.end(), larger);
+    const auto first = [&](std::size_t p, std::size_t q) { return values[p] > values[q]; };
+    std::stable_sort(order.begin(), order.end(), first);
     for (const std::size_t part : order)
-      for (int copy = 0; copy < problem_.parts[part].demand; ++copy) place(part);
-    return std::move(layout_);
+      for (int copy = 0; copy < problem_.parts[part].demand; ++copy)
+        if (!place(part)) result_.left.push_back(part);
+    return std::move(result_);
   }
 
  private:
-  void place(std::size_t part) {
+  bool place(std::size_t part) {
     const bool many = table_.variants().size() > kMostVariants;
-    Pose best;
+    std::optional<Pose> best;
     double right = std::numeric_limits<double>::infinity();
     for (const std::size_t v : table_.variants_of(part)) {
-      const Pose pose{v, leftmost(v)};
-      if (const double end = pose.at.x + table_.variants()[v].high.x; end < right) {
-        right = end;
-        best = pose;
+      const std::optional<Vec> at = leftmost(v);
+      if (at && at->x + table_.variants()[v].high.x < right) {
+        right = at->x + table_.variants()[v].high.x;
+        best = Pose{v, *at};
       }
-      if (many) break;
+      if (many && best) break;
     }
-    layout_.poses.push_back(best);
-    layout_.length = std::max(layout_.length, right);
+    if (!best) return false;
+    result_.layout.poses.push_back(*best);
+    result_.layout.length = std::max(result_.layout.length, right);
+    return true;
   }
 
-  Vec leftmost(std::size_t v) const {
+  bool is_in_room(const Variant& shape, Vec at) const {
+    const Room& room = row_.rooms()[row_.room_of(shape, at)];
+    return at.x >= room.x - shape.low.x && at.x <= room.x + room.width - shape.high.x && at.y >= -shape.low.y &&
+           at.y <= room.height - shape.high.y;
+  }
+
+  std::optional<Vec> leftmost(std::size_t v) const {
     const Variant& shape = table_.variants()[v];
-    std::vector<Vec> corners{{-shape.low.x, -shape.low.y}, {-shape.low.x, table_.height() - shape.high.y}};
-    for (const Pose& other : layout_.poses) add_corners(v, other, corners);
+    std::vector<Vec> corners;
+    for (const Room& room : row_.rooms()) {
+      corners.push_back({room.x - shape.low.x, -shape.low.y});
+      corners.push_back({room.x - shape.low.x, room.height - shape.high.y});
+    }
+    for (const Pose& other : result_.layout.poses) add_corners(v, other, kMostCorners, corners);
+    for (const Pose& obstacle : row_.obstacles()) add_corners(v, obstacle, kAllCorners, corners);
+    if (problem_.on_sheets())
+      std::erase_if(corners, [&](Vec at) { return !is_in_room(shape, at); });
+    else
+      corners.push_back({result_.layout.length + 1.01 * table_.gap() - shape.low.x, -shape.low.y});
     std::sort(corners.begin(), corners.end(), [](Vec p, Vec q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     for (const Vec at : corners)
       if (is_free({v, at})) return at;
-    return {layout_.length + 1.01 * table_.gap() - shape.low.x, -shape.low.y};
+    return std::nullopt;
   }
 
-  void add_corners(std::size_t v, const Pose& other, std::vector<Vec>& corners) const {
+  void add_corners(std::size_t v, const Pose& other, std::size_t most, std::vector<Vec>& corners) const {
     const Variant& shape = table_.variants()[v];
     const FieldTable::Link& link = table_.link(other.variant, v);
     const NoFitPolygon& polygon = link.field().polygon();
     const Vec shift = link.in_field({});
-    const std::size_t stride = (polygon.edges.size() + kMostCorners - 1) / kMostCorners;
+    const std::size_t stride = (polygon.edges.size() + most - 1) / most;
     for (std::size_t e = 0; e < polygon.edges.size(); e += std::max<std::size_t>(stride, 1)) {
       const Vec at = other.at + link.turned(polygon.edges[e].from - shift);
-      if (at.x >= -shape.low.x && at.y >= -shape.low.y && at.y <= table_.height() - shape.high.y) corners.push_back(at);
+      if (is_in_room(shape, at)) corners.push_back(at);
     }
     // The right end of the polygon at the lower side: a place beside the other part.
     const double beside = std::max(link.turned(polygon.high - shift).x, link.turned(polygon.low - shift).x);
@@ -76,17 +94,41 @@ class Builder {
 
   bool is_free(const Pose& pose) const {
     const auto apart = [&](const Pose& other) { return table_.depth(pose, other) <= shallow_; };
-    return std::all_of(layout_.poses.rbegin(), layout_.poses.rend(), apart);
+    const auto& poses = result_.layout.poses;
+    return std::all_of(poses.rbegin(), poses.rend(), apart) &&
+           std::all_of(row_.obstacles().begin(), row_.obstacles().end(), apart);
   }
 
   const Problem& problem_;
   const FieldTable& table_;
+  const Row& row_;
   double shallow_;
-  DoubleLayout layout_;
+  FirstLayout result_;
 };
 
 }  // namespace
 
-DoubleLayout first_layout(const Problem& problem, const FieldTable& table) { return Builder(problem, table).build(); }
+std::vector<double> values_of(const Problem& problem) {
+  std::vector<double> values;
+  const double steps = double(problem.steps());
+  for (const Part& part : problem.parts)
+    values.push_back(part.value ? part.value->to_double() : twice_area(part.shape) / 2 / steps / steps);
+  return values;
+}
+
+FirstLayout first_layout(const Problem& problem, const FieldTable& table, const Row& row) {
+  std::vector<double> areas, values = values_of(problem), of_area;
+  for (const Part& part : problem.parts) areas.push_back(twice_area(part.shape));
+  FirstLayout layout = Builder(problem, table, row).build(areas);
+  if (layout.left.empty()) return layout;
+  for (std::size_t part = 0; part < areas.size(); ++part) of_area.push_back(values[part] / areas[part]);
+  FirstLayout dear = Builder(problem, table, row).build(of_area);
+  const auto lost = [&](const FirstLayout& from) {
+    double sum = 0;
+    for (const std::size_t part : from.left) sum += values[part];
+    return sum;
+  };
+  return lost(dear) < lost(layout) ? dear : layout;
+}
 
 }  // namespace findspace::packing

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A first layout without overlaps: the largest part first, each as far left as a corner of the no-fit polygons of those
-// before it, or of the strip, allows. Guarantee: no overlaps, in doubles. Cost: corners times parts near each.
-// Keywords: bottom-left, constructive heuristic.
+// A first layout without overlaps: the largest part first, or the most valuable one for its area where all cannot fit,
+// each as far left as a corner of the no-fit polygons of those before it, or of a room, allows. Guarantee: no overlaps,
+// in doubles. Cost: corners times parts near each. Keywords: bottom-left, constructive heuristic.
 #pragma once
 
 #include <vector>
 
-#include "packing/nfp/field_table.h"
-#include "packing/problem/problem.h"
+#include "packing/search/separation.h"
 
 namespace findspace::packing {
 
-struct DoubleLayout {
-  std::vector<Pose> poses;
-  double length = 0;
+struct FirstLayout {
+  DoubleLayout layout;
+  std::vector<std::size_t> left;  // a part for each copy that found no place
 };
 
-DoubleLayout first_layout(const Problem& problem, const FieldTable& table);
+/// The value of a copy of each part: as stated, or its area.
+std::vector<double> values_of(const Problem& problem);
+
+FirstLayout first_layout(const Problem& problem, const FieldTable& table, const Row& row);
 
 }  // namespace findspace::packing

@@ -12,17 +12,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "packing/compaction/linear_moves.h"
-#include "packing/search/arrangement.h"
-#include "packing/search/first_layout.h"
-#include "packing/search/mover.h"
-#include "packing/search/random.h"
+#include "packing/search/separation.h"
 
 namespace findspace::packing {
 
 class Island {
  public:
-  Island(const FieldTable& table, DoubleLayout start, std::uint64_t seed);
+  Island(const FieldTable& table, const Row& row, DoubleLayout start, std::uint64_t seed);
 
   /// One pass over the overlapping parts, or one step between two separations. `progress`: how much of the whole
   /// search is over, from 0 to 1.
@@ -30,10 +26,9 @@ class Island {
   const DoubleLayout& best() const { return best_; }
   /// Goes on from a better layout of another island.
   void adopt(const DoubleLayout& better);
-  std::uint64_t work() const { return arrangement_.looked_at() + extra_work_; }
-  /// Overlapping depth at the last pass, and separations that failed since the last success.
-  double overlap() const { return loss_; }
-  int failures() const { return failures_; }
+  std::uint64_t work() const { return separation_.work(); }
+  /// Overlapping depth at the last pass.
+  double overlap() const { return separation_.loss(); }
 
  private:
   struct Near {
@@ -42,32 +37,22 @@ class Island {
   };
   enum class Phase { kExplore, kCompress };
 
-  void begin();               // a separation
-  void shrink(double ratio);  // the best layout, moved together
-  void restart_from_pool();
-  void swap_two_large();
-  void pass();
-  void strike();
-  void succeed(std::vector<Pose> poses);
+  void begin();                            // a separation
+  std::vector<Pose> shrunk(double ratio);  // the best layout, moved together
+  std::vector<Pose> from_pool();
+  void swap_two_large(std::vector<Pose>& poses);
   void keep(DoubleLayout better);
   void fail();
-  bool repair();
 
   const FieldTable& table_;
   Random random_;
-  Arrangement arrangement_;
-  Mover mover_;
-  LinearMoves linear_;
+  Separation separation_;
   DoubleLayout best_;
   std::vector<std::size_t> large_;  // items, by size
   Phase phase_ = Phase::kExplore;
-  double progress_ = 0, loss_ = 0, least_loss_ = 0, first_loss_ = 0, repaired_loss_ = 0;
+  double progress_ = 0, target_ = 0;
   bool separating_ = false;
-  int idle_ = 0, strikes_ = 0, failures_ = 0;
-  std::vector<Pose> incumbent_;
   std::vector<Near> pool_;
-  std::vector<std::size_t> order_;
-  std::uint64_t extra_work_ = 0;
 };
 
 }  // namespace findspace::packing

@@ -35,13 +35,13 @@ void Mover::offer(std::size_t item, const Pose& pose) {
   kept_[k] = {pose, cost};
 }
 
-void Mover::sample(std::size_t item) {
-  count_ = 0;
-  const Pose now = a_.pose(item);
+void Mover::sample(std::size_t item, const Candidate& here) {
+  kept_[0] = here;
+  count_ = 1;
+  const Pose now = here.pose;
   for (int k = 0; k < kSpread; ++k) {
     const std::size_t v = random_variant(item);
-    const Vec low = a_.least_position(v), high = a_.greatest_position(v);
-    offer(item, {v, a_.inside(v, {random_.between(low.x, high.x), random_.between(low.y, high.y)})});
+    offer(item, {v, a_.random_position(v, random_)});
   }
   const Variant& shape = a_.table().variants()[now.variant];
   const Vec middle = now.at + 0.5 * (shape.low + shape.high);
@@ -114,8 +114,7 @@ void Mover::descend(std::size_t item, Candidate& c, double step) {
 void Mover::improve(std::size_t item) {
   const Candidate now{a_.pose(item), a_.cost(item, a_.pose(item), kFar)};
   if (now.cost <= 0) return;
-  sample(item);
-  offer(item, now.pose);
+  sample(item, now);
   const Variant& v = a_.table().variants()[now.pose.variant];
   const double size = std::min(v.high.x - v.low.x, v.high.y - v.low.y);
   Candidate best = now;

@@ -28,7 +28,7 @@ class Mover {
   };
   static constexpr std::size_t kKept = 3;
 
-  void sample(std::size_t item);
+  void sample(std::size_t item, const Candidate& here);
   void offer(std::size_t item, const Pose& pose);
   void project(std::size_t item, Candidate& c);
   bool project_once(std::size_t item, Candidate& c);

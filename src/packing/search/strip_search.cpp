@@ -13,7 +13,7 @@
 
 #include "packing/compaction/finish.h"
 #include "packing/proof/verify.h"
-#include "packing/search/first_layout.h"
+#include "packing/search/filling.h"
 #include "packing/search/island.h"
 #include "plane/base/parallel.h"
 
@@ -21,28 +21,78 @@ namespace findspace::packing {
 namespace {
 
 constexpr std::uint64_t kRound = 10'000'000;  // pairs looked at: about a tenth of a second
-constexpr double kLeastPatience = 30;         // seconds without a better layout, and
-constexpr double kPatience = 0.5;             // of the time so far: then a search without limits ends
+constexpr double kLeastWaiting = 30;          // seconds without a better layout, and
+constexpr double kFillingShare = 0.5;
+constexpr double kWaiting = 0.5;  // of the time so far: then a search without limits ends
 
 class Search {
  public:
   Search(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
          const std::atomic<bool>& stop)
-      : problem_(problem), options_(options), events_(events), stop_(stop), table_(problem), area_(area(problem)) {}
+      : problem_(problem),
+        options_(options),
+        events_(events),
+        stop_(stop),
+        table_(problem),
+        row_(problem, table_, options.start != nullptr ? sheets_from(*options.start) : cheapest_sheets(problem)) {}
 
   std::optional<Layout> run() {
-    DoubleLayout start = options_.start == nullptr
-                             ? first_layout(problem_, table_)
-                             : DoubleLayout{poses_of(problem_, table_, *options_.start),
-                                            (options_.start->length - problem_.edge - problem_.edge).to_double()};
-    offer(start);
+    FirstLayout first;
+    if (options_.start == nullptr)
+      first = first_layout(problem_, table_, row_);
+    else
+      first = start_layout();
+    if (first.layout.poses.empty()) return std::nullopt;
+    std::erase_if(first.left, [&](std::size_t part) { return table_.variants_of(part).empty(); });
+    offer(first.layout);
+    fill(first);
     for (unsigned t = 0; t < std::max(1u, options_.threads); ++t)
-      islands_.push_back(std::make_unique<Island>(table_, start, options_.seed * 1000003 + t));
-    for (std::uint64_t work = kRound; !over(); work += kRound) round(work);
+      islands_.push_back(std::make_unique<Island>(table_, row_, first.layout, options_.seed * 1000003 + t));
+    for (std::uint64_t work = work_ + kRound; !over(); work += kRound) round(work);
     return std::move(best_);
   }
 
  private:
+  /// Those of the layout, then the others.
+  std::vector<std::size_t> sheets_from(const Layout& start) const {
+    std::vector<std::size_t> kinds = start.sheets, others = cheapest_sheets(problem_);
+    for (const std::size_t kind : start.sheets)
+      if (const auto known = std::find(others.begin(), others.end(), kind); known != others.end()) others.erase(known);
+    kinds.insert(kinds.end(), others.begin(), others.end());
+    return kinds;
+  }
+
+  FirstLayout start_layout() const {
+    FirstLayout result;
+    result.layout.poses = poses_of(problem_, table_, row_, *options_.start);
+    for (const Pose& p : result.layout.poses)
+      result.layout.length = std::max(result.layout.length, p.at.x + table_.variants()[p.variant].high.x);
+    for (const LeftOut& out : options_.start->left_out)
+      result.left.insert(result.left.end(), std::size_t(out.copies), out.part);
+    return result;
+  }
+
+  /// Adds what was left out, or exchanges for it what is worth less.
+  void fill(FirstLayout& layout) {
+    const std::size_t threads = std::max(1u, options_.threads);
+    std::uint64_t number = options_.seed * 7000003;
+    while (!layout.left.empty() && !stop_ && progress(double(work_)) < kFillingShare && (limited() || !over())) {
+      std::vector<std::optional<FirstLayout>> tried(threads);
+      std::vector<std::uint64_t> work(threads);
+      plane::parallel_for(
+          threads, [&](std::size_t k) { tried[k] = filled(table_, row_, values_, layout, number + k, work[k]); });
+      number += threads;
+      work_ += *std::max_element(work.begin(), work.end());
+      const auto better = std::find_if(tried.begin(), tried.end(), [](const auto& t) { return t.has_value(); });
+      if (better != tried.end()) {
+        layout = std::move(**better);
+        offer(layout.layout);
+      }
+    }
+  }
+
+  bool limited() const { return options_.seconds > 0 || options_.work > 0; }
+
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
 
   double progress(double work) const {
@@ -53,8 +103,8 @@ class Search {
 
   bool over() const {
     if (stop_) return true;
-    if (options_.seconds > 0 || options_.work > 0) return progress(double(work_)) >= 1;
-    return seconds() - better_at_ > kLeastPatience + kPatience * better_at_;
+    if (limited()) return progress(double(work_)) >= 1;
+    return seconds() - better_at_ > kLeastWaiting + kWaiting * better_at_;
   }
 
   /// All islands do the same work; time and a wish to stop end it anywhere.
@@ -79,12 +129,26 @@ class Search {
 
   void offer(const DoubleLayout& layout) {
     offered_ = layout.length;
-    std::optional<Layout> proved = finished(problem_, table_, layout.poses, layout.length);
-    if (!proved && !best_) proved = layout_of_boxes(problem_, table_);
-    if (!proved || (best_ && best_->length <= proved->length)) return;
+    std::optional<Layout> proved = finished(problem_, table_, row_, layout.poses, layout.length);
+    if (!proved && !best_ && !problem_.on_sheets()) proved = layout_of_boxes(problem_, table_);
+    if (!proved || (best_ && !is_better(*proved, *best_))) return;
     best_ = std::move(proved);
     better_at_ = seconds();
     if (events_.better) events_.better(*best_, state());
+  }
+
+  /// More parts or more valuable ones; fewer sheets; a shorter strip or last sheet.
+  bool is_better(const Layout& layout, const Layout& than) const {
+    const double value = value_of(layout), other = value_of(than);
+    if (value != other) return value > other;
+    if (layout.sheets.size() != than.sheets.size()) return layout.sheets.size() < than.sheets.size();
+    return layout.length < than.length;
+  }
+
+  double value_of(const Layout& layout) const {
+    double sum = 0;
+    for (const LeftOut& out : layout.left_out) sum -= out.copies * values_[out.part];
+    return sum;
   }
 
   SearchState state() const {
@@ -94,7 +158,7 @@ class Search {
     s.since_better = s.seconds - better_at_;
     if (best_) {
       s.length = best_->length.to_double();
-      s.density = area_ / (s.length * table_.height());
+      s.density = area(problem_, *best_) / room(problem_, *best_);
     }
     s.overlap = std::numeric_limits<double>::infinity();
     for (const auto& island : islands_) s.overlap = std::min(s.overlap, island->overlap());
@@ -107,7 +171,8 @@ class Search {
   const std::atomic<bool>& stop_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   FieldTable table_;
-  double area_;
+  Row row_;
+  std::vector<double> values_ = values_of(problem_);
   std::vector<std::unique_ptr<Island>> islands_;
   std::optional<Layout> best_;
   double offered_ = 0, better_at_ = 0;

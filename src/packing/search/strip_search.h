@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The search for a short strip on several threads. Each thread has an island; after rounds of the same work they meet,
-// and those that are behind go on from the best layout. Every better layout is proved and given away at once.
-// Guarantee: layouts given are feasible, exactly. With a limit of work alone the result depends on the seed and the
-// number of threads only; a limit of time only ends the search. Cost: as long as allowed.
+// The search for a short strip, or for few sheets, on several threads. Sheets are a strip with walls (row.h). Where
+// they cannot hold all parts, it first seeks a more valuable choice of parts, for half of the work. Each thread has an
+// island; after rounds of the same work they meet, and those that are behind go on from the best layout. Every better
+// layout is proved and given away at once. Guarantee: layouts given are feasible, exactly; what is not in them is left
+// out with a reason. With a limit of work alone the result depends on the seed and the number of threads only; a limit
+// of time only ends the search. Cost: as long as allowed.
 #pragma once
 
 #include <atomic>
@@ -36,7 +38,7 @@ struct SearchEvents {
   std::function<void(const SearchState&)> progress;
 };
 
-/// Nothing only where there are no parts. `stop`: ends the search when it becomes true.
+/// Nothing only where there are no parts, or no part that fits a sheet. `stop`: ends the search when it becomes true.
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
                                    const std::atomic<bool>& stop);
 

@@ -156,7 +156,7 @@ class Builder {
     std::vector<RegionPtr> all;
     for (auto k = operands.begin() + difference; k != operands.end(); ++k) all.push_back(region(*k));
     if (kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
-    const Region united = united_apart(all);
+    Region united = united_apart(all);
     if (!difference) return united;
     RegionPtr first = region(operands[0]);
     return subtract(std::vector<const Region*>{first.get(), &united});

@@ -244,6 +244,7 @@ class Weights {
 /// Where the sum of weights satisfies the rule. Cost: one arrangement, whatever the number of operands.
 template <class Rule>
 Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
+  if (regions.size() == 1) return *regions[0];
   Input in = gather(regions);
   Arena arena(in.pieces.size());
   const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
@@ -254,6 +255,7 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
 
 CellComplex overlay(std::span<const CellComplex* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule) {
+  if (operands.size() == 1) return remark(*operands[0], [&](Mark m) { return rule({&m, 1}); });
   Input in = gather(operands);
   Arena arena(in.pieces.size());
   const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());

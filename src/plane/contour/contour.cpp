@@ -17,6 +17,7 @@
 #include "plane/base/arena.h"
 #include "plane/contour/contour_boxes.h"
 #include "plane/contour/contour_meet.h"
+#include "plane/contour/nesting_depths.h"
 #include "plane/contour/star_shaped.h"
 
 namespace findspace::plane {
@@ -255,6 +256,29 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   }
   if (!sets.empty()) sets[0].repeated_points = repeated;
   return sets;
+}
+
+std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {
+  std::vector<Box> boxes;
+  std::vector<std::vector<GridPoint>> corners;
+  for (const Contour& ring : rings) {
+    boxes.push_back(box_of(Ring{ring, 0, any_ring}));
+    std::vector<GridPoint>& own = corners.emplace_back();
+    for (const ContourEdge& e : ring) own.push_back(e.start);
+    std::sort(own.begin(), own.end());
+  }
+  std::vector<std::size_t> depths(rings.size(), 0);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (std::size_t j = 0; j < rings.size(); ++j) {
+      if (i == j) continue;
+      const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
+        return !std::binary_search(corners[j].begin(), corners[j].end(), p);
+      });
+      if (apart == corners[i].end() || !boxes[j].holds(apart->x, apart->y)) continue;
+      if (encloses(rings[j], *apart)) ++depths[i];
+    }
+  }
+  return depths;
 }
 
 Contour make_chain(Contour chain, std::int64_t& repeated) {

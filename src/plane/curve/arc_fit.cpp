@@ -75,8 +75,8 @@ std::optional<BulgeRange> bulges(const FitQuestion& f) {
   return BulgeRange{pencil.bulge(range.low), pencil.bulge(range.high)};
 }
 
-double simplest_bulge(const BulgeRange& range) {
-  const double low = range.low + (range.high - range.low) / 4, high = range.high - (range.high - range.low) / 4;
+double simplest_between(double least, double most) {
+  const double low = least + (most - least) / 4, high = most - (most - least) / 4;
   if (low <= 0 && high >= 0) return 0;
   constexpr int kMostDigits = 52;
   for (int digits = 0; digits < kMostDigits; ++digits) {

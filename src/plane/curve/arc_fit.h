@@ -35,7 +35,7 @@ struct FitQuestion {
 };
 std::optional<BulgeRange> bulges(const FitQuestion& question);
 
-/// The dyadic number of fewest digits in the middle half of the range.
-double simplest_bulge(const BulgeRange& range);
+/// The dyadic number of fewest digits in the middle half between two numbers.
+double simplest_between(double low, double high);
 
 }  // namespace findspace::plane

@@ -69,6 +69,18 @@ void pin_ends(Curve& curve) {
   last.y.back() = exact::enclose(curve.to.y - curve.from.y) * w;
 }
 
+/// Control points from another origin.
+void shift(Curve& curve, GridPoint old, GridPoint origin) {
+  const Interval dx = exact::enclose(old.x - origin.x), dy = exact::enclose(old.y - origin.y);
+  for (CurvePiece& piece : curve.pieces) {
+    for (std::size_t i = 0; i < piece.x.size(); ++i) {
+      const Interval w = piece.w.empty() ? kOne : piece.w[i];
+      piece.x[i] = piece.x[i] + dx * w;
+      piece.y[i] = piece.y[i] + dy * w;
+    }
+  }
+}
+
 /// The exact unit vector in the direction of an angle near `angle`.
 struct UnitVector {
   Interval c, s;
@@ -187,22 +199,20 @@ Curve spline_curve(const Spline& s, GridPoint from, GridPoint to) {
   return curve;
 }
 
+Curve with_ends(Curve curve, GridPoint from, GridPoint to) {
+  shift(curve, curve.from, from);
+  curve.from = from;
+  curve.to = to;
+  pin_ends(curve);
+  return curve;
+}
+
 Curve reversed(const Curve& curve) {
-  Curve out{curve.to, curve.from, curve.pieces};
+  Curve out = curve;
   std::reverse(out.pieces.begin(), out.pieces.end());
-  const Interval dx = exact::enclose(curve.from.x - curve.to.x), dy = exact::enclose(curve.from.y - curve.to.y);
-  for (CurvePiece& piece : out.pieces) {
-    for (std::size_t i = 0; i < piece.x.size(); ++i) {
-      const Interval w = piece.w.empty() ? kOne : piece.w[i];
-      piece.x[i] = piece.x[i] + dx * w;
-      piece.y[i] = piece.y[i] + dy * w;
-    }
-    std::reverse(piece.x.begin(), piece.x.end());
-    std::reverse(piece.y.begin(), piece.y.end());
-    std::reverse(piece.w.begin(), piece.w.end());
-  }
-  pin_ends(out);
-  return out;
+  for (CurvePiece& piece : out.pieces)
+    for (IntervalPolynomial* c : {&piece.x, &piece.y, &piece.w}) std::reverse(c->begin(), c->end());
+  return with_ends(std::move(out), curve.to, curve.from);
 }
 
 }  // namespace findspace::plane

@@ -60,6 +60,9 @@ void check_spline(const Spline& spline);
 CurvePoint spline_end(const Spline& spline, bool last);
 Curve spline_curve(const Spline& spline, GridPoint from, GridPoint to);
 
+/// The same control points but for the two ends, which move to these grid points.
+Curve with_ends(Curve curve, GridPoint from, GridPoint to);
+
 /// The same curve the other way round.
 Curve reversed(const Curve& curve);
 

@@ -140,9 +140,7 @@ class Chainer {
     const GridPoint to = joint(s, kWindowPart / 2);
     const auto range = bulges(question(s, to));
     if (!range) return false;
-    const double bulge = simplest_bulge(*range);
-    ContourEdge edge{.start = joint_};
-    if (bulge != 0) edge = bulge_arc(joint_, to, exact::Real::from_double(bulge));
+    ContourEdge edge = arc_between(to, *range);
     constexpr double kMostRadius = double(std::int64_t{1} << 40);
     if (edge.arc && !(edge.arc->r.to_double() <= kMostRadius)) return false;
     const std::vector<CurvePiece> stretch = stretch_to(s);
@@ -150,6 +148,34 @@ class Chainer {
     if (!proved(claim)) return false;
     advance(s, to, std::move(edge));
     return true;
+  }
+
+  /// An arc whose tangent at the joint is a rational unit vector of few digits, so that its centre and its radius are
+  /// rational; a segment where the range allows it.
+  ContourEdge arc_between(const GridPoint& to, const BulgeRange& range) const {
+    using exact::Real;
+    if (simplest_between(range.low, range.high) == 0) return {.start = joint_};
+    const double chord = std::atan2(double(to.y - joint_.y), double(to.x - joint_.x));
+    double low = chord - 2 * std::atan(range.high), high = chord - 2 * std::atan(range.low);  // of the tangent
+    int flip = 1;
+    for (const double turn = std::numbers::pi; low + high > turn; flip = -flip) {
+      low -= turn;
+      high -= turn;
+    }
+    for (const double turn = std::numbers::pi; low + high < -turn; flip = -flip) {
+      low += turn;
+      high += turn;
+    }
+    const Real t = Real::from_double(simplest_between(std::tan(low / 2), std::tan(high / 2)));
+    const Real size = Real(flip) / (Real(1) + t * t), c = (Real(1) - t * t) * size, s = (t + t) * size;
+    const Real dx(to.x - joint_.x), dy(to.y - joint_.y);
+    const Real beside = c * dy - s * dx;  // of the chord's end, to the left of the tangent
+    if (beside.sign() == 0) return {.start = joint_};
+    const Real rho = (dx * dx + dy * dy) / (beside + beside);  // the radius, positive where the centre is on the left
+    return {joint_,
+            std::make_shared<const ArcCircle>(
+                ArcCircle{Real(joint_.x) - s * rho, Real(joint_.y) + c * rho, rho.sign() > 0 ? rho : -rho}),
+            rho.sign() > 0};
   }
 
   std::vector<CurvePiece> stretch_to(double s) const {

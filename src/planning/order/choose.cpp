@@ -10,6 +10,7 @@
 
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/coordinate.h"
+#include "exact/number/real_size.h"
 #include "findspace/error.h"
 #include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
@@ -32,6 +33,7 @@ using plane::Region;
 namespace {
 
 constexpr int kGridSteps = 8, kMostDecimals = 12;
+constexpr double kLongNumber = 4096;  // bits of a sign about a coordinate, from which on the grid is taken unasked
 constexpr std::int64_t kLargestCoefficient = std::int64_t{1} << 40;
 
 RealPoint opposite(const RealPoint& p) { return {-p.x, -p.y}; }
@@ -290,10 +292,13 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   }
   if (positions.empty()) return out;
   out.pose = first_of_all(positions);
-  if (on_grid) {
+  const bool is_long =
+      !on_grid && std::max(exact::sign_bits(out.pose->at.x), exact::sign_bits(out.pose->at.y)) > kLongNumber;
+  if (on_grid || is_long) {
     const auto& whole =
         *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
     out.pose->at = near_grid(whole.region, out.pose->at);
+    out.shortened = is_long;
   }
   return out;
 }

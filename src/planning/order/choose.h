@@ -8,8 +8,9 @@
 // the angles that has it; where they have no such position (an open or unbounded set), a point of their first
 // component, inside it. With the goal "grid" the nearest grid point of the set within a few steps is taken (by rows and
 // columns, the lower, then the left one first); it belongs to the set, and lies a few steps at most from the minimiser.
-// A chain of positions would otherwise have numbers that grow with every body. Guarantee: exact where the objectives
-// are (optimize.h). Keywords: bottom-left, argmin, tie breaking.
+// A chain of positions would otherwise have numbers that grow with every body; where a sign about one could need 4096
+// bits the grid point is taken without that goal. Guarantee: exact where the objectives are (optimize.h). Keywords:
+// bottom-left, argmin, tie breaking.
 #pragma once
 
 #include <optional>
@@ -33,6 +34,7 @@ struct Chosen {
   /// Of the objectives, in the scene's unit; none: infinite, or a condition.
   std::vector<std::optional<exact::Real>> values;
   bool unbounded = false;  // the last value is -infinity
+  bool shortened = false;  // the minimiser's numbers were too long, so the grid point was taken
 };
 
 /// `poses`: where the other bodies stand; an objective that speaks of one without a pose decides nothing.

@@ -213,16 +213,18 @@ int ProjectionSearch::covering_part(const Projection& projection, std::optional<
 }
 
 std::optional<RealVector> ProjectionSearch::run() {
+  std::optional<RealVector> found;
   queue_.push({});
-  while (!queue_.empty()) {
-    const Projection projection = queue_.top();
-    queue_.pop();
-    std::optional<RealVector> exact;
-    const int part = covering_part(projection, exact);
-    if (part < 0) return exact ? *exact : exact_projection(projection);
-    for (const int id : seen_planes(static_cast<std::size_t>(part))) beyond(projection, id);
-  }
-  return std::nullopt;
+  queue_.run([&](const Projection&) { return found.has_value(); },
+             [&](const Projection& projection) {
+               std::optional<RealVector> exact;
+               const int part = covering_part(projection, exact);
+               if (part < 0)
+                 found = exact ? *exact : exact_projection(projection);
+               else
+                 for (const int id : seen_planes(static_cast<std::size_t>(part))) beyond(projection, id);
+             });
+  return found;
 }
 
 }  // namespace findspace::space

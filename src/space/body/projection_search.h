@@ -9,10 +9,10 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <queue>
 #include <set>
 #include <vector>
 
+#include "plane/base/subdivide.h"
 #include "space/body/open_union.h"
 
 namespace findspace::space {
@@ -54,7 +54,7 @@ class ProjectionSearch {
   std::vector<Seen> planes_;
   std::vector<std::vector<int>> of_part_;
   std::multimap<std::array<double, 4>, int> by_approx_;
-  std::priority_queue<Projection> queue_;
+  plane::Subdivision<Projection> queue_;
   std::set<std::array<int, 3>> known_;
 };
 

@@ -17,8 +17,12 @@ bool share_corner(const RayBody& body, int f, int g) {
   return std::any_of(p.begin(), p.end(), [&](int v) { return std::find(q.begin(), q.end(), v) != q.end(); });
 }
 
-/// Whether edge k of face f passes through face g, inside both.
+/// Whether edge k of face f passes through face g, inside both. One that ends at a corner of g does not.
 bool pierces(const RayBody& body, int f, int k, int g) {
+  const auto &ends = body.faces[static_cast<std::size_t>(f)], &other = body.faces[static_cast<std::size_t>(g)];
+  const auto of_other = [&](int v) { return std::find(other.begin(), other.end(), v) != other.end(); };
+  if (of_other(ends[static_cast<std::size_t>(k)]) || of_other(ends[static_cast<std::size_t>((k + 1) % 3)]))
+    return false;
   const Point &p = body.corner(f, k), &q = body.corner(f, (k + 1) % 3);
   const Point &a = body.corner(g, 0), &b = body.corner(g, 1), &c = body.corner(g, 2);
   if (exact::sign_volume(a, b, c, p) * exact::sign_volume(a, b, c, q) >= 0) return false;

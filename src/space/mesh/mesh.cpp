@@ -11,8 +11,10 @@
 #include <map>
 #include <set>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
+#include "space/mesh/mesh_edges.h"
 #include "space/mesh/mesh_orientation.h"
 #include "space/polytope/triangulate.h"
 
@@ -22,7 +24,11 @@ namespace {
 MeshEdge undirected(int a, int b) { return std::minmax(a, b); }
 
 void weld(Mesh& mesh, std::vector<std::string>& notes) {
-  std::map<Point, int> seen;
+  const auto hash = [](const Point& p) {
+    constexpr std::size_t kOdd = 0x9e3779b97f4a7c15;
+    return ((std::size_t(p.x) * kOdd + std::size_t(p.y)) * kOdd + std::size_t(p.z)) * kOdd >> 8;
+  };
+  std::unordered_map<Point, int, decltype(hash)> seen(mesh.vertices.size() / 4, hash);
   std::vector<int> to(mesh.vertices.size(), -1);
   std::vector<Point> kept;
   for (auto& face : mesh.faces) {
@@ -96,19 +102,6 @@ void flatten(Mesh& mesh, std::vector<std::string>& notes) {
   mesh.faces = std::move(flat);
 }
 
-/// How often each edge is run through in the sense of its ascending vertices, minus the other sense; and in all.
-std::map<MeshEdge, std::pair<int, int>> edge_counts(const Mesh& mesh) {
-  std::map<MeshEdge, std::pair<int, int>> count;
-  for (const auto& face : mesh.faces) {
-    each_edge(face, [&](int a, int b) {
-      auto& c = count[undirected(a, b)];
-      c.first += a < b ? 1 : -1;
-      ++c.second;
-    });
-  }
-  return count;
-}
-
 /// Vertices in ascending order of each coordinate, to look up those that may lie on an edge.
 class VertexOrders {
  public:
@@ -157,12 +150,12 @@ bool strictly_between(const Point& a, const Point& b, const Point& p) {
 bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   std::vector<int> ends;
   std::map<MeshEdge, bool> odd;
-  for (const auto& [edge, count] : edge_counts(mesh)) {
-    if (count.second % 2 == 0) continue;
+  MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
+    if (uses.size() % 2 == 0) return;
     odd[edge] = true;
     ends.push_back(edge.first);
     ends.push_back(edge.second);
-  }
+  });
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   if (ends.empty()) return false;
@@ -210,15 +203,17 @@ void check_closed(const Mesh& mesh, double step) {
   constexpr int kListed = 6;
   std::string list;
   int open = 0;
-  for (const auto& [edge, count] : edge_counts(mesh)) {
-    if (count.first == 0) continue;
+  MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
+    const int surplus = balance(uses);
+    if (surplus == 0) return;
     const Point &a = mesh.vertices[edge.first], &b = mesh.vertices[edge.second];
     const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
     if (open++ < kListed) {
-      list += fmt::format("{}({:g}, {:g}, {:g})-({:g}, {:g}, {:g}) in {}", open == 1 ? "" : "; ", at(a.x), at(a.y),
-                          at(a.z), at(b.x), at(b.y), at(b.z), faces_at_edge(count.second, std::abs(count.first)));
+      list +=
+          fmt::format("{}({:g}, {:g}, {:g})-({:g}, {:g}, {:g}) in {}", open == 1 ? "" : "; ", at(a.x), at(a.y), at(a.z),
+                      at(b.x), at(b.y), at(b.z), faces_at_edge(static_cast<int>(uses.size()), std::abs(surplus)));
     }
-  }
+  });
   if (open == 0) return;
   if (open > kListed) list += fmt::format("; and {} more", open - kListed);
   std::string twice;

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "space/mesh/mesh.h"
+#include "space/mesh/mesh_edges.h"
 
 namespace findspace::space {
 namespace {
@@ -31,11 +31,7 @@ void widen(Point& low, Point& high, const Point& p) {
 
 class Orientation {
  public:
-  explicit Orientation(Mesh& mesh) : mesh_(mesh) {
-    for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
-      each_edge(mesh.faces[f], [&](int a, int b) { faces_at_[std::minmax(a, b)].push_back(f); });
-    }
-  }
+  explicit Orientation(Mesh& mesh) : mesh_(mesh), edges_(mesh) {}
 
   void run(double step) {
     find_shells();
@@ -76,8 +72,8 @@ class Orientation {
     for (std::size_t i = 0; i < s.faces.size(); ++i) {
       const int f = s.faces[i];
       each_edge(std::vector<int>(mesh_.faces[f]), [&](int a, int b) {
-        const auto& two = faces_at_.at(std::minmax(a, b));
-        const int g = two[0] == f ? two.back() : two[0];
+        const auto two = edges_.at(a, b);
+        const int g = two[0].face == f ? two.back().face : two[0].face;
         if (two.size() != 2 || done[g]) return;
         bool same = false;
         each_edge(mesh_.faces[g], [&](int c, int d) { same = same || (a == c && b == d); });
@@ -93,11 +89,17 @@ class Orientation {
   }
 
   bool is_closed(const Shell& s) const {
-    std::map<MeshEdge, int> balance;
-    for (const int f : s.faces) {
-      each_edge(mesh_.faces[f], [&](int a, int b) { balance[std::minmax(a, b)] += a < b ? 1 : -1; });
+    std::vector<std::pair<MeshEdge, int>> senses;
+    for (const int f : s.faces)
+      each_edge(mesh_.faces[f], [&](int a, int b) { senses.emplace_back(std::minmax(a, b), a < b ? 1 : -1); });
+    std::sort(senses.begin(), senses.end());
+    for (std::size_t i = 0; i < senses.size();) {
+      int sum = 0;
+      const MeshEdge edge = senses[i].first;
+      for (; i < senses.size() && senses[i].first == edge; ++i) sum += senses[i].second;
+      if (sum != 0) return false;
     }
-    return std::all_of(balance.begin(), balance.end(), [](const auto& b) { return b.second == 0; });
+    return true;
   }
 
   void set_box(Shell& s) const {
@@ -205,7 +207,7 @@ class Orientation {
   }
 
   Mesh& mesh_;
-  std::map<MeshEdge, std::vector<int>> faces_at_;
+  MeshEdges edges_;  // as they are before faces are turned, which changes the senses only
   std::vector<Shell> shells_;
 };
 

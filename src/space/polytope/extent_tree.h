@@ -7,9 +7,9 @@
 #pragma once
 
 #include <cstddef>
-#include <queue>
 #include <vector>
 
+#include "plane/base/subdivide.h"
 #include "space/polytope/extent.h"
 
 namespace findspace::space {
@@ -56,25 +56,25 @@ class ExtentTree {
         return distance != o.distance ? distance > o.distance : leaf != o.leaf ? leaf > o.leaf : index > o.index;
       }
     };
-    std::priority_queue<Entry> queue;
+    plane::Subdivision<Entry> queue;
     for (const std::size_t k : unbounded_) queue.push({extents_[k].distance(p), k, true});
     if (!nodes_.empty()) queue.push({nodes_[0].around.distance(p), 0, false});
-    while (!queue.empty()) {
-      const Entry top = queue.top();
-      queue.pop();
-      if (top.leaf) {
-        if (!visit(top.index, top.distance)) return;
-        continue;
-      }
-      const Node& node = nodes_[top.index];
-      if (node.right != 0) {
-        for (const std::size_t child : {top.index + 1, node.right})
-          queue.push({nodes_[child].around.distance(p), child, false});
-        continue;
-      }
-      for (std::size_t i = node.first; i < node.last; ++i)
-        queue.push({extents_[order_[i]].distance(p), order_[i], true});
-    }
+    bool more = true;
+    queue.run([&](const Entry&) { return !more; },
+              [&](const Entry& top) {
+                if (top.leaf) {
+                  more = visit(top.index, top.distance);
+                  return;
+                }
+                const Node& node = nodes_[top.index];
+                if (node.right != 0) {
+                  for (const std::size_t child : {top.index + 1, node.right})
+                    queue.push({nodes_[child].around.distance(p), child, false});
+                  return;
+                }
+                for (std::size_t i = node.first; i < node.last; ++i)
+                  queue.push({extents_[order_[i]].distance(p), order_[i], true});
+              });
   }
 
  private:

@@ -3,9 +3,9 @@
 #include "space/surface/surface_gap.h"
 
 #include <algorithm>
-#include <queue>
 
 #include "exact/margins/space.h"
+#include "plane/base/subdivide.h"
 #include "space/polytope/near_features.h"
 
 namespace findspace::space {
@@ -94,15 +94,13 @@ class Search {
 
   template <class Visit>
   void run(const BoxTree& a, const BoxTree& b, const Vector& p, Visit visit) {
-    std::priority_queue<Task> queue;
+    plane::Subdivision<Task> queue;
     const auto push = [&](int i, int j) {
       const double gap = box_gap(a.nodes()[std::size_t(i)].box, b.nodes()[std::size_t(j)].box, p);
       if (worth(gap)) queue.push({gap, i, j});
     };
     push(0, 0);
-    while (!queue.empty() && worth(queue.top().gap)) {
-      const Task top = queue.top();
-      queue.pop();
+    const auto look = [&](const Task& top) {
       const BoxTree::Node &x = a.nodes()[std::size_t(top.a)], &y = b.nodes()[std::size_t(top.b)];
       if (x.count > 0 && y.count > 0) {
         for (int k = x.first; k < x.first + x.count; ++k)
@@ -115,7 +113,8 @@ class Search {
         push(top.a, y.first);
         push(top.a, y.first + 1);
       }
-    }
+    };
+    queue.run([&](const Task& top) { return !worth(top.gap); }, look);
   }
 
   static std::int64_t width(const GridBox& b) {

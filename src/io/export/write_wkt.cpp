@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "io/write/write_wkt.h"
+#include "io/export/write_wkt.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <set>
 #include <vector>
 
-#include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
+#include "io/export/face_rings.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/topology.h"
 
@@ -36,7 +33,7 @@ std::string text(const Place& p) {
 
 class WktWriter {
  public:
-  explicit WktWriter(const CurveNet& net) : net_(net), s_(net.complex()) {}
+  explicit WktWriter(const CurveNet& net) : net_(net), faces_(net), s_(net.complex()) {}
 
   std::vector<std::string> geometries() const {
     std::vector<std::string> out;
@@ -44,9 +41,7 @@ class WktWriter {
       if (f.mark != 0) out.push_back(polygon(f));
     }
     for (const Curve& k : net_.curves()) {
-      const Index h = k.half_edges.front();
-      if (k.mark != 0 && !is_filled(h) && !is_filled(h ^ 1u))
-        out.push_back(string(k, k.arc ? "CIRCULARSTRING" : "LINESTRING"));
+      if (faces_.is_free(k)) out.push_back(string(k, k.arc ? "CIRCULARSTRING" : "LINESTRING"));
     }
     for (Index v = 0; v < s_.vertices.size(); ++v) {
       if (s_.vertices[v].mark != 0 && s_.vertices[v].out == kNone) out.push_back("POINT (" + text(net_.at(v)) + ")");
@@ -55,8 +50,6 @@ class WktWriter {
   }
 
  private:
-  bool is_filled(Index half_edge) const { return s_.faces[s_.face(half_edge)].mark != 0; }
-
   /// The points of a side after its first. An arc goes through its leftmost, rightmost, highest and lowest points,
   /// which may be decimals; a further point makes the number odd.
   void add_points(const Side& side, std::vector<std::string>& out) const {
@@ -92,73 +85,6 @@ class WktWriter {
     return fmt::format("{} ({})", kind, fmt::join(points({Index(&k - net_.curves().data()), true}), ", "));
   }
 
-  /// Cracks have the face on both sides: a polygon does not know them.
-  bool is_crack(Index h) const { return s_.face(h) == s_.face(h ^ 1u); }
-  Index next_on_boundary(Index h) const {
-    Index next = s_.next(h);
-    while (is_crack(next)) next = s_.clockwise(next);
-    return next;
-  }
-
-  /// The boundary of a face without its cracks, cut into loops that pass no vertex twice.
-  std::vector<std::vector<Index>> simple_loops(const plane::Face& f) const {
-    std::vector<std::vector<Index>> loops;
-    std::set<Index> open;
-    for (Index start : all_cycles(f)) {
-      Index h = start;
-      do {
-        if (!is_crack(h)) open.insert(h);
-        h = s_.next(h);
-      } while (h != start);
-    }
-    while (!open.empty()) {
-      std::vector<Index> path;
-      std::map<Index, std::size_t> place;  // of a vertex: the half-edge of the path that starts there
-      for (Index h = *open.begin(); open.erase(h) == 1; h = next_on_boundary(h)) {
-        place[s_.origin(h)] = path.size();
-        path.push_back(h);
-        const auto back = place.find(s_.target(h));
-        if (back == place.end()) continue;
-        loops.emplace_back(path.begin() + std::ptrdiff_t(back->second), path.end());
-        for (Index k : loops.back()) place.erase(s_.origin(k));
-        path.resize(path.size() - loops.back().size());
-      }
-    }
-    return loops;
-  }
-
-  static std::vector<Index> all_cycles(const plane::Face& f) {
-    std::vector<Index> starts = f.inner;
-    starts.insert(starts.begin(), f.outer);
-    return starts;
-  }
-
-  /// The same ring, beginning at its lexicographically smallest vertex.
-  Ring from_the_left(Ring ring) const {
-    const auto start = [this](const Side& side) {
-      const Curve& k = net_.curves()[side.curve];
-      return s_.vertices[side.forward ? k.from : k.to].point;
-    };
-    const auto first = std::min_element(ring.begin(), ring.end(), [&](const Side& a, const Side& b) {
-      return compare_xy(s_.geometry, start(a), start(b)) < 0;
-    });
-    std::rotate(ring.begin(), first, ring.end());
-    return ring;
-  }
-
-  double size(const Ring& ring) const {
-    std::optional<plane::Bounds> b;
-    for (const Side& side : ring) {
-      const plane::Bounds k = net_.bounds(net_.curves()[side.curve]);
-      if (!b) b = k;
-      for (int i : {0, 1}) {
-        b->low[i] = std::min(b->low[i], k.low[i]);
-        b->high[i] = std::max(b->high[i], k.high[i]);
-      }
-    }
-    return b->high[0] - b->low[0] + b->high[1] - b->low[1];
-  }
-
   std::string ring(const Ring& sides) const {
     const bool curved =
         std::any_of(sides.begin(), sides.end(), [&](const Side& s) { return net_.curves()[s.curve].arc; });
@@ -176,18 +102,14 @@ class WktWriter {
   }
 
   std::string polygon(const plane::Face& f) const {
-    std::vector<Ring> loops;
-    for (const auto& loop : simple_loops(f)) loops.push_back(from_the_left(net_.ring(loop)));
-    // The outer ring is the one that has all others in its box.
-    const auto larger = [this](const Ring& a, const Ring& b) { return size(a) < size(b); };
-    std::iter_swap(loops.begin(), std::max_element(loops.begin(), loops.end(), larger));
     std::vector<std::string> rings;
-    for (const Ring& loop : loops) rings.push_back(ring(loop));
+    for (const Ring& loop : faces_.of(f)) rings.push_back(ring(loop));
     const bool curved = std::any_of(rings.begin(), rings.end(), [](const std::string& r) { return r[0] == 'C'; });
     return fmt::format("{} ({})", curved ? "CURVEPOLYGON" : "POLYGON", fmt::join(rings, ", "));
   }
 
   const CurveNet& net_;
+  FaceRings faces_;
   const Region& s_;
 };
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Many parts packed into a short strip, a small box, or onto few sheets; where they do not all fit the sheets, the most
+// valuable choice of them. Every layout that is handed out is proved: no two interiors meet, gaps and edges are kept,
+// by exact signs on the outlines given. How short or few is the result of a search, not proved. The units are those of
+// the numbers given. Cost: as much time as is allowed. Keywords: nesting, irregular strip packing, bin packing, cutting
+// stock, knapsack.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "findspace/number.h"
+#include "findspace/options.h"
+
+namespace findspace {
+
+/// A kind of part. Rings are simple polygons: the outline, then holes, in which other parts may lie.
+struct PackPart {
+  /// How layouts call it.
+  std::string name;
+  /// The outline, then holes.
+  std::vector<Ring> rings;
+  /// How many copies are wanted.
+  int count = 1;
+  /// Degrees, counter-clockwise about the part's own origin.
+  std::vector<Number> angles = {0};
+  /// Whether it may be turned over.
+  bool mirrored = false;
+  /// Of a copy, where not all fit; without it its area.
+  std::optional<Number> value = {};
+};
+
+/// What some parts may not enter.
+struct PackZone {
+  /// The outline, then holes.
+  std::vector<Ring> rings;
+  /// Names of the parts that must stay out.
+  std::vector<std::string> keeps_out;
+};
+
+/// A kind of sheet. The box of its outline begins at (0, 0).
+struct PackSheet {
+  /// How layouts call it.
+  std::string name;
+  /// The outline, then holes.
+  std::vector<Ring> rings;
+  /// How many there are.
+  int count = 1;
+  /// Of one; the cheapest for their area are used first. Given for all kinds or for none.
+  std::optional<Number> cost = {};
+  /// Zones on it.
+  std::vector<PackZone> zones = {};
+
+  /// A rectangular one.
+  static PackSheet rectangle(std::string name, const Number& width, const Number& height, int count = 1);
+};
+
+/// A least distance of copies of two kinds, where it is more than the gap of all.
+struct PackGap {
+  /// Names of parts.
+  std::string first, second;
+  /// The distance.
+  Number gap;
+};
+
+/// What is to be packed: onto the sheets, or into a strip 0 <= y <= height where there are none.
+struct PackProblem {
+  /// How files call it.
+  std::string name = {};
+  /// Of the strip.
+  Number height = 0;
+  /// Instead of a strip.
+  std::vector<PackSheet> sheets = {};
+  /// Instead of either: a rectangle of the least area, whose height is sought as well.
+  bool box = false;
+  /// All kinds of parts.
+  std::vector<PackPart> parts = {};
+  /// The least distance of any two parts.
+  Number gap = 0;
+  /// The least distance of a part to the sides of the strip, or to the outline and holes of its sheet.
+  Number edge = 0;
+  /// Wider gaps of some pairs.
+  std::vector<PackGap> gaps = {};
+};
+
+/// A copy of a part: its point q goes to (x, y) + R M q. M turns x into -x where mirrored, R turns by the angle.
+struct PlacedPart {
+  /// Its kind.
+  std::string part;
+  /// From 1 on.
+  int copy = 1;
+  /// Which of the layout's sheets, from 0 on.
+  std::size_t sheet = 0;
+  /// Degrees.
+  Number angle = 0;
+  /// Whether it is turned over.
+  bool mirrored = false;
+  /// Exactly: a decimal, or a fraction "17/3".
+  Number x = 0, y = 0;
+};
+
+/// Copies that are not in a layout.
+struct LeftOutPart {
+  /// Their kind.
+  std::string part;
+  /// How many.
+  int copies = 0;
+  /// The reason.
+  std::string why;
+};
+
+/// A layout.
+struct PackLayout {
+  /// Of the strip; of the last sheet what is used.
+  Number length = 0;
+  /// Where the parts are.
+  std::vector<PlacedPart> items = {};
+  /// What is not there.
+  std::vector<LeftOutPart> left_out = {};
+  /// The kinds of the sheets that are used.
+  std::vector<std::string> sheets = {};
+  /// Of the box, where one is sought.
+  Number height = 0;
+  /// Area of the parts over the area of the strip, box or sheets, the last sheet up to the length.
+  double density = 0;
+};
+
+/// How long a search goes on, and who hears of it.
+struct PackOptions {
+  /// Of searches side by side.
+  unsigned threads = 1;
+  /// Ends after this time, or where no better layout comes for long if both limits are 0.
+  double seconds = 10;
+  /// Ends after so many million pairs of parts looked at; the same result for the same seed and threads. 0: no limit.
+  double work = 0;
+  /// Another search.
+  std::uint64_t seed = 1;
+  /// Hears of each better layout at once.
+  std::function<void(const PackLayout&)> better = {};
+  /// Ends the search; the best layout so far is the result.
+  Cancel cancel = {};
+};
+
+/// The best layout found. Nothing where no part is wanted, or none fits a sheet. Error where a part is no simple
+/// polygon, is higher than the strip, or a name is unknown.
+std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options = {});
+
+/// What is wrong with a layout, a sentence each; nothing where it is feasible, by exact signs.
+std::vector<std::string> layout_faults(const PackProblem& problem, const PackLayout& layout);
+
+/// The nesting JSON of docs/nesting.md as a problem. Error(kSyntax) with line and column.
+PackProblem pack_problem(std::string_view json);
+
+/// A layout as the JSON of docs/nesting.md, and as a drawing.
+std::string layout_json(const PackProblem& problem, const PackLayout& layout);
+/// A page a sheet.
+std::string layout_svg(const PackProblem& problem, const PackLayout& layout);
+
+}  // namespace findspace

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Packing in Python: problems are built of parts and sheets, layouts come back with exact coordinates as text.
+
+#include "findspace/packing.h"
+
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <tuple>
+
+#include "interruptible.h"
+#include "numbers.h"
+
+namespace findspace::python {
+namespace {
+
+std::vector<Ring> rings_of(const py::sequence& outline, const py::sequence& holes) {
+  std::vector<Ring> rings;
+  const auto add = [&](const py::sequence& corners) {
+    Ring& ring = rings.emplace_back();
+    for (const py::handle& p : corners) ring.push_back(point(py::reinterpret_borrow<py::sequence>(p)));
+  };
+  add(outline);
+  for (const py::handle& hole : holes) add(py::reinterpret_borrow<py::sequence>(hole));
+  return rings;
+}
+
+std::optional<Number> amount(const py::object& value) {
+  return value.is_none() ? std::nullopt : std::optional(number(value));
+}
+
+std::vector<Number> numbers(const py::sequence& values) {
+  std::vector<Number> result;
+  for (const py::handle& value : values) result.push_back(number(value));
+  return result;
+}
+
+using NamedGap = std::tuple<std::string, std::string, py::object>;
+
+PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
+                       const py::object& gap, const py::object& edge, std::string name, bool box,
+                       const std::vector<NamedGap>& gaps) {
+  PackProblem problem;
+  problem.name = std::move(name);
+  problem.height = number(height);
+  problem.sheets = std::move(sheets);
+  problem.box = box;
+  problem.parts = std::move(parts);
+  problem.gap = number(gap);
+  problem.edge = number(edge);
+  for (const auto& [first, second, distance] : gaps) problem.gaps.push_back({first, second, number(distance)});
+  return problem;
+}
+
+void bind_problem(py::module_& m) {
+  py::class_<PackPart>(m, "PackPart", "A kind of part: an outline with holes, how many, at which angles.")
+      .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
+                       const py::sequence& angles, bool mirrored, const py::object& value) {
+             return PackPart{std::move(name), rings_of(outline, holes), count, numbers(angles), mirrored,
+                             amount(value)};
+           }),
+           py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
+           py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none())
+      .def_readonly("name", &PackPart::name)
+      .def_readwrite("count", &PackPart::count);
+  py::class_<PackZone>(m, "PackZone", "What the parts named may not enter.")
+      .def(py::init([](const py::sequence& outline, std::vector<std::string> keeps_out) {
+             return PackZone{rings_of(outline, py::tuple()), std::move(keeps_out)};
+           }),
+           py::arg("outline"), py::arg("keeps_out"));
+  py::class_<PackSheet>(m, "PackSheet", "A kind of sheet; the box of its outline begins at (0, 0).")
+      .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
+                       const py::object& cost, std::vector<PackZone> zones) {
+             return PackSheet{std::move(name), rings_of(outline, holes), count, amount(cost), std::move(zones)};
+           }),
+           py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
+           py::arg("cost") = py::none(), py::arg("zones") = std::vector<PackZone>())
+      .def_readonly("name", &PackSheet::name);
+  py::class_<PackProblem>(m, "PackProblem", "What is to be packed: into a strip of a height, a box, or onto sheets.")
+      .def(py::init(&problem_of), py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(),
+           py::arg("gap") = 0, py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false,
+           py::arg("gaps") = py::list())
+      .def_static(
+          "json", [](const std::string& text) { return pack_problem(text); }, py::arg("text"),
+          "A problem as nesting JSON.")
+      .def_readonly("parts", &PackProblem::parts)
+      .def_readonly("sheets", &PackProblem::sheets);
+}
+
+void bind_layout(py::module_& m) {
+  py::class_<PlacedPart>(m, "PlacedPart", "A copy of a part: q goes to at + R(angle) M q.")
+      .def_readonly("part", &PlacedPart::part)
+      .def_readonly("copy", &PlacedPart::copy)
+      .def_readonly("sheet", &PlacedPart::sheet)
+      .def_readonly("mirrored", &PlacedPart::mirrored)
+      .def_property_readonly("angle", [](const PlacedPart& p) { return p.angle.text(); })
+      .def_property(
+          "at", [](const PlacedPart& p) { return py::make_tuple(p.x.text(), p.y.text()); },
+          [](PlacedPart& p, const py::sequence& at) {
+            const Point q = point(at);
+            p.x = q.x;
+            p.y = q.y;
+          },
+          "Exact coordinates as text.");
+  py::class_<LeftOutPart>(m, "LeftOutPart", "Copies that are not in a layout, and why.")
+      .def_readonly("part", &LeftOutPart::part)
+      .def_readonly("copies", &LeftOutPart::copies)
+      .def_readonly("why", &LeftOutPart::why);
+  py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
+      .def_property_readonly("length", [](const PackLayout& l) { return l.length.text(); })
+      .def_property_readonly(
+          "items", [](PackLayout& l) -> std::vector<PlacedPart>& { return l.items; },
+          py::return_value_policy::reference_internal)
+      .def_property_readonly("height", [](const PackLayout& l) { return l.height.text(); })
+      .def_readonly("left_out", &PackLayout::left_out)
+      .def_readonly("sheets", &PackLayout::sheets)
+      .def_readonly("density", &PackLayout::density)
+      .def(
+          "json", [](const PackLayout& l, const PackProblem& p) { return layout_json(p, l); }, py::arg("problem"))
+      .def(
+          "svg", [](const PackLayout& l, const PackProblem& p) { return layout_svg(p, l); }, py::arg("problem"))
+      .def(
+          "faults", [](const PackLayout& l, const PackProblem& p) { return layout_faults(p, l); }, py::arg("problem"),
+          "What is wrong with it, exactly; an empty list where it is feasible.");
+}
+
+}  // namespace
+
+void bind_packing(py::module_& m) {
+  bind_problem(m);
+  bind_layout(m);
+  m.def(
+      "pack",
+      [](const PackProblem& problem, double seconds, double work, std::uint64_t seed, unsigned threads) {
+        PackOptions options;
+        options.seconds = work > 0 && seconds < 0 ? 0 : seconds < 0 ? 10 : seconds;
+        options.work = work;
+        options.seed = seed;
+        options.threads = threads;
+        return interruptible([&] { return pack(problem, options); });
+      },
+      py::arg("problem"), py::kw_only(), py::arg("seconds") = -1.0, py::arg("work") = 0.0, py::arg("seed") = 1,
+      py::arg("threads") = 1,
+      "The best layout found in some seconds (10 unless said), or in an amount of work: millions of pairs looked at.\n"
+      "None where there is nothing to pack.");
+}
+
+}  // namespace findspace::python

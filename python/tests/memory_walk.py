@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""One call of each kind, for valgrind: what the module does to memory that the interpreter owns, and to its own.
+
+usage: PYTHONMALLOC=malloc PYTHONPATH=build/python/python valgrind --error-exitcode=9 /usr/bin/python3 python/tests/memory_walk.py
+"""
+import gc
+import pickle
+
+import numpy as np
+
+import findspace as fs
+
+
+def plane():
+    plate = fs.Shape.polygon(np.array([[25, 12], [75, 12], [75, 48], [25, 48]]),
+                             holes=[[[40, 25], [60, 25], [60, 35], [40, 35]]])
+    world = fs.World({"plate": plate, "peg": fs.Shape.box((-6, -4), (6, 4)), "table": fs.Shape.box((0, 0), (100, 60))},
+                     moving="peg")
+    region = world.solve("inside(peg, table) and clear(peg, plate)")
+    assert pickle.loads(pickle.dumps(region)) == region and region.components[0].rings[0].edges
+    assert region.svg and region.geojson(0.1)
+    world.query("clear(peg, plate, 0.5)").holds(np.random.rand(500, 2) * 100)
+    world.query("gap(peg, plate)").values(np.random.rand(20, 2) * 100)
+    world.poses("clear(peg, plate)", [0, 10])
+    return world
+
+
+def mistakes(world):
+    for wrong in (lambda: fs.Shape.polygon([[0, 0], [4, 4], [4, 0], [0, 4]]), lambda: world.solve("gap(peg, x) > 1"),
+                  lambda: fs.Shape.json("{")):
+        try:
+            wrong()
+        except fs.Error as error:
+            assert error.message
+        else:
+            raise AssertionError("no error")
+    try:
+        world.limited(progress=lambda part: 1 / 0).query("gap(peg, plate)").values(np.zeros((200, 2)))
+    except ZeroDivisionError:
+        pass
+
+
+def plans():
+    shapes = {"sheet": fs.Shape.box((0, 0), (30, 20)), "a": fs.Shape.box((0, 0), (8, 3)), "b": fs.Shape.disc((0, 0), 2)}
+    found = fs.place(shapes, [fs.Body("a", [0, 90], 2), "b"], each="inside(self, sheet)", pairs="clear(self, other)",
+                     minimize=["y", "x"])
+    assert found.complete and found.svg and found.json and found.positions
+    world = fs.World({"cart": fs.Shape.disc((0, 0), 1), "post": fs.Shape.disc((0, 0), 1)}, "cart")
+    world = pickle.loads(pickle.dumps(world.in_motion({"post": [(0, (-5, 0)), (1, (5, 0))]})))
+    assert world.instants("gap(cart, post) <= 1", (0, 3)).exact
+    world.solve("inf gap(cart, post) >= 0")
+
+
+def space():
+    world = fs.World({"room": fs.Shape.box((0, 0, 0), (9, 9, 9)), "ball": fs.Shape.ball((0, 0, 0), 1)}, "ball")
+    world.on_lines("inside(ball, room)", 6)
+    world.volume("inside(ball, room)", 6)
+    assert len(world.surface("inside(ball, room)", 6).faces)
+    fs.shape(fs.Shape.box((0, 0, 0), (1, 2, 3)).surface)
+    fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.disc((0, 0), 1)).evaluate(np.random.rand(30, 2) * 9)
+
+
+if __name__ == "__main__":
+    mistakes(plane())
+    plans()
+    space()
+    gc.collect()

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/tetrahedral_max_min.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/margins/space_distance.h"
+
+namespace findspace::distance {
+
+using space::Vector;
+
+double MaxMinBest::near() const {
+  return std::isfinite(found_.value) ? margin::kMaxMinNear * std::fabs(found_.value) + noise_ : 0;
+}
+
+void MaxMinBest::offer(const Vector& x, double value) {
+  if (!(value > found_.value)) return;
+  found_.value = value;
+  found_.place = x;
+}
+
+bool MaxMinBest::worth(double bound) const {
+  return bound > found_.value + near() && bound > slack_ && !(found_.value - slack_ > (bound - slack_) * (1 - share_));
+}
+
+std::optional<Column> MaxMinTarget::beyond(const MaxMinCell& cell, const Vector& middle) const {
+  return cell.round ? cell.round->beyond_plane(middle, cell.corner) : std::nullopt;
+}
+
+void TetrahedralMaxMin::add(const Tetrahedron& corner, const RoundSolid* round, double ceiling,
+                            const std::vector<int>& sets) {
+  MaxMinCell cell{{corner}, sets, {}, round, ceiling};
+  const Vector middle = centre(corner);
+  const std::optional<Column> beyond = target_.beyond(cell, middle);
+  if (beyond && *std::min_element(beyond->begin(), beyond->end()) > best_.near()) return;
+  if (!target_.look(cell, middle, best_) || !best_.worth(cell.bound)) return;
+  if (!cell.distances.empty()) {
+    const LpBound lp = bounding_lp(cell.distances, beyond);
+    cell.bound = std::min(cell.bound, lp.value);
+    if (!best_.worth(cell.bound)) return;
+    target_.offer(mean(lp.rows, corner), cell, best_);
+  }
+  if (best_.worth(cell.bound)) queue_.push(std::move(cell));
+}
+
+SolidMaxMin TetrahedralMaxMin::run(int most) {
+  const auto end = queue_.run(
+      most, [this](const MaxMinCell& top) { return !best_.worth(top.bound); },
+      [this](const MaxMinCell& top) { split(top); });
+  SolidMaxMin out = best_.found();
+  out.complete = end != plane::SubdivisionEnd::kSpent;
+  out.bound = out.complete ? std::max(out.value + best_.near(), best_.slack()) : queue_.best().bound;
+  return out;
+}
+
+/// By how much the distances exceed, half-way between two corners, what their values there make one expect: none where
+/// they are linear. That is what the bound of a cell loses.
+double TetrahedralMaxMin::bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const {
+  const Vector middle = space::scaled(0.5, space::plus(cell.corner[v], cell.corner[w]));
+  double most = 0;
+  for (std::size_t k = 0; k < cell.distances.size(); ++k) {
+    const double expected = (cell.distances[k][v] + cell.distances[k][w]) / 2;
+    most = std::max(most, expected - target_.distance(cell.sets[k], middle));
+  }
+  if (!cell.round) return most;
+  const double expected = (cell.round->beyond(cell.corner[v]) + cell.round->beyond(cell.corner[w])) / 2;
+  return std::max(most, expected - cell.round->beyond(middle));
+}
+
+/// Across the edge along which the distances bend most, so that cells stay long on flat ridges.
+void TetrahedralMaxMin::split(const MaxMinCell& cell) {
+  std::size_t a = 0, b = 1;
+  const double longest = longest_edge(cell.corner, a, b);
+  if (target_.shortest_share() < 1) {
+    std::size_t v_bent = a, w_bent = b;
+    double greatest = best_.near();
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t w = v + 1; w < 4; ++w) {
+        const double bent = bend(cell, v, w);
+        if (bent <= greatest) continue;
+        greatest = bent;
+        v_bent = v;
+        w_bent = w;
+      }
+    }
+    if (space::length(cell.corner[v_bent] - cell.corner[w_bent]) > target_.shortest_share() * longest) {
+      a = v_bent;
+      b = w_bent;
+    }
+  }
+  for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell.round, cell.bound, cell.sets);
+}
+
+}  // namespace findspace::distance

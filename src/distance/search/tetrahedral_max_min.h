@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The search for the greatest distance of a point of a solid to the nearest of some sets, max over x in the solid of
+// min over the sets of d(x): one branch and bound over tetrahedra that fill the solid. What bounds a cell is said by
+// the sets (MaxMinTarget): convex sets that are all known, or a surface of which few triangles are near. Distances to
+// convex sets are convex, so over a cell any weighted mean of them is bounded by its values at the corners; the best
+// weights are a linear program, whose other side is a point of the cell to try. On ridges between flat walls both agree
+// at once. A cell that a round solid fills in part is bounded by a plane that touches the solid, too: as no distance
+// grows faster than a step, what a corner is beyond the plane may be taken off its distances. Internal to the searches
+// that ask for it. Guarantee: doubles, as SolidMaxMin. Keywords: directed Hausdorff distance, largest empty ball,
+// branch and bound, linear program.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "distance/search/boundary_cells.h"
+#include "distance/search/lp_bound.h"
+#include "distance/search/round_solid.h"
+#include "plane/base/subdivide.h"
+
+namespace findspace::distance {
+
+struct MaxMinCell : TetrahedralCell {
+  std::vector<int> sets;              // that bound it, by numbers of the target
+  std::vector<Column> distances;      // from these, at its corners
+  const RoundSolid* round = nullptr;  // only what lies in it counts
+  double bound = 0;
+  bool operator<(const MaxMinCell& other) const { return bound < other.bound; }
+};
+
+/// The best point found, and what would be better. `slack` and `share`: as solid_max_min(). `noise`: what a value may
+/// be off, beside its share.
+class MaxMinBest {
+ public:
+  MaxMinBest(double start, double slack, double share, double noise) : slack_(slack), share_(share), noise_(noise) {
+    found_.value = start;
+  }
+  const SolidMaxMin& found() const { return found_; }
+  double slack() const { return slack_; }
+  /// What is more by less is not looked for.
+  double near() const;
+  void offer(const space::Vector& x, double value);
+  bool worth(double bound) const;
+
+ private:
+  double slack_, share_, noise_;
+  SolidMaxMin found_;
+};
+
+class MaxMinTarget {
+ public:
+  virtual ~MaxMinTarget() = default;
+  /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
+  /// those of its sets, and others, that bound it best, with their distances. False: nothing of it counts.
+  virtual bool look(MaxMinCell& cell, const space::Vector& middle, MaxMinBest& best) const = 0;
+  /// A place of the cell at which the distances in it may be greatest.
+  virtual void offer(const space::Vector& x, MaxMinCell& cell, MaxMinBest& best) const = 0;
+  virtual double distance(int set, const space::Vector& x) const = 0;
+  /// How far the corners are beyond a plane that the solid is on one side of.
+  virtual std::optional<Column> beyond(const MaxMinCell& cell, const space::Vector& middle) const;
+  /// A cell is divided across the edge along which the distances bend most, if that is longer than this share of the
+  /// longest one; else across the longest.
+  virtual double shortest_share() const { return 0; }
+};
+
+class TetrahedralMaxMin {
+ public:
+  TetrahedralMaxMin(const MaxMinTarget& target, const MaxMinBest& start) : target_(target), best_(start) {}
+
+  MaxMinBest& best() { return best_; }
+  /// `ceiling`: nothing in it has more.
+  void add(const Tetrahedron& corner, const RoundSolid* round, double ceiling, const std::vector<int>& sets);
+  SolidMaxMin run(int most);
+
+ private:
+  void split(const MaxMinCell& cell);
+  double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const;
+
+  const MaxMinTarget& target_;
+  MaxMinBest best_;
+  plane::Subdivision<MaxMinCell> queue_{"tetrahedra of the farthest place of a solid from a set"};
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/nfp/row.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace findspace::packing {
+
+Row::Row(const Problem& problem, const FieldTable& table, const std::vector<std::size_t>& kinds) {
+  if (kinds.empty()) rooms_.push_back({0, std::numeric_limits<double>::infinity(), table.height(), 0});
+  const double steps = double(problem.steps()), edge = table.edge();
+  double x = 0;
+  for (const std::size_t kind : kinds) {
+    const LatticeBox box = box_of(problem.sheets[kind].shape);
+    rooms_.push_back({x, double(box.high.x) / steps - 2 * edge, double(box.high.y) / steps - 2 * edge, kind});
+    for (const std::size_t v : table.obstacles_of(kind)) obstacles_.push_back({v, {x - edge, -edge}});
+    // Obstacles reach beyond their sheet, but not into the next one.
+    x += rooms_.back().width + 2 * (edge + 1.02 * table.gap() + 2);
+  }
+}
+
+std::size_t Row::room_of(const Variant& variant, Vec at) const {
+  const double middle = at.x + 0.5 * (variant.low.x + variant.high.x);
+  const auto behind = [](double x, const Room& room) { return x < room.x; };
+  const auto next = std::upper_bound(rooms_.begin(), rooms_.end(), middle, behind);
+  return next == rooms_.begin() ? 0 : std::size_t(next - rooms_.begin()) - 1;
+}
+
+std::vector<std::size_t> cheapest_sheets(const Problem& problem) {
+  std::vector<std::size_t> kinds(problem.sheets.size());
+  std::iota(kinds.begin(), kinds.end(), std::size_t{0});
+  const auto cost_of_area = [&](std::size_t kind) {
+    const auto& cost = problem.sheets[kind].cost;
+    return cost ? cost->to_double() / twice_area(problem.sheets[kind].shape) : 0;
+  };
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [&](std::size_t a, std::size_t b) { return cost_of_area(a) < cost_of_area(b); });
+  std::vector<std::size_t> all;
+  for (const std::size_t kind : kinds)
+    all.insert(all.end(), std::min<std::size_t>(std::size_t(problem.sheets[kind].count), problem.items()), kind);
+  return all;
+}
+
+}  // namespace findspace::packing

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sheets side by side as one strip with walls, so that one search serves both: the shorter the row, the fewer sheets
+// are used, and the emptier the last one is. A strip is a row of one room without an end. Obstacles of the sheets stand
+// in the row as parts that never move. Cost: linear. Keywords: bin packing, cutting stock.
+#pragma once
+
+#include <vector>
+
+#include "packing/nfp/field_table.h"
+
+namespace findspace::packing {
+
+/// Between the edges; x in the row.
+struct Room {
+  double x = 0, width = 0, height = 0;
+  std::size_t kind = 0;  // of sheet
+};
+
+class Row {
+ public:
+  /// Sheets of these kinds, in this order; none for a strip.
+  Row(const Problem& problem, const FieldTable& table, const std::vector<std::size_t>& kinds);
+
+  const std::vector<Room>& rooms() const { return rooms_; }
+  const std::vector<Pose>& obstacles() const { return obstacles_; }
+  /// Where the last room ends.
+  double end() const { return rooms_.back().x + rooms_.back().width; }
+  /// The room in which a part stands; of one that is in none, the one before.
+  std::size_t room_of(const Variant& variant, Vec at) const;
+
+ private:
+  std::vector<Room> rooms_;
+  std::vector<Pose> obstacles_;
+};
+
+/// All sheets, the cheapest for their area first; no more of a kind than there are parts.
+std::vector<std::size_t> cheapest_sheets(const Problem& problem);
+
+}  // namespace findspace::packing

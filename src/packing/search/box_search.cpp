@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/search/box_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace findspace::packing {
+namespace {
+
+constexpr double kUsualSeconds = 30, kUsualDensity = 0.7;
+constexpr double kAspects[] = {0.4, 0.55, 0.7, 0.85, 1, 1.2, 1.45, 1.8, 2.5};
+constexpr double kBesides[] = {0.94, 0.97, 1.03, 1.06};
+
+class BoxSearch {
+ public:
+  BoxSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
+            const std::atomic<bool>& stop)
+      : problem_(problem), options_(options), events_(events), stop_(stop) {
+    if (options_.seconds <= 0 && options_.work <= 0) options_.seconds = kUsualSeconds;
+    options_.start = nullptr;
+  }
+
+  std::optional<Layout> run() {
+    const double side = std::sqrt(area(problem_) / kUsualDensity);
+    for (const double aspect : kAspects) try_height(on_grid(aspect * side), 0.5 / std::size(kAspects));
+    if (!best_) return std::nullopt;
+    const double near = best_->height.to_double();
+    for (const double besides : kBesides) try_height(on_grid(besides * near), 0.25 / std::size(kBesides));
+    try_height(best_->height, 0.25);
+    return std::move(best_);
+  }
+
+ private:
+  Fraction on_grid(double height) const {
+    const Fraction wanted(int128(std::ceil(height * double(problem_.steps()))), problem_.steps());
+    return std::max(wanted, least_height());
+  }
+
+  /// At which every part has an angle that fits.
+  Fraction least_height() const {
+    int128 least = 0;
+    for (const Part& part : problem_.parts) {
+      if (part.demand == 0) continue;
+      int128 lowest = -1;
+      for (const Fraction& angle : part.angles) {
+        const LatticeBox box = box_of(turned(part.shape, angle, false));
+        if (lowest < 0 || box.high.y - box.low.y < lowest) lowest = box.high.y - box.low.y;
+      }
+      least = std::max(least, lowest);
+    }
+    return Fraction(least, problem_.steps()) + problem_.edge + problem_.edge;
+  }
+
+  void try_height(const Fraction& height, double share) {
+    if (stop_ && best_) return;
+    Problem strip = problem_;
+    strip.box = false;
+    strip.height = height;
+    SearchOptions options = options_;
+    options.seconds *= share;
+    options.work *= share;
+    SearchEvents events;
+    events.progress = events_.progress;
+    events.better = [&](const Layout& layout, const SearchState& state) { offer(layout, state); };
+    search_strip(strip, options, events, stop_);
+  }
+
+  /// The box ends where its parts end.
+  void offer(Layout layout, const SearchState& state) {
+    for (const Placed& item : layout.items) {
+      const LatticeBox box = box_of(turned(problem_.parts[item.part].shape, item.angle, item.mirrored));
+      layout.height = std::max(layout.height, item.y + Fraction(box.high.y, problem_.steps()) + problem_.edge);
+    }
+    if (best_ && room(problem_, layout) >= room(problem_, *best_)) return;
+    best_ = std::move(layout);
+    SearchState of_box = state;
+    of_box.density = area(problem_) / room(problem_, *best_);
+    if (events_.better) events_.better(*best_, of_box);
+  }
+
+  const Problem& problem_;
+  SearchOptions options_;
+  const SearchEvents& events_;
+  const std::atomic<bool>& stop_;
+  std::optional<Layout> best_;
+};
+
+}  // namespace
+
+std::optional<Layout> search_box(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
+                                 const std::atomic<bool>& stop) {
+  if (problem.items() == 0) return std::nullopt;
+  return BoxSearch(problem, options, events, stop).run();
+}
+
+}  // namespace findspace::packing

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// DXF and GeoJSON read back as the set that was written.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "findspace/error.h"
+#include "io/export/write_drawing.h"
+#include "io/read/read_file.h"
+#include "plane/build/build.h"
+#include "plane_topology_sets.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+using plane::Region;
+
+std::string dxf(const Region& s, const std::string& name = "part 1") {
+  const NamedRegion named{name, &s};
+  return shapes_dxf({&named, 1}, Real(1), formula::Unit::kMillimetre).text;
+}
+
+std::string geojson(const Region& s) {
+  const NamedRegion named{"a", &s};
+  return shapes_geojson({&named, 1}, Real(1)).text;
+}
+
+/// On a grid of steps of 1.
+ReadContext context() {
+  ReadContext c;
+  c.grid = Grid(Real(1));
+  c.unit = Unit::kMillimetre;
+  c.drawing.open_lines = true;
+  return c;
+}
+
+Region from_dxf(const std::string& text, FileChoice choice = {}) {
+  ReadContext c = context();
+  return plane::build(*read_dxf(text, "t.dxf", choice, c)).region;
+}
+
+Region from_geojson(const std::string& text) {
+  ReadContext c = context();
+  return plane::build(*read_geojson(text, "t.geojson", {}, c)).region;
+}
+
+TEST(WriteDrawing, RefusesAndSaysWhatIsLost) {
+  EXPECT_THROW(dxf(Region::uniform(1)), Error);
+  EXPECT_THROW(geojson(Region::uniform(1)), Error);
+  EXPECT_THROW(geojson(plane::disc(0, 0, Real(5))), Error);
+  const Region open = interior(plane::box(0, 0, 4, 4));
+  const NamedRegion named{"a", &open};
+  EXPECT_FALSE(shapes_dxf({&named, 1}, Real(1), {}).lost.empty());
+  EXPECT_FALSE(shapes_geojson({&named, 1}, Real(1)).lost.empty());
+}
+
+TEST(WriteDrawing, PartsReadBack) {
+  const Region box = plane::box(0, 0, 30, 20);
+  for (const Region& s : {box, plane::disc(3, 4, Real(5)), plane::disc(3, 4, Real::ratio(5, 2)),
+                          box - interior(plane::disc(10, 10, Real(5))), box + plane::disc(30, 10, Real(10)),
+                          plane::disc(0, 0, Real(5)) & plane::box(-9, 0, 9, 9),
+                          plane::disc(0, 0, Real(25)) - interior(plane::box(-7, -7, 7, 7)),
+                          box + plane::box(30, 20, 40, 40), box + plane::point(50, 5)})
+    EXPECT_TRUE(same_set(from_dxf(dxf(s)), s)) << dxf(s);
+  EXPECT_TRUE(
+      same_set(from_dxf(dxf(box + plane::segment({30, 10}, {40, 17}))), box + plane::segment({30, 10}, {40, 17})));
+}
+
+TEST(WriteDrawing, LayersAreShapes) {
+  const Region a = plane::box(0, 0, 3, 3), b = plane::box(9, 0, 12, 3);
+  const NamedRegion named[] = {{"left side", &a}, {"b", &b}};
+  const std::string text = shapes_dxf(named, Real(1), formula::Unit::kMillimetre).text;
+  FileChoice choice;
+  choice.layer = "left_side";
+  EXPECT_TRUE(same_set(from_dxf(text, choice), a));
+  EXPECT_TRUE(same_set(from_dxf(text), a + b));
+}
+
+TEST(WriteDrawing, RandomRegionsReadBack) {
+  std::mt19937 random(7);
+  auto pick = [&](int most) { return std::int64_t(random() % unsigned(most)); };
+  for (int round = 0; round < 60; ++round) {
+    Region polygonal = Region::uniform(0), round_set = Region::uniform(0);
+    for (int k = 0; k < 6; ++k) {
+      const std::int64_t x = pick(40), y = pick(40);
+      const Region box = plane::box(x, y, x + 1 + pick(12), y + 1 + pick(12));
+      polygonal = k % 3 == 2 ? closure(interior(polygonal - box)) : polygonal + box;
+      // Whole circles on the grid, apart from each other, or on the corners of boxes along the axes.
+      round_set = round_set + plane::disc(60 * k, 0, Real(1 + pick(20)));
+    }
+    const Region both = polygonal + round_set;
+    EXPECT_TRUE(same_set(from_geojson(geojson(regularize(polygonal))), regularize(polygonal)));
+    if (regularize(both).faces.empty()) continue;
+    EXPECT_TRUE(same_set(from_dxf(dxf(round_set)), round_set));
+    EXPECT_TRUE(same_set(from_dxf(dxf(regularize(polygonal))), regularize(polygonal)));
+  }
+}
+
+}  // namespace
+}  // namespace findspace::io

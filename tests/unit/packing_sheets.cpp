@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Sheets: walls, outlines, holes and zones, mirrored parts, gaps of pairs, and the most valuable choice of parts.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "packing/nfp/row.h"
+#include "packing/proof/verify.h"
+#include "packing/search/box_search.h"
+
+namespace findspace::packing {
+namespace {
+
+Ring box_ring(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Polygon box(int w, int h) { return make_polygon({box_ring(0, 0, w, h)}, "box"); }
+
+Layout found(const Problem& problem, double work, std::uint64_t seed = 1, unsigned threads = 1) {
+  const std::atomic<bool> stop = false;
+  SearchOptions options;
+  options.work = work;
+  options.seed = seed;
+  options.threads = threads;
+  const auto layout = search_strip(problem, options, {}, stop);
+  EXPECT_TRUE(verify(problem, layout.value()).feasible());
+  return *layout;
+}
+
+TEST(Sheets, BoxesThatFillThem) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 9, {}, box(6, 4)});
+  problem.parts = {{"domino", 12, box(1, 2), {0, 90}}, {"square", 12, box(2, 2), {0}}};
+  const Layout layout = found(problem, 3e7);  // 72 units of area on plates of 24
+  EXPECT_EQ(layout.sheets.size(), 3u);
+  EXPECT_TRUE(layout.left_out.empty());
+  EXPECT_DOUBLE_EQ(room(problem, layout), area(problem));
+}
+
+TEST(Sheets, NoPartLiesAcrossAWall) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 3, {}, box(5, 5)});
+  problem.parts = {{"big", 3, box(3, 3), {0}}};
+  const Layout layout = found(problem, 4e6);
+  EXPECT_EQ(layout.sheets.size(), 3u);
+  EXPECT_EQ(layout.length, Fraction(3));
+}
+
+TEST(Sheets, OutlineHoleAndZone) {
+  Problem problem;
+  // An L of two squares of 4 and a corner, with a hole of 2 in the corner; squares of 4 have two places.
+  Polygon angle = make_polygon({{{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}}, box_ring(1, 1, 3, 3)}, "angle");
+  problem.sheets.push_back({"angle", 1, {}, angle});
+  problem.parts = {{"square", 2, box(4, 4), {0}}, {"dot", 1, box(1, 1), {0}}};
+  const Layout layout = found(problem, 4e6);
+  EXPECT_TRUE(layout.left_out.empty());
+  problem.sheets[0].zones.push_back({make_polygon({box_ring(4, 0, 5, 1)}, "zone"), {0}});
+  const Layout kept_out = found(problem, 4e6);
+  ASSERT_EQ(kept_out.left_out.size(), 1u);
+  EXPECT_EQ(kept_out.left_out[0].copies, 1);
+  Layout wrong = layout;
+  EXPECT_EQ(verify(problem, wrong).faults.at(0).kind, Fault::Kind::kZone);
+  wrong = kept_out;
+  wrong.items[0].x = Fraction(1);
+  EXPECT_FALSE(verify(problem, wrong).feasible());
+}
+
+TEST(Sheets, TheMostValuableChoice) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 1, {}, box(4, 4)});
+  problem.parts = {{"cheap", 1, box(4, 4), {0}}, {"dear", 4, box(2, 2), {0}}, {"huge", 1, box(9, 9), {0}}};
+  problem.parts[0].value = 1;
+  problem.parts[1].value = 1;
+  const Layout layout = found(problem, 2e7);
+  ASSERT_EQ(layout.items.size(), 4u);
+  for (const Placed& item : layout.items) EXPECT_EQ(item.part, 1u);
+  EXPECT_EQ(layout.left_out.size(), 2u);
+}
+
+TEST(Sheets, TooManyOfAKind) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 1, {}, box(4, 4)});
+  problem.parts = {{"square", 2, box(2, 2), {0}}};
+  Layout layout{2, {{0, 1, 0, false, 0, 0, 0}, {0, 2, 0, false, 0, 0, 1}}, {}, {0, 0}};
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kSheets);
+  layout.sheets = {0};
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
+}
+
+TEST(Strip, AMirroredPartFits) {
+  Problem problem;
+  problem.height = 2;
+  const Polygon half = make_polygon({{{0, 0}, {3, 0}, {0, 2}}}, "half");
+  problem.parts = {{"a", 1, half, {0, 180}}, {"b", 1, turned(half, 0, true), {0, 180}, true}};
+  EXPECT_EQ(found(problem, 2e7).length, Fraction(3));
+  problem.parts[1].mirrored = false;
+  EXPECT_GT(found(problem, 2e7).length, Fraction(3));
+}
+
+TEST(Strip, AGapOfAPair) {
+  Problem problem;
+  problem.digits = 3;
+  problem.height = 2;
+  problem.parts = {{"a", 1, box(2000, 2000), {0}}, {"b", 1, box(2000, 2000), {0}}, {"c", 1, box(2000, 2000), {0}}};
+  problem.pair_gaps.push_back({0, 1, Fraction(2)});
+  EXPECT_EQ(found(problem, 1e7).length, Fraction(6));  // c lies between them
+}
+
+TEST(Box, OfTheLeastArea) {
+  Problem problem;
+  problem.box = true;
+  problem.parts = {{"domino", 8, box(1, 2), {0, 90}}, {"square", 2, box(2, 2), {0}}};
+  const std::atomic<bool> stop = false;
+  SearchOptions options;
+  options.work = 6e7;
+  const auto layout = search_box(problem, options, {}, stop);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(verify(problem, *layout).feasible());
+  EXPECT_DOUBLE_EQ(room(problem, *layout), 24);
+}
+
+TEST(FieldTable, PairsThatShareAField) {
+  Problem problem;
+  problem.height = 20;
+  const Polygon corner = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "corner");
+  const Polygon wedge = make_polygon({{{2, 1}, {6, 0}, {3, 5}}}, "wedge");
+  problem.parts = {{"corner", 1, corner, {0, 90, 180, 270}}, {"wedge", 1, wedge, {0, 180}, true}};
+  const FieldTable table(problem);
+  const std::size_t n = table.variants().size();
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b) {
+      const DepthField own(no_fit_polygon(table.variants()[a].shape, table.variants()[b].shape, 0));
+      for (int i = -30; i < 30; ++i)
+        for (int j = -30; j < 30; ++j) {
+          const Vec at{0.37 * i, 0.41 * j};
+          EXPECT_NEAR(table.depth({a, {1, 2}}, {b, Vec{1, 2} + at}), own.depth(at), 1e-9);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace findspace::packing
