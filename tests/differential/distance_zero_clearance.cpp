@@ -104,14 +104,14 @@ TEST(ZeroClearance, BallBetweenSlantedPlanes) {
   int fits = 0, refused = 0;
   for (std::int64_t p = 1, q = 1; q < 100'000'000; p += 2 * q, q = p - q) {
     if (q < 10) continue;
-    const bool fits = p * p - 2 * q * q > 0;
+    const bool has_clearance = p * p - 2 * q * q > 0;
     Body far = slanted_slot(2 * p, 2 * q);
     far.parts[1] = {space::box_polytope({{{20 * q, 20 * q, 20 * q}, {21 * q, 21 * q, 21 * q}}}), {}, Real()};
     const SolidPair pair(space::shared(ball(q)), space::shared(far));
     const auto from = space::place(7, -3, 6 * q, 3);
     try {
       const auto v = pair.value(Which::kEta1, from);
-      EXPECT_EQ(v.has_value(), fits) << p << '/' << q;
+      EXPECT_EQ(v.has_value(), has_clearance) << p << '/' << q;
       if (!v) continue;
       ++fits;
       ASSERT_TRUE(v->nearest);
@@ -119,7 +119,7 @@ TEST(ZeroClearance, BallBetweenSlantedPlanes) {
       EXPECT_NEAR(v->value.to_double(), double(q) - 4 / (3 * std::sqrt(2.0)), 1e-9 * double(q));
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ErrorCode::kUnsupported);
-      EXPECT_FALSE(fits) << p << '/' << q;
+      EXPECT_FALSE(has_clearance) << p << '/' << q;
       ++refused;
     }
   }

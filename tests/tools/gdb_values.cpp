@@ -28,7 +28,7 @@ using exact::Real;
 
 void numbers() {
   // So that the debug information has these types where src/exact is compiled without.
-  [[maybe_unused]] const exact::detail::ClosedNode* closed_node = nullptr;
+  [[maybe_unused]] const exact::detail::QuadraticNode* quadratic_node = nullptr;
   [[maybe_unused]] const exact::detail::OperationNode* operation_node = nullptr;
   [[maybe_unused]] const exact::detail::RootNode* root_node = nullptr;
   /// zero = 0

@@ -118,7 +118,7 @@ class Expression:
             return closed_text(p, 0, q, 0), 1 if p < 0 else 3 if q == 1 else 2
         kind = enumerator(real["node_"]["kind"])
         if kind in ("Rational", "Quadratic"):
-            value = node_of(real, "ClosedNode")["value"]
+            value = node_of(real, "QuadraticNode")["value"]
             p, r, q, n = (big(value[name]) for name in ("p", "r", "q", "n"))
             return closed_text(p, r, q, n), 3 if q == 1 and (r == 0) != (p == 0) and p + r > 0 else 2 if q != 1 else 1
         self.left -= 1
