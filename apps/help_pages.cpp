@@ -191,6 +191,8 @@ constexpr Line kSceneKeys[] = {
     {"minimize, maximize", "a distance, a sum of distances, x, y, z, or \"distance to [X, Y]\""},
     {"free", "what the map is over: position (default), angle, pose, time, or {\"line\": {..}}"},
     {"about, angles", "of angle and pose: the centre of the rotation, and the angles in degrees"},
+    {"curves, tolerance", "arcs for other curves: inside, outside or near (default), and how far off at most"},
+    {"join, open_lines", "of drawings: gaps up to this length are closed; true: open lines are polylines"},
     {"motion", "shapes that move in time: way points, times, angles"},
     {"place", "several shapes to place: shapes, each, pairs, constraints, minimize, method, angles, count"},
     {"$schema", "the address of docs/scene.schema.json, for editors; not read"}};

@@ -67,7 +67,7 @@ along a direction, every distance | exact · quick | exact · quick | exact · q
 # Truth at a position
 where the value is exact | exact
 where it is enclosed | refused near the level
-nearest feasible position | exact · quick | exact · quick | exact or none · quick | – | – | – | –
+nearest feasible position | exact · quick | exact · quick | exact or none · quick | exact or none · quick | exact or none · quick | exact or none · quick | –
 # Exact maps
 formulas of [commands](commands.md#exact-maps) | exact · quick | exact, one distance · quick | exact, one distance · quick | on lines | on lines | on lines | boxes exact, else on lines · quick
 # Maps on lines

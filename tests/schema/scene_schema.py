@@ -119,16 +119,20 @@ def strange_objects():
         "file": {"file": "x.svg"}, "translate": {"translate": [0, 0], "of": {"points": [[0, 0]]}},
         "rotate": {"rotate": 1, "of": {"points": [[0, 0]]}}, "offset": {"offset": 1, "of": {"points": [[0, 0]]}},
         "polytope": {"polytope": CORNERS}, "ball": {"ball": {"center": [0, 0, 0], "radius": 1}},
+        "ellipse": {"ellipse": {"center": [0, 0], "radii": [2, 1]}}, "spline": {"spline": {"points": TRIANGLE, "degree": 2}},
+        "bezier": {"bezier": TRIANGLE}, "outline": {"outline": TRIANGLE},
+        "simplify": {"simplify": 1, "of": {"polygon": TRIANGLE}},
         "prism": {"prism": {"polygon": TRIANGLE, "z": [0, 1]}}, "mesh": {"mesh": {"vertices": CORNERS, "faces": []}},
     }
-    for one in ("complement", "interior", "closure", "boundary", "regularize", "mirror", "hull"):
+    for one in ("complement", "interior", "closure", "boundary", "regularize", "mirror", "point_reflection", "hull"):
         shapes[one] = {one: {"points": [[0, 0]]}}
     for several in ("union", "intersection", "difference", "minkowski_sum", "minkowski_difference"):
         shapes[several] = {several: [{"points": [[0, 0]]}] * 2}
     for key, value in shapes.items():
         yield [key], shape({**value, **q})
-    for key in ("disc", "box", "ball", "prism", "mesh"):
+    for key in ("disc", "box", "ball", "prism", "mesh", "ellipse", "spline"):
         yield [key, "properties", key], shape({key: {**shapes[key][key], **q}})
+    yield ["step"], shape({"outline": [*TRIANGLE, q]})
     yield ["exactCells"], shape({"cells": {**CELLS, **q}})
     carriers = [{"line": [0, 1, 0]}, {"line": [1, 0, 0]}]
     cells = ["exactCells", "properties"]

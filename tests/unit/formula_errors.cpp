@@ -200,7 +200,7 @@ TEST(FormulaErrors, Atoms) {
          "  0 <= gamma1(chip, board) <= 1 <= 2\n"
          "                                ^~");
   expect("gamma1(chip, board) > --1",
-         "1:24: a number is meant here, found '-'\n"
+         "1:24: a distance is meant here, found '-'\n"
          "  gamma1(chip, board) > --1\n"
          "                         ^");
   expect("gamma1(chip, board) -> max",
