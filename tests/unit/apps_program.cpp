@@ -268,10 +268,10 @@ TEST_F(Program, DrawingsReadBack) {
     const std::string scene = R"({"findspace": 1, "unit": "mm", "shapes": {"S": )" + shape + "}}";
     ASSERT_EQ(run("convert scene.json -o s.svg", scene).status, 0);
     const json stated = json::parse(run("describe scene.json --json", scene).out);
-    const json drawn = json::parse(
-        run("describe scene.json --json",
-            R"({"findspace": 1, "unit": "mm", "open_lines": true, "shapes": {"S": {"file": "s.svg"}}})")
-            .out);
+    const json drawn =
+        json::parse(run("describe scene.json --json",
+                        R"({"findspace": 1, "unit": "mm", "open_lines": true, "shapes": {"S": {"file": "s.svg"}}})")
+                        .out);
     for (const char* key : {"area", "dangling_length", "bbox"}) EXPECT_EQ(drawn[key], stated[key]) << shape;
   }
 }

@@ -77,9 +77,7 @@ bool MaxMinSearch::unnamed(const SearchRange& part, Spot at) const {
   const auto beside_line = [&](Index k, Index l) {
     const BoundaryFeature &s = a_[k], &t = a_[l];
     const auto straight = [](const BoundaryFeature& f) { return !f.arc && !f.is_vertex(); };
-    const auto within = [&](const BoundaryFeature& f) {
-      return f.arc && plain_length(at.x - f.cx, at.y - f.cy) < f.r;
-    };
+    const auto within = [&](const BoundaryFeature& f) { return f.arc && plain_length(at.x - f.cx, at.y - f.cy) < f.r; };
     if (straight(s) || straight(t)) return straight(s) && straight(t);
     return s.r == t.r && within(s) == within(t);
   };

@@ -140,8 +140,8 @@ class Near {
     if (node.op != Node::Op::kAtom) return std::nullopt;
     const Atom& atom = formula_.atoms()[node.atom];
     const Distance d = moving_first(atom.distance, world_.world().moving);
-    if (atom.minimum || !atom.more.empty() || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) || moves(d.second[0]) ||
-        atom.level.sign() < 0)
+    if (atom.minimum || !atom.more.empty() || !is_plain(d) || d.kind != Kind::kGamma1 || !moves(d.first[0]) ||
+        moves(d.second[0]) || atom.level.sign() < 0)
       return std::nullopt;
     auto mover = movers_.find(d.first);
     if (mover == movers_.end()) mover = movers_.emplace(d.first, made(d.first)).first;
@@ -157,7 +157,8 @@ class Near {
   /// gamma1 from level 0 on, of bounded shapes.
   bool is_local(const SignMap& wanted) const {
     const Distance d = moving_first(wanted.distance, world_.world().moving);
-    return !wanted.minimum && wanted.more.empty() && is_plain(d) && d.kind == Kind::kGamma1 && wanted.level.sign() >= 0 && moves(d.first[0]) &&
+    return !wanted.minimum && wanted.more.empty() && is_plain(d) && d.kind == Kind::kGamma1 &&
+           wanted.level.sign() >= 0 && moves(d.first[0]) &&
            std::all_of(d.second.begin(), d.second.end(),
                        [&](const std::string& name) { return world_.box(name) != nullptr; });
   }

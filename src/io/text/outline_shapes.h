@@ -13,8 +13,8 @@
 
 namespace findspace::io {
 
-/// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where an odd number above one meets. `step`: of
-/// the grid, for the message.
+/// Joins open chains whose ends are the same grid point; throws Error(kGeometry) where an odd number above one meets.
+/// `step`: of the grid, for the message.
 void join_open_chains(Drawing& drawing, double step);
 int open_chains(const Drawing& drawing);
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What ends work early: a check belongs to the thread that installs it and to the tasks that parallel_for() makes of
-// that thread's work. It is asked before each task and in every search (subdivide.h), and throws where the work shall end. Guarantee:
-// results that are given do not depend on it; what is half made is thrown away. Cost: one call a task. Keywords:
-// cancellation, timeout, deadline, interruption.
+// that thread's work. It is asked before each task and in every search (subdivide.h), and throws where the work shall
+// end. Guarantee: results that are given do not depend on it; what is half made is thrown away. Cost: one call a task.
+// Keywords: cancellation, timeout, deadline, interruption.
 #pragma once
 
 #include <functional>
