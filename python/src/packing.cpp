@@ -64,8 +64,8 @@ void bind_problem(py::module_& m) {
            }),
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none())
-      .def_readonly("name", &PackPart::name)
-      .def_readwrite("count", &PackPart::count);
+      .def_readonly("name", &PackPart::name, "Its name in problems and layouts.")
+      .def_readwrite("count", &PackPart::count, "How many copies are wanted.");
   py::class_<PackZone>(m, "PackZone", "What the parts named may not enter.")
       .def(py::init([](const py::sequence& outline, std::vector<std::string> keeps_out) {
              return PackZone{rings_of(outline, py::tuple()), std::move(keeps_out)};
@@ -78,7 +78,7 @@ void bind_problem(py::module_& m) {
            }),
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("cost") = py::none(), py::arg("zones") = std::vector<PackZone>())
-      .def_readonly("name", &PackSheet::name);
+      .def_readonly("name", &PackSheet::name, "Its name in layouts.");
   py::class_<PackProblem>(m, "PackProblem", "What is to be packed: into a strip of a height, a box, or onto sheets.")
       .def(py::init(&problem_of), py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(),
            py::arg("gap") = 0, py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false,
@@ -86,17 +86,18 @@ void bind_problem(py::module_& m) {
       .def_static(
           "json", [](const std::string& text) { return pack_problem(text); }, py::arg("text"),
           "A problem as nesting JSON.")
-      .def_readonly("parts", &PackProblem::parts)
-      .def_readonly("sheets", &PackProblem::sheets);
+      .def_readonly("parts", &PackProblem::parts, "The kinds of parts.")
+      .def_readonly("sheets", &PackProblem::sheets, "The kinds of sheets; none for a strip or a box.");
 }
 
 void bind_layout(py::module_& m) {
   py::class_<PlacedPart>(m, "PlacedPart", "A copy of a part: q goes to at + R(angle) M q.")
-      .def_readonly("part", &PlacedPart::part)
-      .def_readonly("copy", &PlacedPart::copy)
-      .def_readonly("sheet", &PlacedPart::sheet)
-      .def_readonly("mirrored", &PlacedPart::mirrored)
-      .def_property_readonly("angle", [](const PlacedPart& p) { return p.angle.text(); })
+      .def_readonly("part", &PlacedPart::part, "The name of its kind.")
+      .def_readonly("copy", &PlacedPart::copy, "Which copy of it, from 1.")
+      .def_readonly("sheet", &PlacedPart::sheet, "The sheet that it lies on, from 0.")
+      .def_readonly("mirrored", &PlacedPart::mirrored, "Whether x became -x before the rotation.")
+      .def_property_readonly(
+          "angle", [](const PlacedPart& p) { return p.angle.text(); }, "Degrees, counter-clockwise, as text.")
       .def_property(
           "at", [](const PlacedPart& p) { return py::make_tuple(p.x.text(), p.y.text()); },
           [](PlacedPart& p, const py::sequence& at) {
@@ -106,22 +107,26 @@ void bind_layout(py::module_& m) {
           },
           "Exact coordinates as text.");
   py::class_<LeftOutPart>(m, "LeftOutPart", "Copies that are not in a layout, and why.")
-      .def_readonly("part", &LeftOutPart::part)
-      .def_readonly("copies", &LeftOutPart::copies)
-      .def_readonly("why", &LeftOutPart::why);
+      .def_readonly("part", &LeftOutPart::part, "The name of its kind.")
+      .def_readonly("copies", &LeftOutPart::copies, "How many are left out.")
+      .def_readonly("why", &LeftOutPart::why, "Why, in words.");
   py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
-      .def_property_readonly("length", [](const PackLayout& l) { return l.length.text(); })
+      .def_property_readonly(
+          "length", [](const PackLayout& l) { return l.length.text(); }, "Of the strip or box, exactly, as text.")
       .def_property_readonly(
           "items", [](PackLayout& l) -> std::vector<PlacedPart>& { return l.items; },
-          py::return_value_policy::reference_internal)
-      .def_property_readonly("height", [](const PackLayout& l) { return l.height.text(); })
-      .def_readonly("left_out", &PackLayout::left_out)
-      .def_readonly("sheets", &PackLayout::sheets)
-      .def_readonly("density", &PackLayout::density)
+          py::return_value_policy::reference_internal, "The copies that are placed.")
+      .def_property_readonly(
+          "height", [](const PackLayout& l) { return l.height.text(); }, "Of the strip or box, exactly, as text.")
+      .def_readonly("left_out", &PackLayout::left_out, "What is not placed, and why.")
+      .def_readonly("sheets", &PackLayout::sheets, "The names of the sheets that are used.")
+      .def_readonly("density", &PackLayout::density, "Area of the parts by the area of what holds them.")
       .def(
-          "json", [](const PackLayout& l, const PackProblem& p) { return layout_json(p, l); }, py::arg("problem"))
+          "json", [](const PackLayout& l, const PackProblem& p) { return layout_json(p, l); }, py::arg("problem"),
+          "The layout file (docs/packing.md).")
       .def(
-          "svg", [](const PackLayout& l, const PackProblem& p) { return layout_svg(p, l); }, py::arg("problem"))
+          "svg", [](const PackLayout& l, const PackProblem& p) { return layout_svg(p, l); }, py::arg("problem"),
+          "A picture.")
       .def(
           "faults", [](const PackLayout& l, const PackProblem& p) { return layout_faults(p, l); }, py::arg("problem"),
           "What is wrong with it, exactly; an empty list where it is feasible.");
