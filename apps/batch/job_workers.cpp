@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "batch/job_answer.h"
@@ -31,7 +32,7 @@ struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() {
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw Error(ErrorCode::kLimit, fmt::format("no pipe to a worker: {}", std::strerror(errno)));
+      throw Error(ErrorCode::kLimit, fmt::format("no pipe to a worker: {}", std::system_category().message(errno)));
   }
 };
 
@@ -103,7 +104,7 @@ void JobWorkers::start(Worker& worker) {
   const pid_t process = fork();
   if (process < 0) {
     for (const Pipe* p : {&questions, &answers, &errors}) close_all({p->ends[0], p->ends[1]});
-    throw Error(ErrorCode::kLimit, fmt::format("no process for a worker: {}", std::strerror(errno)));
+    throw Error(ErrorCode::kLimit, fmt::format("no process for a worker: {}", std::system_category().message(errno)));
   }
   if (process == 0) {
     for (const Worker& w : workers_) close_all({w.questions, w.answers, w.errors});
@@ -160,7 +161,7 @@ JobWorkers::Result JobWorkers::end_of(Worker& w) {
     end.status = kLimit;
     end.why = "the time limit is reached; the process did not react and was killed";
   } else if (WIFSIGNALED(state)) {
-    end.why = fmt::format("the process was ended by signal {}, {}", WTERMSIG(state), strsignal(WTERMSIG(state)));
+    end.why = fmt::format("the process was ended by signal {}, {}", WTERMSIG(state), sigdescr_np(WTERMSIG(state)));
   }
   if (end.why.empty()) end.why = fmt::format("the process ended with status {}", int(end.status));
   const bool killed = !late && WIFSIGNALED(state) && (WTERMSIG(state) == SIGKILL || WTERMSIG(state) == SIGTERM);

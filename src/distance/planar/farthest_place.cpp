@@ -11,6 +11,7 @@
 #include "distance/planar/place_search.h"
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 
 namespace findspace::distance {
 
