@@ -22,7 +22,7 @@
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_arcs_and_ridges {
 
 using exact::Real;
 using exact::RealPoint;
@@ -133,5 +133,5 @@ TEST(ArcsAndRidges, NoPlaceIsFartherThanTheFarthest) {
     }
 }
 
-}  // namespace
+}  // namespace distance_arcs_and_ridges
 }  // namespace findspace::distance

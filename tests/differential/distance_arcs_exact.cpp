@@ -18,7 +18,7 @@
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_arcs_exact {
 
 using exact::Real;
 using exact::RealPoint;
@@ -127,5 +127,5 @@ TEST(ArcsExact, BesideAContact) {
   EXPECT_GT(seen.exact, 20);
 }
 
-}  // namespace
+}  // namespace distance_arcs_exact
 }  // namespace findspace::distance

@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_cgal_solid {
 
 using Kernel = CGAL::Homogeneous<CGAL::Gmpz>;
 using Rival = CGAL::Polytope_distance_d<CGAL::Polytope_distance_d_traits_3<Kernel>>;
@@ -53,5 +53,5 @@ TEST(SolidCgal, DistanceOfConvexPolytopes) {
   EXPECT_GT(apart, 100);
 }
 
-}  // namespace
+}  // namespace distance_cgal_solid
 }  // namespace findspace::distance

@@ -11,7 +11,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_common_corner {
 
 TEST(CommonCorner, LiesInTheOtherShape) {
   Shapes random(31);
@@ -38,5 +38,5 @@ TEST(CommonCorner, LiesInTheOtherShape) {
   EXPECT_GT(meet, 30);
 }
 
-}  // namespace
+}  // namespace distance_common_corner
 }  // namespace findspace::distance

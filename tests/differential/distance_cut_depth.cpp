@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_cut_depth {
 
 using exact::Real;
 using space::Body;
@@ -129,5 +129,5 @@ TEST(MeetSlack, IsTheRadiusOfABall) {
   EXPECT_NEAR(std::hypot(3, t), 5 - t, 1e-12);
 }
 
-}  // namespace
+}  // namespace distance_cut_depth
 }  // namespace findspace::distance

@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_cut_union {
 
 using exact::Real;
 using space::ball;
@@ -133,5 +133,5 @@ TEST(CutUnion, MayBeTooSmall) {
   EXPECT_FALSE(pair.value(Which::kEta2, space::place(0, 0, 0)));
 }
 
-}  // namespace
+}  // namespace distance_cut_union
 }  // namespace findspace::distance

@@ -16,7 +16,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_cut_values {
 
 using exact::Real;
 using plane::Shape;
@@ -255,5 +255,5 @@ TEST(CutValues, AreNamed) {
   EXPECT_THROW(pair_of(none).value(Which::kGamma1, space::place(0, 0, 33)), Error);
 }
 
-}  // namespace
+}  // namespace distance_cut_values
 }  // namespace findspace::distance

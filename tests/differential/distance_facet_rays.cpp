@@ -11,7 +11,7 @@
 #include "space/convolution/facet_rays.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_facet_rays {
 
 using exact::Real;
 using space::Cells;
@@ -76,5 +76,5 @@ TEST(FacetRays, RandomSolidsInGeneralPosition) {
   EXPECT_GT(counts.events, 1000);
 }
 
-}  // namespace
+}  // namespace distance_facet_rays
 }  // namespace findspace::distance

@@ -16,7 +16,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_geos_values {
 
 using exact::Real;
 using exact::RealPoint;
@@ -153,5 +153,5 @@ TEST(Samples, DirectedHausdorffDistance) {
   }
 }
 
-}  // namespace
+}  // namespace distance_geos_values
 }  // namespace findspace::distance

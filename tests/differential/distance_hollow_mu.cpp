@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_hollow_mu {
 
 using exact::Real;
 using space::Body;
@@ -158,5 +158,5 @@ TEST(HollowMu, SignsOnLines) {
   EXPECT_GT(positive, 50);
 }
 
-}  // namespace
+}  // namespace distance_hollow_mu
 }  // namespace findspace::distance

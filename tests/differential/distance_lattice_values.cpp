@@ -17,7 +17,7 @@
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_lattice_values {
 
 using exact::Real;
 using exact::RealPoint;
@@ -158,5 +158,5 @@ TEST(LatticeValues, AreThoseOfTheDefinitions) {
   EXPECT_GT(margins, 5);
 }
 
-}  // namespace
+}  // namespace distance_lattice_values
 }  // namespace findspace::distance

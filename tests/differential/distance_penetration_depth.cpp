@@ -19,7 +19,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_penetration_depth {
 
 using exact::Real;
 using exact::RealPoint;
@@ -198,5 +198,5 @@ TEST(PenetrationDepth, AtAPositionOfRoundedShapes) {
   EXPECT_EQ(m->value, pair->distance(Which::kGamma1)->value(p)->value);
 }
 
-}  // namespace
+}  // namespace distance_penetration_depth
 }  // namespace findspace::distance

@@ -14,7 +14,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_ray_directional {
 
 using exact::Real;
 using space::Body;
@@ -239,5 +239,5 @@ TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
   EXPECT_GT(infima, 5);
 }
 
-}  // namespace
+}  // namespace distance_ray_directional
 }  // namespace findspace::distance

@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_ray_signs {
 
 using exact::Real;
 using space::Body;
@@ -267,5 +267,5 @@ TEST(RaySigns, ExactFitOfABall) {
   }
 }
 
-}  // namespace
+}  // namespace distance_ray_signs
 }  // namespace findspace::distance

@@ -19,7 +19,7 @@
 #include "plane/build/transform.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_rotated {
 
 using exact::Angle;
 using exact::ExactAngle;
@@ -335,5 +335,5 @@ TEST(RotationAngles, BoundWhatShapesRotatedFirstAreAway) {
   EXPECT_GT(below, asked / 10);
 }
 
-}  // namespace
+}  // namespace distance_rotated
 }  // namespace findspace::distance

@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_round_directional {
 
 using exact::Real;
 using space::Body;
@@ -158,5 +158,5 @@ TEST(RoundDirectional, Complements) {
   EXPECT_GT(compare_all("outside", Which::kEta1, {Real(1), Real(2)}, b, hollow).negative, 20);
 }
 
-}  // namespace
+}  // namespace distance_round_directional
 }  // namespace findspace::distance

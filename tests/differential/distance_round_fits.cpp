@@ -17,7 +17,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_round_fits {
 
 using exact::Real;
 using space::Body;
@@ -320,5 +320,5 @@ TEST(RoundFits, LeastValues) {
   EXPECT_NEAR(least(Which::kDelta1, large, small), -3, 1e-6);
 }
 
-}  // namespace
+}  // namespace distance_round_fits
 }  // namespace findspace::distance

@@ -20,7 +20,7 @@ using findspace::exact::Real;
 using findspace::plane::Region;
 namespace plane = findspace::plane;
 
-namespace {
+namespace distance_round_holes {
 
 constexpr std::int64_t kSize = 1000000;
 
@@ -65,8 +65,6 @@ long double deepest(const std::vector<Corner>& ring, long double least_x) {
   });
 }
 
-}  // namespace
-
 TEST(RoundHoles, ThePlateReachesTheRadiusOfTheLargestCircle) {
   std::mt19937 random(5);
   for (int corners : {9, 11, 24, 60}) {
@@ -89,3 +87,5 @@ TEST(RoundHoles, ThePlateReachesTheRadiusOfTheLargestCircle) {
     }
   }
 }
+
+}  // namespace distance_round_holes

@@ -11,7 +11,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_round_mu {
 
 using exact::Real;
 using space::Body;
@@ -83,5 +83,5 @@ TEST(RoundMu, BallsInUnions) {
   EXPECT_GT(outer, 8);
 }
 
-}  // namespace
+}  // namespace distance_round_mu
 }  // namespace findspace::distance

@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_solid_lattice {
 
 using Cell = std::array<std::int64_t, 3>;
 using Cells = std::set<Cell>;
@@ -134,5 +134,5 @@ TEST(SolidLattice, DirectedHausdorffDistance) {
   }
 }
 
-}  // namespace
+}  // namespace distance_solid_lattice
 }  // namespace findspace::distance

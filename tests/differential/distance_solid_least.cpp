@@ -11,7 +11,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_solid_least {
 
 using exact::Real;
 using space::Body;
@@ -102,5 +102,5 @@ TEST(SolidLeast, ComplementsHaveNone) {
   EXPECT_FALSE(solid_least(Which::kEta1, box_body({{{{0, 0, 0}, {1, 1, 1}}}}), outside));
 }
 
-}  // namespace
+}  // namespace distance_solid_least
 }  // namespace findspace::distance

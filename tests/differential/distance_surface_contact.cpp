@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_surface_contact {
 
 using exact::Real;
 using space::Cells;
@@ -194,5 +194,5 @@ TEST(SurfaceContact, NoFit) {
   }
 }
 
-}  // namespace
+}  // namespace distance_surface_contact
 }  // namespace findspace::distance

@@ -14,7 +14,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_surface_pair {
 
 using exact::Real;
 using space::RealVector;
@@ -228,5 +228,5 @@ TEST(SurfacePair, Contact) {
   EXPECT_EQ(value(Which::kEta1, space::place(0, 0, -2)).sign(), 0);
 }
 
-}  // namespace
+}  // namespace distance_surface_pair
 }  // namespace findspace::distance

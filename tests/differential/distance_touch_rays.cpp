@@ -15,7 +15,7 @@
 #include "space/surface/touch_rays.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_touch_rays {
 
 using exact::Real;
 using space::Cells;
@@ -148,5 +148,5 @@ TEST(TouchRays, ProtrudesOfTheSurface) {
   EXPECT_GT(known, 100 * unknown);
 }
 
-}  // namespace
+}  // namespace distance_touch_rays
 }  // namespace findspace::distance

@@ -13,7 +13,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_union_fits {
 
 using exact::Real;
 using space::Body;
@@ -149,5 +149,5 @@ TEST(UnionFits, OnALineThroughTheInside) {
     EXPECT_NEAR(pair.value(Which::kEta1, {e.at.to_real(), Real(50), Real(10)})->value.to_double(), 5, 1e-5);
 }
 
-}  // namespace
+}  // namespace distance_union_fits
 }  // namespace findspace::distance

@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_zero_clearance {
 
 using exact::Real;
 using space::Body;
@@ -127,5 +127,5 @@ TEST(ZeroClearance, BallBetweenSlantedPlanes) {
   EXPECT_GT(refused, 2);
 }
 
-}  // namespace
+}  // namespace distance_zero_clearance
 }  // namespace findspace::distance

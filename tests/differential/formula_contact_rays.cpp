@@ -10,7 +10,7 @@
 #include "formula/solid/contact_rays.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_contact_rays {
 
 using distance::Which;
 using exact::Real;
@@ -60,5 +60,5 @@ TEST(ContactRays, AgreeWithParts) {
   EXPECT_GT(counts.known, 1000 * counts.unknown);
 }
 
-}  // namespace
+}  // namespace formula_contact_rays
 }  // namespace findspace::formula

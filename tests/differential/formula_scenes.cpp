@@ -18,7 +18,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_scenes {
 
 using exact::int128;
 using plane::GridPoint;
@@ -178,5 +178,5 @@ TEST(Scenes, TwentyObstaclesOfHundredVertices) {
   EXPECT_GE(positions, 10000);
 }
 
-}  // namespace
+}  // namespace formula_scenes
 }  // namespace findspace::formula

@@ -23,7 +23,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace io_exact_fit {
 
 using exact::Real;
 
@@ -112,5 +112,5 @@ TEST(ExactFit, EveryPartInTheNegativeOfItsOffset) {
   }
 }
 
-}  // namespace
+}  // namespace io_exact_fit
 }  // namespace findspace::plane

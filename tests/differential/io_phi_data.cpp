@@ -14,7 +14,7 @@
 #include "io/mesh/read_mesh.h"
 
 namespace findspace {
-namespace {
+namespace io_phi_data {
 
 using space::Contact;
 using space::ContactSurface;
@@ -67,5 +67,5 @@ TEST(PhiData, AllPairsBothOrders) {
   }
 }
 
-}  // namespace
+}  // namespace io_phi_data
 }  // namespace findspace

@@ -19,7 +19,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_covered_curves {
 
 /// A ring with so many lobes, or that turned by 180 degrees.
 Region lobes(int count, int corners, double deep, int sense) {
@@ -74,5 +74,5 @@ TEST(CoveredCurves, BoxesLieInTheSum) {
   EXPECT_GT(out, 1000);
 }
 
-}  // namespace
+}  // namespace plane_covered_curves
 }  // namespace findspace::plane

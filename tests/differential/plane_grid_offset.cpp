@@ -15,6 +15,7 @@
 #include <random>
 #include <string>
 
+#include "differential/whole_sum.h"
 #include "findspace/error.h"
 #include "law/plane_invariants.h"
 #include "plane/complex/overlay.h"
@@ -25,11 +26,11 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_grid_offset {
 
 using exact::Real;
 
-std::optional<Region> ring(const std::vector<GridPoint>& points) {
+std::optional<Region> simple_ring(const std::vector<GridPoint>& points) {
   Contour c;
   for (auto& p : points) c.push_back({.start = p});
   try {
@@ -37,12 +38,6 @@ std::optional<Region> ring(const std::vector<GridPoint>& points) {
   } catch (const Error&) {
     return std::nullopt;  // it touches itself
   }
-}
-
-Region united(const std::vector<Region>& parts) {
-  std::vector<const Region*> all;
-  for (auto& r : parts) all.push_back(&r);
-  return unite(all);
 }
 
 struct Count {
@@ -92,7 +87,7 @@ TEST(GridOffset, SquaresWithSlotsAndHoles) {
     std::vector<Region> parts;
     for (int k = 3 + int(rng() % 14); k > 0; --k) {
       const std::int64_t x = side * std::int64_t(rng() % 5), y = side * std::int64_t(rng() % 5);
-      parts.push_back(*ring({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}));
+      parts.push_back(*simple_ring({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}));
     }
     compare(united(parts), radius_of(rng, side), "seed " + std::to_string(seed), count);
     if (HasFatalFailure()) return;
@@ -117,7 +112,7 @@ TEST(GridOffset, CombsWithExactSlots) {
       p.push_back({x, top});
       if (k > 0) p.push_back({x, 0});
     }
-    auto comb = ring(p);
+    auto comb = simple_ring(p);
     ASSERT_TRUE(comb) << seed;
     const std::int64_t twice[] = {slot, slot + 1, slot - 1, tooth, 2 * tooth, slot / 2};
     compare(*comb, Real::ratio(twice[rng() % 6], 2), "seed " + std::to_string(seed), count);
@@ -137,7 +132,7 @@ TEST(GridOffset, LatticeStars) {
       const double r = double(2 + rng() % 5), angle = 6.283185307179586 * k / n;
       points.push_back({4 * std::llround(r * std::cos(angle)), 4 * std::llround(r * std::sin(angle))});
     }
-    auto star = ring(points);
+    auto star = simple_ring(points);
     if (!star) continue;
     compare(*star, radius_of(rng, 4), "seed " + std::to_string(seed), count);
     if (HasFatalFailure()) return;
@@ -159,7 +154,7 @@ TEST(GridOffset, StarsAndSmoothShapes) {
       r *= 0.9 + 0.001 * double(rng() % 100);
       points.push_back({std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))});
     }
-    auto star = ring(points);
+    auto star = simple_ring(points);
     ASSERT_TRUE(star) << seed;
     compare(*star, Real(std::int64_t(1000) << rng() % 9), "seed " + std::to_string(seed), count);
     if (HasFatalFailure()) return;
@@ -179,7 +174,7 @@ TEST(GridOffset, Nested) {
         const double angle = 6.283185307179586 * k / n + phase, r = size * (1 - 0.001 * double(rng() % 50));
         points.push_back({std::llround(x + r * std::cos(angle)), std::llround(y + r * std::sin(angle))});
       }
-      return *ring(points);
+      return *simple_ring(points);
     };
     std::vector<Region> parts;
     for (int k = 1; k <= 3; ++k) {
@@ -207,7 +202,7 @@ TEST(GridOffset, Triangles) {
     for (int k = seed % 4 == 0 ? 3 : 1; k > 0;) {
       GridPoint p[3];
       for (auto& v : p) v = {std::int64_t(rng() % 9) * size, std::int64_t(rng() % 9) * size};
-      auto triangle = ring({p[0], p[1], p[2]});
+      auto triangle = simple_ring({p[0], p[1], p[2]});
       if (triangle) {
         parts.push_back(*triangle);
         --k;
@@ -219,5 +214,5 @@ TEST(GridOffset, Triangles) {
   EXPECT_GT(count.walked, 300);
 }
 
-}  // namespace
+}  // namespace plane_grid_offset
 }  // namespace findspace::plane

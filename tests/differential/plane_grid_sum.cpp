@@ -19,7 +19,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_grid_sum {
 
 Region triangles(std::mt19937& rng, std::int64_t size, int count) {
   std::vector<Region> parts;
@@ -126,5 +126,5 @@ TEST(GridSum, Stars) {
   compare(star(rng, 60), star(rng, 64), "pruned");
 }
 
-}  // namespace
+}  // namespace plane_grid_sum
 }  // namespace findspace::plane

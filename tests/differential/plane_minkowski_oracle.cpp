@@ -18,7 +18,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_minkowski_oracle {
 
 using Convex = std::vector<GridPoint>;  // counter-clockwise
 using Pieces = std::vector<Convex>;
@@ -232,5 +232,5 @@ TEST(MinkowskiOracle, LevelsOfSquares) {
   }
 }
 
-}  // namespace
+}  // namespace plane_minkowski_oracle
 }  // namespace findspace::plane

@@ -14,7 +14,7 @@
 #include "plane/query/section.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_swept_oracle {
 
 using exact::Real;
 
@@ -131,5 +131,5 @@ TEST(Swept, RefusesADirectionWithTooManyDigits) {
   EXPECT_THROW(window_between({Real(0), Real(0)}, to), Error);
 }
 
-}  // namespace
+}  // namespace plane_swept_oracle
 }  // namespace findspace::plane

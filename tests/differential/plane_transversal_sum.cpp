@@ -25,7 +25,7 @@
 #include "plane/sum/pair_sums.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_transversal_sum {
 
 struct Count {
   int sums = 0, walked = 0;                       // without an arrangement
@@ -200,5 +200,5 @@ TEST(TransversalSum, CombsCutBack) {
   }
 }
 
-}  // namespace
+}  // namespace plane_transversal_sum
 }  // namespace findspace::plane

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <random>
 
+#include "differential/whole_sum.h"
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -19,28 +20,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
-
-Region ring(const std::vector<GridPoint>& points) {
-  Contour c;
-  for (auto& p : points) c.push_back({.start = p});
-  return region_of_rings(std::array{c});
-}
-
-Region united(const std::vector<Region>& parts) {
-  std::vector<const Region*> all;
-  for (auto& r : parts) all.push_back(&r);
-  return unite(all);
-}
-
-Region squares(std::mt19937& rng, int cells, int count, std::int64_t side) {
-  std::vector<Region> parts;
-  for (int k = 0; k < count; ++k) {
-    std::int64_t x = side * std::int64_t(rng() % cells), y = side * std::int64_t(rng() % cells);
-    parts.push_back(ring({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}));
-  }
-  return united(parts);
-}
+namespace plane_window_sum {
 
 Region star(std::mt19937& rng, int n, double size) {
   std::vector<GridPoint> points;
@@ -150,5 +130,5 @@ TEST(WindowSum, PointsOneByOne) {
   }
 }
 
-}  // namespace
+}  // namespace plane_window_sum
 }  // namespace findspace::plane

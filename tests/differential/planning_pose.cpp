@@ -13,7 +13,7 @@
 #include "planning/pose/pose_stack.h"
 
 namespace findspace::planning {
-namespace {
+namespace planning_pose {
 
 using exact::Angle;
 using exact::Real;
@@ -137,5 +137,5 @@ TEST(PoseStack, RefusesWhatItCannotHedge) {
   EXPECT_THROW(pose_stack(world(), formula("gamma2(B, A) -> min"), {0, 0}, {Real(0), Real(90)}), Error);
 }
 
-}  // namespace
+}  // namespace planning_pose
 }  // namespace findspace::planning

@@ -15,7 +15,7 @@
 #include "space/polytope/solid.h"
 
 namespace findspace::planning {
-namespace {
+namespace planning_space_place {
 
 using Cell = std::array<int, 3>;
 using Cells = std::set<Cell>;
@@ -154,5 +154,5 @@ TEST(SpacePlace, BlocksOfCells) {
   EXPECT_GT(refused, 10);
 }
 
-}  // namespace
+}  // namespace planning_space_place
 }  // namespace findspace::planning

@@ -7,7 +7,7 @@
 #include "differential/space_voxels.h"
 
 namespace findspace::space {
-namespace {
+namespace space_cgal_nef {
 
 using nef_oracle::compare;
 
@@ -30,5 +30,5 @@ TEST(NefCgal, BracketsOnALattice) {
   compare(u, cube, 400);  // the cube just fits in: a passage of no width
 }
 
-}  // namespace
+}  // namespace space_cgal_nef
 }  // namespace findspace::space

@@ -8,7 +8,7 @@
 #include "differential/space_oracle.h"
 
 namespace findspace::space {
-namespace {
+namespace space_contact_surface {
 
 std::string show(const Polytope& p) {
   std::string text;
@@ -46,5 +46,5 @@ TEST(ContactSurface, HoldsOnTheWholeGrid) {
   }
 }
 
-}  // namespace
+}  // namespace space_contact_surface
 }  // namespace findspace::space

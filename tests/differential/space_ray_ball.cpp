@@ -9,7 +9,7 @@
 #include "space_voxels.h"
 
 namespace findspace::space {
-namespace {
+namespace space_ray_ball {
 
 using exact::Real;
 
@@ -126,5 +126,5 @@ TEST(RayBall, slanted_solids_between_two_polytopes) {
   EXPECT_GT(decided, 50000);
 }
 
-}  // namespace
+}  // namespace space_ray_ball
 }  // namespace findspace::space

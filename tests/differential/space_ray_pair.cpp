@@ -12,7 +12,7 @@
 #include "space_voxels.h"
 
 namespace findspace::space {
-namespace {
+namespace space_ray_pair {
 
 using exact::Fraction;
 using exact::Real;
@@ -186,5 +186,5 @@ TEST(RayPair, containment_by_the_complement) {
   compare_inside(hall, stretch(2), extruded({"#.", "##"}, 1), stretch(1), 0, 2);
 }
 
-}  // namespace
+}  // namespace space_ray_pair
 }  // namespace findspace::space

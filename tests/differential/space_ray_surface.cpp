@@ -13,7 +13,7 @@
 #include "space_voxels.h"
 
 namespace findspace::space {
-namespace {
+namespace space_ray_surface {
 
 double volume(const RaySurface& s) {
   double sum = 0;
@@ -74,5 +74,5 @@ TEST(RaySurface, volume_of_a_box) {
   EXPECT_NEAR(volume(s), 64000, 64000 * 0.02);  // edges are cut off
 }
 
-}  // namespace
+}  // namespace space_ray_surface
 }  // namespace findspace::space

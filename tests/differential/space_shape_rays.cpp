@@ -15,7 +15,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_shape_rays {
 
 using exact::Real;
 using plane::Shape;
@@ -375,5 +375,5 @@ TEST(ShapeRays, RefusesWhatLinesCannotTell) {
   EXPECT_THROW(shape_rays(*offset(two, Real(-1)), grid), Error);
 }
 
-}  // namespace
+}  // namespace space_shape_rays
 }  // namespace findspace::space

@@ -13,7 +13,7 @@
 #include "plane/query/nearest.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_at_position {
 
 constexpr double kTolerance = 1e-11;
 
@@ -133,5 +133,5 @@ TEST(AtPosition, JaggedPolygons) {
   }
 }
 
-}  // namespace
+}  // namespace distance_at_position
 }  // namespace findspace::distance

@@ -14,7 +14,7 @@
 #include "plane/query/nearest.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_beside {
 
 using plane::operator+;
 using plane::operator-;
@@ -78,5 +78,5 @@ TEST(DistanceBeside, OrderOfDistances) {
   }
 }
 
-}  // namespace
+}  // namespace distance_beside
 }  // namespace findspace::distance

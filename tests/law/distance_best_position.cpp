@@ -20,7 +20,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_best_position {
 
 using exact::Real;
 using exact::RealPoint;
@@ -125,5 +125,5 @@ TEST(BestPosition, OfASetBetweenTwoTakesCertainPositionsOnly) {
   EXPECT_TRUE(all.unbounded);
 }
 
-}  // namespace
+}  // namespace distance_best_position
 }  // namespace findspace::distance

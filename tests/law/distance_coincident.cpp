@@ -16,7 +16,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_coincident {
 
 class Circles {
  public:
@@ -98,5 +98,5 @@ TEST(CoincidentCircles, NoPositionIsBetterThanTheLeast) {
   }
 }
 
-}  // namespace
+}  // namespace distance_coincident
 }  // namespace findspace::distance

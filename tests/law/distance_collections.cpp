@@ -12,7 +12,7 @@
 #include "distance_random.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_collections {
 
 constexpr int kTrials = 25;
 constexpr double kSlack = 1e-11;
@@ -131,5 +131,5 @@ TEST(Collections, GrowingBothTwofoldDoublesEveryDistance) {
   }
 }
 
-}  // namespace
+}  // namespace distance_collections
 }  // namespace findspace::distance

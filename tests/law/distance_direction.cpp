@@ -16,7 +16,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_direction {
 
 using exact::Real;
 using exact::RealPoint;
@@ -169,5 +169,5 @@ TEST(Directional, BothWaysIsTheBetterOfTheTwo) {
   }
 }
 
-}  // namespace
+}  // namespace distance_direction
 }  // namespace findspace::distance

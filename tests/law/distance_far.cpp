@@ -19,7 +19,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_far {
 
 using plane::operator+;
 using plane::operator-;
@@ -97,5 +97,5 @@ TEST(DistanceFar, LeastLevelsAndMinimisers) {
   EXPECT_GT(fat, 50);
 }
 
-}  // namespace
+}  // namespace distance_far
 }  // namespace findspace::distance

@@ -20,7 +20,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_laws {
 
 using namespace findspace::testing;
 using exact::Real;
@@ -87,7 +87,7 @@ TEST(DistanceLaws, OnlyTheRelativePositionMatters) {
   for (int k = 0; k < kTrials; ++k) {
     Region a = random.shape(), b = random.shape();
     RealPoint p = random.position(), q{random.number(-5, 5), random.number(-5, 5)};
-    ShapePair here(b, a), there(moved(b, q), a);
+    ShapePair here(b, a), there(plane::moved(b, q), a);
     for (Which w : kAll) expect_equal(value(here, w, {p.x + q.x, p.y + q.y}), value(there, w, p));
   }
 }
@@ -203,5 +203,5 @@ TEST(DistanceLaws, LeastOfMuIsMinusTheInradiusOrPositive) {
   }
 }
 
-}  // namespace
+}  // namespace distance_laws
 }  // namespace findspace::distance

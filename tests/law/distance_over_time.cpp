@@ -15,7 +15,7 @@
 #include "plane/query/section.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_over_time {
 
 using exact::Real;
 using exact::RealPoint;
@@ -148,5 +148,5 @@ TEST(OverTime, InstantsLieBetweenInfAndSup) {
   }
 }
 
-}  // namespace
+}  // namespace distance_over_time
 }  // namespace findspace::distance

@@ -18,7 +18,7 @@
 #include "space/polytope/closed_forms.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_planar_phi {
 
 using exact::Real;
 using exact::RealPoint;
@@ -26,7 +26,7 @@ using plane::Shape;
 using plane::ShapePtr;
 using Kind = plane::Shape::Kind;
 
-ShapePtr node(Kind kind, std::vector<ShapePtr> children) {
+ShapePtr phi_node(Kind kind, std::vector<ShapePtr> children) {
   Shape shape;
   shape.kind = kind;
   shape.children = std::move(children);
@@ -93,24 +93,24 @@ class Bodies {
   ShapePtr any() {
     switch (number(0, 7)) {
       case 0:
-        return node(Kind::kUnion, {box(), convex(), box()});
+        return phi_node(Kind::kUnion, {box(), convex(), box()});
       case 1:
         return rings({{{-4, -4}, {5, -4}, {5, 4}, {-4, 4}}, {{-2, -2}, {-2, number(-1, 3)}, {number(-1, 3), -2}}});
       case 2:
         return rings({{{0, 0}, {6, 0}, {6, number(4, 6)}, {4, 4}, {number(2, 3), 2}, {1, 5}, {0, 5}}});
       case 3:  // a hole that touches the outer ring, and what two boxes leave of a box: vertices off the grid
-        return node(Kind::kDifference,
-                    {rings({{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}}),
-                     node(Kind::kInterior, {rings({{{-5, -5}, {number(-2, 1), -3}, {-3, number(-2, 1)}}})}),
-                     rings({{{0, 7}, {number(1, 3), 0}, {7, number(1, 6)}}})});
+        return phi_node(Kind::kDifference,
+                        {rings({{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}}),
+                         phi_node(Kind::kInterior, {rings({{{-5, -5}, {number(-2, 1), -3}, {-3, number(-2, 1)}}})}),
+                         rings({{{0, 7}, {number(1, 3), 0}, {7, number(1, 6)}}})});
       case 4:
-        return node(Kind::kMirror, {any()});
+        return phi_node(Kind::kMirror, {any()});
       case 5:
         return offset(rings({{{0, 0}, {6, 0}, {6, 1}, {1, 1}, {1, 6}, {0, 6}}}), Real::ratio(number(1, 4), 2));
       case 6:
-        return node(Kind::kMinkowskiSum, {box(), convex()});
+        return phi_node(Kind::kMinkowskiSum, {box(), convex()});
       default:
-        return node(Kind::kHull, {node(Kind::kUnion, {box(), box()})});
+        return phi_node(Kind::kHull, {phi_node(Kind::kUnion, {box(), box()})});
     }
   }
 
@@ -209,16 +209,16 @@ TEST(PlanarPhiLaws, ClosedFormsAndOtherForms) {
 
 TEST(PlanarPhi, RefusesWhatIsNoBody) {
   const ShapePtr box = rings({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}), other = rings({{{2, 0}, {4, 0}, {4, 2}, {2, 2}}});
-  EXPECT_THROW(space::planar_parts(*node(Kind::kComplement, {box})), Error);
-  EXPECT_THROW(space::planar_parts(*node(Kind::kBoundary, {box})), Error);
-  EXPECT_THROW(space::planar_parts(*node(Kind::kIntersection, {box, other})), Error);
-  EXPECT_THROW(space::planar_parts(*node(Kind::kDifference, {box, box})), Error);
-  EXPECT_THROW(space::planar_parts(*node(Kind::kUnion, {box, node(Kind::kBoundary, {other})})), Error);
+  EXPECT_THROW(space::planar_parts(*phi_node(Kind::kComplement, {box})), Error);
+  EXPECT_THROW(space::planar_parts(*phi_node(Kind::kBoundary, {box})), Error);
+  EXPECT_THROW(space::planar_parts(*phi_node(Kind::kIntersection, {box, other})), Error);
+  EXPECT_THROW(space::planar_parts(*phi_node(Kind::kDifference, {box, box})), Error);
+  EXPECT_THROW(space::planar_parts(*phi_node(Kind::kUnion, {box, phi_node(Kind::kBoundary, {other})})), Error);
   // A curve inside the body adds nothing to it.
-  EXPECT_TRUE(space::planar_parts(*node(Kind::kUnion, {box, node(Kind::kBoundary, {box})})));
+  EXPECT_TRUE(space::planar_parts(*phi_node(Kind::kUnion, {box, phi_node(Kind::kBoundary, {box})})));
   // An arc that bounds no disc: not by parts.
-  EXPECT_FALSE(space::planar_parts(*node(Kind::kIntersection, {box, disc(0, 0, Real(2))})));
+  EXPECT_FALSE(space::planar_parts(*phi_node(Kind::kIntersection, {box, disc(0, 0, Real(2))})));
 }
 
-}  // namespace
+}  // namespace distance_planar_phi
 }  // namespace findspace::distance

@@ -20,7 +20,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_rotating {
 
 using exact::Real;
 using plane::Random;
@@ -193,5 +193,5 @@ TEST(Rotation, RotationToADiscThatMoves) {
   EXPECT_GT(decided, asked * 6 / 10);
 }
 
-}  // namespace
+}  // namespace distance_rotating
 }  // namespace findspace::distance

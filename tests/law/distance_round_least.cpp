@@ -20,7 +20,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_round_least {
 
 class RoundShapes {
  public:
@@ -132,5 +132,5 @@ TEST(RoundLeast, ShapesThatAreTheirMirrorImages) {
   EXPECT_GT(proven, 25);
 }
 
-}  // namespace
+}  // namespace distance_round_least
 }  // namespace findspace::distance

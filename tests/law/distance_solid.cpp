@@ -16,7 +16,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_solid {
 
 using exact::Real;
 using space::Body;
@@ -123,5 +123,5 @@ TEST(SolidLaws, BoxUnionsTwoWays) {
   }
 }
 
-}  // namespace
+}  // namespace distance_solid
 }  // namespace findspace::distance

@@ -11,7 +11,7 @@
 #include "unit/space_bumps.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_solid_mesh {
 
 using exact::Real;
 using space::Body;
@@ -85,5 +85,5 @@ TEST(SolidMesh, OfHundredsOfFaces) {
   }
 }
 
-}  // namespace
+}  // namespace distance_solid_mesh
 }  // namespace findspace::distance

@@ -17,7 +17,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_sums {
 
 constexpr std::int64_t kFine = 1000;
 constexpr double kWindow = 12 * kFine, kWidth = 40;
@@ -105,5 +105,5 @@ TEST(DistanceSums, LeastOnesEncloseALattice) {
   }
 }
 
-}  // namespace
+}  // namespace distance_sums
 }  // namespace findspace::distance

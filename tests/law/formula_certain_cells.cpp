@@ -12,7 +12,7 @@
 #include "formula/language/evaluate.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_certain_cells {
 
 using exact::Real;
 
@@ -76,5 +76,5 @@ TEST(CertainCells, HoldAsFarAsDistancesAllow) {
   EXPECT_GT(not_wide, 2000);
 }
 
-}  // namespace
+}  // namespace formula_certain_cells
 }  // namespace findspace::formula

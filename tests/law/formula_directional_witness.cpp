@@ -20,7 +20,7 @@ using findspace::exact::RealPoint;
 using findspace::plane::Region;
 namespace plane = findspace::plane;
 
-namespace {
+namespace formula_directional_witness {
 
 Region shape(std::mt19937& random, int size) {
   const auto at = [&] { return std::uniform_int_distribution(size / 2, size)(random); };
@@ -44,8 +44,6 @@ void expect_on(const FeatureAt& f, const findspace::distance::Coordinates& at, c
     EXPECT_NEAR(std::hypot(x - ax, y - ay), f.radius.to_double(), 1e-9) << what;
   }
 }
-
-}  // namespace
 
 TEST(DirectionalWitness, LiesThatFarApartInThatDirection) {
   std::mt19937 random(5);
@@ -86,3 +84,5 @@ TEST(DirectionalWitness, LiesThatFarApartInThatDirection) {
   }
   EXPECT_GT(met, 50);
 }
+
+}  // namespace formula_directional_witness

@@ -19,7 +19,7 @@
 #include "formula/language/text.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_formula {
 
 Context scene() {
   return {.shapes = {"A", "A1", "A2", "B", "my part"},
@@ -325,5 +325,5 @@ TEST(FormulaLaw, DamagedSentencesAreSentencesOrErrors) {
   }
 }
 
-}  // namespace
+}  // namespace formula_formula
 }  // namespace findspace::formula

@@ -13,7 +13,7 @@
 #include "formula/planar/feasible_near.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_near {
 
 using plane::Region;
 
@@ -114,5 +114,5 @@ TEST(FeasibleNear, IsTheFeasibleRegion) { expect_same(11, 60, false, 15); }
 
 TEST(FeasibleNear, IsTheFeasibleRegionOverAMotion) { expect_same(12, 40, true, 8); }
 
-}  // namespace
+}  // namespace formula_near
 }  // namespace findspace::formula

@@ -22,7 +22,7 @@ using findspace::exact::RealPoint;
 using findspace::plane::Region;
 namespace plane = findspace::plane;
 
-namespace {
+namespace formula_nearest {
 
 Region triangle(std::mt19937& random, int size) {
   const auto at = [&] { return std::uniform_int_distribution(-size, size)(random); };
@@ -36,8 +36,6 @@ Region random_shape(std::mt19937& random, int size) {
   if (random() % 3 > 0) return triangle(random, size);
   return plane::minkowski_sum(triangle(random, size), plane::region_of_disc(0, 0, Real(size / 3 + 1)));
 }
-
-}  // namespace
 
 TEST(NearestFeasible, IsThatOfTheWholeRegion) {
   std::mt19937 random(11);
@@ -135,3 +133,5 @@ TEST(NearestFeasible, IsThatOfTheWholeRegionAmongManyObstacles) {
   }
   EXPECT_GT(far, 10);
 }
+
+}  // namespace formula_nearest

@@ -15,7 +15,7 @@
 #include "formula/planar/solve.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_swing {
 
 using exact::Real;
 using exact::RealPoint;
@@ -111,5 +111,5 @@ TEST(Swing, IsNothingWhereSomethingElseMoves) {
   EXPECT_FALSE(Solver(std::move(both)).swing(formula, {}));
 }
 
-}  // namespace
+}  // namespace formula_swing
 }  // namespace findspace::formula

@@ -19,7 +19,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::io {
-namespace {
+namespace io_cells {
 
 using exact::Real;
 using plane::Region;
@@ -202,5 +202,5 @@ TEST(ExactNumbers, ReadBackAsTheyWere) {
   EXPECT_EQ(texts[3], "(1-2*sqrt(5))/3");
 }
 
-}  // namespace
+}  // namespace io_cells
 }  // namespace findspace::io

@@ -14,7 +14,7 @@
 #include "space/body/rounded_phi.h"
 
 namespace findspace::io {
-namespace {
+namespace io_rotated {
 
 using exact::Real;
 
@@ -100,5 +100,5 @@ TEST(Rotated, RefusesOtherAxes) {
   EXPECT_THROW(read(R"({"rotate": 30, "axis": "z", "of": {"box": {"min": [0, 0], "max": [1, 1]}}})"), Error);
 }
 
-}  // namespace
+}  // namespace io_rotated
 }  // namespace findspace::io

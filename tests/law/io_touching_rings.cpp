@@ -18,7 +18,7 @@
 #include "plane/complex/primitives.h"
 
 namespace findspace::io {
-namespace {
+namespace io_touching_rings {
 
 using exact::Real;
 using plane::GridPoint;
@@ -121,5 +121,5 @@ TEST(TouchingRings, HolesLieInTheirRing) {
   EXPECT_FALSE(touching({outer}));                                                      // nothing touches
 }
 
-}  // namespace
+}  // namespace io_touching_rings
 }  // namespace findspace::io

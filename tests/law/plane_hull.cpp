@@ -11,7 +11,7 @@
 #include "plane/offset/plain_sum.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_hull {
 
 using Kind = Shape::Kind;
 using exact::Real;
@@ -87,5 +87,5 @@ TEST(HullLaws, EqualDiscs) {
   }
 }
 
-}  // namespace
+}  // namespace plane_hull
 }  // namespace findspace::plane

@@ -14,7 +14,7 @@
 #include "plane_invariants.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_islands {
 
 std::vector<Region> random_parts(std::mt19937& random) {
   const auto pick = [&](int n) { return static_cast<std::int64_t>(random() % static_cast<unsigned>(n)); };
@@ -118,5 +118,5 @@ TEST(BoundaryComponents, AllOfThemAreTheWholeSet) {
 
 TEST(BoundaryComponents, OfNothingAreNone) { EXPECT_EQ(BoundaryComponents(CellComplex::uniform(0)).size(), 0u); }
 
-}  // namespace
+}  // namespace plane_islands
 }  // namespace findspace::plane

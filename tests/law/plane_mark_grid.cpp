@@ -10,7 +10,7 @@
 #include "plane/query/mark_grid.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_mark_grid {
 
 struct Counts {
   long asked = 0, open = 0;
@@ -83,5 +83,5 @@ TEST(MarkGrid, LargeErrorsAreLeftOpen) {
   EXPECT_EQ(grid.mark({-200, 5, 100}), Mark(0));
 }
 
-}  // namespace
+}  // namespace plane_mark_grid
 }  // namespace findspace::plane

@@ -11,7 +11,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_minkowski {
 
 using Kind = Shape::Kind;
 using exact::Real;
@@ -186,5 +186,5 @@ TEST(MinkowskiPositions, UnboundedFirst) {
          [](const Region& a, const Region& b, const Region&) { check_positions(closure(complement(a)), b, 6); });
 }
 
-}  // namespace
+}  // namespace plane_minkowski
 }  // namespace findspace::plane

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "law/plane_invariants.h"
+#include "law/plane_same_set.h"
 #include "plane/build/build.h"
 #include "plane/complex/overlay.h"
 #include "plane/contour/contour.h"
@@ -187,12 +188,6 @@ inline ShapePtr random_shape(Random& random, const Variety& variety) {
 }
 
 inline Region region_of(const ShapePtr& shape) { return build(*shape).region; }
-
-/// Equality of sets: nothing is in one and not in the other.
-inline bool same_set(const Region& a, const Region& b) {
-  std::vector<const CellComplex*> both{&a, &b};
-  return is_empty(overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); }));
-}
 
 inline bool is_subset(const Region& a, const Region& b) {
   return is_empty(subtract(std::vector<const Region*>{&a, &b}));

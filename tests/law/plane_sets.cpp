@@ -10,7 +10,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_sets {
 
 using Kind = Shape::Kind;
 using exact::Real;
@@ -206,5 +206,5 @@ TEST(SetMembers, ClosedSetsOfAllKinds) {
   }
 }
 
-}  // namespace
+}  // namespace plane_sets
 }  // namespace findspace::plane

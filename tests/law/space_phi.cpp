@@ -13,7 +13,7 @@
 #include "space/phi/phi_union.h"
 
 namespace findspace::space {
-namespace {
+namespace space_phi {
 
 constexpr int kRounds = 300;
 
@@ -173,5 +173,5 @@ TEST(PhiLaws, CuttingABodyChangesNoSign_10) {
   }
 }
 
-}  // namespace
+}  // namespace space_phi
 }  // namespace findspace::space

@@ -12,7 +12,7 @@
 #include "space/body/rounded_phi.h"
 
 namespace findspace::space {
-namespace {
+namespace space_rounded_phi {
 
 using exact::Real;
 using plane::Shape;
@@ -151,5 +151,5 @@ TEST(ContactSurface, OfAPolytopeAndAPointIsClosed) {
   EXPECT_EQ(moving.facet_count(), p.facet_count());
 }
 
-}  // namespace
+}  // namespace space_rounded_phi
 }  // namespace findspace::space

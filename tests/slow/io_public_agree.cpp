@@ -11,7 +11,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public_agree {
 
 using namespace findspace;
 using namespace findspace::words;
@@ -100,4 +100,4 @@ TEST_P(Agree, EverywhereInTenScenes) {
 
 INSTANTIATE_TEST_SUITE_P(Public, Agree, testing::Range(0U, 20U));
 
-}  // namespace
+}  // namespace io_public_agree

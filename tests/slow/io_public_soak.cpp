@@ -17,7 +17,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public_soak {
 
 using namespace findspace;
 using namespace findspace::words;
@@ -180,4 +180,4 @@ TEST(Soak, EightThreadsWithoutGrowthOfMemory) {
   EXPECT_LT(most, 1.1 * warm + 16);
 }
 
-}  // namespace
+}  // namespace io_public_soak

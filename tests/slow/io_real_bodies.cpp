@@ -24,7 +24,7 @@
 #include "space/polytope/convex_region.h"
 
 namespace findspace {
-namespace {
+namespace io_real_bodies {
 
 using exact::Real;
 using space::ConvexParts;
@@ -168,5 +168,5 @@ TEST(RealBodies, OverlapOnRaysIsThatOfTheConvexParts) {
   EXPECT_GT(overlaps, 1000);
 }
 
-}  // namespace
+}  // namespace io_real_bodies
 }  // namespace findspace

@@ -9,7 +9,7 @@
 #include "differential/space_wheels.h"
 
 namespace findspace::space {
-namespace {
+namespace space_cgal_nef {
 
 using nef_oracle::compare;
 using nef_oracle::compare_volume;
@@ -47,5 +47,5 @@ TEST(NefSlow, PassageOfNoWidth) {
   compare(cube, u, kPlaces);
 }
 
-}  // namespace
+}  // namespace space_cgal_nef
 }  // namespace findspace::space

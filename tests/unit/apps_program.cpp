@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-namespace {
+namespace apps_program {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -350,4 +350,4 @@ TEST_F(Program, PlacementInSpaceIsDrawn) {
   EXPECT_TRUE(contains(svg, "stroke=\"#555\""));  // the bin's edges
 }
 
-}  // namespace
+}  // namespace apps_program

@@ -6,7 +6,7 @@
 #include "distance/answer/answer.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_answer {
 
 using exact::Real;
 
@@ -73,5 +73,5 @@ TEST(Answer, LeastValuesLieAboveTheirBound) {
   EXPECT_EQ(a.way, Way::kSearch);
 }
 
-}  // namespace
+}  // namespace distance_answer
 }  // namespace findspace::distance

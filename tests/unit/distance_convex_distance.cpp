@@ -9,7 +9,7 @@
 #include "space/polytope/polytope.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_convex_distance {
 
 using space::HalfSpace;
 using space::Vector;
@@ -70,5 +70,5 @@ TEST(ConvexDistance, OfBulkyParts) {
   }
 }
 
-}  // namespace
+}  // namespace distance_convex_distance
 }  // namespace findspace::distance

@@ -9,7 +9,7 @@
 #include "distance/planar_features/curved_level_curve.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_curved_level_curve {
 
 using exact::Real;
 
@@ -133,5 +133,5 @@ TEST(CurvedLevelCurve, TwoThatAreBentOtherwise) {
   EXPECT_EQ(all[0], Real::ratio(89, 25));
 }
 
-}  // namespace
+}  // namespace distance_curved_level_curve
 }  // namespace findspace::distance

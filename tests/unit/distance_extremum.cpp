@@ -19,7 +19,7 @@
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_extremum {
 
 using namespace findspace::testing;
 using exact::Real;
@@ -179,5 +179,5 @@ TEST(Coordinate, EdgesPointsAndOpenEnds) {
   EXPECT_TRUE(linear_extremum(plane::complement(box(0, 0, 1, 1)), kX, Sense::kMinimum).unbounded);
 }
 
-}  // namespace
+}  // namespace distance_extremum
 }  // namespace findspace::distance

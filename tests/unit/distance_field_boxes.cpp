@@ -8,7 +8,7 @@
 #include "distance/search/field_boxes.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_field_boxes {
 
 using space::Vector;
 
@@ -56,5 +56,5 @@ TEST(FieldBoxes, WhatIsSaidToBeWithinIs) {
   EXPECT_GE(after, made);
 }
 
-}  // namespace
+}  // namespace distance_field_boxes
 }  // namespace findspace::distance

@@ -6,7 +6,7 @@
 #include "distance/planar_features/level_curve.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_level_curve {
 
 using exact::Real;
 using exact::RealPoint;
@@ -68,5 +68,5 @@ TEST(LevelCurve, Moved) {
   EXPECT_EQ(g.b, Real(-1));
 }
 
-}  // namespace
+}  // namespace distance_level_curve
 }  // namespace findspace::distance

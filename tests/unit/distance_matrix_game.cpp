@@ -9,7 +9,7 @@
 #include "distance/search/lp_bound.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_matrix_game {
 
 using Column = std::array<double, 4>;
 
@@ -52,5 +52,5 @@ TEST(LpBound, ColumnsThatAreNearlyTheSame) {
   }
 }
 
-}  // namespace
+}  // namespace distance_matrix_game
 }  // namespace findspace::distance

@@ -14,7 +14,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_solid {
 
 using exact::Real;
 using space::Body;
@@ -234,5 +234,5 @@ TEST(BoxPair, LevelsOfSeparateBoxes) {
   EXPECT_FALSE(bent.least(Which::kEta1).or_throw());
 }
 
-}  // namespace
+}  // namespace distance_solid
 }  // namespace findspace::distance

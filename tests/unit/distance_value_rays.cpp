@@ -8,7 +8,7 @@
 #include "distance/rays/value_rays.h"
 
 namespace findspace::distance {
-namespace {
+namespace distance_value_rays {
 
 using exact::Real;
 using space::RealVector;
@@ -39,5 +39,5 @@ TEST(ValueRays, RefuseLongStretchesOfZeros) {
   EXPECT_FALSE(rays([](const RealVector&) { return Between{0, 0}; }).try_row(0));
 }
 
-}  // namespace
+}  // namespace distance_value_rays
 }  // namespace findspace::distance

@@ -13,7 +13,7 @@
 
 // Values and sign maps of every distance against the closed forms of distances.md 3.11.
 namespace findspace::distance {
-namespace {
+namespace distance_values {
 
 using namespace findspace::testing;
 using exact::Real;
@@ -130,5 +130,5 @@ TEST(FarthestPair, Arcs) {
   EXPECT_EQ(farthest_pair(FeatureTree(a), FeatureTree(a), at(0, 0)).distance, Real(6));
 }
 
-}  // namespace
+}  // namespace distance_values
 }  // namespace findspace::distance

@@ -6,7 +6,7 @@
 #include "exact/planar/angle.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_angle {
 
 Real decimal(const char* text) { return Real::parse_decimal(text); }
 
@@ -69,5 +69,5 @@ TEST(Angle, BetweenIsStrictlyBetween) {
   EXPECT_EQ((q + -m).sin.sign(), 1);
 }
 
-}  // namespace
+}  // namespace exact_angle
 }  // namespace findspace::exact

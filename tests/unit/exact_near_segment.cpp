@@ -10,7 +10,7 @@
 #include "exact/planar/near_segment.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_near_segment {
 
 const Real kLittle = Real::ratio(1, std::int64_t(1) << 62);
 
@@ -59,5 +59,5 @@ TEST(NearSegment, DoublesDecideWhatIsClear) {
   EXPECT_EQ(c.fixed + c.quadratic + c.bigfloat + c.zero_bound, 0u);
 }
 
-}  // namespace
+}  // namespace exact_near_segment
 }  // namespace findspace::exact

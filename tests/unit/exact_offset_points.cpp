@@ -11,7 +11,7 @@
 #include "exact/planar/offset_points.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_offset_points {
 
 /// Whether the exact value is as near to the approximate one as that says.
 bool holds(const Approx& approx, const Real& exact) {
@@ -94,5 +94,5 @@ TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheSupportingCurves) {
   EXPECT_GT(flat, 20) << "flat corners, whose crossings of two lines are less near, were among them";
 }
 
-}  // namespace
+}  // namespace exact_offset_points
 }  // namespace findspace::exact

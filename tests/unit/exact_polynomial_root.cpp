@@ -12,7 +12,7 @@
 #include "exact/planar/rotation_polynomial.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_polynomial_root {
 
 Polynomial times(const Polynomial& a, const Polynomial& b) {
   Polynomial out(a.size() + b.size() - 1);
@@ -131,5 +131,5 @@ TEST(RotationPolynomial, ZeroesAreTheAngles) {
   }
 }
 
-}  // namespace
+}  // namespace exact_polynomial_root
 }  // namespace findspace::exact

@@ -10,7 +10,7 @@
 #include "exact/planar/geometry.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_primitive {
 
 void expect_as_one_by_one(std::vector<Normal> all) {
   std::vector<Normal> found = all;
@@ -62,5 +62,5 @@ TEST(Primitive, LongAndAwkwardVectors) {
 
 TEST(Primitive, Nothing) { expect_as_one_by_one({}); }
 
-}  // namespace
+}  // namespace exact_primitive
 }  // namespace findspace::exact

@@ -15,7 +15,7 @@
 #include "findspace/error.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_real {
 
 Real root(int128 n) { return sqrt(Real(n)); }
 
@@ -275,5 +275,5 @@ TEST(Real, ManyThreadsReadOneValue) {
   EXPECT_EQ(signs, std::vector<int>(4, 0));
 }
 
-}  // namespace
+}  // namespace exact_real
 }  // namespace findspace::exact

@@ -8,7 +8,7 @@
 #include "findspace/error.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_real_decimal {
 
 ErrorCode refusal(std::string_view text) {
   try {
@@ -40,5 +40,5 @@ TEST(Decimal, ReadsExactly) {
   EXPECT_THROW(Real::parse_decimal("1e-99999999999999999999999"), Error);
 }
 
-}  // namespace
+}  // namespace exact_real_decimal
 }  // namespace findspace::exact

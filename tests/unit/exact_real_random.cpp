@@ -15,7 +15,7 @@
 #include "exact/number/stages.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_real_random {
 
 constexpr mpfr_prec_t kBits = 6000;
 constexpr mpfr_exp_t kZeroExponent = -3500;  // below: 0 (checked against the separation bound of each expression)
@@ -148,5 +148,5 @@ TEST(RealRandom, AgreesWithPlainMpfr) {
   EXPECT_GT(stage_counts().zero_bound, 100u);
 }
 
-}  // namespace
+}  // namespace exact_real_random
 }  // namespace findspace::exact

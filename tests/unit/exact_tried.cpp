@@ -8,7 +8,7 @@
 #include "exact/number/tried.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_tried {
 
 Tried<std::unique_ptr<int>> positive(int n) {
   if (n <= 0) return Refusal("not positive", "scene.json:3");
@@ -43,5 +43,5 @@ TEST(Tried, OfOptionalsTellsNothingFromRefused) {
   EXPECT_EQ(**some, 3);
 }
 
-}  // namespace
+}  // namespace exact_tried
 }  // namespace findspace::exact

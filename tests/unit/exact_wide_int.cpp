@@ -12,7 +12,7 @@
 #include "exact/number/wide_int.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_wide_int {
 
 template <int N>
 mpz_class big(const WideInt<N>& x) {
@@ -79,5 +79,5 @@ TEST(WideInt, DoublesAreClose) {
   }
 }
 
-}  // namespace
+}  // namespace exact_wide_int
 }  // namespace findspace::exact

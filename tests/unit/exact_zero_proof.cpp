@@ -14,7 +14,7 @@
 #include "exact/planar/angle.h"
 
 namespace findspace::exact {
-namespace {
+namespace exact_zero_proof {
 
 bool proven(const Real& x) { return detail::proves_zero(detail::Plan(x)); }
 
@@ -129,5 +129,5 @@ TEST(ZeroProof, NeverOfWhatIsNotZero) {
   EXPECT_GT(others, 200);
 }
 
-}  // namespace
+}  // namespace exact_zero_proof
 }  // namespace findspace::exact

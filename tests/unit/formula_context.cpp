@@ -8,7 +8,7 @@
 #include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_context {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -102,5 +102,5 @@ TEST(ObjectiveErrors, SayWhatAnObjectiveIs) {
             "1:1: unknown distance or predicate 'gama1'; did you mean 'gamma1'?");
 }
 
-}  // namespace
+}  // namespace formula_context
 }  // namespace findspace::formula

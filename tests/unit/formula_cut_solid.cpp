@@ -11,7 +11,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_cut_solid {
 
 using exact::Real;
 using Kind = plane::Shape::Kind;
@@ -113,5 +113,5 @@ TEST(CutSolid, IsOneOfSeveral) {
   EXPECT_EQ(*sign_at_position(rays, touching, space::place(0, 0, -25)), 1);
 }
 
-}  // namespace
+}  // namespace formula_cut_solid
 }  // namespace findspace::formula

@@ -11,7 +11,7 @@
 #include "formula/language/parse.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_docs {
 
 std::string page() {
   std::ifstream file(FINDSPACE_SOURCE "/docs/formula.md");
@@ -56,5 +56,5 @@ TEST(FormulaPage, ItsFormulasAreFormulas) {
   EXPECT_GE(count, 30);
 }
 
-}  // namespace
+}  // namespace formula_docs
 }  // namespace findspace::formula

@@ -6,7 +6,7 @@
 #include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_errors {
 
 TEST(FormulaErrors, Words) {
   expect("gamma1(chip, bord) >= 1",
@@ -225,5 +225,5 @@ TEST(FormulaErrors, Atoms) {
          "  ^~~");
 }
 
-}  // namespace
+}  // namespace formula_errors
 }  // namespace findspace::formula

@@ -5,7 +5,7 @@
 #include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_errors_arguments {
 
 TEST(FormulaErrors, Arguments) {
   expect("gamma1 >= 1",
@@ -132,5 +132,5 @@ TEST(FormulaErrors, Numbers) {
          "  gamma1(chip, board) > 1e999\n"
          "                        ^~~~~");
 }
-}  // namespace
+}  // namespace formula_errors_arguments
 }  // namespace findspace::formula

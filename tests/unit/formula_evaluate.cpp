@@ -9,7 +9,7 @@
 #include "formula/language/text.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_evaluate {
 
 Formula read(std::string_view text) {
   return parse_formula(text, {.shapes = {"A", "B", "C"},
@@ -180,5 +180,5 @@ TEST(Names, Nearest) {
   EXPECT_EQ(nearest("C", letters), "");
 }
 
-}  // namespace
+}  // namespace formula_evaluate
 }  // namespace findspace::formula

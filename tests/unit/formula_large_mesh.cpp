@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_large_mesh {
 
 using exact::Real;
 
@@ -101,5 +101,5 @@ TEST(LargeMesh, HundredThousandTriangles) {
   EXPECT_GT(solver.value(named(Kind::kEta1), space::place(1400, 0, 0))->value, Real(10));
 }
 
-}  // namespace
+}  // namespace formula_large_mesh
 }  // namespace findspace::formula

@@ -7,7 +7,7 @@
 #include "formula/language/lexer.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_lexer {
 
 using K = Token::Kind;
 
@@ -114,5 +114,5 @@ TEST(Source, MessagesAreCleanUtf8) {
   EXPECT_EQ(error.message(), "no\n  a? b? c\n   ^");
 }
 
-}  // namespace
+}  // namespace formula_lexer
 }  // namespace findspace::formula

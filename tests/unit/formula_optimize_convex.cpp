@@ -10,7 +10,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_optimize_convex {
 
 using distance::Sense;
 using exact::Real;
@@ -72,5 +72,5 @@ TEST(RayExtreme, OfABallOnLines) {
   EXPECT_FALSE(none.found());
 }
 
-}  // namespace
+}  // namespace formula_optimize_convex
 }  // namespace findspace::formula

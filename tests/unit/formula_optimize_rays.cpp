@@ -10,7 +10,7 @@
 #include "formula/solid/optimize_rays.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_optimize_rays {
 
 using Place = std::array<double, 3>;
 using space::RayInterval;
@@ -87,5 +87,5 @@ TEST(OptimizeRays, AgreesWithSampling) {
   }
 }
 
-}  // namespace
+}  // namespace formula_optimize_rays
 }  // namespace findspace::formula

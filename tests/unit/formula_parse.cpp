@@ -8,7 +8,7 @@
 #include "formula/language/text.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_parse {
 
 using exact::Real;
 
@@ -327,5 +327,5 @@ TEST(Parse, LongFormulasAreLinear) {
   EXPECT_EQ(formula.sign_maps().size(), 100u);
 }
 
-}  // namespace
+}  // namespace formula_parse
 }  // namespace findspace::formula

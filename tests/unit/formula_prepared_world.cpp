@@ -9,7 +9,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::formula {
-namespace {
+namespace formula_prepared_world {
 
 PreparedWorld squares() {
   World world;
@@ -55,5 +55,5 @@ TEST(PreparedWorld, ADistanceWithoutAShapeIsAnError) {
   }
 }
 
-}  // namespace
+}  // namespace formula_prepared_world
 }  // namespace findspace::formula

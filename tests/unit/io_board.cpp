@@ -14,7 +14,7 @@
 #include "plane/query/summary.h"
 
 namespace findspace::io {
-namespace {
+namespace io_board {
 
 constexpr const char* kOutline = "(gr_rect (start 0 0) (end 10 10) (layer \"Edge.Cuts\"))";
 
@@ -170,5 +170,5 @@ TEST(BoardScene, NamesAndSides) {
   EXPECT_THROW(board_scene(read, question), Error);
 }
 
-}  // namespace
+}  // namespace io_board
 }  // namespace findspace::io

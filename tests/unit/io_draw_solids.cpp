@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::io {
-namespace {
+namespace io_draw_solids {
 
 using exact::Real;
 using space::RayGrid;
@@ -69,5 +69,5 @@ TEST(DrawBodies, OutlinesAndHiddenLines) {
   EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 'M'), 3);
 }
 
-}  // namespace
+}  // namespace io_draw_solids
 }  // namespace findspace::io

@@ -8,7 +8,7 @@
 #include "io/draw/draw_space.h"
 
 namespace findspace::io {
-namespace {
+namespace io_draw_space {
 
 using exact::Real;
 using space::BoxComplex;
@@ -49,5 +49,5 @@ TEST(SpacePicture, TextIsEscaped) {
   EXPECT_TRUE(says(picture({{closed(0, 4), closed(0, 4), closed(0, 4)}}, false), "a &lt; b"));
 }
 
-}  // namespace
+}  // namespace io_draw_space
 }  // namespace findspace::io

@@ -8,7 +8,7 @@
 #include "io/text/units.h"
 
 namespace findspace::io {
-namespace {
+namespace io_grid {
 
 using exact::Real;
 
@@ -45,5 +45,5 @@ TEST(Grid, RefusesBeyondItsRange) {
   EXPECT_THROW(on("0.001", "1099511628"), Error);
 }
 
-}  // namespace
+}  // namespace io_grid
 }  // namespace findspace::io

@@ -17,7 +17,7 @@
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
-namespace {
+namespace io_mesh_3mf {
 
 using exact::Real;
 
@@ -154,5 +154,5 @@ TEST(WriteMesh, GlbIsClosedAndInMetres) {
   EXPECT_NE(glb_text({}, "nothing", "").find("\"scenes\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace io_mesh_3mf
 }  // namespace findspace::io

@@ -9,7 +9,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public {
 
 using namespace findspace;
 
@@ -119,4 +119,4 @@ TEST(Public, ErrorsSayWhere) {
   EXPECT_THROW(Number(std::nan("")), Error);
 }
 
-}  // namespace
+}  // namespace io_public

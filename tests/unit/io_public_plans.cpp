@@ -11,7 +11,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public_plans {
 
 using namespace findspace;
 using namespace findspace::words;
@@ -61,7 +61,7 @@ TEST(PublicPlacement, SaysWhatHasNoPosition) {
   EXPECT_TRUE(none.placed()[0].attained);
   EXPECT_TRUE(none.placed()[1].at);
   Demands strict = bottom_left({"A1"});
-  strict.each = margin("self", "sheet") > 1;
+  strict.each = words::margin("self", "sheet") > 1;
   const Placement open = place(parts(), strict);
   EXPECT_FALSE(open.complete());
   EXPECT_FALSE(open.placed()[0].attained);
@@ -271,4 +271,4 @@ TEST(PublicLines, SurfacesAreClosed) {
   EXPECT_NEAR(volume, 512 - 4.0 / 3 * kPi * 27, 20);
 }
 
-}  // namespace
+}  // namespace io_public_plans

@@ -13,7 +13,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public_values {
 
 using namespace findspace;
 using namespace findspace::words;
@@ -235,4 +235,4 @@ TEST(PublicSpace, ShapesAreCheckedWhereTheyAreMade) {
             "nothing was thrown");
 }
 
-}  // namespace
+}  // namespace io_public_values

@@ -12,7 +12,7 @@
 
 #include "findspace/findspace.h"
 
-namespace {
+namespace io_public_worlds {
 
 using namespace findspace;
 using namespace findspace::words;
@@ -315,4 +315,4 @@ TEST(PublicPhi, OfSpaceAgreesWithGap) {
     }
 }
 
-}  // namespace
+}  // namespace io_public_worlds

@@ -15,7 +15,7 @@
 #include "plane/query/summary.h"
 
 namespace findspace::io {
-namespace {
+namespace io_read_curves {
 
 using exact::Real;
 using std::numbers::pi;
@@ -268,5 +268,5 @@ TEST(ReadCurves, UnitsAsPeopleSpellThem) {
   EXPECT_THROW(parse_length("5mm", std::nullopt), Error);
 }
 
-}  // namespace
+}  // namespace io_read_curves
 }  // namespace findspace::io

@@ -8,7 +8,7 @@
 #include "io/read/read_file.h"
 
 namespace findspace::io {
-namespace {
+namespace io_read_drawings {
 
 using exact::Real;
 using plane::GridPoint;
@@ -295,5 +295,5 @@ TEST(ReadDxf, BlocksAndLayers) {
   EXPECT_EQ(dxf(kSquare + "0 LWPOLYLINE|70 1|10 50|20 0|10 60|20 0|10 60|20 9|", second)->contours[0].size(), 3u);
 }
 
-}  // namespace
+}  // namespace io_read_drawings
 }  // namespace findspace::io

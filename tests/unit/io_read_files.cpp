@@ -8,7 +8,7 @@
 #include "io/read/read_file.h"
 
 namespace findspace::io {
-namespace {
+namespace io_read_files {
 
 using plane::GridPoint;
 using plane::Shape;
@@ -137,5 +137,5 @@ TEST(ReadGeoJson, Features) {
   EXPECT_EQ(all->children.size(), 4u);
 }
 
-}  // namespace
+}  // namespace io_read_files
 }  // namespace findspace::io

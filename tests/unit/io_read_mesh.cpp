@@ -12,7 +12,7 @@
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
-namespace {
+namespace io_read_mesh {
 
 const char* kObj =
     "# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nvn 0 0 1\n"
@@ -151,5 +151,5 @@ TEST(WriteMesh, PictureDashesHiddenLines) {
   EXPECT_THROW(surface_text({}, "", ".dwg", ""), Error);
 }
 
-}  // namespace
+}  // namespace io_read_mesh
 }  // namespace findspace::io

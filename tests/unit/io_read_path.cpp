@@ -9,7 +9,7 @@
 #include "io/text/svg_path.h"
 
 namespace findspace::io {
-namespace {
+namespace io_read_path {
 
 using exact::Real;
 using plane::GridPoint;
@@ -229,5 +229,5 @@ TEST(Outline, JoinsLinesEndToEnd) {
   EXPECT_THROW(join_open_chains(forked, 1), Error);
 }
 
-}  // namespace
+}  // namespace io_read_path
 }  // namespace findspace::io

@@ -10,7 +10,7 @@
 #include "io/scene/scene.h"
 
 namespace findspace::io {
-namespace {
+namespace io_scene {
 
 using plane::GridPoint;
 using plane::Shape;
@@ -248,5 +248,5 @@ TEST(Scene, MissingFilesAndFolders) {
   }
 }
 
-}  // namespace
+}  // namespace io_scene
 }  // namespace findspace::io

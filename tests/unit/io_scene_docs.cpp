@@ -11,7 +11,7 @@
 #include "io/text/read_text.h"
 
 namespace findspace::io {
-namespace {
+namespace io_scene_docs {
 
 /// Reads all scenes of a page; how many there are.
 int scenes_of(const std::string& name) {
@@ -42,5 +42,5 @@ TEST(SceneDocs, EveryExampleIsRead) {
   }
 }
 
-}  // namespace
+}  // namespace io_scene_docs
 }  // namespace findspace::io

@@ -10,7 +10,7 @@
 #include "io/scene/scene.h"
 
 namespace findspace::io {
-namespace {
+namespace io_scene_question {
 
 using exact::Real;
 
@@ -138,5 +138,5 @@ TEST(SceneQuestion, Placement) {
   EXPECT_THROW(read_scene_text(named_self, ".", "s.json"), Error);
 }
 
-}  // namespace
+}  // namespace io_scene_question
 }  // namespace findspace::io

@@ -13,7 +13,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_drawing {
 
 using exact::Real;
 using plane::Region;
@@ -99,5 +99,5 @@ TEST(WriteDrawing, RandomRegionsReadBack) {
   }
 }
 
-}  // namespace
+}  // namespace io_write_drawing
 }  // namespace findspace::io

@@ -11,7 +11,7 @@
 #include "io/write/write_file.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_file {
 
 namespace fs = std::filesystem;
 
@@ -96,5 +96,5 @@ TEST_F(WriteFile, TakesTextPieceByPiece) {
   EXPECT_EQ(entries(), 1u);
 }
 
-}  // namespace
+}  // namespace io_write_file
 }  // namespace findspace::io

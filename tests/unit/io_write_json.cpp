@@ -9,7 +9,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_json {
 
 using exact::Real;
 using nlohmann::json;
@@ -107,5 +107,5 @@ TEST(Json, Intervals) {
   EXPECT_EQ(text(Region::uniform(1))["intervals"][0]["from"], nullptr);
 }
 
-}  // namespace
+}  // namespace io_write_json
 }  // namespace findspace::io

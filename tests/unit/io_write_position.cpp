@@ -8,7 +8,7 @@
 #include "io/write/write_position.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_position {
 
 using exact::Real;
 using nlohmann::json;
@@ -51,5 +51,5 @@ TEST(WritePosition, UndefinedAndRefusedValuesAreNull) {
   EXPECT_TRUE(out.at("distances").at("gamma1(B, A)").is_null());
 }
 
-}  // namespace
+}  // namespace io_write_position
 }  // namespace findspace::io

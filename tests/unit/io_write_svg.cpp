@@ -13,7 +13,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_svg {
 
 using exact::Real;
 using plane::Region;
@@ -152,5 +152,5 @@ TEST(Svg, ShapesSayWhatIsLost) {
   EXPECT_THROW(shape_svg(Region::uniform(1), Real(1), "s", {}), Error);
 }
 
-}  // namespace
+}  // namespace io_write_svg
 }  // namespace findspace::io

@@ -10,7 +10,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
-namespace {
+namespace io_write_wkt {
 
 using exact::Real;
 using plane::Region;
@@ -86,5 +86,5 @@ TEST(Wkt, RingsAreCutWhereTheyTouchThemselves) {
   EXPECT_EQ(std::count(touching.begin(), touching.end(), '('), 3);
 }
 
-}  // namespace
+}  // namespace io_write_wkt
 }  // namespace findspace::io

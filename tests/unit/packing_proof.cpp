@@ -11,7 +11,7 @@
 #include "packing/proof/verify.h"
 
 namespace findspace::packing {
-namespace {
+namespace packing_proof {
 
 Polygon box(int x0, int y0, int x1, int y1) { return make_polygon({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}, "box"); }
 
@@ -135,5 +135,5 @@ TEST(LowerBound, AreaAndWidestPart) {
   EXPECT_EQ(lower_bound(problem), Fraction(5));
 }
 
-}  // namespace
+}  // namespace packing_proof
 }  // namespace findspace::packing

@@ -12,7 +12,7 @@
 #include "packing/search/strip_search.h"
 
 namespace findspace::packing {
-namespace {
+namespace packing_search {
 
 Polygon box(int w, int h) { return make_polygon({{{0, 0}, {w, 0}, {w, h}, {0, h}}}, "box"); }
 
@@ -133,5 +133,5 @@ TEST(Search, StopsAtOnceWithALayout) {
   EXPECT_TRUE(verify(problem, *layout).feasible());
 }
 
-}  // namespace
+}  // namespace packing_search
 }  // namespace findspace::packing

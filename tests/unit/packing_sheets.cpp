@@ -12,7 +12,7 @@
 #include "packing/search/box_search.h"
 
 namespace findspace::packing {
-namespace {
+namespace packing_sheets {
 
 Ring box_ring(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 Polygon box(int w, int h) { return make_polygon({box_ring(0, 0, w, h)}, "box"); }
@@ -143,5 +143,5 @@ TEST(FieldTable, PairsThatShareAField) {
     }
 }
 
-}  // namespace
+}  // namespace packing_sheets
 }  // namespace findspace::packing

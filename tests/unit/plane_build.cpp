@@ -9,7 +9,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_build {
 
 using exact::Real;
 using Kind = Shape::Kind;
@@ -202,5 +202,5 @@ TEST(MinkowskiNodes, HalfOpenOperands) {
       node(Kind::kDifference, {box_of(0, 0, 3, 3), node(Kind::kUnion, {chain_of({{0, 3}, {0, 0}, {3, 0}, {3, 3}})})}));
 }
 
-}  // namespace
+}  // namespace plane_build
 }  // namespace findspace::plane

@@ -10,7 +10,7 @@
 #include "plane/rotation/contact_joints.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_contact_joints {
 
 using exact::Real;
 
@@ -53,5 +53,5 @@ TEST(ContactJoints, EdgesWithCornersAndArcs) {
   EXPECT_FALSE(joints.edge(1, 2));  // tangent with the opposite normal
 }
 
-}  // namespace
+}  // namespace plane_contact_joints
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "plane/contour/contour.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_contour {
 
 using exact::Real;
 
@@ -179,5 +179,5 @@ TEST(Contour, ManyHolesInAnyOrder) {
   expect_refused(rings, "is inside hole");
 }
 
-}  // namespace
+}  // namespace plane_contour
 }  // namespace findspace::plane

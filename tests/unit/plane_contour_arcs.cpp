@@ -15,7 +15,7 @@
 #include "plane/contour/contour_meet.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_contour_arcs {
 
 using exact::Real;
 
@@ -241,7 +241,7 @@ TEST(ContourArcs, MeetAgreesWithDistances) {
       edges[i] = arc ? radius_arc(a, b, radius(random), kind(random) == 0, kind(random) == 0) : line(a);
       spans[i] = {a, b, edges[i].arc.get(), edges[i].ccw};
     }
-    std::optional<Meeting> m = meet(spans[0], spans[1], nullptr, false);
+    std::optional<CommonPoint> m = meet(spans[0], spans[1], nullptr, false);
     Oracle f = oracle_of(spans[0]), g = oracle_of(spans[1]);
     if (m) {
       EXPECT_LT(distance(f, m->x, m->y), 1e-9) << trial;
@@ -256,5 +256,5 @@ TEST(ContourArcs, MeetAgreesWithDistances) {
   EXPECT_GT(apart, 100);
 }
 
-}  // namespace
+}  // namespace plane_contour_arcs
 }  // namespace findspace::plane

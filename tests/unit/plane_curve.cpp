@@ -11,7 +11,7 @@
 #include "plane/curve/curve_arcs.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_curve {
 
 using exact::Real;
 
@@ -242,5 +242,5 @@ TEST(PlaneCurve, WhatIsRefused) {
   EXPECT_THROW(bezier({{0, 0}, {1, 1}, {2, 0}}, {1, 0, 1}), Error);
 }
 
-}  // namespace
+}  // namespace plane_curve
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "findspace/error.h"
 #include "plane/contour/grid_points.h"
 
-namespace {
+namespace plane_grid_points {
 
 using namespace findspace;
 using exact::Real;
@@ -74,4 +74,4 @@ TEST(GridPoints, MistakesNameTheVertex) {
   }
 }
 
-}  // namespace
+}  // namespace plane_grid_points

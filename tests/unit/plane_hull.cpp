@@ -10,7 +10,7 @@
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_hull {
 
 using exact::Real;
 using Kind = Shape::Kind;
@@ -173,5 +173,5 @@ TEST(Hull, MiddleArcTouchesASide) {
   EXPECT_EQ(mark_at(g, 6, 2), 1);
 }
 
-}  // namespace
+}  // namespace plane_hull
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_in_order {
 
 /// All that a writer sees of the cells, supporting curves by their course.
 auto cells(const CellComplex& c) {
@@ -57,5 +57,5 @@ TEST(InOrder, TheOrderOfTheShapesIsForgotten) {
   EXPECT_EQ(cells(in_order(in_order(forth))), cells(in_order(forth)));
 }
 
-}  // namespace
+}  // namespace plane_in_order
 }  // namespace findspace::plane

@@ -15,7 +15,7 @@
 #include "plane/grid/lattice_sum.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_lattice {
 
 using Place = std::pair<std::int64_t, std::int64_t>;  // row, column
 
@@ -224,5 +224,5 @@ TEST(InnerMask, MarkedCellsAreSumsOfPointsInside) {
   }
 }
 
-}  // namespace
+}  // namespace plane_lattice
 }  // namespace findspace::plane

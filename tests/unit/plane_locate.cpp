@@ -9,7 +9,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_locate {
 
 using exact::Real;
 
@@ -123,5 +123,5 @@ TEST(Locate, AgreesWithSetsGivenByInequalities) {
   }
 }
 
-}  // namespace
+}  // namespace plane_locate
 }  // namespace findspace::plane

@@ -7,7 +7,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_locate_line {
 
 using exact::Real;
 
@@ -58,5 +58,5 @@ TEST(Line, CircleSecantAndTangent) {
             "[" + (sqrt(Real(2)) - Real(5)).text() + "," + (sqrt(Real(2)) + Real(5)).text() + "]");
 }
 
-}  // namespace
+}  // namespace plane_locate_line
 }  // namespace findspace::plane

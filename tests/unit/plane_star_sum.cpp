@@ -10,7 +10,7 @@
 #include "plane/grid/star_sum.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_star_sum {
 
 using Points = std::vector<GridPoint>;
 
@@ -61,5 +61,5 @@ TEST(StarSum, NotWhereCurvesPartOrParallelEdgesMakeStraightCorners) {
   EXPECT_EQ(squares->vertices.size(), 4u);
 }
 
-}  // namespace
+}  // namespace plane_star_sum
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_summary {
 
 using exact::Real;
 constexpr double kPi = std::numbers::pi;
@@ -243,5 +243,5 @@ TEST(Twofold, AnglesToThirtyDigits) {
   EXPECT_EQ(small.hi, 0x1p-60);
 }
 
-}  // namespace
+}  // namespace plane_summary
 }  // namespace findspace::plane

@@ -7,7 +7,7 @@
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_topology {
 
 const Region kEmpty = Region::uniform(0), kPlane = Region::uniform(1);
 
@@ -92,5 +92,5 @@ TEST(Topology, RegularizingIsNotTheInteriorOfTheClosure) {
   EXPECT_FALSE(same_set(regularize(s), interior(closure(s))));
 }
 
-}  // namespace
+}  // namespace plane_topology
 }  // namespace findspace::plane

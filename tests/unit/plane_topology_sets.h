@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "law/plane_same_set.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/winding.h"
@@ -54,7 +55,5 @@ inline Region point(std::int64_t x, std::int64_t y) {
 inline Region operator+(const Region& a, const Region& b) { return unite(std::vector<const Region*>{&a, &b}); }
 inline Region operator-(const Region& a, const Region& b) { return subtract(std::vector<const Region*>{&a, &b}); }
 inline Region operator&(const Region& a, const Region& b) { return intersect(std::vector<const Region*>{&a, &b}); }
-
-inline bool same_set(const Region& a, const Region& b) { return is_empty(a - b) && is_empty(b - a); }
 
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "plane/query/locate.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_transform {
 
 using exact::Real;
 using Kind = Shape::Kind;
@@ -169,5 +169,5 @@ TEST(Rotate, LargeCoordinates) {
   EXPECT_THROW(rotation(region_of(box_of(-2 * far, -2 * far, 2 * far, 2 * far)), 45, rounding), Error);
 }
 
-}  // namespace
+}  // namespace plane_transform
 }  // namespace findspace::plane

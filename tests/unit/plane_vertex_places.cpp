@@ -12,7 +12,7 @@
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
-namespace {
+namespace plane_vertex_places {
 
 using exact::Geometry;
 using exact::Real;
@@ -99,5 +99,5 @@ TEST(VertexPlaces, OfCrossingsUnderSmallAngles) {
   expect_near(g);
 }
 
-}  // namespace
+}  // namespace plane_vertex_places
 }  // namespace findspace::plane

@@ -12,7 +12,7 @@
 #include "planning/solid/difference_boxes.h"
 
 namespace findspace::planning {
-namespace {
+namespace planning_difference_boxes {
 
 using exact::Real;
 using space::Interval;
@@ -107,5 +107,5 @@ TEST(DifferenceBoxes, BoundsAreThoseOfAllPositions) {
   EXPECT_GT(full, 20);
 }
 
-}  // namespace
+}  // namespace planning_difference_boxes
 }  // namespace findspace::planning

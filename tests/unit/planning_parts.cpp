@@ -16,7 +16,7 @@
 #include "planning/planar/pair_system.h"
 
 namespace findspace::planning {
-namespace {
+namespace planning_parts {
 
 using exact::Real;
 using exact::RealPoint;
@@ -153,5 +153,5 @@ TEST(PairSystem, ThreeThatExcludeEachOther) {
   }
 }
 
-}  // namespace
+}  // namespace planning_parts
 }  // namespace findspace::planning

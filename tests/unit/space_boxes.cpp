@@ -14,7 +14,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_boxes {
 
 using exact::Real;
 
@@ -202,5 +202,5 @@ TEST(MinBall, OfPointsOnAndOffALine) {
   EXPECT_EQ(box.square, Real(14));
 }
 
-}  // namespace
+}  // namespace space_boxes
 }  // namespace findspace::space

@@ -9,7 +9,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_deepest {
 
 using exact::Real;
 
@@ -67,5 +67,5 @@ TEST(Deepest, RandomPolytopes) {
   EXPECT_GT(found, 10);
 }
 
-}  // namespace
+}  // namespace space_deepest
 }  // namespace findspace::space

@@ -11,7 +11,7 @@
 #include "unit/solid_shapes.h"
 
 namespace findspace::space {
-namespace {
+namespace space_erosion {
 
 using exact::Real;
 using plane::Shape;
@@ -119,5 +119,5 @@ TEST(Erosion, OfRoundShapesByPolytopesIsWhatTheirCopiesHaveInCommon) {
   EXPECT_EQ(bounds(lens).high[0], Real(10));
 }
 
-}  // namespace
+}  // namespace space_erosion
 }  // namespace findspace::space

@@ -10,7 +10,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_longest_chord {
 
 using exact::Real;
 
@@ -84,5 +84,5 @@ TEST(LongestChord, AsInBruteForce) {
   }
 }
 
-}  // namespace
+}  // namespace space_longest_chord
 }  // namespace findspace::space

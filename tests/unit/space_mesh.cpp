@@ -14,7 +14,7 @@
 #include "space/phi/phi_union.h"
 
 namespace findspace::space {
-namespace {
+namespace space_mesh {
 
 Mesh cube(std::int64_t size) {
   Mesh m;
@@ -244,5 +244,5 @@ TEST(ConvexParts, OfATorusFillItAndLeaveItsHole) {
   }
 }
 
-}  // namespace
+}  // namespace space_mesh
 }  // namespace findspace::space

@@ -9,7 +9,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_mesh_crossing {
 
 void add_box(Mesh& mesh, const Point& low, const Point& high, bool hollow = false) {
   const int base = static_cast<int>(mesh.vertices.size());
@@ -66,5 +66,5 @@ TEST(MeshCrossing, OneSurfaceTwistedThroughItself) {
   EXPECT_TRUE(crosses(mesh));
 }
 
-}  // namespace
+}  // namespace space_mesh_crossing
 }  // namespace findspace::space

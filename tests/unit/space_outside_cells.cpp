@@ -10,7 +10,7 @@
 #include "unit/space_bumps.h"
 
 namespace findspace::space {
-namespace {
+namespace space_outside_cells {
 
 using exact::Real;
 
@@ -110,5 +110,5 @@ TEST(OutsideCells, OfMeshesThatOverlap) {
   }
 }
 
-}  // namespace
+}  // namespace space_outside_cells
 }  // namespace findspace::space

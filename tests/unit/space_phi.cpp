@@ -16,7 +16,7 @@
 #include "space/polytope/convex_polygon.h"
 
 namespace findspace::space {
-namespace {
+namespace space_phi {
 
 using exact::Real;
 
@@ -164,5 +164,5 @@ TEST(PlanarPhi, EqualsTheRectangleFormAndIsExactInContact) {
   EXPECT_THROW(ConvexPolygon::hull(std::vector<Point2>{{0, 0}, {1, 1}, {2, 2}}), Error);
 }
 
-}  // namespace
+}  // namespace space_phi
 }  // namespace findspace::space

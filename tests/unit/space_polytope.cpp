@@ -7,7 +7,7 @@
 
 #include "space/polytope/polytope.h"
 
-namespace {
+namespace space_polytope {
 
 using findspace::Error;
 using findspace::ErrorCode;
@@ -108,4 +108,4 @@ TEST(Polytope, FromHalfSpaces) {
   EXPECT_DOUBLE_EQ(repair.moved, 0.5);
 }
 
-}  // namespace
+}  // namespace space_polytope

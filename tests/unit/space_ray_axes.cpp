@@ -12,7 +12,7 @@
 #include "unit/space_bodies.h"
 
 namespace findspace::space {
-namespace {
+namespace space_ray_axes {
 
 using exact::Real;
 
@@ -117,5 +117,5 @@ TEST(RayAxes, SplintersGoWithWhatIsNear) {
   EXPECT_EQ(slanted_plates({95, 185}).summary.components.size(), 2U);
 }
 
-}  // namespace
+}  // namespace space_ray_axes
 }  // namespace findspace::space

@@ -6,7 +6,7 @@
 #include "space/polytope/triangulate.h"
 
 namespace findspace::space {
-namespace {
+namespace space_triangulate {
 
 int128 twice_area(std::span<const Point2> ring) {
   int128 sum = 0;
@@ -47,5 +47,5 @@ TEST(Triangulate, RefusesWhatIsNotSimple) {
   EXPECT_THROW(triangulate(std::vector<Point2>{{0, 0}, {4, 0}, {8, 0}}), Error);
 }
 
-}  // namespace
+}  // namespace space_triangulate
 }  // namespace findspace::space

@@ -98,7 +98,7 @@ struct EdgeId {
   std::uint32_t ring, edge;
 };
 
-[[noreturn]] void fail_meeting(const Ring& a, std::size_t i, const Ring& b, std::size_t j, const Meeting& m,
+[[noreturn]] void fail_meeting(const Ring& a, std::size_t i, const Ring& b, std::size_t j, const CommonPoint& m,
                                double step) {
   const char* how = m.along ? "run along each other" : "meet";
   std::string what = &a == &b ? fmt::format("{} touches or crosses itself", a.label())

@@ -21,12 +21,12 @@ int sign(int128 v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
 int128 dot(GridPoint o, GridPoint a, GridPoint b) {
   return int128(a.x - o.x) * (b.x - o.x) + int128(a.y - o.y) * (b.y - o.y);
 }
-Meeting at(GridPoint p, bool along = false) { return {double(p.x), double(p.y), along}; }
+CommonPoint at(GridPoint p, bool along = false) { return {double(p.x), double(p.y), along}; }
 
 /// p on the closed segment, given that it is on its line.
 bool between(GridPoint p, const Span& s) { return dot(p, s.from, s.to) <= 0; }
 
-std::optional<Meeting> collinear(const Span& f, const Span& g) {
+std::optional<CommonPoint> collinear(const Span& f, const Span& g) {
   bool along = f.from != g.from && f.from != g.to && f.to != g.from && f.to != g.to;
   for (GridPoint p : {g.from, g.to}) {
     if (between(p, f)) return at(p, along || (between(g.from, f) && between(g.to, f)));
@@ -37,7 +37,7 @@ std::optional<Meeting> collinear(const Span& f, const Span& g) {
   return std::nullopt;
 }
 
-std::optional<Meeting> segments(const Span& f, const Span& g) {
+std::optional<CommonPoint> segments(const Span& f, const Span& g) {
   int128 a = cross(f.from, f.to, g.from), b = cross(f.from, f.to, g.to);
   if (sign(a) * sign(b) > 0) return std::nullopt;
   if (a == 0 && b == 0) return collinear(f, g);
@@ -49,11 +49,12 @@ std::optional<Meeting> segments(const Span& f, const Span& g) {
   if (c == 0) return at(f.from);
   if (d == 0) return at(f.to);
   double t = double(c) / (double(c) - double(d));
-  return Meeting{double(f.from.x) + t * double(f.to.x - f.from.x), double(f.from.y) + t * double(f.to.y - f.from.y)};
+  return CommonPoint{double(f.from.x) + t * double(f.to.x - f.from.x),
+                     double(f.from.y) + t * double(f.to.y - f.from.y)};
 }
 
 /// Two segments that share the vertex v as neighbours: only folding back onto each other is a fault.
-std::optional<Meeting> joined_segments(const Span& f, const Span& g, GridPoint v) {
+std::optional<CommonPoint> joined_segments(const Span& f, const Span& g, GridPoint v) {
   GridPoint p = f.from == v ? f.to : f.from, q = g.from == v ? g.to : g.from;
   if (cross(v, p, q) != 0 || dot(v, p, q) < 0) return std::nullopt;
   return at(dot(v, p, p) < dot(v, q, q) ? p : q, true);
@@ -72,8 +73,8 @@ class Solver {
   /// A sign stayed open: the answer means nothing.
   bool open = false;
 
-  std::optional<Meeting> segment_arc(const Span& s, const Span& arc, const GridPoint* joined);
-  std::optional<Meeting> arc_arc(const Span& f, const Span& g, const GridPoint* joined);
+  std::optional<CommonPoint> segment_arc(const Span& s, const Span& arc, const GridPoint* joined);
+  std::optional<CommonPoint> arc_arc(const Span& f, const Span& g, const GridPoint* joined);
 
  private:
   struct Vector {
@@ -108,25 +109,25 @@ class Solver {
     Vector chord{last.x - first.x, last.y - first.y};
     return sign(cross(chord, {p.x - first.x * scale, p.y - first.y * scale})) <= 0;
   }
-  Meeting meeting(const Vector& p, const N& scale) const {
+  CommonPoint meeting(const Vector& p, const N& scale) const {
     double d = middle(scale);
     return {middle(p.x) / d + double(origin_.x), middle(p.y) / d + double(origin_.y)};
   }
-  std::optional<Meeting> joined_arcs(const Circle& c, const Vector& dc, const N& d2, const N& along, const Span& f,
-                                     const Span& g, GridPoint v);
+  std::optional<CommonPoint> joined_arcs(const Circle& c, const Vector& dc, const N& d2, const N& along, const Span& f,
+                                         const Span& g, GridPoint v);
 
   GridPoint origin_;
 };
 
 template <class N>
-std::optional<Meeting> Solver<N>::segment_arc(const Span& s, const Span& arc, const GridPoint* joined) {
+std::optional<CommonPoint> Solver<N>::segment_arc(const Span& s, const Span& arc, const GridPoint* joined) {
   GridPoint from = joined && *joined == s.to ? s.to : s.from, to = from == s.from ? s.to : s.from;
   origin_ = from;
   Vector d = relative(to);
   Circle c = circle(arc);
   // |t d - c|^2 = r^2, that is  a t^2 - 2 b t + k = 0, for t = num / a in [0, 1].
   N a = dot(d, d), b = dot(d, c.center);
-  auto found = [&](const N& num, bool strict) -> std::optional<Meeting> {
+  auto found = [&](const N& num, bool strict) -> std::optional<CommonPoint> {
     int low = sign(num);
     if (low < 0 || (strict && low == 0) || sign(a - num) < 0) return std::nullopt;
     Vector p{d.x * num, d.y * num};
@@ -144,8 +145,8 @@ std::optional<Meeting> Solver<N>::segment_arc(const Span& s, const Span& arc, co
 }
 
 template <class N>
-std::optional<Meeting> Solver<N>::joined_arcs(const Circle& c, const Vector& dc, const N& d2, const N& along,
-                                              const Span& f, const Span& g, GridPoint v) {
+std::optional<CommonPoint> Solver<N>::joined_arcs(const Circle& c, const Vector& dc, const N& d2, const N& along,
+                                                  const Span& f, const Span& g, GridPoint v) {
   // The other common point is v mirrored in the line of the centres; times d2 all is polynomial.
   Vector w = relative(v);
   if (sign(cross(dc, {w.x - c.center.x, w.y - c.center.y})) == 0) return std::nullopt;  // tangent there
@@ -155,7 +156,7 @@ std::optional<Meeting> Solver<N>::joined_arcs(const Circle& c, const Vector& dc,
 }
 
 template <class N>
-std::optional<Meeting> Solver<N>::arc_arc(const Span& f, const Span& g, const GridPoint* joined) {
+std::optional<CommonPoint> Solver<N>::arc_arc(const Span& f, const Span& g, const GridPoint* joined) {
   origin_ = f.from;
   Circle c = circle(f), e = circle(g);
   Vector dc{e.center.x - c.center.x, e.center.y - c.center.y};
@@ -180,7 +181,7 @@ std::optional<Meeting> Solver<N>::arc_arc(const Span& f, const Span& g, const Gr
 /// Grid point p of the arc's circle: whether it lies on the arc.
 bool holds(const Span& arc, GridPoint p) { return cross(arc.first(), arc.last(), p) <= 0; }
 
-std::optional<Meeting> same_circle(const Span& f, const Span& g, const GridPoint* joined, bool both) {
+std::optional<CommonPoint> same_circle(const Span& f, const Span& g, const GridPoint* joined, bool both) {
   if (both) return f.first() == g.first() ? std::optional(at(f.first(), true)) : std::nullopt;
   auto is_joint = [&](GridPoint p) { return joined && p == *joined; };
   for (GridPoint p : {g.from, g.to}) {
@@ -202,9 +203,9 @@ bool segment_behind(const Span& s, const Span& arc) {
 }
 
 template <class Question>
-std::optional<Meeting> staged(Question ask) {
+std::optional<CommonPoint> staged(Question ask) {
   Solver<Interval> fast;
-  std::optional<Meeting> answer = ask(fast);
+  std::optional<CommonPoint> answer = ask(fast);
   if (!fast.open) return answer;
   Solver<Real> exact;
   return ask(exact);
@@ -212,7 +213,7 @@ std::optional<Meeting> staged(Question ask) {
 
 }  // namespace
 
-std::optional<Meeting> meet(const Span& f, const Span& g, const GridPoint* joined, bool both) {
+std::optional<CommonPoint> meet(const Span& f, const Span& g, const GridPoint* joined, bool both) {
   if (!f.arc && !g.arc) {
     if (both) return at(f.from, true);
     return joined ? joined_segments(f, g, *joined) : segments(f, g);

@@ -36,13 +36,13 @@ inline bool straight(const Contour& ring) {
   return std::none_of(ring.begin(), ring.end(), [](const ContourEdge& e) { return bool(e.arc); });
 }
 
-struct Meeting {
+struct CommonPoint {
   double x = 0, y = 0;  // a common point, rounded, in grid steps
   bool along = false;   // a whole piece is shared
 };
 
 /// A common point of two edges other than the ends they share as neighbours: `joined` is such an end (or null),
 /// `both` says that the two ends of one are the two ends of the other, both as neighbours (a ring of two edges).
-std::optional<Meeting> meet(const Span& f, const Span& g, const GridPoint* joined, bool both);
+std::optional<CommonPoint> meet(const Span& f, const Span& g, const GridPoint* joined, bool both);
 
 }  // namespace findspace::plane
