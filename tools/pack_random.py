@@ -3,12 +3,14 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Packs random small instances and checks every layout in rational arithmetic that knows nothing of the program.
 
-usage: pack_random.py EXECUTABLE [--count N] [--seed S]
+usage: pack_random.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
 Every third instance has sheets, some with an outline that is no rectangle and a hole, and mirrored parts.
 Checked: every copy of every part or said to be left out, an allowed angle, inside the strip or its sheet, the length as
 stated and not below the lower bound, no two parts with a common area, and gaps as wide as asked for. The area is the sum over signed triangles of both parts, each pair clipped
-exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check."""
+exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
+
+With --kills N searches are killed after random times: each leaves a whole feasible layout in its file, or no file."""
 import argparse
 import json
 import os
@@ -293,6 +295,34 @@ def check_interrupt(program, folder):
         fail(5, "; ".join(wrong))
 
 
+def check_kills(program, folder, count, rng):
+    """SIGKILL at any time: the file holds a whole layout that is feasible, or there is none."""
+    problem = instance(random.Random(5))
+    path, out = os.path.join(folder, "problem.json"), os.path.join(folder, "killed.json")
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(nesting_json(problem), file)
+    whole = 0
+    for k in range(count):
+        with subprocess.Popen([program, "pack", path, *wishes(problem), "--seed", str(k), "-o", out, "-q"],
+                              stdout=subprocess.DEVNULL) as search:
+            if k % 2:  # from the first layout on
+                while search.poll() is None and not os.path.exists(out):
+                    time.sleep(0.001)
+            time.sleep(rng.uniform(0, 0.2))
+            search.kill()
+        if not os.path.exists(out):
+            continue
+        with open(out, encoding="utf-8") as file:
+            wrong = faults(problem, json.load(file)["layout"])
+        if wrong:
+            fail(5, f"killed: {'; '.join(wrong)}")
+        os.remove(out)
+        whole += 1
+    if whole < count // 2:
+        fail(5, f"{whole} files of {count} killed searches")
+    print(f"{whole} of {count} killed searches left a layout, whole and feasible; the others no file")
+
+
 SQUARE = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [2, 2], [0, 2]]}
 PLATE = {"id": "plate", "width": 4, "height": 4}
 
@@ -353,10 +383,12 @@ def main():
     parser.add_argument("executable")
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kills", type=int, default=0)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         check_refusals(arguments.executable, folder)
         check_interrupt(arguments.executable, folder)
+        check_kills(arguments.executable, folder, arguments.kills, random.Random(arguments.seed))
         for k in range(arguments.count):
             check_instance(arguments.executable, arguments.seed * 100000 + k, folder)
     print(f"{arguments.count} layouts are feasible, and verify agrees on {3 * arguments.count} others")
