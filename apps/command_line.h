@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The command line of one verb, for whoever runs verbs beside `main`: the same words, checks and messages.
+// The command line of the program and of one verb, for whoever runs verbs beside it: the same words, checks and
+// messages.
 #pragma once
 
 #include <string>
@@ -26,6 +27,16 @@ Outcome run_question(std::string_view verb, const Options& options, Reporter& re
 
 /// It ends in time by itself, with the best result so far.
 bool ends_in_time(std::string_view verb);
+
+/// A command line that was read: a verb and its options, or no verb where it was answered or refused.
+struct CommandLine {
+  std::string verb;
+  Options options;
+  ExitStatus answered = kDone;
+};
+
+/// Prints help and messages itself.
+CommandLine read_command_line(int argc, char** argv);
 
 class RowTeam;
 /// The whole program; returns its exit status. `team`: of processes that run it together, or null.

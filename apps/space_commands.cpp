@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "formula/solid/faults.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
 #include "plane/base/parallel.h"
@@ -50,7 +51,7 @@ std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
   session.reporter().stage("building the shapes");
   std::vector<formula::SpaceShape> built(shapes.size());
   plane::parallel_for(built.size(), [&](std::size_t k) {
-    auto made = formula::try_space_shape(*shapes[k]);
+    auto made = formula::throwing_faults(formula::try_space_shape(*shapes[k]));
     if (made)
       built[k] = *std::move(made);
     else

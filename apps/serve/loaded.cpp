@@ -127,6 +127,19 @@ std::string Loaded::place_json(double seconds) const {
                       [&](const Session& session) { return place_scene(session, planning::Limit(seconds)).text; });
 }
 
+std::string Loaded::nearest_json(const Spot& spot) const {
+  require_moving();
+  const auto near = nearest(spot);
+  if (!near) return R"({"nearest_feasible": null})";
+  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
+                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+}
+
+std::string with_member(std::string object, std::string_view name, std::string_view value) {
+  object.resize(object.rfind('}'));
+  return fmt::format("{}, \"{}\": {}}}", object, name, value);
+}
+
 void check_reach(const io::Scene& scene, const Spot& spot) {
   if (spot.at.size() != std::size_t(scene.dimension))
     throw Error(ErrorCode::kBadValue, fmt::format("a position of this scene has {} numbers", scene.dimension),

@@ -9,9 +9,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formula/language/formula.h"
+#include "formula/language/position_answers.h"
 #include "io/scene/scene.h"
 #include "session.h"
 
@@ -55,7 +57,7 @@ class Loaded {
   /// The region, as `map --json` gives it; with `drawing` how it looks too.
   virtual std::string map_json(const RegionWish& wish) const = 0;
   virtual std::string check_json(const Spot& spot, const CheckWish& wish) const = 0;
-  virtual std::string nearest_json(const Spot& spot) const = 0;
+  std::string nearest_json(const Spot& spot) const;
   virtual std::string measure_json(const Spot& spot) const = 0;
   virtual std::string explain_json(const std::optional<Spot>& spot) const = 0;
   /// The angles, or the instants, at which the formula holds at a position.
@@ -87,6 +89,8 @@ class Loaded {
   void require_moving() const;
   [[noreturn]] void refuse(const std::string& what) const;
 
+  /// Nothing where it is not computed, or no position is feasible.
+  virtual std::optional<formula::NearestFeasible> nearest(const Spot& spot) const = 0;
   /// A shape as it is drawn, as JSON.
   virtual std::string drawing_of(const std::string& shape) const = 0;
   /// The formula is another one now.
@@ -100,6 +104,9 @@ class Loaded {
   io::Scene scene_;
   formula::Formula formula_;
 };
+
+/// The object of JSON with one more member.
+std::string with_member(std::string object, std::string_view name, std::string_view value);
 
 /// "in the scene's grid's reach": throws Error(kOutOfRange) otherwise.
 void check_reach(const io::Scene& scene, const Spot& spot);

@@ -168,10 +168,8 @@ std::string LoadedPlane::map_json(const RegionWish& wish) const {
     }
     std::string out = planar_map_json(session, map);
     if (!wish.drawing) return out;
-    out.resize(out.rfind('}'));
-    out += ", \"drawing\": " + drawing_json(map.region);
-    if (map.outer) out += ", \"outer_drawing\": " + drawing_json(*map.outer);
-    return out + "}";
+    out = with_member(std::move(out), "drawing", drawing_json(map.region));
+    return map.outer ? with_member(std::move(out), "outer_drawing", drawing_json(*map.outer)) : out;
   });
 }
 
@@ -217,11 +215,8 @@ std::string LoadedPlane::check_json(const Spot& spot, const CheckWish& wish) con
                         near ? &*near : nullptr);
 }
 
-std::string LoadedPlane::nearest_json(const Spot& spot) const {
-  const auto near = nearest(rotated(spot.angle), point_of(spot));
-  if (!near) return R"({"nearest_feasible": null})";
-  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
-                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+std::optional<formula::NearestFeasible> LoadedPlane::nearest(const Spot& spot) const {
+  return nearest(rotated(spot.angle), point_of(spot));
 }
 
 std::string LoadedPlane::measure_json(const Spot& spot) const {

@@ -24,7 +24,6 @@ class LoadedPlane final : public Loaded {
 
   std::string map_json(const RegionWish& wish) const override;
   std::string check_json(const Spot& spot, const CheckWish& wish) const override;
-  std::string nearest_json(const Spot& spot) const override;
   std::string measure_json(const Spot& spot) const override;
   std::string explain_json(const std::optional<Spot>& spot) const override;
   std::string angles_json(const Spot& spot) const override;
@@ -41,6 +40,7 @@ class LoadedPlane final : public Loaded {
   };
 
   std::string drawing_of(const std::string& shape) const override;
+  std::optional<formula::NearestFeasible> nearest(const Spot& spot) const override;
   void forget_answers() override;
 
   const formula::Solver& solver() const { return *upright_.solver; }

@@ -67,8 +67,7 @@ std::string LoadedSpace::map_of_line(const RegionWish& wish, const formula::Form
       if (i.from) i.from = *i.from * session.step();
       if (i.to) i.to = *i.to * session.step();
     }
-    out.resize(out.rfind('}'));
-    return out + ", \"drawing\": " + drawing_of_line(lengths, through, direction, window()).json() + "}";
+    return with_member(std::move(out), "drawing", drawing_of_line(lengths, through, direction, window()).json());
   });
 }
 
@@ -108,16 +107,14 @@ std::string LoadedSpace::map_json(const RegionWish& asked) const {
       lines.axes = true;
       RaysDrawn drawn = draw_rays(session, lines, wanted);
       if (!wish.drawing) return drawn.json;
-      drawn.json.resize(drawn.json.rfind('}'));
-      return drawn.json + ", \"drawing\": " + SpaceDrawing{std::move(drawn.surface), {}, {}, {}}.json() + "}";
+      return with_member(std::move(drawn.json), "drawing", SpaceDrawing{std::move(drawn.surface), {}, {}, {}}.json());
     }
     std::string out = space_map_json(session, *map);
     if (!wish.drawing) return out;
     const SpaceDrawing drawing = map->way == distance::Way::kConvex
                                      ? drawing_of_convex(*map->convex, map->step)
                                      : drawing_of_boxes(map->boxes, session.step(), window());
-    out.resize(out.rfind('}'));
-    return out + ", \"drawing\": " + drawing.json() + "}";
+    return with_member(std::move(out), "drawing", drawing.json());
   });
 }
 
@@ -147,12 +144,8 @@ std::string LoadedSpace::check_json(const Spot& spot, const CheckWish& wish) con
                         near && wish.nearest ? &*near : nullptr);
 }
 
-std::string LoadedSpace::nearest_json(const Spot& spot) const {
-  require_moving();
-  const auto near = nearest(vector_of(spot));
-  if (!near) return R"({"nearest_feasible": null})";
-  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
-                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+std::optional<formula::NearestFeasible> LoadedSpace::nearest(const Spot& spot) const {
+  return nearest(vector_of(spot));
 }
 
 std::string LoadedSpace::measure_json(const Spot& spot) const {

@@ -23,7 +23,6 @@ class LoadedSpace final : public Loaded {
 
   std::string map_json(const RegionWish& wish) const override;
   std::string check_json(const Spot& spot, const CheckWish& wish) const override;
-  std::string nearest_json(const Spot& spot) const override;
   std::string measure_json(const Spot& spot) const override;
   std::string explain_json(const std::optional<Spot>& spot) const override;
   std::string angles_json(const Spot& spot) const override;
@@ -32,6 +31,7 @@ class LoadedSpace final : public Loaded {
 
  private:
   std::string drawing_of(const std::string& shape) const override;
+  std::optional<formula::NearestFeasible> nearest(const Spot& spot) const override;
   void forget_answers() override { region_.reset(); }
   const SpaceMap& region() const;
   SpaceWindow window() const;

@@ -158,7 +158,7 @@ void expect_refused(const std::string& cells, const std::string& why) {
 
 TEST(Cells, RefusesWhatIsNoSetOfCells) {
   const auto cells = [](const std::string& supporting_curves, const std::string& vertices, const std::string& edges) {
-    return fmt::format(R"({{"step": 1, "outside": false, "carriers": [{}], "vertices": [{}], "edges": [{}]}})",
+    return fmt::format(R"({{"step": 1, "outside": false, "supporting_curves": [{}], "vertices": [{}], "edges": [{}]}})",
                        supporting_curves, vertices, edges);
   };
   const std::string line = R"({"line": [0, 1, 0]})", a = R"({"at": [0, 0], "in": true})",
@@ -173,7 +173,7 @@ TEST(Cells, RefusesWhatIsNoSetOfCells) {
   expect_refused(
       cells(line, a + "," + b, R"({"on": 1, "from": 0, "to": 1, "in": true, "left": false, "right": false})"),
       "from 0 to 0");
-  expect_refused(cells(line, a + R"(,{"at": [4, 1], "in": true})", ab), "not on its carrier");
+  expect_refused(cells(line, a + R"(,{"at": [4, 1], "in": true})", ab), "not on its supporting curve");
   expect_refused(cells(line, a + "," + b + R"(,{"at": [2, 0], "in": true, "around": false})", ab), "without a vertex");
   expect_refused(cells(line, a + "," + b + R"(,{"at": [2, 2], "in": true})", ab), "around");
   expect_refused(cells(R"({"circle": [0, 0, 0]})", "", ""), "radius");

@@ -23,7 +23,7 @@ inline std::string edge_fault(const CellComplex& c, Index e) {
   Index p = c.vertices[d.v0].point, q = c.vertices[d.v1].point;
   if (compare_xy(g, p, q) >= 0) return at("ends out of order at edge", e);
   if (!lies_on(g, p, d.supporting_curve) || !lies_on(g, q, d.supporting_curve))
-    return at("an end off its carrier at edge", e);
+    return at("an end off its supporting curve at edge", e);
   if (g.supporting_curves[d.supporting_curve].circle != (d.half != 0)) return at("half of a line at edge", e);
   if (d.half != 0 &&
       (above_center(g, p, d.supporting_curve) * d.half < 0 || above_center(g, q, d.supporting_curve) * d.half < 0))

@@ -99,7 +99,7 @@ def look(scene):
 # A scene with a strange key in each object, as (where the schema states the object, the scene).
 TRIANGLE = [[0, 0], [1, 0], [0, 1]]
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-CELLS = {"step": 1, "outside": False, "carriers": [], "vertices": [], "edges": []}
+CELLS = {"step": 1, "outside": False, "supporting_curves": [], "vertices": [], "edges": []}
 
 
 def shape(value):
@@ -134,12 +134,12 @@ def strange_objects():
         yield [key, "properties", key], shape({key: {**shapes[key][key], **q}})
     yield ["step"], shape({"outline": [*TRIANGLE, q]})
     yield ["exactCells"], shape({"cells": {**CELLS, **q}})
-    carriers = [{"line": [0, 1, 0]}, {"line": [1, 0, 0]}]
+    supporting_curves = [{"line": [0, 1, 0]}, {"line": [1, 0, 0]}]
     cells = ["exactCells", "properties"]
-    yield cells + ["carriers", "items"], shape({"cells": {**CELLS, "carriers": [q]}})
+    yield cells + ["supporting_curves", "items"], shape({"cells": {**CELLS, "supporting_curves": [q]}})
     yield cells + ["vertices", "items"], shape({"cells": {**CELLS, "vertices": [q]}})
     vertices = [{"at": [0, 0], "in": True}, {"at": [1, 0], "in": True}]
-    yield cells + ["edges", "items"], shape({"cells": {**CELLS, "carriers": carriers, "vertices": vertices, "edges": [q]}})
+    yield cells + ["edges", "items"], shape({"cells": {**CELLS, "supporting_curves": supporting_curves, "vertices": vertices, "edges": [q]}})
     for word in ("position", "line", "angle", "time", "pose"):
         definition = "free" + word.capitalize()
         yield [definition], asking(free={word: {}, **q})

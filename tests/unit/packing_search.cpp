@@ -43,7 +43,7 @@ TEST(DepthField, OfTwoSquares) {
 
 TEST(DepthField, IsTheDistanceToTheBoundary) {
   const Polygon angle = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "angle");
-  const SearchShape a = search_shape(angle, 0), b = search_shape(turned(angle, 180, false), 0);
+  const SearchShape a = search_shape(angle, 0), b = search_shape(rotated(angle, 180, false), 0);
   const DepthField field(no_fit_polygon(a, b, 0));
   for (int i = -60; i < 120; ++i)
     for (int j = -60; j < 120; ++j) {

@@ -96,7 +96,7 @@ TEST(Strip, AMirroredPartFits) {
   Problem problem;
   problem.height = 2;
   const Polygon half = make_polygon({{{0, 0}, {3, 0}, {0, 2}}}, "half");
-  problem.parts = {{"a", 1, half, {0, 180}}, {"b", 1, turned(half, 0, true), {0, 180}, true}};
+  problem.parts = {{"a", 1, half, {0, 180}}, {"b", 1, rotated(half, 0, true), {0, 180}, true}};
   EXPECT_EQ(found(problem, 2e7).length, Fraction(3));
   problem.parts[1].mirrored = false;
   EXPECT_GT(found(problem, 2e7).length, Fraction(3));

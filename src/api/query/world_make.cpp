@@ -8,6 +8,7 @@
 #include "api/query/world_data.h"
 #include "api/values/region_data.h"
 #include "formula/language/text.h"
+#include "formula/solid/faults.h"
 #include "formula/solid/solve_rays.h"
 #include "plane/build/build.h"
 
@@ -124,7 +125,7 @@ plane::Region region_on(const Shape& shape, const plane::Grid& grid, const std::
 }
 
 formula::SpaceShape solid_on(const plane::Shape& tree) {
-  auto made = formula::try_space_shape(tree);
+  auto made = formula::throwing_faults(formula::try_space_shape(tree));
   if (made) return *std::move(made);
   formula::SpaceShape none;
   none.refused = made.refusal().error.what();  // its surface may do

@@ -151,7 +151,7 @@ std::vector<Position> Region::sample(std::size_t count, std::uint64_t seed) cons
     throw Error(ErrorCode::kUnsupported, "points are drawn from bounded regions with an area");
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high) {
-    return low + (high - low) * double(random() >> 11) * 0x1p-53;  // no sign: the step of a random number
+    return low + (high - low) * (double(random() >> 11) / double(std::uint64_t(1) << 53));
   };
   const Region inside = interior();
   const std::vector<Component>& parts = inside.components();

@@ -28,11 +28,8 @@ namespace {
 
 /// The convex hull of a set, which has the same farthest points; the set itself where its hull cannot be represented.
 plane::Region outline(const plane::Region& set) {
-  try {
-    return plane::hull(set);
-  } catch (const Error&) {
-    return set;
-  }
+  exact::Tried<plane::Region> hull = plane::try_hull(set);
+  return hull ? *std::move(hull) : set;
 }
 
 SignMap point_map(const RealPoint& p) { return point_set({&p, 1}, 0, 1); }

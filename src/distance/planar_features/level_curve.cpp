@@ -139,10 +139,10 @@ LevelCurve LevelCurve::reflected() const {
   out.a = -a;
   out.b = -b;
   if (!circle || !bend) return out;
-  Bend turned = *bend;
-  for (auto* v : {&turned.along, &turned.across})
+  Bend rotated = *bend;
+  for (auto* v : {&rotated.along, &rotated.across})
     for (Real& c : *v) c = -c;
-  out.bend = std::make_shared<Bend>(std::move(turned));
+  out.bend = std::make_shared<Bend>(std::move(rotated));
   return out;
 }
 

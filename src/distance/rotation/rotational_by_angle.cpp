@@ -56,9 +56,9 @@ bool meet(const RotationMap& one, const RotationMap& other) {
   return !both.at.empty() || both.everywhere != 0;
 }
 
-class TurnsOfA {
+class RotationsOfA {
  public:
-  TurnsOfA(const RotatedShapes& s, Which plain, const RealPoint& centre)
+  RotationsOfA(const RotatedShapes& s, Which plain, const RealPoint& centre)
       : shapes_(s),
         a_(plane::moved(s.fixed, {-centre.x, -centre.y})),
         to_{s.to.x - centre.x, s.to.y - centre.y},
@@ -149,7 +149,7 @@ class TurnsOfA {
 
 BoundedRotations rotation_angle_maps(const RotatedShapes& shapes, Which which, const RealPoint& centre,
                                      const Real& level) {
-  const TurnsOfA rotations(shapes, plain_of(which), centre);
+  const RotationsOfA rotations(shapes, plain_of(which), centre);
   return rotational_bounds(which, level, RotationMap::uniform(1), [&](const Real& from, const Real& to, Sense sense) {
     return rotations.over(from, to, sense);
   });

@@ -108,15 +108,7 @@ class Explainer {
     LevelChange out;
     out.atom = k;
     const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
-    Optimum best;
-    try {
-      best = optimize(region, objective, sense, solver_);
-    } catch (const Error& refusal) {  // no other way is tried: the answer says why this level has none
-      if (refusal.code() != ErrorCode::kUnsupported) throw;
-      out.kind = Kind::kRefused;
-      out.refused = refusal.message();
-      return out;
-    }
+    const Optimum best = optimize(region, objective, sense, solver_);
     if (!best.value) {
       out.kind = best.unbounded ? Kind::kFree : Kind::kNone;
       return out;

@@ -26,10 +26,9 @@ namespace findspace::formula {
 /// How one demand's level can move while all others stay.
 struct LevelChange {
   enum class Kind : std::uint8_t {
-    kTo,      // to `level`
-    kNone,    // no level leaves room: the others conflict without this one
-    kFree,    // of slack: there is room without this demand's part of the formula, or beyond every level
-    kRefused  // not computed, see `refused`
+    kTo,    // to `level`
+    kNone,  // no level leaves room: the others conflict without this one
+    kFree   // of slack: there is room without this demand's part of the formula, or beyond every level
   };
   std::size_t atom = 0;
   Kind kind = Kind::kNone;
@@ -38,7 +37,6 @@ struct LevelChange {
   bool proven = true;                  // else the level lies between `level` and `bound`
   double bound = 0;                    // where not proven
   std::optional<exact::RealPoint> at;  // the last remaining position, in the scene's unit
-  std::string refused;
 };
 
 /// All levels move by one amount: there is none for `lower` and room for `upper`.

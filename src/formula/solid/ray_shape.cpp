@@ -33,16 +33,12 @@ bool RayShape::outside() const {
 
 namespace {
 
-/// A fault of the shape is kept as a refusal too: its box may be known.
+/// A fault of the shape is a refusal too: its box may be known.
 Tried<LazyBody::Pointer> body_of(const plane::Shape& shape) {
-  try {
-    const Tried<SpaceShape> made = try_space_shape(shape);
-    if (!made) return made.refusal();
-    if (!made->body) return exact::Refusal(made->refused, shape.place);
-    return made->body.try_pointer();
-  } catch (const Error& e) {
-    return exact::Refusal(e);
-  }
+  const Tried<SpaceShape> made = try_space_shape(shape);
+  if (!made) return made.refusal();
+  if (!made->body) return exact::Refusal(made->refused, shape.place);
+  return made->body.try_pointer();
 }
 
 }  // namespace

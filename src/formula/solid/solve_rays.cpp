@@ -16,6 +16,7 @@
 #include "formula/language/which.h"
 #include "formula/solid/container_parts.h"
 #include "formula/solid/csg_shapes.h"
+#include "formula/solid/faults.h"
 #include "formula/solid/solid_rays.h"
 #include "formula/solid/solve_space.h"
 #include "space/rays/oblique_line.h"
@@ -54,8 +55,7 @@ std::optional<std::vector<RaySolid>> solids(const RayWorld& world, const std::ve
 Tried<space::Body> body(const RayWorld& world, const std::vector<std::string>& names) {
   std::vector<const space::Body*> bodies;
   for (const std::string& name : names) {
-    const Tried<const space::Body*> one = world.shapes.at(name).try_body();
-    if (!one && one.refusal().fault()) throw one.refusal().error;
+    const Tried<const space::Body*> one = throwing_faults(world.shapes.at(name).try_body());
     if (!one) return one.refusal();
     bodies.push_back(*one);
   }
@@ -109,7 +109,7 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   const auto forms = [&](const std::vector<std::string>& names) -> Tried<std::vector<SpaceShape>> {
     std::vector<SpaceShape> out;
     for (const std::string& name : names) {
-      Tried<SpaceShape> shape = try_space_shape(*world.shapes.at(name).stated());
+      Tried<SpaceShape> shape = throwing_faults(try_space_shape(*world.shapes.at(name).stated()));
       if (!shape) return shape.refusal();
       out.push_back(*std::move(shape));
     }

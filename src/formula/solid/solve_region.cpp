@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "formula/solid/faults.h"
 #include "formula/solid/optimize_convex.h"
 #include "space/polytope/solid.h"
 #include "space/shape/box_shape.h"
@@ -68,11 +69,8 @@ Tried<space::Triangles> one_surface(const plane::Shape& shape) {
   const space::Solid* solid = space::solid_of(shape);
   const exact::Refusal none("the shape is not bounded by one surface");
   if (solid && solid->form == space::Solid::Form::kPolytope) return none;  // its facets stay whole
-  auto solids = space::try_ray_solids(shape);
-  if (!solids) {
-    if (solids.refusal().fault()) throw solids.refusal().error;
-    return solids.refusal();
-  }
+  auto solids = throwing_faults(space::try_ray_solids(shape));
+  if (!solids) return solids.refusal();
   if (solids->size() != 1 || solids->front().ball()) return none;
   return std::move(solids->front().surface);
 }
@@ -94,7 +92,7 @@ ExactShape exact_shape(const plane::Shape& shape, bool flat) {
   if (bent_inward(shape)) {
     out.shape.boxes = space::box_complex(shape);
     if (!out.shape.boxes) return out;
-  } else if (auto made = try_space_shape(shape)) {
+  } else if (auto made = throwing_faults(try_space_shape(shape))) {
     out.shape = *std::move(made);
   }
   if (out.shape.boxes)
@@ -108,7 +106,7 @@ std::optional<ShapeBoundary> shape_boundary(const plane::Shape& shape) {
   std::optional<ShapeBoundary> out;
   if (auto surface = one_surface(shape)) {
     out.emplace(*std::move(surface));
-  } else if (auto made = try_space_shape(shape)) {
+  } else if (auto made = throwing_faults(try_space_shape(shape))) {
     if (made->boxes)
       out.emplace(*std::move(made->boxes));
     else if (known_convex(*made) && !made->body->round())

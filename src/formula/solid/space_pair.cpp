@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "findspace/error.h"
+#include "formula/solid/faults.h"
 #include "space/body/observe_body.h"
 #include "space/box/box_operations.h"
 #include "space/box/box_topology.h"
@@ -48,7 +49,7 @@ Tried<std::shared_ptr<const Body>> united_bodies(const std::vector<SpaceShape>& 
   std::vector<const Body*> bodies;
   for (const SpaceShape& s : shapes) {
     if (!s.body) return Refusal(s.refused);
-    const Tried<LazyBody::Pointer> body = s.body.try_pointer();
+    const Tried<LazyBody::Pointer> body = throwing_faults(s.body.try_pointer());
     if (!body || shapes.size() == 1) return body;
     bodies.push_back(body->get());
   }

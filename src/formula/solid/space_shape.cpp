@@ -31,12 +31,13 @@ std::shared_ptr<const std::vector<space::RaySolid>> large_surfaces(const plane::
   return solids ? std::make_shared<const std::vector<space::RaySolid>>(*std::move(solids)) : nullptr;
 }
 
-/// What balls are cut out of; null for other shapes.
-std::shared_ptr<const space::CsgSolid> cut_of(const plane::Shape& shape) {
+/// What balls are cut out of.
+Tried<std::shared_ptr<const space::CsgSolid>> cut_of(const plane::Shape& shape) {
   auto made = space::try_csg_solid(shape);
-  auto cut = made ? std::make_shared<const space::CsgSolid>(*std::move(made)) : nullptr;
-  if (cut && distance::is_empty(*cut))
-    throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape", shape.place);
+  if (!made) return made.refusal();
+  auto cut = std::make_shared<const space::CsgSolid>(*std::move(made));
+  if (distance::is_empty(*cut))
+    return exact::Refusal(Error(ErrorCode::kGeometry, "nothing with interior is left of the shape", shape.place));
   return cut;
 }
 
@@ -71,9 +72,12 @@ Tried<SpaceShape> try_space_shape(const plane::Shape& shape) {
     out.body = LazyBody(*made);
     return out;
   }
+  if (made.refusal().fault()) return made.refusal();
   out.refused = made.refusal().error.what();
-  if (!out.boxes) out.cut = cut_of(shape);
-  if (!out.boxes && !out.cut) return made.refusal();
+  if (out.boxes) return out;
+  const auto cut = cut_of(shape);
+  if (!cut) return cut.refusal().fault() ? cut.refusal() : made.refusal();
+  out.cut = *cut;
   return out;
 }
 

@@ -27,7 +27,7 @@ std::string geometry(const char* type, const std::string& coordinates) {
 }
 
 /// Twice the area within a ring, negative where it runs clockwise.
-double turned(const Points& ring) {
+double signed_area(const Points& ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Position &a = ring[k], &b = ring[(k + 1) % ring.size()];
@@ -56,7 +56,7 @@ class GeoJsonWriter {
   void add(const Region::Component& part) {
     for (std::size_t k = 0; k < part.rings.size(); ++k) {
       Points ring = rings_[next_++];
-      const bool outer = turned(ring) > 0;
+      const bool outer = signed_area(ring) > 0;
       ring.push_back(ring.front());
       if (outer)
         polygons_.push_back("[" + list_text(ring) + "]");

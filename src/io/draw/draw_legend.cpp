@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "io/draw/draw_layout.h"
 
@@ -98,8 +99,8 @@ Block title_block(std::string_view title, std::string_view subtitle, double left
 }
 
 std::string axes(const Frame& f) {
-  const double spacing =
-      std::max(round_length(kTickDistance / f.scale), 0x1p-1000);  // no sign: of a picture of one point
+  // A picture of one point has no length to divide.
+  const double spacing = std::max(round_length(kTickDistance / f.scale), std::numeric_limits<double>::min());
   const double right = f.left + f.width(), bottom = f.top + f.height();
   std::string grid, numbers;
   for (double t : ticks(f.world.low[0], f.world.high[0], spacing)) {

@@ -58,7 +58,7 @@ Outlines outlines_of(const packing::Polygon& shape, packing::int128 grid, double
 
 /// The outline of an item where it stands, in doubles.
 Outlines outlines_of(const packing::Problem& problem, const packing::Placed& item) {
-  return outlines_of(turned(problem.parts[item.part].shape, item.angle, item.mirrored), problem.steps(),
+  return outlines_of(rotated(problem.parts[item.part].shape, item.angle, item.mirrored), problem.steps(),
                      item.x.to_double(), item.y.to_double());
 }
 

@@ -21,25 +21,19 @@ using plane::ShapePtr;
 
 constexpr int kMostGeometryDepth = 50;
 
-class WktReader {
+/// The words, numbers and marks of the text, one after another, and the places for messages.
+class WktScanner {
  public:
-  WktReader(std::string_view text, const std::string& name, ReadContext& context, Real scale)
-      : text_(text), name_(name), context_(context), scale_(std::move(scale)) {}
+  WktScanner(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  std::vector<ShapePtr> read() {
-    std::vector<ShapePtr> shapes;
-    for (skip_blanks(); at_ < text_.size(); skip_blanks()) {
-      shapes.push_back(geometry(0));
-      skip_blanks();
-      if (at_ < text_.size() && (text_[at_] == ';' || text_[at_] == ',')) ++at_;
-    }
-    return shapes;
-  }
+  std::size_t at() const { return at_; }
+  void go_to(std::size_t at) { at_ = at; }
+  bool done() const { return at_ >= text_.size(); }
+  std::string place(std::size_t at) const { return text_place(text_, at, name_); }
+  /// Whether `c` is next; it is not taken.
+  bool sees(char c) const { return !done() && text_[at_] == c; }
 
- private:
-  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
-    throw Error(code, message, text_place(text_, at_, name_));
-  }
+  [[noreturn]] void fail(ErrorCode code, const std::string& message) const { throw Error(code, message, place(at_)); }
   /// Geometry errors get the place where the geometry begins.
   template <class Action>
   auto placed(std::size_t start, Action action) const {
@@ -47,18 +41,18 @@ class WktReader {
       return action();
     } catch (const Error& e) {
       if (!e.place().empty()) throw;
-      throw e.within(text_place(text_, start, name_));
+      throw e.within(place(start));
     }
   }
 
   void skip_blanks() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+    while (!done() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
   }
 
   std::string word() {
     skip_blanks();
     std::string letters;
-    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) {
+    while (!done() && std::isalpha(static_cast<unsigned char>(text_[at_]))) {
       letters += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_++])));
     }
     return letters;
@@ -66,14 +60,14 @@ class WktReader {
 
   bool take(char c) {
     skip_blanks();
-    if (at_ >= text_.size() || text_[at_] != c) return false;
+    if (!sees(c)) return false;
     ++at_;
     return true;
   }
 
   void need(char c) {
     if (take(c)) return;
-    if (at_ >= text_.size()) fail(ErrorCode::kSyntax, fmt::format("the text ends where '{}' is expected", c));
+    if (done()) fail(ErrorCode::kSyntax, fmt::format("the text ends where '{}' is expected", c));
     fail(ErrorCode::kSyntax, fmt::format("'{}' is expected, not '{}'", c, text_[at_]));
   }
 
@@ -81,8 +75,7 @@ class WktReader {
     skip_blanks();
     std::size_t length = scan_number(text_.substr(at_));
     if (length == 0)
-      fail(ErrorCode::kSyntax,
-           at_ >= text_.size() ? "the text ends where a number is expected" : "a number is expected");
+      fail(ErrorCode::kSyntax, done() ? "the text ends where a number is expected" : "a number is expected");
     at_ += length;
     return placed(at_ - length, [&] { return Real::parse_decimal(text_.substr(at_ - length, length)); });
   }
@@ -94,7 +87,7 @@ class WktReader {
     Real x = number();
     Real y = number();
     skip_blanks();
-    if (at_ < text_.size() && scan_number(text_.substr(at_)) > 0) {
+    if (!done() && scan_number(text_.substr(at_)) > 0) {
       fail(ErrorCode::kUnsupported, "a third coordinate; only flat geometries are read");
     }
     return {x, y};
@@ -109,34 +102,63 @@ class WktReader {
     return all;
   }
 
-  std::string kind() {
-    std::string name = word();
-    if (name == "SRID") {
-      need('=');
-      number();
-      need(';');
-      name = word();
+ private:
+  std::string_view text_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+};
+
+class WktReader {
+ public:
+  WktReader(std::string_view text, const std::string& name, ReadContext& context, Real scale)
+      : from_(text, name), context_(context), scale_(std::move(scale)) {}
+
+  std::vector<ShapePtr> read() {
+    std::vector<ShapePtr> shapes;
+    for (from_.skip_blanks(); !from_.done(); from_.skip_blanks()) {
+      shapes.push_back(geometry(0));
+      if (!from_.take(';')) from_.take(',');
     }
-    if (name.empty()) fail(ErrorCode::kSyntax, "the name of a geometry is expected");
-    std::size_t back = at_;
-    std::string tag = word();
+    return shapes;
+  }
+
+ private:
+  using Position = WktScanner::Position;
+
+  std::string kind() {
+    std::string name = from_.word();
+    if (name == "SRID") {
+      from_.need('=');
+      from_.number();
+      from_.need(';');
+      name = from_.word();
+    }
+    if (name.empty()) from_.fail(ErrorCode::kSyntax, "the name of a geometry is expected");
+    const std::size_t back = from_.at();
+    std::string tag = from_.word();
     if (tag == "Z" || tag == "M" || tag == "ZM")
-      fail(ErrorCode::kUnsupported, "Z and M coordinates; only flat geometries are read");
-    if (tag == "EMPTY") fail(ErrorCode::kGeometry, "an empty geometry");
-    at_ = back;
+      from_.fail(ErrorCode::kUnsupported, "Z and M coordinates; only flat geometries are read");
+    if (tag == "EMPTY") from_.fail(ErrorCode::kGeometry, "an empty geometry");
+    from_.go_to(back);
     return name;
   }
 
+  /// The kind of a member curve: a parenthesis without a word is a LINESTRING.
+  std::string member() {
+    std::string name = from_.word();
+    return name.empty() ? "LINESTRING" : name;
+  }
+
   ShapePtr geometry(int depth) {
-    if (depth > kMostGeometryDepth) fail(ErrorCode::kUnsupported, "geometries nested too deeply");
-    skip_blanks();
-    std::size_t start = at_;
+    if (depth > kMostGeometryDepth) from_.fail(ErrorCode::kUnsupported, "geometries nested too deeply");
+    from_.skip_blanks();
+    std::size_t start = from_.at();
     std::string name = kind();
-    return placed(start, [&] { return geometry(name, start, depth); });
+    return from_.placed(start, [&] { return geometry(name, start, depth); });
   }
 
   ShapePtr geometry(const std::string& name, std::size_t start, int depth) {
-    std::string place = text_place(text_, start, name_);
+    std::string place = from_.place(start);
     Outline outline(context_, scale_);
     if (name == "POLYGON" || name == "CURVEPOLYGON") return polygon(name == "CURVEPOLYGON", place);
     if (name == "MULTIPOLYGON" || name == "MULTISURFACE" || name == "GEOMETRYCOLLECTION")
@@ -146,62 +168,56 @@ class WktReader {
     } else if (name == "LINESTRING" || name == "CIRCULARSTRING" || name == "COMPOUNDCURVE") {
       curve(name, outline);
     } else if (name == "MULTILINESTRING" || name == "MULTICURVE") {
-      need('(');
+      from_.need('(');
       do curve(member(), outline);
-      while (take(','));
-      need(')');
+      while (from_.take(','));
+      from_.need(')');
     } else {
-      at_ = start;
-      fail(ErrorCode::kUnknownName, fmt::format("'{}' is no geometry that is read", name));
+      from_.go_to(start);
+      from_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no geometry that is read", name));
     }
     return lines_of(outline.take(), context_, place);
   }
 
-  /// The kind of a member curve: a parenthesis without a word is a LINESTRING.
-  std::string member() {
-    std::string name = word();
-    return name.empty() ? "LINESTRING" : name;
-  }
-
   ShapePtr several(const std::string& name, const std::string& place, int depth) {
     std::vector<ShapePtr> parts;
-    need('(');
+    from_.need('(');
     do {
-      skip_blanks();
-      bool plain = at_ < text_.size() && text_[at_] == '(';
-      if (plain && name == "GEOMETRYCOLLECTION") fail(ErrorCode::kSyntax, "the name of a geometry is expected");
-      std::size_t start = at_;
-      parts.push_back(plain ? placed(start, [&] { return polygon(false, text_place(text_, start, name_)); })
+      from_.skip_blanks();
+      bool plain = from_.sees('(');
+      if (plain && name == "GEOMETRYCOLLECTION") from_.fail(ErrorCode::kSyntax, "the name of a geometry is expected");
+      std::size_t start = from_.at();
+      parts.push_back(plain ? from_.placed(start, [&] { return polygon(false, from_.place(start)); })
                             : geometry(depth + 1));
-    } while (take(','));
-    need(')');
+    } while (from_.take(','));
+    from_.need(')');
     return united(std::move(parts), place);
   }
 
   ShapePtr polygon(bool curves, const std::string& place) {
     Outline outline(context_, scale_);
-    need('(');
+    from_.need('(');
     do {
-      std::size_t start = at_;
+      std::size_t start = from_.at();
       const std::size_t before = outline.drawn().chains.size();
       curve(curves ? member() : "LINESTRING", outline);
       if (outline.drawn().chains.size() != before + 1 || open_chains(outline.drawn()) > 0) {
-        throw Error(ErrorCode::kGeometry, "a ring must end at its first point", text_place(text_, start, name_));
+        throw Error(ErrorCode::kGeometry, "a ring must end at its first point", from_.place(start));
       }
-    } while (take(','));
-    need(')');
+    } while (from_.take(','));
+    from_.need(')');
     return polygon_of(outline.take(), context_, place);
   }
 
   void points(Outline& outline) {
-    need('(');
+    from_.need('(');
     do {
-      bool nested = take('(');
-      Position p = position();
-      if (nested) need(')');
+      bool nested = from_.take('(');
+      Position p = from_.position();
+      if (nested) from_.need(')');
       outline.point(p.x, p.y);
-    } while (take(','));
-    need(')');
+    } while (from_.take(','));
+    from_.need(')');
   }
 
   void curve(const std::string& name, Outline& outline) {
@@ -211,20 +227,20 @@ class WktReader {
   }
 
   void compound(Outline& outline) {
-    need('(');
+    from_.need('(');
     bool first = true;
     do {
       run(member(), outline, first);
       first = false;
-    } while (take(','));
-    need(')');
+    } while (from_.take(','));
+    from_.need(')');
     outline.finish();
   }
 
   void run(const std::string& name, Outline& outline, bool first) {
-    std::size_t start = at_;
-    std::vector<Position> p = positions();
-    placed(start, [&] {
+    std::size_t start = from_.at();
+    std::vector<Position> p = from_.positions();
+    from_.placed(start, [&] {
       if (first) {
         outline.move_to(p[0].x, p[0].y);
       } else if (!outline.is_at(p[0].x, p[0].y)) {
@@ -242,11 +258,9 @@ class WktReader {
     });
   }
 
-  std::string_view text_;
-  const std::string& name_;
+  WktScanner from_;
   ReadContext& context_;
   Real scale_;
-  std::size_t at_ = 0;
 };
 
 }  // namespace

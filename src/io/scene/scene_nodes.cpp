@@ -128,9 +128,9 @@ ShapePtr build_mirror(ShapeReader& reader, const JsonValue& object, const JsonVa
   if (moved) shape = over_one(reader, Shape::Kind::kTranslate, shape, {-q.x, -q.y}, object, label);
   shape = json.placed(label, value, [&] { return mirrored_in_x_axis(shape); });
   if (degrees.sign() != 0) {
-    Shape turned = *over_one(reader, Shape::Kind::kRotate, shape, {}, object, label);
-    turned.degrees = degrees + degrees;
-    shape = share(std::move(turned));
+    Shape rotated = *over_one(reader, Shape::Kind::kRotate, shape, {}, object, label);
+    rotated.degrees = degrees + degrees;
+    shape = share(std::move(rotated));
   }
   return moved ? over_one(reader, Shape::Kind::kTranslate, shape, q, object, label) : shape;
 }

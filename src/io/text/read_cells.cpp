@@ -27,15 +27,15 @@ class CellsReader {
   CellsReader(const SceneReader& json, const Label& label) : json_(json), label_(label) {}
 
   plane::Region region(const JsonValue& value, const Real& scale) {
-    static constexpr std::array<std::string_view, 7> kKeys{"step",     "unit",     "numbers", "outside",
-                                                           "carriers", "vertices", "edges"};
+    static constexpr std::array<std::string_view, 7> kKeys{
+        "step", "unit", "numbers", "outside", "supporting_curves", "vertices", "edges"};
     json_.expect(value, Kind::kObject, "\"cells\"", label_);
     json_.check_keys(value, kKeys, label_);
     if (const JsonValue* numbers = value.find("numbers")) define(*numbers);
     find_factor(value, scale);
     const Mark outside = truth(json_.need(value, "outside", label_));
     plane::MarkedCurves curves(outside);
-    for (const JsonValue& item : list(value, "carriers")) add_supporting_curve(curves.curves.geometry, item);
+    for (const JsonValue& item : list(value, "supporting_curves")) add_supporting_curve(curves.curves.geometry, item);
     const auto& vertices = list(value, "vertices");
     for (const JsonValue& item : vertices) points_.push_back(point(curves.curves.geometry, item));
     ends_.assign(vertices.size(), 0);
@@ -115,7 +115,7 @@ class CellsReader {
 
   void add_supporting_curve(Geometry& g, const JsonValue& item) const {
     static constexpr std::array<std::string_view, 3> kKeys{"line", "shift", "circle"};
-    json_.expect(item, Kind::kObject, "a carrier", label_);
+    json_.expect(item, Kind::kObject, "a supporting curve", label_);
     json_.check_keys(item, kKeys, label_);
     if (const JsonValue* circle = item.find("circle")) {
       const auto& n = numbers_of(*circle, 3, "a circle [x, y, radius]");
@@ -158,15 +158,15 @@ class CellsReader {
 
   Index crossing(Geometry& g, const JsonValue& item) const {
     const auto& n = numbers_of(json_.need(item, "on", label_), 2, "\"on\"");
-    const Index i = index(n[0], g.supporting_curves.size(), "a carrier"),
-                j = index(n[1], g.supporting_curves.size(), "a carrier");
+    const Index i = index(n[0], g.supporting_curves.size(), "a supporting curve"),
+                j = index(n[1], g.supporting_curves.size(), "a supporting curve");
     const auto root = static_cast<int>(whole(json_.need(item, "root", label_), -1, 1, "\"root\""));
     if (i >= j || exact::same_supporting_curve(g.supporting_curves[i], g.supporting_curves[j]))
-      fail("a vertex is on two carriers [i, j], i < j", item);
+      fail("a vertex is on two supporting curves [i, j], i < j", item);
     const exact::Meeting meeting = meet(g, i, j);
     const auto end = meeting.root.begin() + meeting.count;
     if (std::find(meeting.root.begin(), end, root) == end)
-      fail(fmt::format("carriers {} and {} do not meet with root {}", i, j, root), item);
+      fail(fmt::format("supporting curves {} and {} do not meet with root {}", i, j, root), item);
     return g.add_crossing(i, j, root);
   }
 
@@ -177,7 +177,7 @@ class CellsReader {
     const Geometry& g = out.curves.geometry;
     const auto member = [&](const char* key) -> const JsonValue& { return json_.need(item, key, label_); };
     plane::Piece piece;
-    piece.supporting_curve = index(member("on"), g.supporting_curves.size(), "a carrier");
+    piece.supporting_curve = index(member("on"), g.supporting_curves.size(), "a supporting curve");
     const Index from = index(member("from"), points_.size(), "a vertex");
     const Index to = index(member("to"), points_.size(), "a vertex");
     ends_[from] = ends_[to] = 1;
@@ -188,7 +188,7 @@ class CellsReader {
     if (circle != (item.find("half") != nullptr) || (circle && piece.half == 0))
       fail("an edge has a \"half\", 1 or -1, where it is on a circle", item);
     for (const Index p : {piece.p0, piece.p1}) {
-      if (!lies_on(g, p, piece.supporting_curve)) fail("an end of an edge is not on its carrier", item);
+      if (!lies_on(g, p, piece.supporting_curve)) fail("an end of an edge is not on its supporting curve", item);
       if (circle && above_center(g, p, piece.supporting_curve) * piece.half < 0)
         fail("an end of an edge is on the other half of its circle", item);
     }

@@ -63,8 +63,8 @@ Affine Affine::matrix(Real a, Real b, Real c, Real d, Real e, Real f) {
 }
 
 EllipseArc Affine::of(const EllipseArc& arc) const {
-  auto turned = [&](const plane::CurvePoint& v) { return plane::CurvePoint{a * v.x + c * v.y, b * v.x + d * v.y}; };
-  return {{of(arc.frame.center), turned(arc.frame.u), turned(arc.frame.v)}, arc.first, arc.sweep};
+  auto rotated = [&](const plane::CurvePoint& v) { return plane::CurvePoint{a * v.x + c * v.y, b * v.x + d * v.y}; };
+  return {{of(arc.frame.center), rotated(arc.frame.u), rotated(arc.frame.v)}, arc.first, arc.sweep};
 }
 
 Affine operator*(const Affine& o, const Affine& i) {

@@ -24,8 +24,8 @@ class CellsText {
   std::string text(const Real& step, std::string_view unit) {
     number_supporting_curves();
     const std::string size = number(step);
-    std::string body =
-        fmt::format(",\n    \"outside\": {},\n    \"carriers\": {}", truth(c_.faces[0].mark), supporting_curves());
+    std::string body = fmt::format(",\n    \"outside\": {},\n    \"supporting_curves\": {}", truth(c_.faces[0].mark),
+                                   supporting_curves());
     body += fmt::format(",\n    \"vertices\": {},\n    \"edges\": {}}}", vertices(), edges());
     std::string head = fmt::format("{{\"step\": {}", size);
     if (!unit.empty()) head += fmt::format(", \"unit\": {}", json_string(unit));

@@ -44,8 +44,6 @@ std::string closed_form_member(const Real& value) {
 std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   const SaidChange s = said(r, change);
   std::string out = fmt::format(R"({{"text": {}, )", json_string(s.text));
-  if (change.kind == Kind::kRefused)
-    return out + fmt::format(R"("to": null, "refused": {}}})", json_string(change.refused));
   if (change.kind != Kind::kTo)
     return out + fmt::format(R"("to": null, "free": {}}})", truth(change.kind == Kind::kFree));
   put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.to_double()), closed_form_member(s.level),
@@ -77,7 +75,6 @@ std::string with_unit(double value, std::string_view unit) {
 
 std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
   const SaidChange s = said(r, change);
-  if (change.kind == Kind::kRefused) return fmt::format("  {}: not computed: {}\n", s.text, change.refused);
   if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone makes room\n", s.text);
   if (change.kind == Kind::kFree) return fmt::format("  {}: can be as tight as you like\n", s.text);
   std::string out = fmt::format("  {}: ", s.text);

@@ -68,7 +68,7 @@ class Finisher {
   /// The last item's position: on the grid, above the lower side and behind the end, and on a sheet before its end.
   void put(Layout& layout, Vec at, double snap) const {
     Placed& item = layout.items.back();
-    const auto [low, high] = box_of(turned(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    const auto [low, high] = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
     const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
     const Fraction& edge = problem_.edge;
     const int128 left = above(edge - Fraction(low.x, steps)), bottom = above(edge - Fraction(low.y, steps));
@@ -124,7 +124,7 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
     if (problem.parts[part].demand == 0) continue;
     const Variant& v = table.variants()[table.variants_of(part)[0]];
-    const LatticeBox box = box_of(turned(problem.parts[part].shape, v.angle, v.mirrored));
+    const LatticeBox box = box_of(rotated(problem.parts[part].shape, v.angle, v.mirrored));
     const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
@@ -145,7 +145,7 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout) {
   std::vector<Pose> poses;
   for (const Placed& item : layout.items) {
-    const Polygon shape = turned(problem.parts[item.part].shape, item.angle, item.mirrored);
+    const Polygon shape = rotated(problem.parts[item.part].shape, item.angle, item.mirrored);
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(shape, problem.digits);
     Pose pose{table.variants_of(item.part)[0],

@@ -92,7 +92,7 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
     const double wanted = goal == Goal::kLoosen && (slanted || !on_grid) ? gap : 0;
     const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
     const double need = soft ? lacks + wanted : std::min(lacks, 0.0);
-    rows_.push_back({a, b, link.turned(h.normal), need, std::max(wanted, need), soft});
+    rows_.push_back({a, b, link.rotated(h.normal), need, std::max(wanted, need), soft});
   }
 }
 

@@ -72,7 +72,7 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
     for (const Fraction& angle : part.angles) {
       if (mirrored && !part.mirrored) continue;
       Variant variant =
-          variant_of(number, angle, mirrored, search_shape(turned(part.shape, angle, mirrored), problem.digits));
+          variant_of(number, angle, mirrored, search_shape(rotated(part.shape, angle, mirrored), problem.digits));
       if (!fits_somewhere(problem, variant, height_)) continue;
       const auto form = normal_form(variant.shape);
       const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };

@@ -58,7 +58,7 @@ class FieldTable {
     const DepthField& field() const { return *field_.load(std::memory_order_acquire); }
     /// A position of b relative to a, in the field; and a vector of the field as one of positions, or the other way.
     Vec in_field(Vec t) const { return sign_ * t + shift_; }
-    Vec turned(Vec v) const { return sign_ * v; }
+    Vec rotated(Vec v) const { return sign_ * v; }
 
    private:
     friend class FieldTable;

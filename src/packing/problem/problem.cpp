@@ -95,7 +95,7 @@ LatticePoint quarter_turns(const LatticePoint& p, int quarters) {
   }
 }
 
-LatticePoint turned(const LatticePoint& p, const Fraction& angle) {
+LatticePoint rotated(const LatticePoint& p, const Fraction& angle) {
   const int128 d = angle.denominator();
   if (is_quarter(angle)) return quarter_turns(p, int((angle.numerator() / 90 % 4 + 4) % 4));
   const long double radians =
@@ -164,10 +164,10 @@ LatticeBox box_of(const Polygon& shape) {
 
 bool is_quarter(const Fraction& angle) { return angle.denominator() == 1 && angle.numerator() % 90 == 0; }
 
-Polygon turned(const Polygon& shape, const Fraction& angle, bool mirrored) {
+Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored) {
   Polygon result = shape;
   for (Ring& ring : result.rings) {
-    for (LatticePoint& p : ring) p = turned(LatticePoint{mirrored ? -p.x : p.x, p.y}, angle);
+    for (LatticePoint& p : ring) p = rotated(LatticePoint{mirrored ? -p.x : p.x, p.y}, angle);
     if (mirrored) std::reverse(ring.begin(), ring.end());
   }
   return result;

@@ -113,7 +113,7 @@ Polygon make_polygon(std::vector<Ring> rings, const std::string& place);
 bool is_quarter(const Fraction& angle);
 
 /// The part turned by an angle and mirrored before, on the grid.
-Polygon turned(const Polygon& shape, const Fraction& angle, bool mirrored);
+Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored);
 
 /// What of the plane is no place for a part on this sheet: a frame about the outline, unless that is a rectangle, and
 /// each hole. The frame reaches far enough beyond the edge.

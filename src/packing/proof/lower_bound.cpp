@@ -27,7 +27,7 @@ exact::Int256 twice_area(const Ring& ring) {
 std::optional<int128> least_width(const Problem& problem, const Part& part) {
   std::optional<int128> least;
   for (const Fraction& angle : part.angles) {
-    const Ring ring = turned(part.shape, angle, false).rings[0];
+    const Ring ring = rotated(part.shape, angle, false).rings[0];
     const auto lower = [](const LatticePoint& p, const LatticePoint& q) { return p.y < q.y; };
     const auto [left, right] = std::minmax_element(
         ring.begin(), ring.end(), [](const LatticePoint& p, const LatticePoint& q) { return p.x < q.x; });

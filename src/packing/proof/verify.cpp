@@ -56,7 +56,7 @@ class Check {
 
  private:
   void add(const Placed& item) {
-    shapes_.push_back(scaled(turned(problem_.parts[item.part].shape, item.angle, item.mirrored),
+    shapes_.push_back(scaled(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored),
                              {item.x.over(common_), item.y.over(common_)}));
     boxes_.push_back(box_of(shapes_.back()));
   }
@@ -177,7 +177,7 @@ class Check {
   Fault overlap(std::size_t i, std::size_t j) const {
     const Placed &a = layout_.items[i], &b = layout_.items[j];
     const auto searched = [&](const Placed& item) {
-      return search_shape(turned(problem_.parts[item.part].shape, item.angle, item.mirrored), problem_.digits);
+      return search_shape(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored), problem_.digits);
     };
     const DepthField field(no_fit_polygon(searched(a), searched(b), 0));
     const Vec off{(b.x - a.x).to_double(), (b.y - a.y).to_double()};

@@ -170,7 +170,7 @@ Arrangement::Exit Arrangement::exit(const Pose& pose, std::size_t j) const {
   const Nearest nearest = link.field().nearest(t);
   if (nearest.depth <= shallow_) return {};
   const NoFitEdge& edge = link.field().polygon().edges[std::size_t(nearest.edge)];
-  return {nearest.depth, link.turned(nearest.foot - t), link.turned(edge.to - edge.from)};
+  return {nearest.depth, link.rotated(nearest.foot - t), link.rotated(edge.to - edge.from)};
 }
 
 double Arrangement::loss() {

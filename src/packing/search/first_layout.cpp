@@ -84,11 +84,11 @@ class Builder {
     const Vec shift = link.in_field({});
     const std::size_t stride = (polygon.edges.size() + most - 1) / most;
     for (std::size_t e = 0; e < polygon.edges.size(); e += std::max<std::size_t>(stride, 1)) {
-      const Vec at = other.at + link.turned(polygon.edges[e].from - shift);
+      const Vec at = other.at + link.rotated(polygon.edges[e].from - shift);
       if (is_in_room(shape, at)) corners.push_back(at);
     }
     // The right end of the polygon at the lower side: a place beside the other part.
-    const double beside = std::max(link.turned(polygon.high - shift).x, link.turned(polygon.low - shift).x);
+    const double beside = std::max(link.rotated(polygon.high - shift).x, link.rotated(polygon.low - shift).x);
     corners.push_back({other.at.x + beside, -shape.low.y});
   }
 

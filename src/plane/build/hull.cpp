@@ -60,14 +60,14 @@ std::optional<std::array<std::int64_t, 2>> integer_direction(const RealVector& d
   return result;
 }
 
-[[noreturn]] void refuse(const RealVector& at, double step) {
+exact::Refusal without_direction(const RealVector& at, double step) {
   const double x = at.x.to_double() * step, y = at.y.to_double() * step;
-  throw Error(
+  Error error(
       ErrorCode::kUnsupported,
       fmt::format("the convex hull has a straight side without an integer direction, near ({:.10g}, {:.10g}): a "
                   "tangent of circles of different radii, or a line through computed corners",
-                  x, y))
-      .at(x, y);
+                  x, y));
+  return exact::Refusal(error.at(x, y));
 }
 
 /// The elements that may lie on the hull, and which cells of the set they are.
@@ -162,16 +162,18 @@ class Hull {
  public:
   Hull(const Region& set, double step) : set_(set), step_(step), closed_(is_closed(set)), candidates_(set), to_(0) {}
 
-  Region region() {
+  exact::Tried<Region> region() {
     curves_ = wrap(candidates_.elements, candidates_.corners);
     if (curves_.empty()) return set_;  // one point
     flat_ = curves_.size() == 2 && curves_[0].element == HullCurve::kSide && curves_[1].element == HullCurve::kSide;
     for (const HullCurve& c : curves_) corner_.push_back(to_.curves.geometry.add_real_point(c.from.x, c.from.y));
     for (std::size_t k = 0; k < (flat_ ? 1 : curves_.size()); ++k) {
-      if (curves_[k].element == HullCurve::kSide)
-        add_side(k);
-      else
+      if (curves_[k].element != HullCurve::kSide)
         add_arc(k);
+      else if (const auto direction = integer_direction(curves_[k].direction))
+        add_side(k, *direction);
+      else
+        return without_direction(curves_[k].from, step_);
     }
     for (std::size_t k = 0; k < curves_.size(); ++k) to_.add_vertex(corner_[k], corner_mark(k));
     return std::get<CellComplex>(std::move(to_).complex());
@@ -195,11 +197,9 @@ class Hull {
     bool included;
   };
 
-  void add_side(std::size_t k) {
+  void add_side(std::size_t k, const std::array<std::int64_t, 2>& direction) {
     const HullCurve& side = curves_[k];
-    auto d = integer_direction(side.direction);
-    if (!d) refuse(side.from, step_);
-    std::int64_t a = (*d)[1], b = -(*d)[0];
+    std::int64_t a = direction[1], b = -direction[0];
     exact::make_primitive(a, b);
     Index line = to_.curves.geometry.add(SupportingCurve::line(a, b, Real(a) * side.from.x + Real(b) * side.from.y));
     bool right = side.direction.x.sign() > 0 || (side.direction.x.sign() == 0 && side.direction.y.sign() > 0);
@@ -288,9 +288,12 @@ class Hull {
 
 }  // namespace
 
-Region hull(const Region& set, double step) {
+exact::Tried<Region> try_hull(const Region& set, double step) {
   if (is_empty(set)) return set;
-  return is_bounded(set) ? Hull(set, step).region() : CellComplex::uniform(1);
+  if (!is_bounded(set)) return CellComplex::uniform(1);
+  return Hull(set, step).region();
 }
+
+Region hull(const Region& set, double step) { return try_hull(set, step).or_throw(); }
 
 }  // namespace findspace::plane

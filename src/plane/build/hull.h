@@ -14,11 +14,14 @@
 // convex closure, rubber band.
 #pragma once
 
+#include "exact/number/tried.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
 
 /// `step`: size of a grid step, for the place of a refusal.
+exact::Tried<Region> try_hull(const Region& set, double step = 1);
+/// The same; the error instead of the refusal.
 Region hull(const Region& set, double step = 1);
 
 }  // namespace findspace::plane

@@ -20,8 +20,8 @@ struct Pencil {
     ux /= length;
     uy /= length;
   }
-  Sample turned(const Sample& d) const { return {d.x * ux + d.y * uy, d.y * ux - d.x * uy}; }
-  Sample local(const Sample& p) const { return turned({p.x - from.x, p.y - from.y}); }
+  Sample rotated(const Sample& d) const { return {d.x * ux + d.y * uy, d.y * ux - d.x * uy}; }
+  Sample local(const Sample& p) const { return rotated({p.x - from.x, p.y - from.y}); }
   double q(const Sample& p) const { return p.x * p.x + p.y * p.y - length * p.x; }
   double bulge(double a) const {
     const double t = a * length;
@@ -46,7 +46,7 @@ struct Range {
 
 /// y' - a q' at an end, going into the curve, must not lead out of the window.
 void allow_tangent(Range& range, const Pencil& pencil, const Sample& tangent, const FitWindow& window, bool first) {
-  const Sample d = pencil.turned(tangent);
+  const Sample d = pencil.rotated(tangent);
   constexpr double kFree = std::numeric_limits<double>::infinity();
   range.allow(first ? d.y : -d.y, -pencil.length * d.x, window.low < 0 ? -kFree : 0, window.high > 0 ? kFree : 0);
 }

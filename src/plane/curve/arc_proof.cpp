@@ -29,14 +29,14 @@ const Interval& weight(const CurvePiece& piece, std::size_t i) { return piece.w.
 
 /// The circle or line of an edge: e(p) = p.m - k |p|^2 / 2 about its first point, m the left normal there, k the signed
 /// curvature. The distance to the left of the circle is 2 e / (1 + sqrt(1 - 2 k e)).
-struct Carrier {
+struct CurveEquation {
   Vector m;
   Interval k{};
 
   Vector normal_at(const Vector& p) const { return {m.x - k * p.x, m.y - k * p.y}; }
 };
 
-Carrier carrier_of(const ContourEdge& edge, GridPoint to) {
+CurveEquation equation_of(const ContourEdge& edge, GridPoint to) {
   if (!edge.arc) {
     const Vector chord = between(edge.start, to);
     const Interval length = exact::sqrt(dot(chord, chord));
@@ -50,7 +50,7 @@ Carrier carrier_of(const ContourEdge& edge, GridPoint to) {
 }
 
 /// The value of e at which the distance is `d`.
-Interval value_at(const Carrier& c, double d) {
+Interval value_at(const CurveEquation& c, double d) {
   const Interval at{d, d};
   return at - c.k * at * at * kHalf;
 }
@@ -61,7 +61,7 @@ class Proof {
       : claim_(claim),
         origin_(between(claim.origin, claim.edge.start)),
         chord_(between(claim.edge.start, claim.to)),
-        carrier_(carrier_of(claim.edge, claim.to)) {}
+        equation_(equation_of(claim.edge, claim.to)) {}
 
   bool run() {
     const std::vector<CurvePiece>& stretch = *claim_.stretch;
@@ -99,15 +99,15 @@ class Proof {
     const bool left = claim_.side == CurveSide::kLeft;
     if (!set_window(left ? -window : 0, left ? 0 : window)) return false;
     if (!(exact::sqrt(d2).lo > exact::sqrt(j0).hi + exact::sqrt(j1).hi)) return false;
-    return (claim_.meets_first || step_fits(first_, carrier_.m)) &&
-           (claim_.meets_last || step_fits(last_, carrier_.normal_at(chord_)));
+    return (claim_.meets_first || step_fits(first_, equation_.m)) &&
+           (claim_.meets_last || step_fits(last_, equation_.normal_at(chord_)));
   }
 
   bool set_window(double low, double high) {
-    const Interval most = Interval{2, 2} * carrier_.k * Interval{claim_.bound, claim_.bound};
+    const Interval most = Interval{2, 2} * equation_.k * Interval{claim_.bound, claim_.bound};
     if (!(most.hi < 1 && most.lo > -1)) return false;
-    lowest_ = {low == 0 ? 0 : value_at(carrier_, low).hi, 0};
-    highest_ = {high == 0 ? 0 : value_at(carrier_, high).lo, 0};
+    lowest_ = {low == 0 ? 0 : value_at(equation_, low).hi, 0};
+    highest_ = {high == 0 ? 0 : value_at(equation_, high).lo, 0};
     lowest_.hi = lowest_.lo;
     highest_.hi = highest_.lo;
     return true;
@@ -117,7 +117,7 @@ class Proof {
   bool step_fits(const Vector& j, const Vector& normal) const {
     if (!(towards_side(dot(normal, j)).lo >= 0)) return false;
     const Interval along = cross(normal, j);
-    const double k = std::max(std::abs(carrier_.k.lo), std::abs(carrier_.k.hi));
+    const double k = std::max(std::abs(equation_.k.lo), std::abs(equation_.k.hi));
     const double most = claim_.bound * (1 - kWindowPart) / 2 * (1 - k * claim_.bound);
     return std::max(std::abs(along.lo), std::abs(along.hi)) <= most;
   }
@@ -138,8 +138,8 @@ class Proof {
       x.push_back(piece.x[i] - origin_.x * w[i]);
       y.push_back(piece.y[i] - origin_.y * w[i]);
     }
-    const IntervalPolynomial m = sum(scaled(x, carrier_.m.x), scaled(y, carrier_.m.y));
-    e = difference(product(m, w), scaled(sum(product(x, x), product(y, y)), carrier_.k * kHalf));
+    const IntervalPolynomial m = sum(scaled(x, equation_.m.x), scaled(y, equation_.m.y));
+    e = difference(product(m, w), scaled(sum(product(x, x), product(y, y)), equation_.k * kHalf));
     w2 = product(w, w);
   }
 
@@ -156,7 +156,7 @@ class Proof {
   bool outside_at_an_end(const CurvePiece& piece, bool first, bool last) const {
     auto outside = [&](std::size_t i) {
       const Vector p = point(piece, i);
-      const Interval e = dot(p, carrier_.m) - carrier_.k * kHalf * dot(p, p);
+      const Interval e = dot(p, equation_.m) - equation_.k * kHalf * dot(p, p);
       return (e - lowest_).hi < 0 || (highest_ - e).hi < 0;
     };
     return (!first && outside(0)) || (!last && outside(piece.degree()));
@@ -169,7 +169,7 @@ class Proof {
       const Vector p = point(piece, i);
       box = {hull(box.x, p.x), hull(box.y, p.y)};
     }
-    const Vector normal = carrier_.normal_at(box), along{normal.y, -normal.x};
+    const Vector normal = equation_.normal_at(box), along{normal.y, -normal.x};
     IntervalPolynomial dx = hodograph(piece.x), dy = hodograph(piece.y);
     if (!piece.w.empty()) {
       const IntervalPolynomial dw = hodograph(piece.w);
@@ -188,7 +188,7 @@ class Proof {
 
   const ArcClaim& claim_;
   Vector origin_, chord_;
-  Carrier carrier_;
+  CurveEquation equation_;
   Vector first_{}, last_{};        // J
   Interval lowest_{}, highest_{};  // of e
 };

@@ -31,14 +31,14 @@ class Walks {
 
  private:
   /// If the turn pair is a curve of its own, it follows node k.
-  bool to_arc(const Index turns[2], Index key, std::int64_t turned, Index k);
+  bool to_arc(const Index turns[2], Index key, std::int64_t angle, Index k);
   /// Leaves a turn pair, a single place unless `moved`, at the first end of one of its two intervals in the direction
   /// of movement. `moved`: the pair is a curve, and its end has been reached.
-  void step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved);
-  void follow(Index from, Index to, Index key, std::int64_t turned);
+  void step_out(Index turns[2], Index key, bool left, std::int64_t angle, Index k, bool moved);
+  void follow(Index from, Index to, Index key, std::int64_t angle);
   const Direction& direction_of(const Node& n, Index key) const;
   /// Whole rounds that the displaced path at the corner makes beyond what its two ends show (see Corner).
-  std::int8_t extra_rounds(const Node& in, const Node& out, Index key, std::int64_t turned) const;
+  std::int8_t extra_rounds(const Node& in, const Node& out, Index key, std::int64_t angle) const;
   /// Sign of the sum of the curvatures, positive to the left of the direction of travel: where the path turns back,
   /// which of its two ends lies to the left of the other.
   int bend_sum(const Node& in, const Node& out) const;
@@ -46,7 +46,7 @@ class Walks {
   ConvolutionNodes& n_;
   std::unordered_set<std::uint64_t> passed_;  // pairs walked through; kept only where arcs have one radius
   std::array<Index, 2> loop_start_{kNone, kNone};
-  std::int64_t loop_turned_ = 0;
+  std::int64_t loop_angle_ = 0;
 };
 
 void Walks::connect(Index k) {
@@ -63,15 +63,15 @@ void Walks::connect(Index k) {
   if (!to_arc(turns, from.key_out, 0, k)) step_out(turns, from.key_out, left, 0, k, false);
 }
 
-bool Walks::to_arc(const Index turns[2], Index key, std::int64_t turned, Index k) {
+bool Walks::to_arc(const Index turns[2], Index key, std::int64_t angle, Index k) {
   if (!n_.still.empty()) passed_.insert(pair_key(turns[0], turns[1]));
   const Index found = n_.arc_node(turns[0], turns[1]);
   if (found == kNone || k == kNone) return false;
-  follow(k, found, key, turned);
+  follow(k, found, key, angle);
   return true;
 }
 
-void Walks::step_out(Index turns[2], Index key, bool left, std::int64_t turned, Index k, bool moved) {
+void Walks::step_out(Index turns[2], Index key, bool left, std::int64_t angle, Index k, bool moved) {
   for (;;) {
     Index to_end[2] = {0, 0};
     for (int s : {0, 1}) {
@@ -84,19 +84,19 @@ void Walks::step_out(Index turns[2], Index key, bool left, std::int64_t turned, 
       s = key == (left ? n_.high(t) : t.low) ? 0 : 1;
     } else {
       s = to_end[0] < to_end[1] ? 0 : 1;
-      turned += left ? std::int64_t(to_end[s]) : -std::int64_t(to_end[s]);
+      angle += left ? std::int64_t(to_end[s]) : -std::int64_t(to_end[s]);
       key = left ? n_.plus(key, to_end[s]) : n_.minus(key, to_end[s]);
     }
     const TurningPath& p = n_.side(s);
     bool ahead = (p.turns[turns[s]].sign > 0) == left;  // leaves at the turn's end
     Index line = ahead ? p.line_after(turns[s]) : turns[s];
-    if (!p.lines[line].empty) return follow(k, n_.line_node(s, line, turns[1 - s]), key, turned);
+    if (!p.lines[line].empty) return follow(k, n_.line_node(s, line, turns[1 - s]), key, angle);
     turns[s] = ahead ? line : p.turn_before(line);
     left = (p.turns[turns[s]].sign > 0) == ahead;
     moved = false;
-    if (to_arc(turns, key, turned, k)) return;
+    if (to_arc(turns, key, angle, k)) return;
     if (k == kNone && turns[0] == loop_start_[0] && turns[1] == loop_start_[1]) {  // a walk that stays at one point
-      loop_turned_ = turned;
+      loop_angle_ = angle;
       return;
     }
   }
@@ -112,32 +112,32 @@ void Walks::add_still_walks() {
     Index key = n_.minus(n_.high(p), low) <= n_.minus(n_.high(q), low) ? n_.high(p) : n_.high(q);
     loop_start_[0] = i;
     loop_start_[1] = j;
-    loop_turned_ = 0;
+    loop_angle_ = 0;
     step_out(turns, key, false, 0, kNone, false);
-    int rounds = int(loop_turned_ / std::int64_t(n_.keys()));
+    int rounds = int(loop_angle_ / std::int64_t(n_.keys()));
     if (rounds == 0) continue;
     stills.push_back({{i, j}, rounds});
   }
 }
 
-void Walks::follow(Index from, Index to, Index key, std::int64_t turned) {
+void Walks::follow(Index from, Index to, Index key, std::int64_t angle) {
   Node &n = n_.nodes[from], &m = n_.nodes[to];
   n.next = to;
   n.smooth_end = m.smooth_start = n.key_out / 2 == key / 2;
-  n.rotation = std::int8_t((turned > 0) - (turned < 0));
+  n.rotation = std::int8_t((angle > 0) - (angle < 0));
   // A cusp: the path goes from one end to the other where they are next to each other.
-  const bool cusp = n.forward != m.forward && n.smooth_end && std::abs(turned) <= 1;
+  const bool cusp = n.forward != m.forward && n.smooth_end && std::abs(angle) <= 1;
   if (cusp) n.rotation = std::int8_t(bend_sum(n, m));
-  if (!n_.still.empty()) n.extra = extra_rounds(n, m, key, turned);
+  if (!n_.still.empty()) n.extra = extra_rounds(n, m, key, angle);
 }
 
 const Direction& Walks::direction_of(const Node& n, Index key) const {
   return n.kind == Kind::kLine ? *n_.line_of(n).direction : n_.direction_at(n, key);
 }
 
-std::int8_t Walks::extra_rounds(const Node& in, const Node& out, Index key, std::int64_t turned) const {
+std::int8_t Walks::extra_rounds(const Node& in, const Node& out, Index key, std::int64_t angle) const {
   const Direction &d = direction_of(in, in.key_out), &e = direction_of(out, key);
-  std::int64_t keys = n_.keys(), full = turned / keys, rest = turned % keys;
+  std::int64_t keys = n_.keys(), full = angle / keys, rest = angle % keys;
   int cross = cross_sign(d, e), sign = (rest > 0) - (rest < 0);
   // How far the rest turns, in half turns: 0 less than one, 1 exactly one, 2 more.
   int halves = cross == sign ? 0 : cross == -sign ? 2 : dot_sign(d, e) < 0 ? 1 : 0;

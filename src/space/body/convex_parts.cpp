@@ -29,7 +29,7 @@ constexpr std::size_t kMostFaces = 100000;
 
 /// The parts of a surface that does not meet itself have exactly its volume; else it encloses some space twice, or not.
 /// Where vertices were rounded the volume may change by the surface times the longest move, here taken twice.
-void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
+std::optional<Refusal> fault_of_volume(const ConvexParts& parts, const Real& six_enclosed) {
   Real sum;
   double slack = 0;
   for (const Polytope& p : parts.parts) {
@@ -37,10 +37,10 @@ void check_volume(const ConvexParts& parts, const Real& six_enclosed) {
     if (parts.rounded > 0) slack += 6 * 2 * parts.moved * surface_area(p);
   }
   const Real enclosed = six_enclosed * Real(parts.scale) * Real(parts.scale) * Real(parts.scale);
-  if (abs(sum - enclosed) <= Real::from_double(slack)) return;
-  throw Error(ErrorCode::kGeometry, "the mesh meets or crosses itself: its convex parts have " +
-                                        std::to_string(sum.to_double() / enclosed.to_double()) +
-                                        " times the volume that it encloses");
+  if (abs(sum - enclosed) <= Real::from_double(slack)) return std::nullopt;
+  return Refusal(Error(ErrorCode::kGeometry, "the mesh meets or crosses itself: its convex parts have " +
+                                                 std::to_string(sum.to_double() / enclosed.to_double()) +
+                                                 " times the volume that it encloses"));
 }
 
 /// The box about the mesh: without it a surface that crosses itself could leave cells unbounded.
@@ -296,7 +296,7 @@ Tried<ConvexParts> try_convex_parts(const Mesh& mesh) {
   }
   Cells cells = partition(std::move(facets), bounding_box(mesh));
   ConvexParts parts = parts_of_cells(cells.inside);
-  check_volume(parts, six_volumes(mesh));
+  if (const auto fault = fault_of_volume(parts, six_volumes(mesh))) return *fault;
   auto around = std::make_shared<const Surroundings>(Surroundings{mesh, std::move(cells.outside)});
   parts.around.push_back({std::move(around), 0, parts.parts.size(), parts.scale, {}});
   return parts;

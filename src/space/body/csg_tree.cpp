@@ -177,7 +177,7 @@ bool is_cut(const plane::Shape& shape) {
 Tried<CsgSolid> try_csg_solid(const plane::Shape& shape) {
   Tried<Body> made = bounded_body(shape);
   if (made) return uncut(*std::move(made));
-  if (!is_cut(shape) || !is_round(shape)) return made.refusal();
+  if (made.refusal().fault() || !is_cut(shape) || !is_round(shape)) return made.refusal();
   return node(shape);
 }
 

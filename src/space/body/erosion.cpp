@@ -19,7 +19,7 @@ using exact::Tried;
 
 namespace {
 
-[[noreturn]] void nothing_left() { throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape"); }
+Refusal nothing_left() { return Refusal(Error(ErrorCode::kGeometry, "nothing with interior is left of the shape")); }
 
 Body of_part(BodyPart part) {
   Body out;
@@ -40,19 +40,19 @@ std::optional<ConvexRegion> box_of(const Bounds3& a, const Body& b) {
 }
 
 /// Of a polytope.
-Body between_planes(const Polytope& a, const Body& b) {
+Tried<Body> between_planes(const Polytope& a, const Body& b) {
   std::optional<ConvexRegion> out = box_of(bounds(of_part({a, {}, {}, {}})), b);
-  if (!out) nothing_left();
+  if (!out) return nothing_left();
   for (const Plane& plane : a.planes()) {
     const HalfSpace h(plane);
     out->cut(HalfSpace(h.normal, h.offset + support(b, negated(h.normal))));
   }
-  if (out->dimension() < 3) nothing_left();
+  if (out->dimension() < 3) return nothing_left();
   return body_of(parts_of_cells({*std::move(out)}));
 }
 
 /// Of one convex part: a copy for each corner of the parts of b that are less round; by the others the core shrinks.
-std::vector<Body> containers(const BodyPart& a, const Body& b) {
+Tried<std::vector<Body>> containers(const BodyPart& a, const Body& b) {
   std::vector<Body> out;
   Body rounder;
   for (const BodyPart& q : b.parts) {
@@ -60,12 +60,22 @@ std::vector<Body> containers(const BodyPart& a, const Body& b) {
     if (left.sign() > 0 || (left.sign() == 0 && a.point())) {
       for (const Point& v : q.vertices()) out.push_back(translated(of_part({a.core, a.center, left, a.flat}), v));
     } else {
-      if (!a.core) nothing_left();
+      if (!a.core) return nothing_left();
       rounder.parts.push_back({q.core, q.center, -left, q.flat});
     }
   }
-  if (!rounder.parts.empty()) out.push_back(between_planes(*a.core, rounder));
+  if (rounder.parts.empty()) return out;
+  Tried<Body> between = between_planes(*a.core, rounder);
+  if (!between) return between.refusal();
+  out.push_back(*std::move(between));
   return out;
+}
+
+/// Of one convex part: containers alone.
+Tried<Erosion> of_convex(const BodyPart& a, const Body& b) {
+  Tried<std::vector<Body>> all = containers(a, b);
+  if (!all) return all.refusal();
+  return Erosion{*std::move(all)};
 }
 
 /// Of polytopes: the box about them, and the cells outside it that are kept out.
@@ -78,7 +88,7 @@ Tried<Erosion> of_union(const Body& a, const Body& b) {
     if (cell.bounded()) corners.push_back(std::move(cell.vertices));
   }
   std::optional<ConvexRegion> within = box_of(bounds(a), b);
-  if (!within) nothing_left();
+  if (!within) return nothing_left();
   return Erosion{{body_of(parts_of_cells({*std::move(within)}))}, minkowski_sum(body_of(parts_of_corners(corners)), b)};
 }
 
@@ -101,7 +111,7 @@ Tried<Erosion> erosion(const Body& a, const Body& b) {
     sum.outside = true;
     return Erosion{{at(std::move(sum), scale)}};
   }
-  Tried<Erosion> out = p.parts.size() == 1 ? Erosion{containers(p.parts[0], q)} : of_union(p, q);
+  Tried<Erosion> out = p.parts.size() == 1 ? of_convex(p.parts[0], q) : of_union(p, q);
   if (!out) return out;
   for (Body& tolerance : out->containers) {
     tolerance = at(std::move(tolerance), scale);
@@ -133,7 +143,7 @@ Tried<Body> cut(const Body& body, const Body& by, bool inside) {
   Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
   if (!cells) return cells.refusal();
   Body next = at(body_of(parts_of_cells(*std::move(cells))), scale);
-  if (next.parts.empty()) nothing_left();
+  if (next.parts.empty()) return nothing_left();
   next.rounded += body.rounded + by.rounded;
   next.moved = std::max({next.moved, body.moved, by.moved});
   return next;

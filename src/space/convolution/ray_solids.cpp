@@ -52,8 +52,10 @@ Tried<Triangles> prism(const Solid& solid) {
 }
 
 /// The surface, if it does not cross itself.
-Triangles simple(Triangles surface) {
-  const RayBody body(surface);
+Tried<Triangles> simple(Triangles surface) {
+  const Tried<RayBody> made = RayBody::of(surface);
+  if (!made) return made.refusal();
+  const RayBody& body = *made;
   const auto crossing = crossing_faces(body);
   if (!crossing) return surface;
   const auto text = [&](int f) {
@@ -65,9 +67,9 @@ Triangles simple(Triangles surface) {
     }
     return out;
   };
-  throw Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
-                                        text((*crossing)[0]) + " and triangle " + text((*crossing)[1]) +
-                                        ", in grid steps");
+  return Refusal(Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
+                                                 text((*crossing)[0]) + " and triangle " + text((*crossing)[1]) +
+                                                 ", in grid steps"));
 }
 
 Tried<RaySolid> primitive(const Solid& solid) {
@@ -75,9 +77,8 @@ Tried<RaySolid> primitive(const Solid& solid) {
     case Solid::Form::kPolytope:
       return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
-      return RaySolid{simple(triangles(solid.mesh)), {}, {}};
     case Solid::Form::kPrism: {
-      Tried<Triangles> surface = prism(solid);
+      Tried<Triangles> surface = solid.form == Solid::Form::kMesh ? simple(triangles(solid.mesh)) : prism(solid);
       if (!surface) return surface.refusal();
       return RaySolid{*std::move(surface), {}, {}};
     }
@@ -87,16 +88,14 @@ Tried<RaySolid> primitive(const Solid& solid) {
   return RaySolid{{}, solid.mesh.vertices[0], solid.radius};
 }
 
-/// A fault of the surface is a refusal too: convex parts may do.
+/// A surface that crosses itself is a refusal too: convex parts may do.
 Tried<std::vector<RaySolid>> of_solid(const Solid& solid, const std::string& place) {
   try {
     Tried<RaySolid> one = primitive(solid);
     if (!one) return one.refusal().at(place);
     return std::vector<RaySolid>{*std::move(one)};
   } catch (const Error& e) {
-    const Refusal why = Refusal(e).at(place);
-    if (e.code() != ErrorCode::kGeometry) throw why.error;
-    return why;
+    throw Refusal(e).at(place).error;
   }
 }
 
