@@ -27,16 +27,26 @@ std::optional<Real> asked_instant(const Session& session) {
   return t;
 }
 
-std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
+namespace {
+
+/// Decimals with commas between them.
+std::vector<Real> decimals(const std::string& text) {
   std::vector<Real> out;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    out.push_back(Real::parse_decimal(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
   if (!session.options().at) return std::vector<Real>(count);
   const std::string& text = *session.options().at;
   try {
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      out.push_back(Real::parse_decimal(text.substr(begin, end - begin)));
-      begin = end + 1;
-    }
+    std::vector<Real> out = decimals(text);
     if (out.size() != count) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
     return out;
   } catch (const Error& e) {
@@ -84,6 +94,53 @@ Real asked_angle(const Session& session) {
   } catch (const Error&) {
     throw Error(ErrorCode::kUsage,
                 fmt::format("--angle wants a decimal number of degrees, not '{}'", *session.options().angle));
+  }
+}
+
+namespace {
+
+/// An axis, x y z or three decimals, and degrees: "1,1,1:120".
+space::Rotation about_axis(const std::string& text, std::size_t colon, const space::Point& about) {
+  const std::string axis = text.substr(0, colon);
+  const std::size_t letter = axis.size() == 1 ? std::string_view("xyz").find(axis) : std::string_view::npos;
+  space::RealVector direction;
+  if (letter != std::string_view::npos) {
+    direction[letter] = Real(1);
+  } else {
+    const std::vector<Real> numbers = decimals(axis);
+    if (numbers.size() != 3) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
+    std::copy(numbers.begin(), numbers.end(), direction.begin());
+  }
+  return space::Rotation::about_direction(direction, Real::parse_decimal(text.substr(colon + 1)), about);
+}
+
+space::Rotation rotation_of(const std::string& text, const space::Point& about) {
+  if (const std::size_t colon = text.find(':'); colon != std::string::npos) return about_axis(text, colon, about);
+  const std::vector<Real> n = decimals(text);
+  if (n.size() == 4) return space::Rotation::of_quaternion({n[0], n[1], n[2], n[3]}, about);
+  if (n.size() != 9) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
+  return space::Rotation::of_matrix({space::RealVector{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}},
+                                    about);
+}
+
+}  // namespace
+
+std::optional<io::Orientation> asked_orientation(const Session& session) {
+  const Options& options = session.options();
+  const io::GridPosition& c = session.scene().free.about;
+  const space::Point about{c[0], c[1], c[2]};
+  if (options.angle)
+    return io::Orientation{space::Rotation::about_axis(2, asked_angle(session), about), "--angle " + *options.angle};
+  if (!options.orientation) return std::nullopt;
+  const std::string text = "--orientation " + *options.orientation;
+  try {
+    return io::Orientation{rotation_of(*options.orientation, about), text};
+  } catch (const Error& e) {
+    if (e.code() == ErrorCode::kBadValue) throw Error(ErrorCode::kUsage, fmt::format("{}: {}", text, e.message()));
+    throw Error(ErrorCode::kUsage,
+                fmt::format("{}: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or the nine "
+                            "numbers of a matrix, row by row, are meant",
+                            text));
   }
 }
 

@@ -19,6 +19,8 @@ exact::RealPoint asked_position(const Session& session);
 std::array<exact::Real, 3> asked_position_in_space(const Session& session);
 /// `count` numbers of --at, zeros without it; not held to the grid's range.
 std::vector<exact::Real> asked_anywhere(const Session& session, std::size_t count);
+/// --orientation, or --angle about the z axis, of a scene in space: about the scene's "about".
+std::optional<io::Orientation> asked_orientation(const Session& session);
 /// --angle, or 0, in degrees.
 exact::Real asked_angle(const Session& session);
 /// --time, an instant of the scene's motion; nothing without it.

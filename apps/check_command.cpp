@@ -9,6 +9,7 @@
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "measured_rows.h"
+#include "orientation_command.h"
 #include "position_picture.h"
 #include "position_report.h"
 #include "rotation_command.h"
@@ -26,16 +27,23 @@ std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& 
   return found ? *std::move(found) : std::nullopt;
 }
 
+void refuse_orientation(const Options& options) {
+  if (options.orientation)
+    throw Error(ErrorCode::kUsage, "--orientation is for 3D scenes; in the plane --angle says all");
+}
+
 }  // namespace
 
 Outcome run_check(const Options& options, Reporter& reporter) {
   if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
-  if (!options.at && !options.angle) throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
+  if (!options.at && !options.angle && !options.orientation)
+    throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, reporter);
   if (session.in_space()) {
-    session.require_positions_in_space(true);
-    return check_space(session);
+    session.require_positions_in_space(true, true);
+    return at_orientations(session, check_space);
   }
+  refuse_orientation(options);
   check_outputs(options, {".svg", ".json"});
   if (asks_for_angle(session)) return check_at_angle(session);
   session.require_positions(true);
@@ -63,9 +71,10 @@ Outcome run_check(const Options& options, Reporter& reporter) {
 Outcome run_measure(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
   if (session.in_space()) {
-    session.require_positions_in_space(true);
-    return measure_space(session);
+    session.require_positions_in_space(true, true);
+    return at_orientations(session, measure_space);
   }
+  refuse_orientation(options);
   check_outputs(options, {".svg", ".json"});
   if (asks_for_angle(session)) return measure_at_angle(session);
   session.require_positions(true);

@@ -190,7 +190,8 @@ constexpr Line kSceneKeys[] = {
     {"where", "the conditions: findspace help formula"},
     {"minimize, maximize", "a distance, a sum of distances, x, y, z, or \"distance to [X, Y]\""},
     {"free", "what the map is over: position (default), angle, pose, time, or {\"line\": {..}}"},
-    {"about, angles", "of angle and pose: the centre of the rotation, and the angles in degrees"},
+    {"about, angles",
+     "of angle and pose: the centre of the rotation, and the angles in degrees, in space also orientations"},
     {"curves, tolerance", "arcs for other curves: inside, outside or near (default), and how far off at most"},
     {"join, open_lines", "of drawings: gaps up to this length are closed; true: open lines are polylines"},
     {"motion", "shapes that move in time: way points, times, angles"},
@@ -218,19 +219,20 @@ constexpr Line kSpaceShapes[] = {{"polytope", "the convex hull of points [[X, Y,
                                  {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
                                  {"file", "a .stl .obj .off .ply .3mf; with unit"}};
 
-constexpr Line kMadeShapes[] = {{"union, intersection", "of a list of shapes"},
-                                {"difference", "the first of a list without the others"},
-                                {"complement", "everything outside a shape"},
-                                {"interior, closure, boundary", "of a shape"},
-                                {"regularize", "the closure of the interior"},
-                                {"translate, of", "a shape moved by [X, Y]"},
-                                {"rotate, of", "a shape rotated by degrees; with about, and in space axis"},
-                                {"simplify", "LENGTH, of: arcs for runs of short segments; with curves"},
-                                {"mirror", "DEGREES, about, of: mirrored in a line"},
-                                {"point_reflection", "reflected through the origin"},
-                                {"minkowski_sum", "of two shapes, as minkowski_difference"},
-                                {"offset, of", "a shape grown by a ball of this radius; below 0 it shrinks"},
-                                {"hull", "the convex hull"}};
+constexpr Line kMadeShapes[] = {
+    {"union, intersection", "of a list of shapes"},
+    {"difference", "the first of a list without the others"},
+    {"complement", "everything outside a shape"},
+    {"interior, closure, boundary", "of a shape"},
+    {"regularize", "the closure of the interior"},
+    {"translate, of", "a shape moved by [X, Y]"},
+    {"rotate, of", "a shape rotated by degrees; with about, and in space axis, or by a quaternion or matrix"},
+    {"simplify", "LENGTH, of: arcs for runs of short segments; with curves"},
+    {"mirror", "DEGREES, about, of: mirrored in a line"},
+    {"point_reflection", "reflected through the origin"},
+    {"minkowski_sum", "of two shapes, as minkowski_difference"},
+    {"offset, of", "a shape grown by a ball of this radius; below 0 it shrinks"},
+    {"hull", "the convex hull"}};
 
 template <std::size_t n>
 std::string lines(const Line (&all)[n]) {

@@ -9,6 +9,7 @@
 #include "io/export/write_drawing.h"
 #include "io/export/write_wkt.h"
 #include "line_choice.h"
+#include "orientation_command.h"
 #include "planar_map.h"
 #include "plane/query/topology.h"
 #include "report.h"
@@ -106,18 +107,20 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
   if (options.at && !at_place)
     throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
-  if (free == io::Free::Kind::kPose) return map_of_poses(session);
+  if (free == io::Free::Kind::kPose && !session.in_space()) return map_of_poses(session);
   if (free == io::Free::Kind::kAngle) return map_of_angles(session);
   if (session.in_space()) {
     const bool line = free == io::Free::Kind::kLine;
-    session.require_positions_in_space(line);
+    session.require_positions_in_space(line, true);
     require_question(session);
     if (line) {
       refuse_lines(options, "for maps of space, not of a line");
       return map_space_line(session);
     }
-    const auto lines = asked_lines(session);
-    return lines ? map_rays(session, *lines) : map_space(session);
+    return at_orientations(session, [](const Session& s) {
+      const auto lines = asked_lines(s);
+      return lines ? map_rays(s, *lines) : map_space(s);
+    });
   }
   refuse_lines(options, "for maps of 3D scenes");
   const io::Scene& scene = session.scene();

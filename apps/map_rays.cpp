@@ -122,7 +122,7 @@ Cast cast_axes(const RaySet& set, double step, bool written) {
 /// What the slices show: the region with a little around it, within the box of the lines.
 std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::RaySummary& summary) {
   space::Point low = set.low, high = set.high;
-  if (summary.empty) return {low, high};
+  if (summary.empty || set.unbounded) return {low, high};
   constexpr double kAround = 0.05;
   const auto shrink = [&](std::int64_t space::Point::*axis, std::size_t k) {
     const double tolerance = std::max(1.0, (summary.high[k] - summary.low[k]) * kAround);

@@ -25,7 +25,8 @@ struct Options {
   std::vector<std::filesystem::path> outputs;  // format by ending
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
   std::optional<std::string> angle;  // of check and measure: degrees the moving shape is rotated by, taken exactly
-  std::optional<std::string> time;   // an instant of the motion, a decimal
+  std::optional<std::string> orientation;                 // of these in space: "w,x,y,z", "1,1,0:45" or nine numbers
+  std::optional<std::string> time;                        // an instant of the motion, a decimal
   std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
   std::vector<std::string> move, free;         // of a board: parts that move; angles they may have, in degrees
   std::string where, minimize, maximize;       // of a board: formulas

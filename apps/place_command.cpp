@@ -64,9 +64,9 @@ std::string picture(const Session& session, const Problem& problem, const Answer
 /// Angles as they are counted where y runs downwards: counter-clockwise as it is seen.
 void count_as_seen(Answer& answer) {
   for (planning::BodyOutcome& r : answer.result.placed)
-    if (r.angle) r.angle = -*r.angle;
+    if (r.angle) r.angle = -r.angle->degrees;
   for (auto& r : answer.result.regions)
-    if (r.angle) r.angle = -*r.angle;
+    if (r.angle) r.angle = -r.angle->degrees;
 }
 
 /// The board's file with the parts at their new positions.
@@ -82,7 +82,7 @@ std::string board_text(const Session& session, const Problem& problem, const Ans
       throw Error(ErrorCode::kGeometry, fmt::format("'{}' fits at no point of the board's grid: no board is written",
                                                     problem.bodies[b].shapes[0]));
     places[problem.bodies[b].shapes[0]] = {{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
-                                           -problem.bodies[b].angles[pose->angle]};
+                                           -problem.bodies[b].angles[pose->angle].degrees};
   }
   return io::moved_board(io::read_text(session.options().scene, session.options().input_limit), session.options().scene,
                          places);

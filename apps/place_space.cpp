@@ -22,11 +22,9 @@ namespace {
 using exact::Real;
 using planning::SpaceProblem;
 
-/// About the z axis, through the pole.
 plane::ShapePtr rotated(const Session& session, const planning::RotatedShape& t) {
   plane::Rounding rounding;
-  plane::Shape out = *space::rotated(*session.scene().shape(t.shape),
-                                     space::Rotation::about_axis(2, t.degrees, space::Point{}), rounding);
+  plane::Shape out = *space::rotated(*session.scene().shape(t.shape), t.turn.in_space(), rounding);
   out.name = t.name;
   if (rounding.points > 0)
     session.reporter().note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g} {}",
@@ -88,7 +86,7 @@ std::vector<std::string> placed_lines(const io::PlacementResult& result, const S
     std::vector<std::string> at;
     for (const Real& x : p.at) at.push_back(io::shown((x * session.step()).to_double()));
     line += fmt::format(" at ({})", fmt::join(at, ", "));
-    if (p.angle && p.angle->sign() != 0) line += fmt::format(", rotated by {}°", io::shown(p.angle->to_double()));
+    if (p.angle && !p.angle->none()) line += fmt::format(", rotated by {}", io::turn_text(*p.angle));
     lines.push_back(std::move(line));
   }
   return lines;

@@ -56,7 +56,7 @@ Problem placement_problem(const Session& session) {
   session.reporter().stage("building the shapes");
   std::vector<plane::ShapePtr> shapes = wanted_shapes(session, problem);
   for (const planning::RotatedShape& t : asked.rotated)
-    shapes.push_back(rotated(session.scene().shape(t.shape), t.degrees, t.name));
+    shapes.push_back(rotated(session.scene().shape(t.shape), t.turn.degrees, t.name));
   std::vector<plane::Region> built = session.regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) problem.world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   std::set<std::string> moving;

@@ -3,6 +3,7 @@
 #include "scenery.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "motion_arrows.h"
@@ -51,9 +52,14 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
     }
   }
   const bool named_only = session.scene().named_only;
+  // The parts of a collection carry their own names; one whose parts have none carries its own.
   const auto all_of = [&](const std::string& name) {
     const auto parts = world.parts.find(name);
-    if (!named_only || parts == world.parts.end()) return picture.fixed.push_back({name, &world.shapes.at(name)});
+    const auto has_name = [](const auto& part) { return !std::isdigit(static_cast<unsigned char>(part.first[0])); };
+    const bool by_parts =
+        parts != world.parts.end() && std::all_of(parts->second.begin(), parts->second.end(), has_name);
+    if (!named_only && !by_parts) return picture.fixed.push_back({name, &world.shapes.at(name)});
+    if (parts == world.parts.end()) return picture.fixed.push_back({name, &world.shapes.at(name)});
     for (const auto& [part, region] : parts->second) picture.fixed.push_back({part, &region});
   };
   // The names of a board's pads are said where the formula speaks of them.

@@ -151,15 +151,15 @@ void Session::require_positions(bool line) const {
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }
 
-void Session::require_positions_in_space(bool line) const {
+void Session::require_positions_in_space(bool line, bool poses) const {
   auto refuse = [&](const std::string& what) {
     throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
   };
   if (scene_.motion.given()) refuse("a scene with \"motion\"");
-  if (options_.angle) refuse("--angle");
   asked_instant(*this);  // refuses --time: there is no motion
   using Kind = io::Free::Kind;
-  if (scene_.free.kind != Kind::kPosition && !(line && scene_.free.kind == Kind::kLine))
+  if (scene_.free.kind != Kind::kPosition && !(poses && scene_.free.kind == Kind::kPose) &&
+      !(line && scene_.free.kind == Kind::kLine))
     refuse("this kind of \"free\"");
   if (scene_.moving.empty())
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);

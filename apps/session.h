@@ -59,8 +59,9 @@ class Session {
   formula::World world_of(const formula::Formula& formula) const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
-  /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`).
-  void require_positions_in_space(bool line = false) const;
+  /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`; or such
+  /// at several orientations, if `poses`).
+  void require_positions_in_space(bool line = false, bool poses = false) const;
   bool in_space() const { return scene_.dimension == 3; }
 
  private:

@@ -138,16 +138,20 @@ TEST(ReadMesh, BrokenFilesAreRefused) {
   EXPECT_THROW(read_mesh("/nowhere/at/all.obj", context, plain), Error);
 }
 
-TEST(WriteMesh, PictureDashesHiddenLines) {
+TEST(WriteMesh, PictureShadesFacesAndDashesHiddenLines) {
   const std::string svg = svg_text(surface(cube()), "a < b");
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
-  const auto dashed = svg.find("stroke-dasharray"), plain = svg.rfind("<path");
+  // Three faces are seen, each a shaded one with its edges: three of an edge are drawn once, with the nearer face.
+  const auto dashed = svg.find("stroke-dasharray");
   ASSERT_NE(dashed, std::string::npos);
-  const auto lines = [&](std::size_t from, std::size_t to) {
-    return std::count(svg.begin() + static_cast<long>(from), svg.begin() + static_cast<long>(to), 'M');
+  const auto count = [&](std::string_view text, std::size_t from, std::size_t to) {
+    std::size_t n = 0;
+    for (std::size_t at = svg.find(text, from); at < to; at = svg.find(text, at + 1)) ++n;
+    return n;
   };
-  EXPECT_EQ(lines(dashed, plain), 3);
-  EXPECT_EQ(lines(plain, svg.size()), 9);
+  EXPECT_EQ(count("M", dashed, svg.size()), 3u);
+  EXPECT_EQ(count("<path fill=", 0, dashed), 3u);
+  EXPECT_EQ(count("M", 0, dashed), 3u + 9u);
   EXPECT_THROW(surface_text({}, "", ".dwg", ""), Error);
 }
 

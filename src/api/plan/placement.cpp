@@ -45,8 +45,8 @@ planning::AskedBody asked_body(const Body& body, const formula::Context& all, st
   }
   for (const Number& angle : body.angles) {
     Real degrees = within_a_turn(api::real_of(angle));
-    if (std::find(out.angles.begin(), out.angles.end(), degrees) == out.angles.end())
-      out.angles.push_back(std::move(degrees));
+    const auto same = [&](const planning::Turn& t) { return t.degrees == degrees; };
+    if (std::none_of(out.angles.begin(), out.angles.end(), same)) out.angles.emplace_back(std::move(degrees));
   }
   if (out.angles.empty()) throw Error(ErrorCode::kBadValue, "no angles: nothing is allowed", place);
   if (body.count < 1 || body.count > kMostCopies)
@@ -98,7 +98,7 @@ planning::Problem planar_problem(const std::map<std::string, Shape>& shapes, con
     plane::Shape turn;
     turn.kind = plane::Shape::Kind::kRotate;
     turn.points = {plane::GridPoint{0, 0}};
-    turn.degrees = t.degrees;
+    turn.degrees = t.turn.degrees;
     turn.children = {api::tree_on(shapes.at(t.shape), grid)};
     out.world.shapes.emplace(t.name, plane::build(turn, grid.step_size()).region);
   }
@@ -117,8 +117,7 @@ planning::SpaceProblem solid_problem(const std::map<std::string, Shape>& shapes,
   for (const auto& [name, shape] : shapes) out.shapes.emplace(name, api::tree_on(shape, grid));
   for (const planning::RotatedShape& t : asked.rotated) {
     plane::Rounding rounding;
-    const auto turn = space::Rotation::about_axis(2, t.degrees, space::Point{});
-    out.shapes.emplace(t.name, space::rotated(*out.shapes.at(t.shape), turn, rounding));
+    out.shapes.emplace(t.name, space::rotated(*out.shapes.at(t.shape), t.turn.in_space(), rounding));
   }
   for (const auto& [name, tree] : out.shapes) out.built.emplace(name, api::solid_on(*tree));
   out.step = grid.step();
@@ -135,7 +134,7 @@ void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& d
     placed.body = b.shape;
     placed.copy = b.copy;
     placed.attained = b.attained;
-    if (b.angle) placed.degrees = b.angle->to_double();
+    if (b.angle) placed.degrees = b.angle->degrees.to_double();
     if (b.at.empty()) continue;
     placed.at.emplace();
     for (const Real& c : b.at) {
@@ -148,8 +147,8 @@ void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& d
 void add_positions(std::size_t body, const std::vector<planning::AtAngle>& all, const plane::Grid& grid,
                    Placement::Data& data) {
   for (const planning::AtAngle& at : all)
-    data.positions.push_back(
-        {body, data.planar.bodies[body].angles[at.angle].to_double(), api::make_region(at.region, grid, data.unit)});
+    data.positions.push_back({body, data.planar.bodies[body].angles[at.angle].degrees.to_double(),
+                              api::make_region(at.region, grid, data.unit)});
 }
 
 void place_planar(const Demands& demands, const plane::Grid& grid, const planning::Limit& limit,

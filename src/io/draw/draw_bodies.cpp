@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 #include "io/draw/draw_canvas.h"
+#include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
 
 namespace findspace::io {
@@ -44,9 +44,11 @@ std::vector<Place2> outline(std::vector<Place2> points) {
 
 /// A convex part as it is seen.
 struct Shown {
+  std::vector<Place2> points;
   std::vector<Place2> around;
+  SeenSurface core;
   double radius = 0;
-  std::vector<std::array<Place2, 2>> front, back;
+  double depth = 0;  // of the middle
   bool moving = false;
 };
 
@@ -55,30 +57,37 @@ Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, 
   out.moving = drawn.moving;
   const double scale = step / static_cast<double>(drawn.body->scale);
   out.radius = part.radius.to_double() * scale;
-  std::vector<Place2> points;
+  std::vector<Place3> places;
   for (const space::Point& v : part.vertices()) {
-    points.push_back(
-        seen({static_cast<double>(v.x) * scale + drawn.by[0], static_cast<double>(v.y) * scale + drawn.by[1],
-              static_cast<double>(v.z) * scale + drawn.by[2]}));
+    places.push_back({static_cast<double>(v.x) * scale + drawn.by[0], static_cast<double>(v.y) * scale + drawn.by[1],
+                      static_cast<double>(v.z) * scale + drawn.by[2]});
+    out.points.push_back(seen(places.back()));
+    out.depth += dot(places.back(), kTowards);
   }
-  out.around = outline(points);
+  if (!places.empty()) out.depth /= static_cast<double>(places.size());
+  out.around = outline(out.points);
   if (!part.core) return out;
-  std::map<std::pair<int, int>, bool> edges;  // in front if one of its faces is
+  std::vector<std::vector<int>> rings;
   for (int f = 0; f < part.core->facet_count(); ++f) {
     const auto n = exact::approx(part.core->planes()[static_cast<std::size_t>(f)].normal);
-    const bool front = dot({n.x, n.y, n.z}, kTowards) > 0;
-    const std::vector<int> ring = part.core->circuit(f);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      bool& edge = edges[std::minmax(ring[i], ring[(i + 1) % ring.size()])];
-      edge = edge || front;
+    std::vector<int> ring = part.core->circuit(f);
+    Place3 around{};  // circuits may run either way: their planes' normals point outwards
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      const auto at = [&](std::size_t k) { return places[static_cast<std::size_t>(ring[k])]; };
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+        around[k] +=
+            (at(i)[u] - at(0)[u]) * (at(i + 1)[v] - at(0)[v]) - (at(i)[v] - at(0)[v]) * (at(i + 1)[u] - at(0)[u]);
+      }
     }
+    if (dot(around, {n.x, n.y, n.z}) < 0) std::reverse(ring.begin(), ring.end());
+    rings.push_back(std::move(ring));
   }
-  for (const auto& [edge, front] : edges) {
-    (front ? out.front : out.back)
-        .push_back({points[static_cast<std::size_t>(edge.first)], points[static_cast<std::size_t>(edge.second)]});
-  }
+  out.core = seen_surface(places, rings);
   return out;
 }
+
+constexpr std::array<int, 3> kStone{232, 232, 228}, kSky{206, 226, 248};
 
 class BodiesDrawing {
  public:
@@ -106,13 +115,10 @@ class BodiesDrawing {
     put("<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, xml_escaped(picture_.title));
     for (const std::string& line : picture_.lines)
       put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kBodiesLine, xml_escaped(line));
-    for (const Shown& part : parts_) put_outline(part);
-    for (const Shown& part : parts_) {
-      put_edges(part.back, part.moving ? "#9bd" : "#bbb", " stroke-dasharray=\"3 4\"");
-      put_edges(part.front, part.moving ? "#15a" : "#555", "");
-    }
+    put_parts();
+    for (const Shown& part : parts_) put_edges(part, part.core.hidden, part.moving ? "#9bd" : "#bbb", kDashed);
     for (const auto& pair : picture_.pairs) {
-      put_edges({{seen(pair[0]), seen(pair[1])}}, "#d22", " class=\"witness\"");
+      put("<path stroke=\"#d22\" class=\"witness\" d=\"M{}L{}\"/>\n", at(seen(pair[0])), at(seen(pair[1])));
       for (const Place3& p : pair) put("<circle cx=\"{}\" r=\"3\" fill=\"#d22\"/>\n", at(seen(p), "\" cy=\""));
     }
     return out_ + "</svg>\n";
@@ -134,21 +140,55 @@ class BodiesDrawing {
     return fmt::format("{:.2f}{}{:.2f}", (p[0] - low_[0]) * scale_ + kBodiesMargin, between,
                        (p[1] - low_[1]) * scale_ + kBodiesMargin + header_);
   }
+  static constexpr const char* kDashed = " stroke-dasharray=\"3 4\"";
+
+  /// From back to front: the faces of sharp parts, and whole parts with a radius.
+  void put_parts() {
+    struct Piece {
+      double depth;
+      const Shown* part;
+      const SeenFace* face;  // none: the whole part
+    };
+    std::vector<Piece> pieces;
+    for (const Shown& part : parts_) {
+      if (part.radius > 0 || part.core.faces.empty())
+        pieces.push_back({part.depth, &part, nullptr});
+      else
+        for (const SeenFace& face : part.core.faces) pieces.push_back({face.depth, &part, &face});
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
+    for (const Piece& p : pieces) {
+      if (p.face != nullptr)
+        put_face(*p.part, *p.face);
+      else
+        put_outline(*p.part);
+    }
+  }
+  void put_face(const Shown& part, const SeenFace& face) {
+    std::string path;
+    for (const int v : face.ring)
+      path += fmt::format("{}{}", path.empty() ? "M" : "L", at(part.points[static_cast<std::size_t>(v)]));
+    put("<path d=\"{0}z\" fill=\"{1}\" stroke=\"{1}\" stroke-width=\".5\" fill-opacity=\".93\"/>\n", path,
+        shaded(part.moving ? kSky : kStone, face.light));
+    put_edges(part, face.edges, part.moving ? "#15a" : "#555", "");
+  }
   void put_outline(const Shown& part) {
     std::string path;
     for (const Place2& p : part.around) path += fmt::format("{}{}", path.empty() ? "M" : "L", at(p));
     // A line twice as wide as the radius, and inside it a slightly thinner one: its rim is the outline.
-    const char* fill = part.moving ? "#dcebfa" : "#eeeeec";
+    const std::string fill = shaded(part.moving ? kSky : kStone, 1);
     const double wide = 2 * part.radius * scale_;
-    if (wide > 0)
-      put("<path d=\"{}z\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", path, part.moving ? "#15a" : "#555", wide + 2);
-    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" fill-opacity=\"0.7\"/>\n", path, fill, fill,
+    const char* line = part.moving ? "#15a" : "#555";
+    put("<path d=\"{}z\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", path, line, wide > 0 ? wide + 2 : 1);
+    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" fill-opacity=\"0.8\"/>\n", path, fill, fill,
         wide);
+    for (const SeenFace& face : part.core.faces) put_edges(part, face.edges, line, "");
   }
-  void put_edges(const std::vector<std::array<Place2, 2>>& edges, const char* colour, const char* style) {
+  void put_edges(const Shown& part, const std::vector<Edge3>& edges, const char* colour, const char* style) {
     if (edges.empty()) return;
     put("<path stroke=\"{}\"{} d=\"", colour, style);
-    for (const auto& e : edges) put("M{}L{}", at(e[0]), at(e[1]));
+    for (const Edge3& e : edges)
+      put("M{}L{}", at(part.points[static_cast<std::size_t>(e[0])]), at(part.points[static_cast<std::size_t>(e[1])]));
     put("\"/>\n");
   }
 

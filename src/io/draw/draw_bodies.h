@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Solids at one position as a wireframe: what `check` and `measure` draw in space. Each convex part of a body gives its
-// edges, hidden ones dashed, over its outline; the outline of a part with a radius is that of its core, as much wider.
-// Lines of the moving body are blue, a pair of nearest or farthest points is joined in red. Guarantee: outlines are the
-// true ones of an orthogonal view. Cost: linear in the edges, for each part.
+// Solids at one position: what `check` and `measure` draw in space. Each convex part of a body gives its faces, shaded,
+// and of its edges the creases and the silhouette (draw_surface.h); hidden creases are dashed. A part with a radius is
+// the outline of its core, as much wider. The moving body is blue, a pair of nearest or farthest points is joined in
+// red. Guarantee: outlines are the true ones of an orthogonal view; faces that pass through each other are laid by the
+// depth of their middles. Cost: n log n in the edges. Keywords: painter's algorithm.
 #pragma once
 
 #include <array>

@@ -145,7 +145,11 @@ Block legend(const std::vector<LegendEntry>& entries, double left, double top, d
   return b;
 }
 
-std::string style_sheet() {
+std::string style_sheet(bool copper) {
+  constexpr const char* kCopper = R"(.copper { fill: #b87333; fill-opacity: .38; fill-rule: evenodd; stroke: none }
+.copper-line { stroke: #b87333; stroke-width: .5 }
+.copper-dot { fill: #b87333 }
+)";
   return fmt::format(R"(<style>
 text {{ font-family: Inter, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; font-size: {}px; fill: #33383d }}
 path, circle {{ fill: none; stroke-linejoin: round }}
@@ -155,10 +159,7 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .axis {{ stroke: #b9c0c6; stroke-width: 1 }}
 .bar {{ stroke: #33383d; stroke-width: 1.4 }}
 .label {{ text-anchor: middle; fill: #33383d; stroke: #fff; stroke-width: 3.5; stroke-opacity: .85; paint-order: stroke }}
-.copper {{ fill: #b87333; fill-opacity: .38; fill-rule: evenodd; stroke: none }}
-.copper-line {{ stroke: #b87333; stroke-width: .5 }}
-.copper-dot {{ fill: #b87333 }}
-.fixed {{ fill: #5b6873; fill-opacity: .13; fill-rule: evenodd; stroke: none }}
+{}.fixed {{ fill: #5b6873; fill-opacity: .13; fill-rule: evenodd; stroke: none }}
 .fixed-line {{ stroke: #5b6873; stroke-width: 1.1 }}
 .fixed-dot {{ fill: #5b6873 }}
 .moving {{ fill: #f6b73c; fill-opacity: .78; fill-rule: evenodd; stroke: none }}
@@ -186,7 +187,7 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .pole {{ stroke: #5c3b00; stroke-width: 1.6; stroke-linecap: round }}
 </style>
 )",
-                     kFontSize, kTitleSize, kTickFont);
+                     kFontSize, kTitleSize, kTickFont, copper ? kCopper : "");
 }
 
 }  // namespace findspace::io

@@ -47,7 +47,7 @@ std::string axes(const Frame& frame);
 Block scale_bar(const Frame& frame, std::string_view unit, double left, double top);
 Block legend(const std::vector<LegendEntry>& entries, double left, double top, double width);
 
-/// The classes that all parts of a picture use.
-std::string style_sheet();
+/// The classes that all parts of a picture use; those of copper where a picture has some.
+std::string style_sheet(bool copper = false);
 
 }  // namespace findspace::io

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "io/draw/draw_canvas.h"
+#include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/write_mesh_binary.h"
@@ -121,31 +122,39 @@ std::string stl_text(const Surface& s, std::string_view title) {
 }
 
 std::string svg_text(const Surface& s, std::string_view title) {
+  constexpr std::array<int, 3> kStone{223, 231, 235};
   const Picture picture = fit(s);
-  std::map<std::pair<int, int>, bool> visible;  // an edge is visible if one of its faces is
-  for (const auto& face : s.faces) {
-    const bool front = dot(face_normal(s, face), kTowards) > 0;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      bool& edge = visible[std::minmax(face[i], face[(i + 1) % face.size()])];
-      edge = edge || front;
-    }
-  }
+  const SeenSurface seen = seen_surface(s.vertices, s.faces);
   fmt::memory_buffer out;
+  const auto put = std::back_inserter(out);
   fmt::format_to(
-      std::back_inserter(out),
+      put,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" fill=\"none\" stroke=\"#123\" "
-      "stroke-width=\"1.4\" stroke-linecap=\"round\">\n<title>{}</title>\n",
+      "stroke-width=\"1.4\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
       picture.width, picture.height, xml_escaped(title));
-  for (const bool front : {false, true}) {
-    fmt::format_to(std::back_inserter(out), "<path{} d=\"", front ? "" : " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
-    for (const auto& [edge, seen] : visible) {
-      if (seen != front) continue;
-      const auto a = picture.at(s.vertices[edge.first]), b = picture.at(s.vertices[edge.second]);
-      fmt::format_to(std::back_inserter(out), "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
+  const auto lines = [&](const std::vector<Edge3>& edges, const char* style) {
+    if (edges.empty()) return;
+    fmt::format_to(put, "<path{} d=\"", style);
+    for (const Edge3& e : edges) {
+      const auto a = picture.at(s.vertices[e[0]]), b = picture.at(s.vertices[e[1]]);
+      fmt::format_to(put, "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
     }
-    fmt::format_to(std::back_inserter(out), "\"/>\n");
+    fmt::format_to(put, "\"/>\n");
+  };
+  for (const SeenFace& face : seen.faces) {
+    const std::string fill = shaded(kStone, face.light);
+    if (face.ring.size() > 2) {
+      fmt::format_to(put, "<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".6\" d=\"", fill);
+      for (std::size_t k = 0; k < face.ring.size(); ++k) {
+        const auto p = picture.at(s.vertices[face.ring[k]]);
+        fmt::format_to(put, "{}{:.2f} {:.2f}", k == 0 ? "M" : "L", p[0], p[1]);
+      }
+      fmt::format_to(put, "z\"/>\n");
+    }
+    lines(face.edges, "");
   }
-  fmt::format_to(std::back_inserter(out), "</svg>\n");
+  lines(seen.hidden, " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
+  fmt::format_to(put, "</svg>\n");
   return fmt::to_string(out);
 }
 

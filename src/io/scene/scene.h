@@ -20,19 +20,28 @@
 #include "io/text/read_limits.h"
 #include "io/text/units.h"
 #include "plane/contour/shape.h"
+#include "planning/order/turn.h"
+#include "space/shape/rotation.h"
 
 namespace findspace::io {
 
 struct Board;
 
+/// How a shape of space is rotated, and in the scene's words.
+struct Orientation {
+  space::Rotation rotation;
+  std::string text;
+};
+
 /// What the map ranges over.
 struct Free {
   enum class Kind { kPosition, kLine, kAngle, kTime, kPose };
   Kind kind = Kind::kPosition;
-  GridPosition through{};           // kLine
-  GridPosition direction{};         // kLine: integers without a common factor, not all 0
-  GridPosition about{};             // kAngle, kPose: the point the moving shape rotates about
-  std::vector<exact::Real> angles;  // kPose: degrees, in the order given
+  GridPosition through{};                 // kLine
+  GridPosition direction{};               // kLine: integers without a common factor, not all 0
+  GridPosition about{};                   // kAngle, kPose: the point the moving shape rotates about
+  std::vector<exact::Real> angles;        // kPose: degrees, in the order given
+  std::vector<Orientation> orientations;  // kPose in space, instead of angles
 };
 
 /// The movement of one shape over the time of the scene: straight legs between way points.
@@ -53,8 +62,8 @@ struct Motion {
 struct PlacedBody {
   std::string name;  // the shape's, or "A1+A2"
   std::vector<std::string> shapes;
-  std::vector<exact::Real> angles{exact::Real(0)};  // allowed, in degrees about the pole, in the order given
-  int count = 1;                                    // how many of it are placed
+  std::vector<planning::Turn> angles{planning::Turn{}};  // allowed, about the pole, in the order given
+  int count = 1;                                         // how many of it are placed
 };
 
 /// The placement of several shapes (docs/scene.md, "place").

@@ -10,6 +10,7 @@
 
 #include "exact/number/decimal.h"
 #include "io/scene/scene_placement.h"
+#include "io/scene/scene_rotation.h"
 
 namespace findspace::io {
 namespace {
@@ -180,7 +181,10 @@ Free read_free(const JsonValue& value, const JsonValue& root, const ShapeReader&
   if (free.kind == Free::Kind::kPose) {
     const JsonValue* angles = given.find("angles");
     if (!angles) json.fail(ErrorCode::kBadValue, "\"pose\" needs \"angles\"", label, value);
-    free.angles = read_angles(*angles, json, label.part("angles"));
+    if (dimension == 3)
+      free.orientations = read_orientations(*angles, free.about, json, label.part("angles"));
+    else
+      free.angles = read_angles(*angles, json, label.part("angles"));
   }
   return free;
 }

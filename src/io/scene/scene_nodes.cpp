@@ -8,6 +8,7 @@
 #include <array>
 
 #include "io/scene/mirror_tree.h"
+#include "io/scene/scene_rotation.h"
 #include "io/scene/scene_shapes.h"
 #include "space/shape/rotated_shape.h"
 
@@ -55,24 +56,16 @@ ShapePtr build_translate(ShapeReader& reader, const JsonValue& object, const Jso
   return share(std::move(shape));
 }
 
-/// In 3D the rotated tree itself: about an axis through a point.
-ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape& child, const exact::Real& degrees,
+/// In 3D the rotated tree itself.
+ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape& child, const JsonValue& value,
                        const Label& label) {
   const SceneReader& json = reader.json();
-  int axis = 2;
-  if (const JsonValue* given = object.find("axis")) {
-    const std::string_view known = "xyz";
-    const std::string& name = json.text(*given, "\"axis\"", label);
-    if (name.size() != 1 || known.find(name) == std::string_view::npos)
-      json.fail(ErrorCode::kBadValue, "\"axis\" is \"x\", \"y\" or \"z\"", label, *given);
-    axis = static_cast<int>(known.find(name));
-  }
   const JsonValue* about = object.find("about");
   const GridPosition center = about ? json.position(*about, 3, label.part("about")) : GridPosition{};
+  const Orientation orientation = read_orientation(value, object.find("axis"), center, json, label.part("rotate"));
   return json.placed(label, object, [&] {
     plane::Rounding rounding;
-    const auto rotation = space::Rotation::about_axis(axis, degrees, {center[0], center[1], center[2]});
-    Shape rotated = *space::rotated(child, rotation, rounding);
+    Shape rotated = *space::rotated(child, orientation.rotation, rounding);
     rotated.name.clear();
     rotated.place = json.place(label, object);
     if (rounding.points > 0) {
@@ -87,8 +80,11 @@ ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape
 ShapePtr build_rotate(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   Shape shape = reader.node(Shape::Kind::kRotate, label, object);
   shape.children = {operand(reader, object, label)};
+  if (reader.dimension() == 3) return rotated_solid(reader, object, *shape.children[0], value, label);
+  if (value.is(JsonValue::Kind::kObject))
+    reader.json().fail(ErrorCode::kBadValue, "an orientation is for 3D shapes; in the plane \"rotate\" is degrees",
+                       label, value);
   shape.degrees = reader.json().number(value, label.part("rotate"));
-  if (reader.dimension() == 3) return rotated_solid(reader, object, *shape.children[0], shape.degrees, label);
   if (const JsonValue* axis = object.find("axis"))
     reader.json().fail(ErrorCode::kBadValue, "\"axis\" is for 3D shapes", label, *axis);
   const JsonValue* about = object.find("about");

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/scene/scene_rotation.h"
+
 namespace findspace::io {
 namespace {
 
@@ -76,13 +78,30 @@ void for_bodies(const JsonValue* value, Placement& place, const SceneReader& jso
   }
 }
 
-void read_body_angles(PlacedBody& body, const JsonValue& value, const SceneReader& json, const Label& label) {
+void add_angle(PlacedBody& body, Real angle) {
+  angle = angle - Real(360) * Real(exact::floor(angle / Real(360)));
+  const auto same = [&](const planning::Turn& t) { return !t.rotation && t.degrees == angle; };
+  if (std::none_of(body.angles.begin(), body.angles.end(), same)) body.angles.emplace_back(std::move(angle));
+}
+
+void add_orientation(PlacedBody& body, const JsonValue& value, const SceneReader& json, const Label& label) {
+  Orientation o = read_orientation(value, nullptr, {}, json, label);
+  const auto same = [&](const planning::Turn& t) { return t.rotation && t.rotation->rows == o.rotation.rows; };
+  if (std::none_of(body.angles.begin(), body.angles.end(), same))
+    body.angles.emplace_back(std::move(o.rotation), std::move(o.text));
+}
+
+/// Degrees; in space orientations too.
+void read_body_angles(PlacedBody& body, const JsonValue& value, int dimension, const SceneReader& json,
+                      const Label& label) {
   json.expect(value, Kind::kArray, "a list of angles", label);
   body.angles.clear();
   for (std::size_t i = 0; i < value.size(); ++i) {
-    Real angle = json.number(value.items[i], label.part("angle", i));
-    angle = angle - Real(360) * Real(exact::floor(angle / Real(360)));
-    if (std::find(body.angles.begin(), body.angles.end(), angle) == body.angles.end()) body.angles.push_back(angle);
+    const Label part = label.part("angle", i);
+    if (dimension == 3 && value.items[i].is(Kind::kObject))
+      add_orientation(body, value.items[i], json, part);
+    else
+      add_angle(body, json.number(value.items[i], part));
   }
   if (body.angles.empty()) json.fail(ErrorCode::kBadValue, "an empty list of angles: nothing is allowed", label, value);
 }
@@ -115,8 +134,9 @@ Placement read_placement(const JsonValue& value, ShapeReader& shapes) {
   json.check_keys(value, kKeys, label);
   Placement place;
   read_bodies(json.need(value, "shapes", label), shapes, place, label.part("shapes"));
-  for_bodies(value.find("angles"), place, json, label.part("angles"),
-             [&](PlacedBody& b, const JsonValue& v, const Label& l) { read_body_angles(b, v, json, l); });
+  for_bodies(
+      value.find("angles"), place, json, label.part("angles"),
+      [&](PlacedBody& b, const JsonValue& v, const Label& l) { read_body_angles(b, v, shapes.dimension(), json, l); });
   for_bodies(value.find("count"), place, json, label.part("count"),
              [&](PlacedBody& b, const JsonValue& v, const Label& l) { read_count(b, v, json, l); });
   if (const JsonValue* each = value.find("each")) place.each = json.formula(*each, label.part("each"));

@@ -21,6 +21,12 @@ std::string scaled(const Real& steps, const Real& step) {
   return json_number((Twofold(steps) * Twofold(step)).value());
 }
 
+/// The key and the value that say how a body is rotated.
+std::string turn_json(const planning::Turn& turn) {
+  if (!turn.rotation) return fmt::format("\"angle\": {}", json_number(turn.degrees.to_double()));
+  return fmt::format("\"orientation\": {}", matrix_json(*turn.rotation));
+}
+
 std::string placed_json(const planning::BodyOutcome& p, const Real& step) {
   std::string out = fmt::format("{{\"shape\": {}", json_string(p.shape));
   if (p.copy > 0) put(out, ", \"copy\": {}", p.copy);
@@ -28,7 +34,7 @@ std::string placed_json(const planning::BodyOutcome& p, const Real& step) {
     std::vector<std::string> at;
     for (const Real& c : p.at) at.push_back(scaled(c, step));
     put(out, ", \"at\": [{}]", fmt::join(at, ", "));
-    if (p.angle) put(out, ", \"angle\": {}", json_number(p.angle->to_double()));
+    if (p.angle) put(out, ", {}", turn_json(*p.angle));
     return out + "}";
   }
   out += ", \"at\": null";
@@ -59,14 +65,26 @@ std::string regions_json(const PlacementResult& result) {
     }
     out += "[";
     for (std::size_t first = k; k < all.size() && all[k].shape == all[first].shape; ++k)
-      put(out, "{}{{\"angle\": {}, \"positions\": {}}}", k > first ? ",\n" : "", json_number(all[k].angle->to_double()),
-          region_text(all[k]));
+      put(out, "{}{{{}, \"positions\": {}}}", k > first ? ",\n" : "", turn_json(*all[k].angle), region_text(all[k]));
     out += "]";
   }
   return out + "}";
 }
 
 }  // namespace
+
+std::string matrix_json(const space::Rotation& rotation) {
+  std::vector<std::string> rows;
+  for (const space::RealVector& row : rotation.rows) {
+    rows.push_back(fmt::format("[{}, {}, {}]", json_number(row[0].to_double()), json_number(row[1].to_double()),
+                               json_number(row[2].to_double())));
+  }
+  return fmt::format("[{}]", fmt::join(rows, ", "));
+}
+
+std::string turn_text(const planning::Turn& turn) {
+  return turn.rotation ? turn.text : fmt::format("{} deg", shown(turn.degrees.to_double()));
+}
 
 std::string placement_json(const PlacementResult& result, const Real& step, std::string_view unit) {
   std::string out = fmt::format("{{\"method\": {}, ", json_string(result.method));
@@ -91,7 +109,7 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
       std::vector<std::string> at;
       for (const Real& c : p.at) at.push_back(shown((Twofold(c) * Twofold(step)).value()));
       put(out, "({}){}", fmt::join(at, ", "), suffix);
-      if (p.angle) put(out, ", rotated by {} deg", shown(p.angle->to_double()));
+      if (p.angle) put(out, ", rotated by {}", turn_text(*p.angle));
     } else {
       out += p.attained ? "no free position" : "no best position: the least value is not taken";
     }

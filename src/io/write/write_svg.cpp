@@ -64,8 +64,8 @@ class PictureWriter {
     return {
         fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
                     "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}{7}</svg>\n",
-                    pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(), title.svg, map(), bar.svg,
-                    notes.svg),
+                    pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(!copper_.empty()), title.svg,
+                    map(), bar.svg, notes.svg),
         right, bottom};
   }
 

@@ -32,7 +32,7 @@ class DemandMaker {
     taken_.insert(all_.shapes.begin(), all_.shapes.end());
     for (const AskedBody& placed : asked_.bodies) {
       Body body{placed.name, 0, placed.shapes, placed.angles, {}};
-      for (const exact::Real& angle : placed.angles) body.variants.push_back(variant(placed, angle));
+      for (const Turn& angle : placed.angles) body.variants.push_back(variant(placed, angle));
       for (int copy = 1; copy <= placed.count; ++copy) {
         body.copy = placed.count > 1 ? copy : 0;
         demands_.bodies.push_back(body);
@@ -41,12 +41,13 @@ class DemandMaker {
     }
   }
 
-  std::vector<std::string> variant(const AskedBody& body, const exact::Real& angle) {
+  std::vector<std::string> variant(const AskedBody& body, const Turn& angle) {
     std::vector<std::string> names;
     for (const std::string& shape : body.shapes) {
       names.push_back(shape);
-      if (angle.sign() == 0) continue;
-      std::string name = fmt::format("{} rotated by {}", shape, formula::decimal_text(angle));
+      if (angle.none()) continue;
+      std::string name =
+          fmt::format("{} rotated by {}", shape, angle.rotation ? angle.text : formula::decimal_text(angle.degrees));
       while (!taken_.insert(name).second) name += "'";
       out_.rotated.push_back({name, shape, angle});
       names.back() = name;

@@ -61,7 +61,7 @@ bool Outcome::complete() const {
   return std::none_of(placed.begin(), placed.end(), [](const BodyOutcome& b) { return b.at.empty(); });
 }
 
-bool may_turn(const Body& body) { return body.angles.size() > 1 || body.angles[0].sign() != 0; }
+bool may_turn(const Body& body) { return body.angles.size() > 1 || !body.angles[0].none(); }
 
 Outcome outcome(const Problem& problem, const SequentialPlacement& found) { return in_order(problem, found); }
 Outcome outcome(const Problem& problem, const SimultaneousPlacement& found) { return all_together(problem, found); }

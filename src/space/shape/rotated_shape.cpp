@@ -84,12 +84,12 @@ class Rotator {
 
   Solid solid(const plane::Shape& s, const Solid& given, const Rotation& r) {
     Solid out = given;
-    if (given.form == Solid::Form::kPrism && r.quarters && r.axis == 2) return upright(given, r);
+    if (given.form == Solid::Form::kPrism && r.keeps_z()) return upright(given, r);
     if (given.form == Solid::Form::kPolytope || given.form == Solid::Form::kBall) {
       out.mesh.vertices = rounded(given.mesh.vertices, r);
       return out;
     }
-    if (given.form == Solid::Form::kMesh && r.quarters) {
+    if (given.form == Solid::Form::kMesh && r.keeps_axes()) {
       out.mesh.vertices = rounded(given.mesh.vertices, r);
       return out;
     }
@@ -110,30 +110,6 @@ class Rotator {
 };
 
 }  // namespace
-
-Rotation Rotation::about_axis(int axis, const Real& degrees, const Point& about) {
-  constexpr int kBits = 60;
-  const Real quarter(90), count(exact::round(degrees / quarter));
-  const Real rest = degrees - count * quarter;  // within 45 degrees of 0
-  Rotation r;
-  r.axis = axis;
-  r.quarters = rest.sign() == 0;
-  if (!r.quarters) r.turn = exact::ExactAngle::near(rest.to_double(), kBits);
-  const int128 whole = *count.integer();
-  for (int k = static_cast<int>((whole % 4 + 4) % 4); k > 0; --k) r.turn = r.turn + exact::ExactAngle{Real(0), Real(1)};
-  const RealVector center = real(about);
-  r.by = minus(center, r.linear(center));
-  return r;
-}
-
-RealVector Rotation::linear(const RealVector& x) const {
-  const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
-  const exact::RealPoint p = turn({x[i], x[j]});
-  RealVector out = x;
-  out[i] = p.x;
-  out[j] = p.y;
-  return out;
-}
 
 plane::ShapePtr rotated(const plane::Shape& shape, const Rotation& rotation, plane::Rounding& rounding) {
   return Rotator(rounding).shape(shape, rotation);
