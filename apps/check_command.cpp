@@ -35,6 +35,7 @@ void refuse_orientation(const Options& options) {
 }  // namespace
 
 Outcome run_check(const Options& options, Reporter& reporter) {
+  if (is_board(options.scene)) refuse_orientation(options);
   if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
   if (!options.at && !options.angle && !options.orientation)
     throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");

@@ -162,16 +162,16 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
         ->group(kCommon);
   }
   if (values) {
-    command
-        .add_option("--angle", o.angle,
-                    "rotate the moving shape by DEG degrees, counter-clockwise, in space about the z axis (default 0)")
-        ->type_name("DEG")
-        ->group(kCommon);
+    auto* angle = command.add_option(
+        "--angle", o.angle,
+        "rotate the moving shape by DEG degrees, counter-clockwise, in space about the z axis (default 0)");
+    angle->type_name("DEG")->group(kCommon);
     command
         .add_option("--orientation", o.orientation,
                     "rotate the moving shape: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or a "
                     "matrix of nine numbers (default: as drawn)")
         ->type_name("ROTATION")
+        ->excludes(angle)
         ->group(kSpace);
     command.add_option("--time", o.time, "an instant of the motion, in its own time (default: over all its time)")
         ->type_name("T")

@@ -102,6 +102,11 @@ def check3(kind, *formulas):
                            for f in formulas]
 
 
+def orientation3(formula):
+    return lambda shapes: [(["check", "-", "--at", at(SPACE_AT, "apart", shapes), "--orientation", turn],
+                            scene(shapes, where=formula, space=1)) for turn in ("1,1,1:120", "1,2,3,4", "x:30")]
+
+
 def map3(*formulas, lines=0, **more):
     extra = ["--resolution", str(lines)] if lines else []
     return lambda shapes: [(["map", "-", *extra], scene(shapes, where=f, space=1, **more)) for f in formulas]
@@ -273,9 +278,10 @@ IN_SPACE = {
         "along a direction": map3("gamma1(B, A, along=(1, 0, 0)) -> min"),
     },
     "Rotation, motion, placement": {
-        "rotating, free over angles, poses or time; motion": both(
+        "orientations: check at one": orientation3("reach(B, A) >= 1"),
+        "rotating, free over angles or time; motion": both(
             map3("clear(B, A)", motion={"time": [0, 1], "B": {"path": [[0, 0, 0], [2, 1, 0]]}}),
-            map3("clear(B, A)", free="angle"), map3("clear(B, A)", free="pose", angles=2),
+            map3("clear(B, A)", free="angle"),
             map3("gap(B, A, rotating=(0, 0)) >= 0")),
         "placement one after another": place3("sequential"),
         "placement all at once": place3("simultaneous"),

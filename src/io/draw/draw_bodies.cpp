@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_surface.h"
@@ -48,24 +49,61 @@ struct Shown {
   std::vector<Place2> around;
   SeenSurface core;
   double radius = 0;
-  double depth = 0;  // of the middle
+  double depth = 0;             // of the middle
+  std::array<Place3, 2> box{};  // of the core
   bool moving = false;
+  bool glass = false;  // about what moves
 };
 
-Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, double step) {
-  Shown out;
-  out.moving = drawn.moving;
+/// Of a body's vertices, in the scene's unit.
+std::vector<Place3> places_of(std::span<const space::Point> vertices, const BodiesPicture::Drawn& drawn, double step) {
   const double scale = step / static_cast<double>(drawn.body->scale);
-  out.radius = part.radius.to_double() * scale;
-  std::vector<Place3> places;
-  for (const space::Point& v : part.vertices()) {
-    places.push_back({static_cast<double>(v.x) * scale + drawn.by[0], static_cast<double>(v.y) * scale + drawn.by[1],
-                      static_cast<double>(v.z) * scale + drawn.by[2]});
-    out.points.push_back(seen(places.back()));
-    out.depth += dot(places.back(), kTowards);
+  std::vector<Place3> out;
+  for (const space::Point& v : vertices) {
+    out.push_back({static_cast<double>(v.x) * scale + drawn.by[0], static_cast<double>(v.y) * scale + drawn.by[1],
+                   static_cast<double>(v.z) * scale + drawn.by[2]});
   }
-  if (!places.empty()) out.depth /= static_cast<double>(places.size());
+  return out;
+}
+
+/// Larger, so as to hold the other too.
+void add_box(std::array<Place3, 2>& box, const std::array<Place3, 2>& other) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box[0][k] = std::min(box[0][k], other[0][k]);
+    box[1][k] = std::max(box[1][k], other[1][k]);
+  }
+}
+
+Shown points_seen(const std::vector<Place3>& places, bool moving) {
+  Shown out;
+  out.moving = moving;
+  out.box = {places.front(), places.front()};
+  for (const Place3& p : places) {
+    out.points.push_back(seen(p));
+    out.depth += dot(p, kTowards) / static_cast<double>(places.size());
+    add_box(out.box, {p, p});
+  }
   out.around = outline(out.points);
+  return out;
+}
+
+/// A mesh shows its surface, not the cuts between its convex parts.
+Shown mesh_seen(const space::PlacedSurroundings& mesh, const BodiesPicture::Drawn& drawn, double step) {
+  std::vector<space::Point> vertices;
+  for (const space::Point& v : mesh.of->surface.vertices) vertices.push_back(mesh.at(v));
+  const std::vector<Place3> places = places_of(vertices, drawn, step);
+  Shown out = points_seen(places, drawn.moving);
+  std::vector<std::vector<int>> rings = mesh.of->surface.faces;
+  if (mesh.factor < 0)  // a reflection through a point turns them over
+    for (std::vector<int>& ring : rings) std::reverse(ring.begin(), ring.end());
+  out.core = seen_surface(places, rings);
+  return out;
+}
+
+Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, double step) {
+  const std::vector<Place3> places = places_of(part.vertices(), drawn, step);
+  Shown out = points_seen(places, drawn.moving);
+  out.radius = part.radius.to_double() * step / static_cast<double>(drawn.body->scale);
   if (!part.core) return out;
   std::vector<std::vector<int>> rings;
   for (int f = 0; f < part.core->facet_count(); ++f) {
@@ -87,14 +125,63 @@ Shown part_seen(const space::BodyPart& part, const BodiesPicture::Drawn& drawn, 
   return out;
 }
 
+/// The parts of a body: those of a mesh without a radius as one.
+std::vector<Shown> body_seen(const BodiesPicture::Drawn& drawn, double step) {
+  const auto& parts = drawn.body->parts;
+  std::vector<bool> done(parts.size());
+  std::vector<Shown> out;
+  for (const space::PlacedSurroundings& mesh : drawn.body->around) {
+    const auto sharp = [&](std::size_t k) { return parts[k].radius.sign() == 0; };
+    bool all = !mesh.of->surface.faces.empty();
+    for (std::size_t k = mesh.first; k < mesh.first + mesh.count; ++k) all = all && sharp(k);
+    if (!all) continue;
+    for (std::size_t k = mesh.first; k < mesh.first + mesh.count; ++k) done[k] = true;
+    out.push_back(mesh_seen(mesh, drawn, step));
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (!done[k]) out.push_back(part_seen(parts[k], drawn, step));
+  return out;
+}
+
+std::array<Place3, 2> box_of(const std::vector<Shown>& parts) {
+  std::array<Place3, 2> box = parts.front().box;
+  for (const Shown& part : parts) add_box(box, part.box);
+  return box;
+}
+
+bool within(const std::array<Place3, 2>& inner, const std::array<Place3, 2>& outer) {
+  std::array<Place3, 2> both = outer;
+  add_box(both, inner);
+  return both == outer;
+}
+
+/// The parts of all bodies. A fixed body whose box holds that of a moving one is glass: it must not hide it.
+std::vector<Shown> all_seen(const BodiesPicture& picture) {
+  std::vector<std::vector<Shown>> bodies;
+  for (const auto& drawn : picture.bodies)
+    if (!drawn.body->parts.empty()) bodies.push_back(body_seen(drawn, picture.step));
+  std::vector<Shown> out;
+  for (std::vector<Shown>& body : bodies) {
+    const auto inside = [&](const std::vector<Shown>& other) {
+      return other.front().moving && within(box_of(other), box_of(body));
+    };
+    const bool glass = !body.front().moving && std::any_of(bodies.begin(), bodies.end(), inside);
+    for (Shown& part : body) {
+      part.glass = glass;
+      out.push_back(part);
+    }
+  }
+  return out;
+}
+
+constexpr double kGlass = 0.2;
+
 constexpr std::array<int, 3> kStone{232, 232, 228}, kSky{206, 226, 248};
 
 class BodiesDrawing {
  public:
   explicit BodiesDrawing(const BodiesPicture& picture) : picture_(picture) {
-    for (const auto& drawn : picture.bodies) {
-      for (const space::BodyPart& part : drawn.body->parts) parts_.push_back(part_seen(part, drawn, picture.step));
-    }
+    parts_ = all_seen(picture);
     for (const Shown& part : parts_) {
       for (const Place2& p : part.around) extend(p, part.radius);
     }
@@ -168,8 +255,9 @@ class BodiesDrawing {
     std::string path;
     for (const int v : face.ring)
       path += fmt::format("{}{}", path.empty() ? "M" : "L", at(part.points[static_cast<std::size_t>(v)]));
-    put("<path d=\"{0}z\" fill=\"{1}\" stroke=\"{1}\" stroke-width=\".5\" fill-opacity=\".93\"/>\n", path,
-        shaded(part.moving ? kSky : kStone, face.light));
+    const std::string fill = shaded(part.moving ? kSky : kStone, face.light);
+    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\".5\" fill-opacity=\"{}\"/>\n", path, fill,
+        part.glass ? "none" : fill, part.glass ? kGlass : 0.93);
     put_edges(part, face.edges, part.moving ? "#15a" : "#555", "");
   }
   void put_outline(const Shown& part) {
@@ -180,8 +268,8 @@ class BodiesDrawing {
     const double wide = 2 * part.radius * scale_;
     const char* line = part.moving ? "#15a" : "#555";
     put("<path d=\"{}z\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", path, line, wide > 0 ? wide + 2 : 1);
-    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" fill-opacity=\"0.8\"/>\n", path, fill, fill,
-        wide);
+    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" opacity=\"{}\"/>\n", path, fill, fill, wide,
+        part.glass ? kGlass : 0.8);
     for (const SeenFace& face : part.core.faces) put_edges(part, face.edges, line, "");
   }
   void put_edges(const Shown& part, const std::vector<Edge3>& edges, const char* colour, const char* style) {

@@ -115,12 +115,20 @@ const FileKind* kind_of(std::string_view ending) {
   return found == kKinds.end() ? nullptr : &*found;
 }
 
+/// Of JSON that is no shape: what a shape would have. Nothing of the file is shown: it may be anyone's.
+std::string lacks(const FileKind& kind, std::string_view text) {
+  if (kind.is != is_shape_json || !trimmed(text).starts_with('{')) return "";
+  if (text.find("\"type\"") == std::string_view::npos) return ": it has no \"type\"";
+  return ": it has a \"type\", but no \"coordinates\", \"geometry\", \"geometries\" or \"features\"";
+}
+
 }  // namespace
 
 void require_kind(std::string_view text, std::string_view ending, const std::string& name) {
   const FileKind* kind = kind_of(ending);
   if (kind == nullptr || kind->is(text)) return;
-  throw Error(ErrorCode::kFile, fmt::format("this is not {}, by how it begins", kind->name), name);
+  throw Error(ErrorCode::kFile, fmt::format("this is not {}, by how it begins{}", kind->name, lacks(*kind, text)),
+              name);
 }
 
 bool is_space_ending(std::string_view ending) {

@@ -203,8 +203,10 @@ void check_closed(const Mesh& mesh, double step) {
   constexpr int kListed = 6;
   std::string list;
   int open = 0;
+  bool crowded = false;
   MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
     const int surplus = balance(uses);
+    crowded = crowded || uses.size() > 2;
     if (surplus == 0) return;
     const Point &a = mesh.vertices[edge.first], &b = mesh.vertices[edge.second];
     const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
@@ -214,11 +216,14 @@ void check_closed(const Mesh& mesh, double step) {
                       at(b.x), at(b.y), at(b.z), faces_at_edge(static_cast<int>(uses.size()), std::abs(surplus)));
     }
   });
-  if (open == 0) return;
-  if (open > kListed) list += fmt::format("; and {} more", open - kListed);
+  if (open == 0 && !crowded) return;
   std::string twice;
   if (const std::size_t n = repeated_faces(mesh); n > 0)
-    twice = fmt::format("{} face{} twice; ", n, n == 1 ? " stands" : "s stand");
+    twice = fmt::format("{} face{} twice", n, n == 1 ? " stands" : "s stand");
+  if (open == 0 && twice.empty()) return;
+  if (open == 0) throw Error(ErrorCode::kGeometry, "in the mesh " + twice);
+  if (open > kListed) list += fmt::format("; and {} more", open - kListed);
+  if (!twice.empty()) twice += "; ";
   throw Error(ErrorCode::kGeometry, fmt::format("the mesh is not closed: {}{} open edges: {}", twice, open, list));
 }
 
