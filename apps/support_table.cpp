@@ -91,7 +91,8 @@ a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · qui
 `hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | refused: no convex parts | refused: no least value
 along a direction | exact along an axis · quick | exact both ways · quick | refused: not convex | refused: not convex | refused: not convex | refused: not convex | refused: not convex
 # Rotation, motion, placement
-`rotating`, `free` over angles, poses or time; `motion` | refused: not computed
+orientations: `check` at one | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
+`rotating`, `free` over angles or time; `motion` | refused: not computed
 placement one after another | exact · quick | exact · quick | inner, on lines · fast | exact or on lines · fast | inner, on lines · fast | inner, on lines · slow | exact or on lines · fast
 placement all at once | exact · quick | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces | refused: slanted faces)";
 
@@ -173,6 +174,7 @@ Some cells need more words:
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
 | containment in "round" along a direction, other lines | level 0 only |
 | least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
+| orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |
 
 ### Kinds of refusal

@@ -32,7 +32,9 @@ STRANGE = "no such shape, I hope"
 FILE = r"(<svg> \()?\S+\.(svg|dxf|wkt|geojson|json|stl|obj|off|ply|3mf|xyz)\b"
 REASONS = {
     "curves and solids that are none": r"\"min\" of a box|the ring (has no|touches)|hole \d+ (is|touches)|near .* curves "
-                                       r"meet|the mesh is not closed|a shell of the mesh",
+                                       r"meet|the mesh is not closed|in the mesh|a shell of the mesh",
+    "an orientation that is none, or in the plane": r"the matrix mirrors|rows? \d|a quaternion of a rotation|"
+                                                    r"an orientation is for 3D",
     "a mistake in the text of a path": r"path, character",
     "a name that no shape has, or that stands twice": r"unknown shape '|'.*' (is not among the placed|is made from itself|"
                                                       r"stands here twice|is a shape as well)",
@@ -140,6 +142,7 @@ def strange_objects():
     yield cells + ["vertices", "items"], shape({"cells": {**CELLS, "vertices": [q]}})
     vertices = [{"at": [0, 0], "in": True}, {"at": [1, 0], "in": True}]
     yield cells + ["edges", "items"], shape({"cells": {**CELLS, "supporting_curves": supporting_curves, "vertices": vertices, "edges": [q]}})
+    yield ["orientation"], shape({"rotate": {"quaternion": [1, 0, 0, 0], **q}, "of": shapes["ball"]})
     for word in ("position", "line", "angle", "time", "pose"):
         definition = "free" + word.capitalize()
         yield [definition], asking(free={word: {}, **q})
