@@ -22,7 +22,7 @@ from fractions import Fraction
 
 
 def area(ring):
-    return sum(a * d - b * c for (a, b), (c, d) in zip(ring, ring[1:] + ring[:1])) / 2
+    return Fraction(sum(a * d - b * c for (a, b), (c, d) in zip(ring, ring[1:] + ring[:1]))) / 2
 
 
 def clip(polygon, p, q):
@@ -35,7 +35,7 @@ def clip(polygon, p, q):
         if s >= 0:
             result.append(a)
         if s * t < 0:
-            along = s / (s - t)
+            along = Fraction(s) / (s - t)
             result.append((a[0] + along * (b[0] - a[0]), a[1] + along * (b[1] - a[1])))
     return result
 

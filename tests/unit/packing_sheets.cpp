@@ -52,6 +52,10 @@ TEST(Sheets, OutlineHoleAndZone) {
   // An L of two squares of 4 and a corner, with a hole of 2 in the corner; squares of 4 have two places.
   Polygon angle = make_polygon({{{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}}, box_ring(1, 1, 3, 3)}, "angle");
   problem.sheets.push_back({"angle", 1, {}, angle});
+  Layout cut;
+  cut.sheets = {0};
+  cut.length = Fraction(6);
+  EXPECT_DOUBLE_EQ(room(problem, cut), 4 * 8 + 2 * 4 - 2 * 2);  // what lies left of x = 6
   problem.parts = {{"square", 2, box(4, 4), {0}}, {"dot", 1, box(1, 1), {0}}};
   const Layout layout = found(problem, 4e6);
   EXPECT_TRUE(layout.left_out.empty());

@@ -22,6 +22,21 @@ double twice_area(const Ring& ring) {
   return sum;
 }
 
+/// The area of a shape where x <= most: the integral of min(x, most) dy along its rings.
+double area_left_of(const Polygon& shape, double most) {
+  double sum = 0;
+  for (const Ring& ring : shape.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const LatticePoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      const double u = double(p.x) - most, v = double(q.x) - most;  // the mean of min(., 0) from u to v
+      const double low = std::min(u, v), high = std::max(u, v);
+      const double mean = high <= 0 ? (u + v) / 2 : low >= 0 ? 0 : -low * low / (high - low) / 2;
+      sum += (mean + most) * (double(q.y) - double(p.y));
+    }
+  }
+  return sum;
+}
+
 /// +1 where the ring runs counter-clockwise: the turn at its lowest, leftmost vertex.
 int direction(const Ring& ring) {
   const auto less = [](const LatticePoint& p, const LatticePoint& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
@@ -184,8 +199,8 @@ double room(const Problem& problem, const Layout& layout) {
   double sum = 0;
   for (std::size_t k = 0; k < layout.sheets.size(); ++k) {
     const Polygon& shape = problem.sheets[layout.sheets[k]].shape;
-    const double whole = twice_area(shape) / 2 / steps / steps, width = double(box_of(shape).high.x) / steps;
-    sum += k + 1 == layout.sheets.size() && width > 0 ? whole * (layout.length.to_double() / width) : whole;
+    const bool last = k + 1 == layout.sheets.size();
+    sum += (last ? area_left_of(shape, layout.length.to_double() * steps) : twice_area(shape) / 2) / steps / steps;
   }
   return sum;
 }

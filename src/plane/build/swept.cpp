@@ -130,10 +130,12 @@ class Sights {
   Layer at_start_, at_end_, inside_;
 };
 
-/// A common measure of two rationals, not both 0, by Euclid's algorithm: both are integer multiples of it, without a
-/// common factor.
-Real common_measure(Real x, Real y) {
-  while (y.sign() != 0) {
+/// The greatest common measure of two numbers, not both 0, by Euclid's algorithm: both are integer multiples of it,
+/// without a common factor. None where these integers are 2^53 or more, or the ratio is irrational: each step but the
+/// last makes them at least the next Fibonacci number, and the 79th is above 2^53.
+std::optional<Real> common_measure(Real x, Real y) {
+  for (int steps = 80; y.sign() != 0; --steps) {
+    if (steps == 0) return std::nullopt;
     Real rest = x - Real(exact::floor(x / y)) * y;
     x = std::exchange(y, rest);
   }
@@ -143,8 +145,9 @@ Real common_measure(Real x, Real y) {
 }  // namespace
 
 std::optional<GridPoint> primitive_direction(const RealVector& d) {
-  const Real measure = common_measure(d.x, d.y);
-  const auto dx = (d.x / measure).integer(), dy = (d.y / measure).integer();
+  const auto measure = common_measure(d.x, d.y);
+  if (!measure) return std::nullopt;
+  const auto dx = (d.x / *measure).integer(), dy = (d.y / *measure).integer();
   constexpr exact::int128 kMost = exact::int128(1) << 53;
   if (!dx || !dy || *dx >= kMost || *dx <= -kMost || *dy >= kMost || *dy <= -kMost) return std::nullopt;
   return GridPoint{std::int64_t(*dx), std::int64_t(*dy)};
