@@ -48,6 +48,8 @@ int grid_digits(const UnscaledProblem& problem) {
     digits = std::max(digits, digits_of(part.rings));
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
+  for (const packing::FixedPart& fixed : problem.fixed)
+    if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
   for (const UnscaledSheet& sheet : problem.sheets) {
     digits = std::max(digits, digits_of(sheet.rings));
     for (const UnscaledZone& zone : sheet.zones) digits = std::max(digits, digits_of(zone.rings));
