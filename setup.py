@@ -28,6 +28,7 @@ class CMakeBuild(build_ext):
         for name in os.listdir(built):
             if name.startswith("_findspace"):
                 self.copy_file(os.path.join(built, name), os.path.join(target, name))
+        self.copy_tree(os.path.join(ROOT, "web", "built"), os.path.join(target, "page"))
 
 
 setup(

@@ -120,9 +120,12 @@ class Packing {
     return text;
   }
 
-  /// No parts, or none that are wanted.
+  /// No parts, none that are wanted or fit a sheet, or no layout in which all conditions hold.
   Outcome empty() {
     packing::Layout layout;
+    if (stop_wanted) return {"interrupted before a first layout was found\n", kInterrupted};
+    if (!problem_.on_sheets() && problem_.items() > 0)
+      throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
     for (std::size_t part = 0; part < problem_.parts.size(); ++part)
       if (problem_.parts[part].demand > 0)
         layout.left_out.push_back({part, problem_.parts[part].demand, "it is larger than every sheet"});

@@ -21,9 +21,12 @@ using packing::Fault;
 constexpr std::size_t kFaultsShown = 8;
 
 const char* kind_name(Fault::Kind kind) {
-  constexpr const char* kNames[] = {"overlap", "gap", "outside", "angle", "zone", "count", "sheets"};
+  constexpr const char* kNames[] = {"overlap", "gap",   "condition", "outside", "angle",
+                                    "zone",    "count", "sheets",    "fixed"};
   return kNames[std::size_t(kind)];
 }
+
+bool of_part(Fault::Kind kind) { return kind == Fault::Kind::kCount || kind == Fault::Kind::kFixed; }
 
 }  // namespace
 
@@ -77,10 +80,11 @@ std::string verdict_json(const packing::Problem& problem, const packing::Layout&
   for (const Fault& fault : verdict.faults) {
     if (fault.kind == Fault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
     std::string items =
-        fmt::format("\"{}\"", fault.kind == Fault::Kind::kCount    ? problem.parts[fault.first].name
+        fmt::format("\"{}\"", of_part(fault.kind)                  ? problem.parts[fault.first].name
                               : fault.kind == Fault::Kind::kSheets ? problem.sheets[fault.first].name
                                                                    : io::item_name(problem, layout, fault.first));
-    if (fault.kind <= Fault::Kind::kGap) items += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
+    if (fault.kind <= Fault::Kind::kCondition)
+      items += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
     faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [{}], \"depth\": {}, \"near\": [{}, {}]}}",
                           faults.empty() ? "" : ",", kind_name(fault.kind), items, fault.depth, fault.x, fault.y);
   }

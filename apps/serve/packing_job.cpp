@@ -28,6 +28,9 @@ packing::Problem read(const std::string& problem, const std::string& file, const
   if (result.on_sheets() || result.box)
     throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
                 file);
+  if (!result.fixed.empty())
+    throw Error(ErrorCode::kUnsupported, "the page moves all parts; fixed ones are packed around by 'findspace pack'",
+                file);
   return result;
 }
 

@@ -37,12 +37,14 @@ struct PackPart {
   std::optional<Number> value = {};
 };
 
-/// What some parts may not enter.
+/// What some parts may not enter, or may not leave.
 struct PackZone {
   /// The outline, then holes.
   std::vector<Ring> rings;
-  /// Names of the parts that must stay out.
+  /// Names of the parts that must stay out, or
   std::vector<std::string> keeps_out;
+  /// names of the parts that lie within it.
+  std::vector<std::string> holds = {};
 };
 
 /// A kind of sheet. The box of its outline begins at (0, 0).
@@ -70,6 +72,31 @@ struct PackGap {
   Number gap;
 };
 
+/// What holds for two copies beside their gap: a formula of docs/formula.md, such as "gap(self, other) <= 8". On
+/// different sheets two parts are infinitely far apart.
+struct PackCondition {
+  /// Names of parts: `self` is a copy of the first, `other` one of the second. Of one part it holds both ways.
+  std::string first, second;
+  /// The formula.
+  std::string where;
+};
+
+/// A copy that stands where it stands. It counts as one of its part's.
+struct FixedPart {
+  /// Its kind.
+  std::string part;
+  /// Where its origin is.
+  Number x = 0, y = 0;
+  /// Degrees, any.
+  Number angle = 0;
+  /// Whether it is turned over.
+  bool mirrored = false;
+  /// The kind of sheet that it lies on, if there are sheets, and which of that kind, from 1 on.
+  std::string sheet = {};
+  /// See there.
+  int number = 1;
+};
+
 /// What is to be packed: onto the sheets, or into a strip 0 <= y <= height where there are none.
 struct PackProblem {
   /// How files call it.
@@ -88,6 +115,10 @@ struct PackProblem {
   Number edge = 0;
   /// Wider gaps of some pairs.
   std::vector<PackGap> gaps = {};
+  /// Conditions of some pairs.
+  std::vector<PackCondition> conditions = {};
+  /// Parts that stand already.
+  std::vector<FixedPart> fixed = {};
 };
 
 /// A copy of a part: its point q goes to (x, y) + R M q. M turns x into -x where mirrored, R turns by the angle.
@@ -148,8 +179,9 @@ struct PackOptions {
   Cancel cancel = {};
 };
 
-/// The best layout found. Nothing where no part is wanted, or none fits a sheet. Error where a part is no simple
-/// polygon, is higher than the strip, or a name is unknown.
+/// The best layout found. Nothing where no part is wanted, none fits a sheet, or no layout was found in which all
+/// conditions hold. Error where a part is no simple polygon, is higher than the strip, a name is unknown, or the fixed
+/// parts overlap.
 std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options = {});
 
 /// What is wrong with a layout, a sentence each; nothing where it is feasible, by exact signs.

@@ -14,7 +14,7 @@ from ._findspace import (AtomValue, Body, Check, Component, Distance, DistanceVa
                          PackSheet, PackZone, Phi, PhiValue, PlacedPart, Placement, PoseMap, Query, Region, Ring,
                          Shape, SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
                          distance, gap, hausdorff, inside, margin, overlaps, pack, place, protrusion, reach, touches, within)
-from . import _plot, _shapely
+from . import _page, _plot, _shapely
 
 __all__ = ["AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Feature",
            "Formula", "Instants", "Interval", "LeftOutPart", "LineMap", "Optimum", "PackLayout", "PackPart", "PackProblem",
@@ -30,6 +30,9 @@ Shape.plot = _plot.plot_shape
 Shape._repr_svg_ = _plot.picture_of_shape
 SpaceRegion._repr_svg_ = _plot.picture_of_solid
 Surface._repr_svg_ = _plot.picture_of_surface
+Shape._repr_html_ = _page.page_of_shape
+Surface._repr_html_ = _page.page_of_surface
+SpaceRegion._repr_html_ = _page.page_of_region
 Placement._repr_svg_ = _plot.picture_of_placement
 Region.to_shapely = _shapely.to_shapely
 Region.__geo_interface__ = property(_shapely.geo_interface)

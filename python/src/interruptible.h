@@ -23,11 +23,10 @@ inline bool signalled() {
   return PyErr_CheckSignals() != 0;
 }
 
-/// work(), or the exception of the handler of a signal.
+/// work(), or the exception of the handler of a signal. What looks at a token of its own shares it.
 template <class Work>
-auto interruptible(const Work& work) {
+auto interruptible(const Work& work, const Cancel& cancel = {}) {
   constexpr std::chrono::milliseconds kBetweenLooks{20};
-  const Cancel cancel;
   bool interrupted = false;
   std::optional<decltype(work())> out;
   {

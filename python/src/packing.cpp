@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <exception>
 #include <tuple>
 
 #include "interruptible.h"
@@ -132,6 +133,24 @@ void bind_layout(py::module_& m) {
           "What is wrong with it, exactly; an empty list where it is feasible.");
 }
 
+/// `better` hears of each better layout, and what it raises ends the search.
+std::optional<PackLayout> packed(const PackProblem& problem, PackOptions options, const py::object& better) {
+  std::exception_ptr raised;  // the interpreter's lock guards it
+  if (!better.is_none())
+    options.better = [&](const PackLayout& layout) {
+      const py::gil_scoped_acquire held;
+      try {
+        if (!raised) better(layout);
+      } catch (const py::error_already_set&) {
+        raised = std::current_exception();
+        options.cancel.request();
+      }
+    };
+  std::optional<PackLayout> found = interruptible([&] { return pack(problem, options); }, options.cancel);
+  if (raised) std::rethrow_exception(raised);
+  return found;
+}
+
 }  // namespace
 
 void bind_packing(py::module_& m) {
@@ -139,18 +158,40 @@ void bind_packing(py::module_& m) {
   bind_layout(m);
   m.def(
       "pack",
-      [](const PackProblem& problem, double seconds, double work, std::uint64_t seed, unsigned threads) {
+      [](const PackProblem& problem, double seconds, double work, std::uint64_t seed, unsigned threads,
+         const py::object& better) {
         PackOptions options;
         options.seconds = work > 0 && seconds < 0 ? 0 : seconds < 0 ? 10 : seconds;
         options.work = work;
         options.seed = seed;
         options.threads = threads;
-        return interruptible([&] { return pack(problem, options); });
+        return packed(problem, options, better);
       },
       py::arg("problem"), py::kw_only(), py::arg("seconds") = -1.0, py::arg("work") = 0.0, py::arg("seed") = 1,
-      py::arg("threads") = 1,
-      "The best layout found in some seconds (10 unless said), or in an amount of work: millions of pairs looked at.\n"
-      "None where there is nothing to pack.");
+      py::arg("threads") = 1, py::arg("better") = py::none(),
+      R"doc(The best layout found, or None where there is nothing to pack. Ctrl-C ends the search.
+
+Parameters
+----------
+problem : PackProblem
+seconds : float
+    10 unless said; without end by time where `work` is given.
+work : float
+    Millions of pairs of parts looked at: the same result for the same seed and threads. 0: no limit.
+seed : int
+    Another search.
+threads : int
+    Searches side by side.
+better : callable, optional
+    Called with each better layout at once. What it raises ends the search.
+
+Examples
+--------
+>>> import findspace as fs
+>>> domino = fs.PackPart("domino", [(0, 0), (1, 0), (1, 2), (0, 2)], count=8, angles=[0, 90])
+>>> fs.pack(fs.PackProblem([domino], height=4), work=5).length
+'4'
+)doc");
 }
 
 }  // namespace findspace::python

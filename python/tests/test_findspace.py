@@ -192,6 +192,9 @@ def test_worlds_of_space():
     intervals, exact = world.on_line("inside(crate, room) and disjoint(crate, ball)", (5, 5, 0), (0, 0, 1))
     assert exact and str(intervals) == "[[1.0, 3.0), (7.0, 9.0]]"
     assert world.query("inside(crate, room)").nearest((0, 5, 12))[0] == (1, 5, 9)
+    assert world.query("inside(crate, room, 6)").nearest((0, 5, 12)) is None
+    with pytest.raises(fs.Error, match="not computed"):
+        world.query("clear(crate, room, 1)").nearest((0, 5, 5))
     with pytest.raises(ValueError, match=r"\(n, 3\)"):
         query.holds(np.zeros((3, 2)))
 
@@ -280,3 +283,23 @@ def test_pack_on_sheets_and_into_a_strip():
     with pytest.raises(fs.Error):
         fs.pack(fs.PackProblem([domino], height="0.5"), work=1)
     assert fs.pack(fs.PackProblem([], height=4), work=1) is None
+
+
+def test_packing_tells_and_ends():
+    ell = fs.PackPart("ell", [(0, 0), (3, 0), (3, 1), (1, 1), (1, 4), (0, 4)], count=30, angles=[0, 90, 180, 270])
+    problem = fs.PackProblem([ell], height=11)
+    told = []
+    best = fs.pack(problem, work=2, better=lambda layout: told.append(float(layout.length)))
+    assert told and told == sorted(told, reverse=True) and told[-1] == float(best.length)
+
+    def enough(layout):
+        raise RuntimeError("enough")
+
+    begun = time.monotonic()
+    with pytest.raises(RuntimeError, match="enough"):
+        fs.pack(problem, seconds=60, better=enough)
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        fs.pack(problem, seconds=60)
+    assert time.monotonic() - begun < 30

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """Placements, motions, poses, lines of space, surfaces, and their pickles."""
+import html
 import json
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -80,6 +82,32 @@ def test_lines_of_space():
     assert abs(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 - (512 - 36 * np.pi)) < 12
     with pytest.raises(ValueError, match="axis"):
         world.on_lines(where, 16, "w")
+
+
+def data_of(framed):
+    """What the page in a frame is given to show."""
+    text = html.unescape(re.fullmatch('<iframe srcdoc="(.*?)" sandbox=.*></iframe>', framed, re.S)[1])
+    assert "__NONCE__" not in text and len(re.search('type="text/plain">(.*?)</script>', text, re.S)[1]) > 100_000
+    return json.loads(re.search('<script id="data" type="application/json">(.*?)</script>', text, re.S)[1])
+
+
+def test_solids_in_notebooks():
+    shapes = {"room": fs.Shape.box((0, 0, 0), (9, 2, 9)), "crate": fs.Shape.box((0, 0, 0), (2, 2, 2)),
+              "ball": fs.Shape.ball((0, 0, 0), 1)}
+    world = fs.World(shapes, "crate", unit="mm")
+    data = data_of(world.solve("inside(crate, room)")._repr_html_())
+    assert data["map"]["drawing"]["sheets"] == [[[0, 0, 0], [7, 0, 0], [7, 0, 7], [0, 0, 7]]]
+    assert data["at"] == [3.5, 0, 3.5] and data["summary"]["moving"] == ["crate"] and data["summary"]["unit"] == "mm"
+    assert ["drawing" in s for s in data["summary"]["shapes"]] == [False, True, True]
+    assert world.solve("inside(crate, room) and clear(crate, room)")._repr_html_() is None
+    beside = world.solve("clear(crate, room, 1)")
+    assert tuple(data_of(beside._repr_html_())["at"]) in beside
+    half = data_of(world.solve("clear(crate, room)")._repr_html_())
+    assert max(map(abs, half["at"])) < 100
+    box = data_of(shapes["room"]._repr_html_())
+    assert len(box["summary"]["shapes"][0]["drawing"]["vertices"]) == 8 and box["summary"]["moving"] == []
+    assert data_of(shapes["room"].surface._repr_html_())["summary"]["shapes"][0]["name"] == "surface"
+    assert shapes["ball"]._repr_html_() is None and fs.Shape.box((0, 0), (1, 1))._repr_html_() is None
 
 
 def test_surfaces_both_ways():

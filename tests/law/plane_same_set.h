@@ -14,7 +14,8 @@ namespace findspace::plane {
 
 /// Nothing is in one and not in the other.
 inline bool same_set(const Region& a, const Region& b) {
-  return is_empty(overlay(std::array<const CellComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); }));
+  return is_empty(
+      overlay(std::array<const CellComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); }));
 }
 
 }  // namespace findspace::plane

@@ -223,6 +223,14 @@ TEST(PublicSpace, ManyPositionsAndLines) {
   const auto nearest = world.query("inside(crate, room)").nearest(Position3{0, 5, 12});
   ASSERT_TRUE(nearest);
   EXPECT_EQ(nearest->at, (Position3{1, 5, 9}));
+  EXPECT_FALSE(world.query("inside(crate, room, 6)").nearest(Position3{0, 5, 12}));  // feasible nowhere
+  try {
+    // It is feasible, far out.
+    (void)world.query("clear(crate, room, 1)").nearest(Position3{0, 5, 5});
+    FAIL() << "an answer";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kUnsupported);
+  }
   world.move("ball", Point3{0, 0, 1});
   EXPECT_EQ(*world.distance("gap(crate, ball)", {5, 5, 9}).value, 1);
   EXPECT_EQ(*world.distance("margin(crate, room)", {5, 5, 8}).value, 1);

@@ -72,7 +72,7 @@ async function openPage(link, { dark = false, width = 1280, height = 800 } = {})
 
 const verdict = (page) => page.$eval("#verdict", (e) => e.textContent);
 const at = (page) => page.evaluate(() => [Number(document.getElementById("x").value), Number(document.getElementById("y").value)]);
-const until = (page, test, ...args) => page.waitForFunction(test, { timeout: 10000 }, ...args);
+const until = (page, test, ...args) => page.waitForFunction(test, { timeout: 10000, polling: 50 }, ...args);
 const setPlace = async (page, x, y) => {
   await page.evaluate((x, y) => {
     document.getElementById("x").value = x;

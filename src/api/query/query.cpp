@@ -218,7 +218,8 @@ std::optional<Region::Nearest> Query::nearest(const Position& from) const {
 
 std::optional<Nearest3> Query::nearest(const Position3& from) const {
   const auto found = data_->nearest(from);
-  if (!found) return std::nullopt;
+  if (!found && data_->world.solve_space(data_->written).empty()) return std::nullopt;
+  if (!found) throw Error(ErrorCode::kUnsupported, "the nearest position of this region in space is not computed");
   return Nearest3{{found->at[0].to_double(), found->at[1].to_double(), found->at[2].to_double()},
                   found->distance.to_double(),
                   found->attained};

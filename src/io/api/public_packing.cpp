@@ -65,8 +65,28 @@ io::UnscaledSheet sheet_of(const PackSheet& sheet, const std::vector<io::Unscale
   for (const PackZone& zone : sheet.zones) {
     io::UnscaledZone& out = result.zones.emplace_back();
     out.rings = rings_of(zone.rings);
-    for (const std::string& name : zone.keeps_out) out.parts.push_back(index_of(name, parts, "part"));
+    if (!zone.keeps_out.empty() && !zone.holds.empty())
+      throw Error(ErrorCode::kBadValue, "a zone keeps parts out or holds them");
+    out.holds = !zone.holds.empty();
+    for (const std::string& name : out.holds ? zone.holds : zone.keeps_out)
+      out.parts.push_back(index_of(name, parts, "part"));
   }
+  return result;
+}
+
+packing::FixedPart fixed_of(const FixedPart& fixed, const io::UnscaledProblem& problem) {
+  packing::FixedPart result;
+  result.placed = {index_of(fixed.part, problem.parts, "part"),
+                   1,
+                   fraction(fixed.angle),
+                   fixed.mirrored,
+                   fraction(fixed.x),
+                   fraction(fixed.y)};
+  if (problem.sheets.empty()) return result;
+  result.kind = index_of(fixed.sheet, problem.sheets, "sheet");
+  if (fixed.number < 1 || fixed.number > problem.sheets[result.kind].count)
+    throw Error(ErrorCode::kBadValue, "there is no sheet of that number");
+  result.placed.sheet = std::size_t(fixed.number - 1);
   return result;
 }
 
@@ -82,6 +102,10 @@ packing::Problem on_grid(const PackProblem& problem) {
   for (const PackGap& pair : problem.gaps)
     result.pair_gaps.push_back(
         {index_of(pair.first, result.parts, "part"), index_of(pair.second, result.parts, "part"), fraction(pair.gap)});
+  for (const PackCondition& c : problem.conditions)
+    result.conditions.push_back(
+        {index_of(c.first, result.parts, "part"), index_of(c.second, result.parts, "part"), c.where});
+  for (const FixedPart& fixed : problem.fixed) result.fixed.push_back(fixed_of(fixed, result));
   return std::move(result).on_grid("pack");
 }
 
@@ -189,12 +213,20 @@ PackProblem pack_problem(std::string_view json) {
     PackSheet& out = result.sheets.emplace_back();
     out = {sheet.name, public_rings(sheet.shape, steps), sheet.count, public_amount(sheet.cost)};
     for (const packing::Zone& zone : sheet.zones) {
-      out.zones.push_back({public_rings(zone.shape, steps), {}});
-      for (const std::size_t part : zone.parts) out.zones.back().keeps_out.push_back(inner.parts[part].name);
+      PackZone& shown = out.zones.emplace_back();
+      shown.rings = public_rings(zone.shape, steps);
+      for (const std::size_t part : zone.parts)
+        (zone.holds ? shown.holds : shown.keeps_out).push_back(inner.parts[part].name);
     }
   }
   for (const packing::PairGap& pair : inner.pair_gaps)
     result.gaps.push_back({inner.parts[pair.first].name, inner.parts[pair.second].name, pair.gap.text()});
+  for (const packing::PairCondition& c : inner.conditions)
+    result.conditions.push_back({inner.parts[c.first].name, inner.parts[c.second].name, c.where});
+  for (const packing::FixedPart& f : inner.fixed)
+    result.fixed.push_back({inner.parts[f.placed.part].name, f.placed.x.text(), f.placed.y.text(),
+                            f.placed.angle.text(), f.placed.mirrored,
+                            inner.on_sheets() ? inner.sheets[f.kind].name : "", int(f.placed.sheet) + 1});
   return result;
 }
 

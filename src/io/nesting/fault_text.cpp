@@ -24,12 +24,18 @@ std::string fault_text(const packing::Problem& problem, const packing::Layout& l
     case Fault::Kind::kGap:
       return fmt::format("{} and {} are too near each other, near ({:.6g}, {:.6g})", item(fault.first),
                          item(fault.second), fault.x, fault.y);
+    case Fault::Kind::kCondition:
+      return fmt::format("a condition of {} and {} does not hold, near ({:.6g}, {:.6g})", item(fault.first),
+                         item(fault.second), fault.x, fault.y);
     case Fault::Kind::kOutside:
       return fmt::format("{} is outside the strip, the sheet or its edges by {:.3g}", item(fault.first), fault.depth);
     case Fault::Kind::kAngle:
       return fmt::format("{} stands at an angle that is not allowed", item(fault.first));
     case Fault::Kind::kZone:
-      return fmt::format("{} lies in a zone that keeps it out", item(fault.first));
+      return fmt::format("{} lies in a zone that keeps it out, or leaves one that holds it", item(fault.first));
+    case Fault::Kind::kFixed:
+      return fmt::format("a fixed {} does not stand at ({:.6g}, {:.6g})", problem.parts[fault.first].name, fault.x,
+                         fault.y);
     case Fault::Kind::kSheets:
       return fmt::format("sheet {}: {} too many", problem.sheets[fault.first].name, fault.depth);
     case Fault::Kind::kCount:

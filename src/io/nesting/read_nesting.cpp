@@ -11,6 +11,7 @@
 
 #include "io/nesting/unscaled_problem.h"
 #include "io/text/json_tree.h"
+#include "packing/problem/pair_formula.h"
 #include "plane/base/work_budget.h"
 
 namespace findspace::io {
@@ -42,6 +43,9 @@ class Reader {
     result.edge = wishes.edge;
     if (const JsonValue* gaps = tree_.find("gaps"))
       for (const JsonValue& value : list(*gaps).items) result.pair_gaps.push_back(pair_gap(value, result.parts));
+    read_conditions(result);
+    if (const JsonValue* fixed = tree_.find("fixed"))
+      for (const JsonValue& item : list(*fixed).items) result.fixed.push_back(fixed_part(item, result));
     return std::move(result).on_grid(name_);
   }
 
@@ -49,7 +53,10 @@ class Reader {
     const JsonValue& body = need(tree_, "layout");
     packing::Layout result;
     result.length = number(need(body, "length"));
-    for (const JsonValue& item : list(need(body, "items")).items) result.items.push_back(placed(item, problem));
+    for (const JsonValue& item : list(need(body, "items")).items) {
+      result.items.push_back(placed(item, problem.parts));
+      if (const JsonValue* sheet = item.find("sheet")) result.items.back().sheet = std::size_t(whole(*sheet));
+    }
     if (problem.box) result.height = number(need(need(body, "container"), "box"));
     if (problem.on_sheets())
       for (const JsonValue& sheet : list(need(need(body, "container"), "sheets")).items)
@@ -136,17 +143,61 @@ class Reader {
     return result;
   }
 
-  /// Zones keep out the parts named, or all but those named.
+  /// Zones keep out the parts named, or all but those named; or they hold those named.
   UnscaledZone zone(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
     UnscaledZone result{shape(need(value, "shape")), {}};
-    const JsonValue *only = value.find("only"), *kept_out = value.find("keeps_out");
-    if ((only == nullptr) == (kept_out == nullptr))
-      fail(value, "a zone has either 'keeps_out' or 'only': names of parts");
+    const JsonValue *only = value.find("only"), *kept_out = value.find("keeps_out"), *held = value.find("holds");
+    if ((only != nullptr) + (kept_out != nullptr) + (held != nullptr) != 1)
+      fail(value, "a zone has one of 'keeps_out', 'only' and 'holds': names of parts");
+    result.holds = held != nullptr;
     std::vector<std::size_t> named;
-    for (const JsonValue& name : list(only != nullptr ? *only : *kept_out).items)
+    for (const JsonValue& name : list(only != nullptr ? *only : kept_out != nullptr ? *kept_out : *held).items)
       named.push_back(index_of(name, parts, "part"));
     for (std::size_t part = 0; part < parts.size(); ++part)
       if ((std::count(named.begin(), named.end(), part) > 0) == (only == nullptr)) result.parts.push_back(part);
+    return result;
+  }
+
+  std::string condition(const JsonValue& value) const {
+    if (!value.is(Kind::kString)) fail(value, fmt::format("a formula is meant, not {}", value.kind_name()));
+    try {
+      packing::parse_condition(value.text);
+    } catch (const Error& e) {
+      throw e.within(fmt::format("{}:{}:{}: 'where'", name_, value.line, value.column));
+    }
+    return value.text;
+  }
+
+  void read_conditions(UnscaledProblem& problem) const {
+    if (const JsonValue* where = tree_.find("where")) problem.where = condition(*where);
+    if (const JsonValue* pairs = tree_.find("pairs"))
+      for (const JsonValue& value : list(*pairs).items) {
+        const JsonValue& between = list(need(value, "between"));
+        if (between.size() != 2) fail(between, "a condition is between two parts");
+        problem.conditions.push_back({index_of(between.items[0], problem.parts, "part"),
+                                      index_of(between.items[1], problem.parts, "part"),
+                                      condition(need(value, "where"))});
+      }
+    if (const JsonValue* groups = tree_.find("groups"))
+      for (const JsonValue& value : list(*groups).items) {
+        UnscaledGroup& group = problem.groups.emplace_back();
+        for (const JsonValue& name : list(need(value, "parts")).items)
+          group.parts.push_back(index_of(name, problem.parts, "part"));
+        if (const JsonValue* within = value.find("within")) group.within = number(*within);
+        if (group.within && *group.within < 0) fail(value, "a distance below 0");
+      }
+  }
+
+  /// "sheet" names a kind, "number" counts its sheets from 1.
+  packing::FixedPart fixed_part(const JsonValue& value, const UnscaledProblem& problem) const {
+    packing::FixedPart result{placed(value, problem.parts), 0};
+    if (problem.sheets.empty()) return result;
+    result.kind = index_of(need(value, "sheet"), problem.sheets, "sheet");
+    const JsonValue* counted = value.find("number");
+    const int count = counted != nullptr ? whole(*counted) : 1;
+    if (count < 1 || count > problem.sheets[result.kind].count)
+      fail(value, fmt::format("there is no sheet {} number {}", problem.sheets[result.kind].name, count));
+    result.placed.sheet = std::size_t(count - 1);
     return result;
   }
 
@@ -190,13 +241,14 @@ class Reader {
     return std::size_t(found - all.begin());
   }
 
-  packing::Placed placed(const JsonValue& item, const packing::Problem& problem) const {
+  /// Without the sheet.
+  template <class Named>
+  packing::Placed placed(const JsonValue& item, const std::vector<Named>& parts) const {
     packing::Placed result;
-    result.part = index_of(need(item, "part"), problem.parts, "part");
+    result.part = index_of(need(item, "part"), parts, "part");
     if (const JsonValue* copy = item.find("copy")) result.copy = whole(*copy);
     if (const JsonValue* angle = item.find("angle")) result.angle = number(*angle);
     if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
-    if (const JsonValue* sheet = item.find("sheet")) result.sheet = std::size_t(whole(*sheet));
     const JsonValue& at = list(need(item, "at"));
     if (at.size() != 2) fail(at, "a position is a list of two numbers");
     result.x = number(at.items[0]);

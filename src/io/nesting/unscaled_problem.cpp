@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+
+#include "io/nesting/fault_text.h"
+#include "packing/problem/pair_formula.h"
+#include "packing/proof/verify.h"
 
 namespace findspace::io {
 namespace {
@@ -43,6 +48,8 @@ int grid_digits(const UnscaledProblem& problem) {
     digits = std::max(digits, digits_of(part.rings));
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
+  for (const packing::FixedPart& fixed : problem.fixed)
+    if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
   for (const UnscaledSheet& sheet : problem.sheets) {
     digits = std::max(digits, digits_of(sheet.rings));
     for (const UnscaledZone& zone : sheet.zones) digits = std::max(digits, digits_of(zone.rings));
@@ -70,9 +77,67 @@ packing::Sheet sheet_on(UnscaledSheet& sheet, packing::int128 steps, const std::
     const packing::LatticeBox in = box_of(shape);
     if (in.low.x < 0 || in.low.y < 0 || in.high.x > box.high.x || in.high.y > box.high.y)
       throw Error(ErrorCode::kGeometry, "a zone reaches beyond its sheet", own);
-    result.zones.push_back({std::move(shape), std::move(zone.parts)});
+    result.zones.push_back({std::move(shape), std::move(zone.parts), zone.holds});
   }
   return result;
+}
+
+void add_conditions(packing::Problem& problem, const std::vector<std::size_t>& parts, const std::string& where) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i; j < parts.size(); ++j) problem.conditions.push_back({parts[i], parts[j], where});
+}
+
+/// On one sheet no gap is larger than width and height of the largest.
+void add_group(packing::Problem& problem, const UnscaledGroup& group, const std::string& place) {
+  std::optional<Fraction> within = group.within;
+  if (!within && problem.sheets.empty())
+    throw Error(ErrorCode::kBadValue, "a group says 'within' where there are no sheets", place);
+  if (!within) within = 0;
+  for (const packing::Sheet& sheet : problem.sheets) {
+    const packing::LatticeBox box = box_of(sheet.shape);
+    if (!group.within) within = std::max(*within, Fraction(box.high.x + box.high.y, problem.steps()));
+  }
+  add_conditions(problem, group.parts, fmt::format("gap(self, other) <= {}", within->text()));
+}
+
+/// The fixed parts alone, as a layout.
+packing::Layout layout_of_fixed(const packing::Problem& problem) {
+  packing::Layout layout;
+  std::vector<std::size_t> first_of_kind;
+  for (std::size_t kind = 0; kind < problem.sheets.size(); ++kind) {
+    first_of_kind.push_back(layout.sheets.size());
+    layout.sheets.insert(layout.sheets.end(), sheets_with_fixed(problem, kind), kind);
+  }
+  for (const packing::FixedPart& f : problem.fixed) {
+    layout.items.push_back(f.placed);
+    if (problem.on_sheets()) layout.items.back().sheet += first_of_kind[f.kind];
+    const packing::LatticeBox box =
+        box_of(rotated(problem.parts[f.placed.part].shape, f.placed.angle, f.placed.mirrored));
+    layout.length = std::max(layout.length, f.placed.x + Fraction(box.high.x, problem.steps()) + problem.edge);
+  }
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    layout.left_out.push_back({part, problem.free_copies(part), ""});
+  return layout;
+}
+
+void check_fixed(const packing::Problem& problem, const std::string& place) {
+  if (problem.fixed.empty()) return;
+  if (problem.box)
+    throw Error(ErrorCode::kUnsupported, "fixed parts stand on a strip or on sheets, not in a box", place);
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    if (problem.free_copies(part) < 0)
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("more copies of '{}' are fixed than its demand", problem.parts[part].name), place);
+  const packing::Layout layout = layout_of_fixed(problem);
+  for (std::size_t k = 0; k < layout.sheets.size(); ++k)
+    if (std::none_of(layout.items.begin(), layout.items.end(), [&](const auto& item) { return item.sheet == k; }))
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("sheets '{}' with fixed parts are numbered from 1 on, without a gap",
+                              problem.sheets[layout.sheets[k]].name),
+                  place);
+  const packing::Verdict verdict = packing::verify(problem, layout);
+  if (!verdict.feasible())
+    throw Error(ErrorCode::kGeometry, "fixed: " + fault_text(problem, layout, verdict.faults[0]), place);
 }
 
 }  // namespace
@@ -96,6 +161,14 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
         {std::move(part.name), part.demand, std::move(shape), std::move(part.angles), part.mirrored, part.value});
   }
   for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
+  result.conditions = std::move(conditions);
+  std::vector<std::size_t> all(result.parts.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (!where.empty()) add_conditions(result, all, where);
+  for (const UnscaledGroup& group : groups) add_group(result, group, place);
+  for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where);
+  result.fixed = std::move(fixed);
+  check_fixed(result, place);
   return result;
 }
 

@@ -27,6 +27,13 @@ struct UnscaledPart {
 struct UnscaledZone {
   std::vector<UnscaledRing> rings;
   std::vector<std::size_t> parts;
+  bool holds = false;
+};
+
+/// Parts that stay together: any two copies on one sheet, and no farther apart than that.
+struct UnscaledGroup {
+  std::vector<std::size_t> parts;
+  std::optional<packing::Fraction> within = {};
 };
 
 struct UnscaledSheet {
@@ -44,7 +51,12 @@ struct UnscaledProblem {
   std::vector<UnscaledPart> parts;
   std::vector<UnscaledSheet> sheets;
   std::vector<packing::PairGap> pair_gaps;
+  std::vector<packing::PairCondition> conditions;
+  std::string where;  // for all pairs
+  std::vector<UnscaledGroup> groups;
+  std::vector<packing::FixedPart> fixed;
 
+  /// Groups and what holds for all pairs become conditions of pairs; fixed parts are checked. Throws Error.
   /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.
   packing::Problem on_grid(const std::string& place) &&;
 };

@@ -35,14 +35,20 @@ class Finisher {
     std::vector<std::size_t> rooms;
     for (const Pose& pose : poses) rooms.push_back(row_.room_of(table_.variants()[pose.variant], pose.at));
     std::vector<std::size_t> used(rooms);
+    used.insert(used.end(), row_.fixed_rooms().begin(), row_.fixed_rooms().end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     if (problem_.on_sheets())
       for (const std::size_t room : used) layout.sheets.push_back(row_.rooms()[room].kind);
+    const auto sheet_of = [&](std::size_t room) {
+      return std::size_t(std::lower_bound(used.begin(), used.end(), room) - used.begin());
+    };
     std::vector<int> copies(problem_.parts.size());
+    for (std::size_t k = 0; k < problem_.fixed.size(); ++k)
+      put_fixed(layout, problem_.fixed[k].placed, sheet_of(row_.fixed_rooms()[k]), copies);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const Variant& v = table_.variants()[poses[i].variant];
-      const std::size_t sheet = std::size_t(std::lower_bound(used.begin(), used.end(), rooms[i]) - used.begin());
+      const std::size_t sheet = sheet_of(rooms[i]);
       layout.items.push_back({v.part, ++copies[v.part], v.angle, v.mirrored, 0, 0, sheet});
       put(layout, poses[i].at - Vec{row_.rooms()[rooms[i]].x, 0}, snap);
     }
@@ -65,6 +71,19 @@ class Finisher {
     return scaled >= 0 ? scaled / d : -((-scaled + d - 1) / d);
   }
 
+  void put_fixed(Layout& layout, Placed item, std::size_t sheet, std::vector<int>& copies) const {
+    item.copy = ++copies[item.part];
+    item.sheet = sheet;
+    const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    layout.items.push_back(item);
+    lengthen(layout, item, box.high.x);
+  }
+  /// The length takes in an item on the last sheet that ends so many steps behind its origin.
+  void lengthen(Layout& layout, const Placed& item, int128 high) const {
+    if (item.sheet + 1 < layout.sheets.size()) return;
+    layout.length = std::max(layout.length, item.x + Fraction(high, problem_.steps()) + problem_.edge);
+  }
+
   /// The last item's position: on the grid, above the lower side and behind the end, and on a sheet before its end.
   void put(Layout& layout, Vec at, double snap) const {
     Placed& item = layout.items.back();
@@ -82,8 +101,7 @@ class Finisher {
     y = std::min(y, below(height - edge - Fraction(high.y, steps)));
     item.x = Fraction(std::max(x, left), grid);
     item.y = Fraction(std::max(y, bottom), grid);
-    if (item.sheet + 1 >= layout.sheets.size())
-      layout.length = std::max(layout.length, item.x + Fraction(high.x, steps) + edge);
+    lengthen(layout, item, high.x);
   }
 
   void leave_out(Layout& layout, const std::vector<int>& copies) const {
@@ -120,15 +138,25 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   Layout layout;
   Fraction gap = problem.gap;
   for (const PairGap& pair : problem.pair_gaps) gap = std::max(gap, pair.gap);
-  Fraction column = problem.edge, x = problem.edge, y = problem.edge;
+  Fraction begin = problem.edge;
+  std::vector<int> copies(problem.parts.size());
+  for (const FixedPart& f : problem.fixed) {
+    const LatticeBox box = box_of(rotated(problem.parts[f.placed.part].shape, f.placed.angle, f.placed.mirrored));
+    const Fraction end = f.placed.x + Fraction(box.high.x, problem.steps());
+    layout.items.push_back(f.placed);
+    layout.items.back().copy = ++copies[f.placed.part];
+    layout.length = std::max(layout.length, end + problem.edge);
+    begin = std::max(begin, end + gap);
+  }
+  Fraction column = begin, x = begin, y = problem.edge;
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
-    if (problem.parts[part].demand == 0) continue;
+    if (problem.free_copies(part) == 0) continue;
     const Variant& v = table.variants()[table.variants_of(part)[0]];
     const LatticeBox box = box_of(rotated(problem.parts[part].shape, v.angle, v.mirrored));
     const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
-    for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
+    for (int copy = copies[part] + 1; copy <= problem.parts[part].demand; ++copy) {
       if (y + height + problem.edge > problem.height) {
         x = column;
         y = problem.edge;
@@ -145,6 +173,9 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout) {
   std::vector<Pose> poses;
   for (const Placed& item : layout.items) {
+    const auto is_it = [&](const FixedPart& fixed) { return is_fixed_part(layout, item, fixed); };
+    if (std::any_of(problem.fixed.begin(), problem.fixed.end(), is_it) || table.variants_of(item.part).empty())
+      continue;
     const Polygon shape = rotated(problem.parts[item.part].shape, item.angle, item.mirrored);
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(shape, problem.digits);

@@ -19,10 +19,10 @@ namespace findspace::packing {
 std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const Row& row,
                                const std::vector<Pose>& poses, double length);
 
-/// Columns of the parts' boxes on a strip: feasible always.
+/// Columns of the parts' boxes on a strip, behind the fixed parts: feasible where no condition of pairs forbids it.
 Layout layout_of_boxes(const Problem& problem, const FieldTable& table);
 
-/// The poses of a layout, in its order. The row begins with the layout's sheets.
+/// The poses of a layout, in its order, without the fixed parts. The row begins with the layout's sheets.
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout);
 
 }  // namespace findspace::packing

@@ -76,8 +76,10 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
   const auto& variants = table_.variants();
   const Variant &va = variants[first.variant], &vb = variants[second.variant];
   const double reach = 2 * trust + gap, clearance = reach + 2 * table_.gap();
-  if (t.x - clearance > va.high.x - vb.low.x || t.x + clearance < va.low.x - vb.high.x) return;
-  if (t.y - clearance > va.high.y - vb.low.y || t.y + clearance < va.low.y - vb.high.y) return;
+  if (!table_.are_tied(first.variant, second.variant)) {
+    if (t.x - clearance > va.high.x - vb.low.x || t.x + clearance < va.low.x - vb.high.x) return;
+    if (t.y - clearance > va.high.y - vb.low.y || t.y + clearance < va.low.y - vb.high.y) return;
+  }
   const FieldTable::Link& link = table_.link(first.variant, second.variant);
   const DepthField& field = link.field();
   const Vec at = link.in_field(t);
@@ -114,7 +116,8 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
     program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
                        std::clamp(room.height - v.high.y - p.at.y, 0.0, trust), 0);
   }
-  program.add_column(0, most, goal == Goal::kSeparate ? kLengthOfOverlap : 1);
+  program.add_column(row_.fixed_end(), std::max(most, row_.fixed_end()),
+                     goal == Goal::kSeparate ? kLengthOfOverlap : 1);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     program.begin_row(poses[i].at.x + variants[poses[i].variant].high.x);
     program.add(program.length(), 1);

@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "packing/problem/pair_formula.h"
 
 namespace findspace::packing {
 namespace {
@@ -53,15 +56,17 @@ auto normal_form(const SearchShape& shape) {
 
 }  // namespace
 
-FieldTable::FieldTable(const Problem& problem) : edge_(problem.edge.to_double()) {
+FieldTable::FieldTable(const Problem& problem) : problem_(problem), edge_(problem.edge.to_double()) {
   double height = problem.height.to_double();
   for (const Sheet& sheet : problem.sheets)
     height = std::max(height, double(box_of(sheet.shape).high.y) / double(problem.steps()));
   height_ = (problem.on_sheets() ? height : problem.height.to_double()) - 2 * edge_;
   of_part_.resize(problem.parts.size());
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
-    if (problem.parts[part].demand > 0) add_variants(problem, part);
+    if (problem.free_copies(part) > 0) add_variants(problem, part);
   add_obstacles(problem);
+  add_fixed(problem);
+  if (!problem.conditions.empty()) find_ties(problem);
   link_pairs(problem);
 }
 
@@ -93,8 +98,47 @@ void FieldTable::add_obstacles(const Problem& problem) {
       variants_.back().zone = zone;
     };
     for (const Polygon& shape : packing::obstacles_of(problem, sheet)) add(shape, nullptr);
-    for (const Zone& zone : sheet.zones) add(zone.shape, &zone);
+    for (const Zone& zone : sheet.zones)
+      for (const Polygon& wall : walls_of(problem, sheet, zone)) add(wall, &zone);
   }
+}
+
+/// A fixed part may stand at an angle at which no other copy may.
+void FieldTable::add_fixed(const Problem& problem) {
+  for (const FixedPart& f : problem.fixed) {
+    const Placed& p = f.placed;
+    fixed_.push_back(variants_.size());
+    const Polygon shape = rotated(problem.parts[p.part].shape, p.angle, p.mirrored);
+    variants_.push_back(variant_of(p.part, p.angle, p.mirrored, search_shape(shape, problem.digits)));
+  }
+}
+
+/// Positions are within the row: all parts one after another, or all sheets, and what is between them.
+void FieldTable::find_ties(const Problem& problem) {
+  const std::size_t n = variants_.size();
+  greatest_level_ = packing::greatest_level(problem);
+  ties_.resize(n * n);
+  reach_ = height_ + edge_;
+  for (std::size_t a = 0; a < n; ++a) {
+    if (variants_[a].part == kNoPart) continue;
+    const Vec size = variants_[a].high - variants_[a].low;
+    reach_ += (size.x + size.y + gap_) * problem.parts[variants_[a].part].demand;
+    for (std::size_t b = 0; b < n; ++b)
+      ties_[a * n + b] = variants_[b].part != kNoPart && problem.are_tied(variants_[a].part, variants_[b].part);
+  }
+  for (const Sheet& sheet : problem.sheets) {
+    const double width = double(box_of(sheet.shape).high.x) / double(problem.steps());
+    const std::size_t most = std::min(std::size_t(sheet.count), problem.items());
+    reach_ += double(most) * (width + 2 * (edge_ + 2) + greatest_level_);
+  }
+  reach_ *= 4;
+}
+
+std::optional<Tie> FieldTable::tie_of(const Link& link) const {
+  if (!are_tied(link.first_, link.second_)) return std::nullopt;
+  const Variant &a = variants_[link.first_], &b = variants_[link.second_];
+  const exact::Real step = exact::Real(1) / exact::Real(std::int64_t(std::llround(1 / a.shape.step)));
+  return Tie{PairFormula(problem_, a.part, region_of(a.shape), b.part, region_of(b.shape), step).regions(), reach_};
 }
 
 /// Nothing where the two may overlap.
@@ -149,7 +193,7 @@ void FieldTable::link_pair(const std::vector<std::optional<Opposite>>& opposites
   link.sign_ = a <= b ? 1 : -1;
   link.first_ = std::uint32_t(std::min(a, b));
   link.second_ = std::uint32_t(std::max(a, b));
-  if (!opposites[a] || !opposites[b]) return;
+  if (!opposites[a] || !opposites[b] || are_tied(a, b)) return;
   const auto [first, second] = std::minmax(opposites[a]->variant, opposites[b]->variant);
   if (std::pair<std::size_t, std::size_t>(first, second) >=
       std::pair<std::size_t, std::size_t>(link.first_, link.second_))
@@ -163,8 +207,9 @@ void FieldTable::link_pair(const std::vector<std::optional<Opposite>>& opposites
 void FieldTable::make(const Link& link) const {
   const Link& whole = links_[link.first_ * variants_.size() + link.second_];
   if (whole.field_.load(std::memory_order_acquire) == nullptr) {
+    const std::optional<Tie> tie = tie_of(link);
     auto made = std::make_unique<const DepthField>(
-        no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, link.gap_));
+        no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, link.gap_, tie ? &*tie : nullptr));
     const std::lock_guard lock(guard_);
     if (whole.field_.load(std::memory_order_acquire) == nullptr) {
       whole.field_.store(made.get(), std::memory_order_release);

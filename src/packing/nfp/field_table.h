@@ -49,6 +49,14 @@ class FieldTable {
   /// The obstacles and zones of a kind of sheet.
   const std::vector<std::size_t>& obstacles_of(std::size_t kind) const { return of_sheet_[kind]; }
 
+  /// Of the fixed parts of the problem.
+  const std::vector<std::size_t>& fixed_variants() const { return fixed_; }
+  /// Whether there is a condition between the parts of two variants: then they are never too far apart to be looked at.
+  bool are_tied(std::size_t a, std::size_t b) const { return !ties_.empty() && ties_[a * variants_.size() + b] != 0; }
+  bool has_ties() const { return !ties_.empty(); }
+  /// Parts of different rooms are farther apart than any condition asks.
+  double greatest_level() const { return greatest_level_; }
+
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
 
@@ -86,14 +94,20 @@ class FieldTable {
   void make(const Link& link) const;
   void add_variants(const Problem& problem, std::size_t part);
   void add_obstacles(const Problem& problem);
+  void add_fixed(const Problem& problem);
+  void find_ties(const Problem& problem);
+  std::optional<Tie> tie_of(const Link& link) const;
   void link_pairs(const Problem& problem);
   void link_pair(const std::vector<std::optional<Opposite>>& opposites, std::size_t a, std::size_t b);
   std::optional<double> gap_of(const Problem& problem, const Variant& a, const Variant& b) const;
   std::optional<Opposite> opposite_of(std::size_t variant) const;
 
-  double gap_ = 0, edge_ = 0, height_ = 0;
+  const Problem& problem_;
+  double gap_ = 0, edge_ = 0, height_ = 0, greatest_level_ = 0, reach_ = 0;
   std::vector<Variant> variants_;
   std::vector<std::vector<std::size_t>> of_part_, of_sheet_;
+  std::vector<std::size_t> fixed_;
+  std::vector<char> ties_;  // of two variants; empty where there is no condition
   std::vector<Link> links_;
   DepthField nothing_{NoFitPolygon{}};  // of two that never collide
   mutable std::vector<std::unique_ptr<const DepthField>> made_;

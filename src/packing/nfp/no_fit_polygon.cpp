@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/sum/minkowski.h"
 
@@ -20,15 +21,6 @@ namespace {
 constexpr std::size_t kMostEdges = 65535;  // that a depth field numbers
 constexpr int kSides = 32;                 // of the polygon about the disc of a gap
 constexpr int kSearchDigits = 7;           // of the search's grid, at most
-
-plane::Region region(const SearchShape& shape) {
-  std::vector<plane::Contour> contours;
-  for (const auto& ring : shape.rings) {
-    plane::Contour& contour = contours.emplace_back();
-    for (const auto& [x, y] : ring) contour.push_back({.start = {x, y}});
-  }
-  return plane::region_of_rings(contours);
-}
 
 /// A polygon of the grid that holds the disc; its corners are rounded away from the centre.
 SearchShape about_disc(double radius, double step) {
@@ -44,12 +36,14 @@ SearchShape about_disc(double radius, double step) {
   return result;
 }
 
+/// Of the faces with a negative mark. What bounds them counts as free; what has them on both sides only where its own
+/// mark is not negative.
 class Boundary {
  public:
   Boundary(const plane::SignMap& map, double step) : map_(map), step_(step) {
     for (plane::Index e = 0; e < map.edges.size(); ++e) add_edge(e);
     for (const plane::Vertex& v : map.vertices)
-      if (v.out == plane::kNone && v.mark == 0) add({at(v.point), at(v.point), true});
+      if (v.out == plane::kNone && v.mark >= 0 && map.faces[v.face].mark < 0) add({at(v.point), at(v.point), true});
   }
   NoFitPolygon take() { return std::move(result_); }
 
@@ -60,12 +54,30 @@ class Boundary {
     return {p.x * step_, p.y * step_};
   }
   void add_edge(plane::Index e) {
-    if (map_.edges[e].mark != 0) return;
     const bool left = map_.faces[map_.face(2 * e)].mark < 0, right = map_.faces[map_.face(2 * e + 1)].mark < 0;
-    if (!left && !right) return;
+    if ((!left && !right) || (left && right && map_.edges[e].mark < 0)) return;
     Vec from = at(map_.vertices[map_.edges[e].v0].point), to = at(map_.vertices[map_.edges[e].v1].point);
     if (!left) std::swap(from, to);
-    add({from, to, left && right});
+    if (!map_.is_arc(e)) return add({from, to, left && right});
+    add_arc(map_.supporting_curve(e), from, to, (map_.edges[e].half < 0) == left, left && right);
+  }
+  /// Chords where the overlap is outside the circle, tangents where it is inside: they lie on the free side.
+  void add_arc(const exact::SupportingCurve& circle, Vec from, Vec to, bool ccw, bool slit) {
+    const Vec centre{circle.x.value * step_, circle.y.value * step_};
+    const double radius = circle.z.value * step_, begin = std::atan2(from.y - centre.y, from.x - centre.x);
+    double sweep = std::atan2(to.y - centre.y, to.x - centre.x) - begin;
+    if (ccw && sweep < 0) sweep += 2 * std::numbers::pi;
+    if (!ccw && sweep > 0) sweep -= 2 * std::numbers::pi;
+    const int pieces = std::max(1, int(std::ceil(std::abs(sweep) / (2 * std::numbers::pi / kSides))));
+    const bool tangents = ccw && !slit;
+    const double part = sweep / pieces, out = tangents ? radius / std::cos(part / 2) : radius;
+    for (int k = 0; k < (tangents ? pieces : pieces - 1); ++k) {
+      const double angle = begin + part * (tangents ? k + 0.5 : k + 1);
+      const Vec next = centre + out * Vec{std::cos(angle), std::sin(angle)};
+      add({from, next, slit});
+      from = next;
+    }
+    add({from, to, slit});
   }
   void add(const NoFitEdge& edge) {
     result_.edges.push_back(edge);
@@ -81,7 +93,32 @@ class Boundary {
   NoFitPolygon result_{{}, {kFar, kFar}, {-kFar, -kFar}};
 };
 
+/// Free is what is free in the map and in every region.
+plane::SignMap tied(const plane::SignMap& map, const std::vector<plane::Region>& regions) {
+  std::vector<const plane::CellComplex*> operands{&map};
+  for (const plane::Region& region : regions) operands.push_back(&region);
+  return plane::overlay(operands, [](std::span<const plane::Mark> marks) {
+    return std::all_of(marks.begin() + 1, marks.end(), plane::is_in) ? marks[0] : plane::Mark(-1);
+  });
+}
+
+/// Where all that is far away is no place, the polygon reaches that far; where no place is free, one that is too far.
+void reach_out(NoFitPolygon& polygon, double reach) {
+  if (polygon.edges.empty()) polygon.edges.push_back({{reach, reach}, {reach, reach}, true});
+  polygon.low = {-reach, -reach};
+  polygon.high = {reach, reach};
+}
+
 }  // namespace
+
+plane::Region region_of(const SearchShape& shape) {
+  std::vector<plane::Contour> contours;
+  for (const auto& ring : shape.rings) {
+    plane::Contour& contour = contours.emplace_back();
+    for (const auto& [x, y] : ring) contour.push_back({.start = {x, y}});
+  }
+  return plane::region_of_rings(contours);
+}
 
 SearchShape search_shape(const Polygon& shape, int digits) {
   SearchShape result;
@@ -99,9 +136,13 @@ SearchShape search_shape(const Polygon& shape, int digits) {
   return result;
 }
 
-NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap) {
-  const plane::Region grown = gap > 0 ? plane::minkowski_sum(region(a), region(about_disc(gap, a.step))) : region(a);
-  NoFitPolygon result = Boundary(plane::contact_map(grown, region(b)), a.step).take();
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie) {
+  const plane::Region grown =
+      gap > 0 ? plane::minkowski_sum(region_of(a), region_of(about_disc(gap, a.step))) : region_of(a);
+  plane::SignMap map = plane::contact_map(grown, region_of(b));
+  if (tie != nullptr) map = tied(map, tie->regions);
+  NoFitPolygon result = Boundary(map, a.step).take();
+  if (map.faces[0].mark < 0) reach_out(result, tie->reach);
   if (result.edges.size() > kMostEdges)
     throw Error(ErrorCode::kUnsupported, "two parts have too many corners to be packed together");
   return result;

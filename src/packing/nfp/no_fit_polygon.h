@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "packing/problem/problem.h"
+#include "plane/complex/cell_complex.h"
 
 namespace findspace::packing {
 
@@ -44,8 +45,19 @@ struct SearchShape {
 /// The shape on the problem's grid, or on a coarser one where that has too many digits.
 SearchShape search_shape(const Polygon& shape, int digits);
 
+/// The shape as a closed set on its grid.
+plane::Region region_of(const SearchShape& shape);
+
+/// Where conditions of the two parts hold, in steps of their grid, and how far positions can be from there, in units.
+struct Tie {
+  std::vector<plane::Region> regions;
+  double reach = 0;
+};
+
 /// In units. Both shapes are on one grid. With a gap the positions where B + p is nearer to A are in it too: A is grown
-/// by a polygon of 32 sides about the disc of the gap, so no more than half a per cent of the gap is given away.
-NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap);
+/// by a polygon of 32 sides about the disc of the gap, so no more than half a per cent of the gap is given away. With a
+/// tie all positions where a condition does not hold are in it; arcs become chords and tangents on its side, 32 a
+/// circle.
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie = nullptr);
 
 }  // namespace findspace::packing

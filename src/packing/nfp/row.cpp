@@ -19,7 +19,22 @@ Row::Row(const Problem& problem, const FieldTable& table, const std::vector<std:
     rooms_.push_back({x, double(box.high.x) / steps - 2 * edge, double(box.high.y) / steps - 2 * edge, kind});
     for (const std::size_t v : table.obstacles_of(kind)) obstacles_.push_back({v, {x - edge, -edge}});
     // Obstacles reach beyond their sheet, but not into the next one.
-    x += rooms_.back().width + 2 * (edge + 1.02 * table.gap() + 2);
+    x += rooms_.back().width + 2 * (edge + 1.02 * table.gap() + 2) + table.greatest_level();
+  }
+  add_fixed(problem, table);
+}
+
+void Row::add_fixed(const Problem& problem, const FieldTable& table) {
+  for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
+    const auto& [placed, kind] = problem.fixed[k];
+    std::size_t room = 0;
+    for (std::size_t before = placed.sheet; problem.on_sheets(); ++room)
+      if (rooms_[room].kind == kind && before-- == 0) break;
+    const Vec at{placed.x.to_double() - table.edge() + rooms_[room].x, placed.y.to_double() - table.edge()};
+    const std::size_t variant = table.fixed_variants()[k];
+    obstacles_.push_back({variant, at});
+    fixed_rooms_.push_back(room);
+    fixed_end_ = std::max(fixed_end_, at.x + table.variants()[variant].high.x);
   }
 }
 
@@ -40,8 +55,11 @@ std::vector<std::size_t> cheapest_sheets(const Problem& problem) {
   std::stable_sort(kinds.begin(), kinds.end(),
                    [&](std::size_t a, std::size_t b) { return cost_of_area(a) < cost_of_area(b); });
   std::vector<std::size_t> all;
-  for (const std::size_t kind : kinds)
-    all.insert(all.end(), std::min<std::size_t>(std::size_t(problem.sheets[kind].count), problem.items()), kind);
+  for (const std::size_t kind : kinds) all.insert(all.end(), sheets_with_fixed(problem, kind), kind);
+  for (const std::size_t kind : kinds) {
+    const std::size_t most = std::min(std::size_t(problem.sheets[kind].count), problem.items());
+    all.insert(all.end(), std::max(most, sheets_with_fixed(problem, kind)) - sheets_with_fixed(problem, kind), kind);
+  }
   return all;
 }
 

@@ -115,6 +115,62 @@ Fraction Problem::gap_of(std::size_t first, std::size_t second) const {
   return result;
 }
 
+bool Problem::are_tied(std::size_t first, std::size_t second) const {
+  return std::any_of(conditions.begin(), conditions.end(), [&](const PairCondition& c) {
+    return (c.first == first && c.second == second) || (c.first == second && c.second == first);
+  });
+}
+
+int Problem::free_copies(std::size_t part) const {
+  const auto of_part = [&](const FixedPart& f) { return f.placed.part == part; };
+  return parts[part].demand - int(std::count_if(fixed.begin(), fixed.end(), of_part));
+}
+
+std::size_t sheets_with_fixed(const Problem& problem, std::size_t kind) {
+  std::size_t count = 0;
+  for (const FixedPart& f : problem.fixed)
+    if (f.kind == kind) count = std::max(count, f.placed.sheet + 1);
+  return problem.on_sheets() ? count : 0;
+}
+
+bool is_fixed_part(const Layout& layout, const Placed& item, const FixedPart& fixed) {
+  const Placed& p = fixed.placed;
+  if (item.part != p.part || item.angle != p.angle || item.mirrored != p.mirrored || item.x != p.x || item.y != p.y)
+    return false;
+  if (layout.sheets.empty()) return item.sheet == 0;
+  if (item.sheet >= layout.sheets.size() || layout.sheets[item.sheet] != fixed.kind) return false;
+  const auto here = layout.sheets.begin() + std::ptrdiff_t(item.sheet);
+  return std::size_t(std::count(layout.sheets.begin(), here, fixed.kind)) == p.sheet;
+}
+
+namespace {
+
+/// All about an outline, up to more than the edge beyond a box.
+Polygon frame_about(const Problem& problem, const Ring& outline, const LatticeBox& box) {
+  const int128 out = bounded_product(problem.steps(), int128(std::ceil(problem.edge.to_double())) + 1);
+  Polygon frame;
+  frame.rings.push_back({{box.low.x - out, box.low.y - out},
+                         {box.high.x + out, box.low.y - out},
+                         {box.high.x + out, box.high.y + out},
+                         {box.low.x - out, box.high.y + out}});
+  frame.rings.emplace_back(outline.rbegin(), outline.rend());
+  return frame;
+}
+
+void add_holes(const Polygon& shape, std::vector<Polygon>& result) {
+  for (std::size_t hole = 1; hole < shape.rings.size(); ++hole)
+    result.push_back({{Ring(shape.rings[hole].rbegin(), shape.rings[hole].rend())}});
+}
+
+}  // namespace
+
+std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone) {
+  if (!zone.holds) return {zone.shape};
+  std::vector<Polygon> result{frame_about(problem, zone.shape.rings[0], box_of(sheet.shape))};
+  add_holes(zone.shape, result);
+  return result;
+}
+
 std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet) {
   std::vector<Polygon> result;
   const LatticeBox box = box_of(sheet.shape);
@@ -122,17 +178,9 @@ std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet) {
   const Ring corners{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
   const auto is_corner = [&](const LatticePoint& p) { return std::count(corners.begin(), corners.end(), p) > 0; };
   if (outline.size() != 4 || !std::all_of(outline.begin(), outline.end(), is_corner)) {
-    const int128 out = bounded_product(problem.steps(), int128(std::ceil(problem.edge.to_double())) + 1);
-    Polygon frame;
-    frame.rings.push_back({{box.low.x - out, box.low.y - out},
-                           {box.high.x + out, box.low.y - out},
-                           {box.high.x + out, box.high.y + out},
-                           {box.low.x - out, box.high.y + out}});
-    frame.rings.emplace_back(outline.rbegin(), outline.rend());
-    result.push_back(std::move(frame));
+    result.push_back(frame_about(problem, outline, box));
   }
-  for (std::size_t hole = 1; hole < sheet.shape.rings.size(); ++hole)
-    result.push_back({{Ring(sheet.shape.rings[hole].rbegin(), sheet.shape.rings[hole].rend())}});
+  add_holes(sheet.shape, result);
   return result;
 }
 

@@ -43,10 +43,11 @@ struct Part {
   std::optional<Fraction> value = {};  // of a copy, where not all fit; without it its area
 };
 
-/// What parts of some kinds, or of all, may not enter.
+/// What parts of some kinds, or of all, may not enter; or may not leave.
 struct Zone {
   Polygon shape;
-  std::vector<std::size_t> parts;  // that it keeps out
+  std::vector<std::size_t> parts;  // that it keeps out, or
+  bool holds = false;              // that it holds: they lie within it
 };
 
 struct Sheet {
@@ -63,6 +64,28 @@ struct PairGap {
   Fraction gap;
 };
 
+/// What holds for a copy of the first part, called `self`, and one of the second, `other`: a formula (pair_formula.h).
+/// Of one part it holds for any two copies, both ways. On different sheets two parts are infinitely far apart.
+struct PairCondition {
+  std::size_t first = 0, second = 0;
+  std::string where;
+};
+
+struct Placed {
+  std::size_t part = 0;
+  int copy = 1;
+  Fraction angle;
+  bool mirrored = false;
+  Fraction x, y;
+  std::size_t sheet = 0;  // of the layout's
+};
+
+/// A copy that stands where it stands: `placed.sheet` counts the sheets of this kind. It is one of the part's demand.
+struct FixedPart {
+  Placed placed;
+  std::size_t kind = 0;
+};
+
 struct Problem {
   std::string name;
   int digits = 0;             // the grid: steps of 10^-digits
@@ -73,22 +96,19 @@ struct Problem {
   Fraction gap;   // the least distance of any two parts; at 0 they may touch
   Fraction edge;  // the least distance of a part to the sides of the strip, its ends among them; to a sheet's outline
   std::vector<PairGap> pair_gaps;
+  std::vector<PairCondition> conditions;
+  std::vector<FixedPart> fixed;
 
   bool on_sheets() const { return !sheets.empty(); }
+  /// Whether there is a condition between copies of two parts.
+  bool are_tied(std::size_t first, std::size_t second) const;
+  /// How many copies are to be placed: the fixed ones stand already.
+  int free_copies(std::size_t part) const;
   /// The least distance of copies of two parts.
   Fraction gap_of(std::size_t first, std::size_t second) const;
 
   int128 steps() const { return power_of_ten(digits); }  // in a unit
   std::size_t items() const;                             // the sum of demands
-};
-
-struct Placed {
-  std::size_t part = 0;
-  int copy = 1;
-  Fraction angle;
-  bool mirrored = false;
-  Fraction x, y;
-  std::size_t sheet = 0;  // of the layout's
 };
 
 struct LeftOut {
@@ -105,6 +125,11 @@ struct Layout {
   Fraction height = {};                  // of the box, where one is sought
 };
 
+/// How many sheets of a kind hold fixed parts.
+std::size_t sheets_with_fixed(const Problem& problem, std::size_t kind);
+/// Whether a copy of the layout is that fixed part.
+bool is_fixed_part(const Layout& layout, const Placed& item, const FixedPart& fixed);
+
 /// The outline as a polygon of the grid: directions made right, repeated points dropped. Throws Error(kGeometry) where
 /// a ring crosses itself or encloses nothing.
 Polygon make_polygon(std::vector<Ring> rings, const std::string& place);
@@ -118,6 +143,8 @@ Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored);
 /// What of the plane is no place for a part on this sheet: a frame about the outline, unless that is a rectangle, and
 /// each hole. The frame reaches far enough beyond the edge.
 std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet);
+/// What the parts of a zone may not enter: the zone, or what is not the zone.
+std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone);
 
 /// Twice the area, in grid steps.
 double twice_area(const Polygon& shape);

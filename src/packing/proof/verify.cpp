@@ -5,9 +5,11 @@
 #include "packing/proof/verify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "packing/nfp/depth_field.h"
+#include "packing/problem/pair_formula.h"
 #include "packing/proof/interiors.h"
 #include "plane/base/parallel.h"
 
@@ -22,7 +24,8 @@ bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
 /// A sheet in the common steps.
 struct Room {
   LatticeBox box;
-  std::vector<Polygon> obstacles, zones;
+  std::vector<Polygon> obstacles;
+  std::vector<std::vector<Polygon>> zones;  // the walls of each
 };
 
 class Check {
@@ -39,6 +42,7 @@ class Check {
 
   Verdict verdict() {
     count_copies();
+    find_fixed();
     count_sheets();
     int128 used = 0;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -83,7 +87,10 @@ class Check {
       const Sheet& sheet = problem_.sheets[kind];
       room.box = box_of(scaled(sheet.shape, {}));
       for (const Polygon& obstacle : obstacles_of(problem_, sheet)) room.obstacles.push_back(scaled(obstacle, {}));
-      for (const Zone& zone : sheet.zones) room.zones.push_back(scaled(zone.shape, {}));
+      for (const Zone& zone : sheet.zones) {
+        std::vector<Polygon>& walls = room.zones.emplace_back();
+        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(scaled(wall, {}));
+      }
     }
   }
 
@@ -96,11 +103,28 @@ class Check {
       --left[item.part];
       const auto& angles = problem_.parts[item.part].angles;
       const auto same = [&](const Fraction& angle) { return same_angle(angle, item.angle); };
+      if (is_fixed(item)) continue;
       if ((item.mirrored && !problem_.parts[item.part].mirrored) || std::none_of(angles.begin(), angles.end(), same))
         result_.faults.push_back({.kind = Fault::Kind::kAngle, .first = i});
     }
     for (std::size_t p = 0; p < left.size(); ++p)
       if (left[p] != 0) result_.faults.push_back({.kind = Fault::Kind::kCount, .first = p, .depth = -double(left[p])});
+  }
+
+  bool is_fixed(const Placed& item) const {
+    return std::any_of(problem_.fixed.begin(), problem_.fixed.end(),
+                       [&](const FixedPart& f) { return is_fixed_part(layout_, item, f); });
+  }
+
+  void find_fixed() {
+    for (const FixedPart& f : problem_.fixed) {
+      const auto here = [&](const Placed& item) { return is_fixed_part(layout_, item, f); };
+      if (std::any_of(layout_.items.begin(), layout_.items.end(), here)) continue;
+      result_.faults.push_back({.kind = Fault::Kind::kFixed,
+                                .first = f.placed.part,
+                                .x = f.placed.x.to_double(),
+                                .y = f.placed.y.to_double()});
+    }
   }
 
   static bool same_angle(const Fraction& a, const Fraction& b) {
@@ -139,7 +163,8 @@ class Check {
     for (std::size_t z = 0; z < zones.size(); ++z) {
       const auto& kept_out = zones[z].parts;
       if (std::count(kept_out.begin(), kept_out.end(), layout_.items[i].part) == 0) continue;
-      if (!interiors_meet(shapes_[i], room.zones[z])) continue;
+      const auto enters = [&](const Polygon& wall) { return interiors_meet(shapes_[i], wall); };
+      if (std::none_of(room.zones[z].begin(), room.zones[z].end(), enters)) continue;
       result_.faults.push_back({.kind = Fault::Kind::kZone,
                                 .first = i,
                                 .x = layout_.items[i].x.to_double(),
@@ -157,12 +182,42 @@ class Check {
   }
 
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
-    if (sheet_of(i) != sheet_of(j)) return std::nullopt;
-    const int128 gap = problem_.gap_of(layout_.items[i].part, layout_.items[j].part).over(common_);
-    if (!meet(boxes_[i], boxes_[j], gap)) return std::nullopt;
-    if (interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
-    if (gap == 0 || !are_nearer(shapes_[i], shapes_[j], gap)) return std::nullopt;
-    Fault fault{.kind = Fault::Kind::kGap, .first = i, .second = j, .depth = 0, .x = 0, .y = 0};
+    const bool tied = !problem_.conditions.empty() && problem_.are_tied(part_of(i), part_of(j));
+    if (sheet_of(i) == sheet_of(j)) {
+      const int128 gap = problem_.gap_of(part_of(i), part_of(j)).over(common_);
+      const bool near = meet(boxes_[i], boxes_[j], gap);
+      if (near && interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
+      if (near && gap > 0 && are_nearer(shapes_[i], shapes_[j], gap)) return fault_at(Fault::Kind::kGap, i, j);
+    }
+    if (tied && !conditions_hold(i, j)) return fault_at(Fault::Kind::kCondition, i, j);
+    return std::nullopt;
+  }
+
+  std::size_t part_of(std::size_t i) const { return layout_.items[i].part; }
+
+  /// On different sheets: those of two parts that are farther apart than any condition asks.
+  bool conditions_hold(std::size_t i, std::size_t j) const {
+    const Placed &a = layout_.items[i], &b = layout_.items[j];
+    const auto shape_of = [&](const Placed& item) {
+      return region_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    };
+    const exact::Real step = exact::Real(1) / exact::Real(problem_.steps());
+    const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step);
+    if (a.sheet == b.sheet) return pair.holds(b.x - a.x, b.y - a.y);
+    const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_)))) + 1;
+    return pair.holds(far, 0);
+  }
+
+  /// How far a part reaches from its origin, at most.
+  Fraction size_of(const Placed& item) const {
+    const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    int128 most = 0;
+    for (const int128 c : {box.low.x, box.low.y, box.high.x, box.high.y}) most = std::max(most, c < 0 ? -c : c);
+    return Fraction(most, problem_.steps());
+  }
+
+  Fault fault_at(Fault::Kind kind, std::size_t i, std::size_t j) const {
+    Fault fault{.kind = kind, .first = i, .second = j};
     locate(fault);
     return fault;
   }
@@ -181,8 +236,8 @@ class Check {
     };
     const DepthField field(no_fit_polygon(searched(a), searched(b), 0));
     const Vec off{(b.x - a.x).to_double(), (b.y - a.y).to_double()};
-    Fault fault{.kind = Fault::Kind::kOverlap, .first = i, .second = j, .depth = field.depth(off), .x = 0, .y = 0};
-    locate(fault);
+    Fault fault = fault_at(Fault::Kind::kOverlap, i, j);
+    fault.depth = field.depth(off);
     return fault;
   }
 

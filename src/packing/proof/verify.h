@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Whether a layout keeps its promises: every part inside the strip or its sheet by the edge and outside the zones that
-// keep it out, no two interiors meeting, gaps as wide as asked for, allowed angles, and the right number of copies and
-// sheets. Guarantee: exact, on the original shapes; only depths are doubles. Cost: the pairs of parts
-// whose boxes meet. Keywords: layout validation, nesting check.
+// keep it out, no two interiors meeting, gaps as wide as asked for, conditions of pairs, allowed angles, fixed parts
+// where they stand, and the right number of copies and sheets. Guarantee: exact, on the original shapes; only depths
+// are doubles. Cost: the pairs of parts whose boxes meet. Keywords: layout validation, nesting check.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,13 @@
 namespace findspace::packing {
 
 struct Fault {
-  enum class Kind { kOverlap, kGap, kOutside, kAngle, kZone, kCount, kSheets };
+  enum class Kind { kOverlap, kGap, kCondition, kOutside, kAngle, kZone, kCount, kSheets, kFixed };
   Kind kind = Kind::kOverlap;
-  /// kOverlap, kGap: items of the layout; kOutside, kAngle, kZone: an item; kCount: a part; kSheets: a kind of sheet.
+  /// kOverlap, kGap, kCondition: items of the layout; kOutside, kAngle, kZone: an item; kCount, kFixed: a part;
+  /// kSheets: a kind of sheet.
   std::size_t first = 0, second = 0;
   double depth = 0;     // kOverlap: penetration depth; kOutside: how far outside; kCount: copies too many
-  double x = 0, y = 0;  // where, but of kAngle and kCount
+  double x = 0, y = 0;  // where, but of kAngle, kCount and kSheets
 };
 
 struct Verdict {

@@ -36,8 +36,17 @@ Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Po
   depths_.resize(n);
   near_.resize(n + 1);
   looks_.resize(n);
+  if (table.has_ties()) find_ties();
   reset_weights();
   set_length(length);
+}
+
+void Arrangement::find_ties() {
+  for (std::size_t i = 0; i < size_; ++i) {
+    std::vector<std::uint32_t>& others = tied_.emplace_back();
+    for (std::size_t j = 0; j < poses_.size(); ++j)
+      if (j != i && table_->are_tied(poses_[i].variant, poses_[j].variant)) others.push_back(std::uint32_t(j));
+  }
 }
 
 void Arrangement::reset_weights() {
@@ -114,9 +123,11 @@ void Arrangement::for_each_near(std::size_t i, const Pose& pose, const Meet& mee
   const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
   const float low_x = float(pose.at.x + v.low.x - gap), low_y = float(pose.at.y + v.low.y - gap),
               high_x = float(pose.at.x + v.high.x + gap), high_y = float(pose.at.y + v.high.y + gap);
+  const auto meets = [&](const BoxBlock& block) {
+    return (low_x < block.high_x) & (block.low_x < high_x) & (low_y < block.high_y) & (block.low_y < high_y);
+  };
   for (std::size_t b = 0; b < boxes_.size(); ++b) {
-    const BoxBlock& block = boxes_[b];
-    const auto met = (low_x < block.high_x) & (block.low_x < high_x) & (low_y < block.high_y) & (block.low_y < high_y);
+    const auto met = meets(boxes_[b]);
     looked_at_ += kLanes;
     std::array<std::uint64_t, 2> halves;
     std::memcpy(halves.data(), &met, sizeof halves);
@@ -126,6 +137,9 @@ void Arrangement::for_each_near(std::size_t i, const Pose& pose, const Meet& mee
       if (met[lane] != 0 && j != i && !meet(j)) return;
     }
   }
+  if (tied_.empty()) return;
+  for (const std::uint32_t j : tied_[i])
+    if (meets(boxes_[j / kLanes])[j % kLanes] == 0 && !meet(j)) return;
 }
 
 std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {

@@ -78,7 +78,8 @@ class Arrangement {
   };
   static constexpr std::size_t kLanes = 4;
 
-  /// Calls meet(j) for the other items whose boxes meet that of the pose, in order, until it says false.
+  /// Calls meet(j) for the other items whose boxes meet that of the pose, in order, then for those tied to it that are
+  /// farther away, until it says false.
   template <class Meet>
   void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
   /// Where a variant may stand in a room: from the first corner to the second; crossed where it fits none.
@@ -87,6 +88,7 @@ class Arrangement {
   };
   /// Those of a variant are ranges_[first_range_[v]] to ranges_[first_range_[v + 1]].
   void find_ranges();
+  void find_ties();
   double excess(std::size_t variant) const { return excess_[variant]; }
 
   const FieldTable* table_;
@@ -98,6 +100,7 @@ class Arrangement {
   std::vector<double> excess_;
   double length_, shallow_, slack_;
   std::vector<BoxBlock> boxes_;
+  std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
   std::vector<double> weights_, strip_weights_, depths_;
   std::vector<Overlap> overlaps_;
   mutable std::vector<std::uint32_t> near_;

@@ -23,12 +23,13 @@ class Builder {
 
   /// The largest first, or those of the highest value for their area.
   FirstLayout build(const std::vector<double>& values) {
+    result_.layout.length = row_.fixed_end();
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) order.push_back(p);
     const auto first = [&](std::size_t p, std::size_t q) { return values[p] > values[q]; };
     std::stable_sort(order.begin(), order.end(), first);
     for (const std::size_t part : order)
-      for (int copy = 0; copy < problem_.parts[part].demand; ++copy)
+      for (int copy = 0; copy < problem_.free_copies(part); ++copy)
         if (!place(part)) result_.left.push_back(part);
     return std::move(result_);
   }
@@ -46,7 +47,14 @@ class Builder {
       }
       if (many && best) break;
     }
-    if (!best) return false;
+    if (!best && (problem_.on_sheets() || table_.variants_of(part).empty())) return false;
+    if (!best) {
+      const std::size_t v = table_.variants_of(part)[0];
+      const Variant& shape = table_.variants()[v];
+      best = Pose{v, {result_.layout.length + 1.01 * table_.gap() - shape.low.x, -shape.low.y}};
+      right = best->at.x + shape.high.x;
+      result_.overlaps = true;
+    }
     result_.layout.poses.push_back(*best);
     result_.layout.length = std::max(result_.layout.length, right);
     return true;
@@ -65,7 +73,8 @@ class Builder {
       corners.push_back({room.x - shape.low.x, -shape.low.y});
       corners.push_back({room.x - shape.low.x, room.height - shape.high.y});
     }
-    for (const Pose& other : result_.layout.poses) add_corners(v, other, kMostCorners, corners);
+    for (const Pose& other : result_.layout.poses)
+      add_corners(v, other, table_.are_tied(v, other.variant) ? kAllCorners : kMostCorners, corners);
     for (const Pose& obstacle : row_.obstacles()) add_corners(v, obstacle, kAllCorners, corners);
     if (problem_.on_sheets())
       std::erase_if(corners, [&](Vec at) { return !is_in_room(shape, at); });

@@ -3,7 +3,7 @@
 //
 // A first layout without overlaps: the largest part first, or the most valuable one for its area where all cannot fit,
 // each as far left as a corner of the no-fit polygons of those before it, or of a room, allows. Guarantee: no overlaps,
-// in doubles. Cost: corners times parts near each. Keywords: bottom-left, constructive heuristic.
+// in doubles, unless it says so. Cost: corners times parts near each. Keywords: bottom-left, constructive heuristic.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,7 @@ namespace findspace::packing {
 struct FirstLayout {
   DoubleLayout layout;
   std::vector<std::size_t> left;  // a part for each copy that found no place
+  bool overlaps = false;          // on a strip, where conditions of pairs left no place at once
 };
 
 /// The value of a copy of each part: as stated, or its area.

@@ -23,6 +23,7 @@ double box_area(const Variant& v) { return (v.high.x - v.low.x) * (v.high.y - v.
 
 Island::Island(const FieldTable& table, const Row& row, DoubleLayout start, std::uint64_t seed)
     : table_(table),
+      row_(row),
       random_(seed),
       separation_(table, row, start.poses, start.length, random_),
       best_(std::move(start)) {
@@ -72,7 +73,7 @@ std::vector<Pose> Island::shrunk(double ratio) {
     const Variant& v = table_.variants()[p.variant];
     if (p.at.x + 0.5 * (v.low.x + v.high.x) > split) p.at.x -= cut;
   }
-  target_ = best_.length - cut;
+  target_ = std::max(best_.length - cut, row_.fixed_end());
   return poses;
 }
 

@@ -45,6 +45,7 @@ class Island {
   void fail();
 
   const FieldTable& table_;
+  const Row& row_;
   Random random_;
   Separation separation_;
   DoubleLayout best_;

@@ -5,6 +5,7 @@
 #include "packing/search/strip_search.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <limits>
@@ -23,6 +24,8 @@ namespace {
 constexpr std::uint64_t kRound = 10'000'000;  // pairs looked at: about a tenth of a second
 constexpr double kLeastWaiting = 30;          // seconds without a better layout, and
 constexpr double kFillingShare = 0.5;
+constexpr std::array<double, 5> kLonger{1, 1.25, 1.5, 2, 4};  // strips for a first layout
+constexpr Patience kFirstPatience{100, 2};
 constexpr double kWaiting = 0.5;  // of the time so far: then a search without limits ends
 
 class Search {
@@ -42,9 +45,11 @@ class Search {
       first = first_layout(problem_, table_, row_);
     else
       first = start_layout();
-    if (first.layout.poses.empty()) return std::nullopt;
+    if (first.layout.poses.empty() && problem_.fixed.empty()) return std::nullopt;
+    if (first.overlaps && !separated(first.layout)) return std::nullopt;
     std::erase_if(first.left, [&](std::size_t part) { return table_.variants_of(part).empty(); });
     offer(first.layout);
+    if (first.layout.poses.empty()) return std::move(best_);
     fill(first);
     for (unsigned t = 0; t < std::max(1u, options_.threads); ++t)
       islands_.push_back(std::make_unique<Island>(table_, row_, first.layout, options_.seed * 1000003 + t));
@@ -64,12 +69,32 @@ class Search {
 
   FirstLayout start_layout() const {
     FirstLayout result;
+    result.layout.length = row_.fixed_end();
     result.layout.poses = poses_of(problem_, table_, row_, *options_.start);
     for (const Pose& p : result.layout.poses)
       result.layout.length = std::max(result.layout.length, p.at.x + table_.variants()[p.variant].high.x);
     for (const LeftOut& out : options_.start->left_out)
       result.left.insert(result.left.end(), std::size_t(out.copies), out.part);
     return result;
+  }
+
+  /// Moves parts until the conditions of pairs hold, in a strip as much longer as that needs.
+  bool separated(DoubleLayout& layout) {
+    Random random(options_.seed);
+    Separation separation(table_, row_, layout.poses, kLonger.back() * layout.length, random);
+    for (std::size_t tried = 0; !over(); ++tried) {
+      const double length = kLonger[tried % kLonger.size()] * layout.length;
+      separation.begin(tried == 0 ? layout.poses : separation.nearest(), length, kLonger.back() * layout.length);
+      Separation::State state = Separation::State::kUnderWay;
+      while (state == Separation::State::kUnderWay && !over()) {
+        state = separation.pass(kFirstPatience);
+        work_ = separation.work();
+      }
+      if (state != Separation::State::kFree) continue;
+      layout = separation.free();
+      return true;
+    }
+    return false;
   }
 
   /// Adds what was left out, or exchanges for it what is worth less.
@@ -130,11 +155,16 @@ class Search {
   void offer(const DoubleLayout& layout) {
     offered_ = layout.length;
     std::optional<Layout> proved = finished(problem_, table_, row_, layout.poses, layout.length);
-    if (!proved && !best_ && !problem_.on_sheets()) proved = layout_of_boxes(problem_, table_);
+    if (!proved && !best_ && !problem_.on_sheets()) proved = boxes();
     if (!proved || (best_ && !is_better(*proved, *best_))) return;
     best_ = std::move(proved);
     better_at_ = seconds();
     if (events_.better) events_.better(*best_, state());
+  }
+
+  std::optional<Layout> boxes() const {
+    Layout layout = layout_of_boxes(problem_, table_);
+    return verify(problem_, layout).feasible() ? std::optional(std::move(layout)) : std::nullopt;
   }
 
   /// More parts or more valuable ones; fewer sheets; a shorter strip or last sheet.

@@ -38,7 +38,8 @@ struct SearchEvents {
   std::function<void(const SearchState&)> progress;
 };
 
-/// Nothing only where there are no parts, or no part that fits a sheet. `stop`: ends the search when it becomes true.
+/// Nothing where there are no parts, no part that fits a sheet, or no layout was found in which all conditions hold.
+/// `stop`: ends the search when it becomes true.
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
                                    const std::atomic<bool>& stop);
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What must hold between two parts besides their gap: {t : the conditions hold for the first at the origin and the
+// second at t}, and whether t is in it. Conditions are formulas of docs/formula.md: `self` is a copy of the condition's
+// first part, `other` one of its second. Guarantee: exact, arcs of level curves included. Cost: that of a formula over
+// two shapes. Keywords: pairwise constraint, greatest distance, relative position.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "formula/planar/solve.h"
+#include "packing/problem/problem.h"
+
+namespace findspace::packing {
+
+/// The formula of a condition; throws Error with line and column.
+formula::Formula parse_condition(const std::string& where);
+
+/// The greatest level that a condition compares a distance with, or 0. Two parts farther apart than that are as good
+/// as infinitely far apart.
+double greatest_level(const Problem& problem);
+
+/// The closed set, on the grid of its coordinates. Error(kOutOfRange) beyond 2^40 steps.
+plane::Region region_of(const Polygon& shape);
+
+class PairFormula {
+ public:
+  /// Both shapes on one grid with steps of this size, in the problem's unit.
+  PairFormula(const Problem& problem, std::size_t first, const plane::Region& a, std::size_t second,
+              const plane::Region& b, const exact::Real& step);
+
+  /// Whether all conditions hold with the second part at (x, y).
+  bool holds(const Fraction& x, const Fraction& y) const;
+  /// Where each of them holds, in steps of the grid.
+  std::vector<plane::Region> regions() const;
+
+ private:
+  struct Condition {
+    std::shared_ptr<const formula::Solver> solver;
+    formula::Formula where;
+  };
+  std::vector<Condition> conditions_;
+};
+
+}  // namespace findspace::packing
