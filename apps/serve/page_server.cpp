@@ -22,9 +22,9 @@ using namespace std::chrono_literals;
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostPages = 48, kThreads = 64,
                       kMostRequests = 1 << 30;  // of a connection
-constexpr int kKeepAliveSeconds = 2;  // the end waits for idle connections
-constexpr auto kPulse = 500ms;    // between two signs of life on a page's connection
-constexpr auto kReload = 2500ms;  // a page that is reloaded is gone for less than this
+constexpr int kKeepAliveSeconds = 2;            // the end waits for idle connections
+constexpr auto kPulse = 500ms;                  // between two signs of life on a page's connection
+constexpr auto kReload = 2500ms;                // a page that is reloaded is gone for less than this
 
 /// 128 random bits.
 std::string random_text() {
