@@ -6,6 +6,7 @@
 #include <cctype>
 #include <set>
 
+#include "io/board/board.h"
 #include "motion_arrows.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"

@@ -10,6 +10,7 @@
 #include "findspace/error.h"
 #include "formula/language/names.h"
 #include "io/write/json_text.h"
+#include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
 #include "serve/loaded_space.h"
 #include "space_commands.h"

@@ -7,6 +7,7 @@
 
 #include "api/query/world_data.h"
 #include "api/values/region_data.h"
+#include "formula/language/lexer.h"
 #include "formula/language/text.h"
 #include "formula/solid/faults.h"
 #include "formula/solid/solve_rays.h"

@@ -25,7 +25,7 @@ namespace {
 class Parts {
  public:
   Parts(const plane::Region& region, const plane::Summary& summary)
-      : region_(region), connection_(plane::connect(region)), part_(connection_.count(), kNone) {
+      : connection_(plane::connect(region)), part_(connection_.count(), kNone) {
     plane::Locator locator(region);
     for (Index k = 0; k < summary.components.size(); ++k)
       part_[of(locator.locate(summary.components[k].sample_point))] = k;
@@ -42,7 +42,6 @@ class Parts {
                                  : connection_.vertices[cell.index];
   }
 
-  const plane::Region& region_;
   plane::Connection connection_;
   std::vector<Index> part_;
 };

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include "findspace/error.h"
 
@@ -81,7 +80,7 @@ std::string read_all(int descriptor, std::uint64_t most, const std::string& name
     if (size == text.size()) text.resize(std::min<std::uint64_t>(std::max(kReadAtOnce, size * 2), most + 1));
     const ssize_t n = read(descriptor, text.data() + size, text.size() - size);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail_file(fmt::format("it cannot be read to its end: {}", std::strerror(errno)), name);
+    if (n < 0) fail_file(fmt::format("it cannot be read to its end: {}", std::generic_category().message(errno)), name);
     size += static_cast<std::size_t>(n);
     if (size > most) fail_too_long(most, name);
     if (n > 0) continue;

@@ -8,8 +8,8 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "findspace/error.h"
@@ -26,7 +26,7 @@ std::string folder() {
 
 [[noreturn]] void fail() {
   throw Error(ErrorCode::kFile, fmt::format("a temporary file in the folder '{}' (TMPDIR) cannot be written: {}",
-                                            folder(), std::strerror(errno)));
+                                            folder(), std::generic_category().message(errno)));
 }
 
 /// A file without a name in that folder, so that it ends with the process.

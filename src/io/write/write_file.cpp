@@ -99,7 +99,8 @@ class Temporary {
 };
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-  throw Error(ErrorCode::kFile, std::string("cannot be written: ") + std::strerror(errno), path.string());
+  throw Error(ErrorCode::kFile, std::string("cannot be written: ") + std::generic_category().message(errno),
+              path.string());
 }
 
 /// A device or a pipe (/dev/stdout) is written to, not replaced.
