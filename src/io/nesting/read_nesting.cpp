@@ -70,8 +70,9 @@ class Reader {
   }
 
  private:
+  std::string place(const JsonValue& at) const { return fmt::format("{}:{}:{}", name_, at.line, at.column); }
   [[noreturn]] void fail(const JsonValue& at, const std::string& what) const {
-    throw Error(ErrorCode::kSyntax, what, fmt::format("{}:{}:{}", name_, at.line, at.column));
+    throw Error(ErrorCode::kSyntax, what, place(at));
   }
   const JsonValue& need(const JsonValue& object, const char* key) const {
     if (!object.is(Kind::kObject)) fail(object, fmt::format("an object with '{}' is meant", key));
@@ -86,7 +87,11 @@ class Reader {
   Fraction number(const JsonValue& value) const {
     if (!value.is(Kind::kNumber) && !value.is(Kind::kString))
       fail(value, fmt::format("a number is meant, not {}", value.kind_name()));
-    return Fraction::parse(value.text);
+    try {
+      return Fraction::parse(value.text);
+    } catch (const Error& e) {
+      throw e.within(place(value));
+    }
   }
   int whole(const JsonValue& value) const {
     const Fraction n = number(value);
