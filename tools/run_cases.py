@@ -131,6 +131,11 @@ def call(exe, case, arguments):
     return done.returncode, result, done.stderr
 
 
+def nothing_said(status, said):
+    """A run without a result; a negative status is the signal that ended it."""
+    return f"no JSON result, exit status {status}: {said.strip()[:200]}"
+
+
 def close(got, want, tolerance):
     if got is None or want is None or isinstance(got, str) or isinstance(want, str):
         return got == want
@@ -186,8 +191,11 @@ def region_faults(exe, case, got, want, shape=None):
 
 def probe_faults(exe, case, probes):
     for position, belongs in probes:
-        _, result, _ = call(exe, case, ["check", "--at", text_of(position)])
-        found = None if result is None else result.get("true")
+        status, result, said = call(exe, case, ["check", "--at", text_of(position)])
+        if result is None:
+            yield f"probe {position}: {nothing_said(status, said)}"
+            continue
+        found = result.get("true")
         if found != belongs:
             yield f"probe {position}: expected {belongs}, got {found}"
 
@@ -232,8 +240,11 @@ def phi_faults(exe, case, got, want):
         if found[key] != value:
             yield f"{key}: expected {value}, got {found[key]}"
     for query in want.get("queries", []):
-        _, result, _ = call(exe, case, [*case["run"], "--at", text_of(query["at"])])
-        at = (result or {}).get("at", {})
+        status, result, said = call(exe, case, [*case["run"], "--at", text_of(query["at"])])
+        if result is None:
+            yield f"at {query['at']}: {nothing_said(status, said)}"
+            continue
+        at = result.get("at", {})
         # A contact can be demanded only where the position is one the scene's numbers express exactly.
         exact = all(float(c) * 64 == int(float(c) * 64) for c in query["at"])
         if "state" in query and (exact or query["state"] != "contact") and at.get("state") != query["state"]:
@@ -266,7 +277,7 @@ def faults(exe, case, scope):
         yield from refusal_faults(want, status, said)
         return
     if got is None:
-        yield f"no JSON result, exit status {status}: {said.strip()[:200]}"
+        yield nothing_said(status, said)
         return
     if status not in ((0, 1, 4) if "encloses" in want else (0, 1)):
         yield f"exit status {status}: {said.strip()[:200]}"

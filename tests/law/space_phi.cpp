@@ -11,6 +11,7 @@
 #include "space/phi/depth_grid.h"
 #include "space/phi/phi_exact.h"
 #include "space/phi/phi_union.h"
+#include "space/phi/plane_scan.h"
 
 namespace findspace::space {
 namespace space_phi {
@@ -171,6 +172,29 @@ TEST(PhiLaws, CuttingABodyChangesNoSign_10) {
       }
     }
   }
+}
+
+TEST(PhiLaws, EveryKindOfRegistersGivesTheSameBits) {
+  RandomPolytopes random(19);
+  std::size_t ties = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto [a, b] = random.pair();
+    const PhiFunction phi(a, b);
+    for (int i = 0; i < 20; ++i) {
+      const Vector u = draw(random, phi);
+      Highest one_by_one{phi.plane_value(0, u), 0};
+      for (int f = 1; f < phi.surface().facet_count(); ++f) {
+        ties += phi.plane_value(f, u) == one_by_one.value;
+        if (phi.plane_value(f, u) > one_by_one.value) one_by_one = {phi.plane_value(f, u), f};
+      }
+      for (const VectorUnit unit : vector_units()) {
+        const Highest top = scan_planes_on(unit, phi.blocks().data(), phi.blocks().size(), u);
+        ASSERT_EQ(top.value, one_by_one.value);
+        ASSERT_EQ(top.plane, one_by_one.plane);
+      }
+    }
+  }
+  ASSERT_GT(ties, 100U);
 }
 
 }  // namespace space_phi

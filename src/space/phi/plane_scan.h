@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The inner loop of Phi values: the highest of many planes at a point, eight planes at a time in vector registers.
-// Guarantee: the same bits on every machine, for products and sums are rounded one by one and a maximum has no
-// rounding.
+// The inner loop of Phi values: the highest of many planes at a point, eight planes at a time in the widest vector
+// registers that the machine has. Guarantee: the same bits on every machine, for products and sums are rounded one by
+// one and a maximum has no rounding.
 #pragma once
 
 #include <limits>
@@ -63,6 +63,16 @@ __attribute__((always_inline)) inline Highest scan_planes_inline(const PlaneBloc
   return {most[0], static_cast<int>(first[0])};
 }
 
+/// Kinds of vector registers, narrowest first.
+enum class VectorUnit { kPlain, kAvx2, kAvx512 };
+
+/// Those of this machine; the first is everywhere.
+std::vector<VectorUnit> vector_units();
+
+/// The highest of 8 * count planes at u, and which it is (the first of equals); by the machine's widest registers.
 Highest scan_planes(const PlaneBlock* blocks, std::size_t count, const Vector& u);
+
+/// The same by the registers of one kind, which must be one of vector_units().
+Highest scan_planes_on(VectorUnit unit, const PlaneBlock* blocks, std::size_t count, const Vector& u);
 
 }  // namespace findspace::space
