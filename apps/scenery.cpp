@@ -41,17 +41,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   picture.arrows = motion_arrows(session.scene(), world, formula);
   if (session.scene().board)
     picture.copper = copper_of(*session.scene().board, world.moving, session.scene().grid.step_size());
-  std::set<std::string> named;
-  if (formula != nullptr) {
-    for (const formula::Atom& a : formula->atoms()) {
-      named.insert(a.distance.first.begin(), a.distance.first.end());
-      named.insert(a.distance.second.begin(), a.distance.second.end());
-      for (const formula::SumTerm& t : a.more) {
-        named.insert(t.distance.first.begin(), t.distance.first.end());
-        named.insert(t.distance.second.begin(), t.distance.second.end());
-      }
-    }
-  }
+  const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
   const bool named_only = session.scene().named_only;
   // The parts of a collection carry their own names; one whose parts have none carries its own.
   const auto all_of = [&](const std::string& name) {
