@@ -207,7 +207,9 @@ class Atom:
         d = (self.center[0] - p[0], self.center[1] - p[1])
         s, off = d[0] * u[0] + d[1] * u[1], d[0] * u[1] - d[1] * u[0]
         square = (self.r + self.radius) ** 2 - off**2
-        if square <= 0:
+        if abs(square) < ROUNDING * (self.r + self.radius + abs(off)) ** 2:
+            return None  # they graze each other, which counts
+        if square < 0:
             return math.inf
         near, far = s - math.sqrt(square), s + math.sqrt(square)
         return -min(-near, far) if near < 0 < far else min(abs(near), abs(far))
