@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -26,10 +26,10 @@ struct Panel {
 
 void put_strip(std::string& strips, std::string& dots, const Panel& p, double from, double to, double y, bool point) {
   if (point)
-    fmt::format_to(std::back_inserter(dots), "M{:.2f} {:.2f}h0", p.x(from), p.y(y));
+    put(dots, "M{:.2f} {:.2f}h0", p.x(from), p.y(y));
   else
-    fmt::format_to(std::back_inserter(strips), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.x(from), p.y(y + p.strip / 2),
-                   (to - from) * p.scale, p.strip * p.scale, (from - to) * p.scale);
+    put(strips, "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.x(from), p.y(y + p.strip / 2), (to - from) * p.scale,
+        p.strip * p.scale, (from - to) * p.scale);
 }
 
 /// The intervals of line i, cut at the window.
