@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -27,11 +27,10 @@ struct Panel {
 
 void put_strip(std::string& strips, std::string& dots, const Panel& p, double from, double to, double y, bool point) {
   if (point)
-    fmt::format_to(std::back_inserter(dots), "M{:.2f} {:.2f}h0", p.frame.x(from), p.frame.y(y));
+    put(dots, "M{:.2f} {:.2f}h0", p.frame.x(from), p.frame.y(y));
   else
-    fmt::format_to(std::back_inserter(strips), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.frame.x(from),
-                   p.frame.y(y + p.strip / 2), (to - from) * p.frame.scale, p.strip * p.frame.scale,
-                   (from - to) * p.frame.scale);
+    put(strips, "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.frame.x(from), p.frame.y(y + p.strip / 2),
+        (to - from) * p.frame.scale, p.strip * p.frame.scale, (from - to) * p.frame.scale);
 }
 
 /// The intervals of line i, cut at the window.
