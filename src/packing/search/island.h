@@ -59,11 +59,11 @@ class IslandOf {
   std::vector<std::size_t> large_;  // items, by size
   Phase phase_ = Phase::kExplore;
   double progress_ = 0, target_ = 0;
+  double shrink_ = Kit::kMostShrink;  // of exploration: half as much after a failure, twice as much after a success
   bool separating_ = false;
   std::vector<Near> pool_;
 };
 
-inline constexpr double kExploreShrink = 0.001;
 inline constexpr double kFirstCompression = 0.0005, kLastCompression = 0.00001;
 inline constexpr double kExploration = 0.8;  // of the whole search
 inline constexpr std::size_t kPool = 12;
@@ -97,6 +97,7 @@ void IslandOf<Kit>::step(double progress) {
   const State state = separation_.pass(phase_ == Phase::kCompress ? kCompressPatience : kExplorePatience);
   if (state == State::kStuck) fail();
   if (state != State::kFree) return;
+  shrink_ = std::min(2 * shrink_, Kit::kMostShrink);
   Found better = separation_.free();
   better.length = separation_.shorten(better.poses, better.length);
   keep(std::move(better));
@@ -109,7 +110,7 @@ void IslandOf<Kit>::begin() {
     const double over = (progress_ - kExploration) / (1 - kExploration);
     poses = shrunk(kFirstCompression + (kLastCompression - kFirstCompression) * std::clamp(over, 0.0, 1.0));
   } else {
-    poses = pool_.empty() ? shrunk(kExploreShrink) : from_pool();
+    poses = pool_.empty() ? shrunk(shrink_) : from_pool();
   }
   separation_.begin(poses, target_, best_.length);
   separating_ = true;
@@ -157,6 +158,10 @@ template <class Kit>
 void IslandOf<Kit>::fail() {
   separating_ = false;
   if (phase_ == Phase::kCompress) return;
+  if (shrink_ > kExploreShrink) {
+    shrink_ = std::max(0.5 * shrink_, kExploreShrink);
+    return;
+  }
   const double loss = separation_.least_loss();
   const auto above = [](double least, const Near& near) { return least < near.loss; };
   pool_.insert(std::upper_bound(pool_.begin(), pool_.end(), loss, above), {separation_.nearest(), loss});

@@ -29,6 +29,8 @@ struct LayoutInDoubles {
 };
 using DoubleLayout = LayoutInDoubles<Pose>;
 
+inline constexpr double kExploreShrink = 0.001;  // of the length
+
 /// What the search is made of: in the plane here, in space in solid_search/solid_kit.h.
 struct PlaneKit {
   using Pose = packing::Pose;
@@ -37,6 +39,8 @@ struct PlaneKit {
   using Arrangement = packing::Arrangement;
   using Mover = packing::Mover;
   using LinearMoves = packing::LinearMoves;
+
+  static constexpr double kMostShrink = kExploreShrink;
 
   static std::size_t part_of(const FieldTable& table, const Pose& pose) { return table.variants()[pose.variant].part; }
   static Vec middle(const FieldTable& table, const Pose& pose) {

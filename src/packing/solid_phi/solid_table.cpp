@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "exact/margins/packing.h"
@@ -90,28 +91,8 @@ double ConvexOverlap::depth(const Vector& u) const {
   return value < 0 ? -value : 0;
 }
 
-LineOverlap overlap_on_line(const ConvexOverlap& overlap, const Vector& u, const Vector& way, double shallow) {
-  using space::Lanes;
-  using space::StoredLanes;
-  const Lanes zero{};
-  Lanes from = zero - kFar, to = zero + kFar;
-  for (const space::PlaneBlock& block : overlap.planes) {
-    const auto* row = reinterpret_cast<const StoredLanes*>(&block);
-    const Lanes slope = (row[0] * way.x + row[1] * way.y) + row[2] * way.z;
-    const Lanes value = ((row[0] * u.x + row[1] * u.y) + row[2] * u.z) + row[3] + shallow;
-    const auto rises = slope > margin::kAlongPlane, falls = slope < -margin::kAlongPlane;
-    const Lanes end = -value / slope;
-    to = rises ? (end < to ? end : to) : to;
-    from = falls ? (end > from ? end : from) : from;
-    // Along the line and outside.
-    from = ~(rises | falls) & (value >= 0) ? zero + kFar : from;
-  }
-  LineOverlap result{-kFar, kFar};
-  for (int k = 0; k < 8; ++k) {
-    result.from = std::max(result.from, from[k]);
-    result.to = std::min(result.to, to[k]);
-  }
-  return result;
+space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
+  return space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
 }
 
 double SolidPair::depth(const Vector& u, double shallow) const {

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -38,18 +37,14 @@ struct ConvexOverlap {
   }
   /// 0 where there is none.
   double depth(const Vector& u) const;
+  /// t with u + t way in the set, and deeper than `shallow`.
+  space::LineStretch stretch(const Vector& u, const Vector& way, double shallow) const;
   space::Highest highest(const Vector& u) const { return space::scan_planes(planes.data(), planes.size(), u); }
   Vector normal(int plane) const {
     const space::PlaneBlock& b = planes[std::size_t(plane) / 8];
     return {b.x[plane % 8], b.y[plane % 8], b.z[plane % 8]};
   }
 };
-
-/// t with u + t way in the set, and deeper than `shallow`; crossed where there is none.
-struct LineOverlap {
-  double from = std::numeric_limits<double>::infinity(), to = -std::numeric_limits<double>::infinity();
-};
-LineOverlap overlap_on_line(const ConvexOverlap& overlap, const Vector& u, const Vector& way, double shallow);
 
 /// Of two kinds.
 class SolidPair {

@@ -93,10 +93,10 @@ void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector
   });
 }
 
-LineOverlap SolidArrangement::within(const SolidPose& pose, const Vector& way) const {
+space::LineStretch SolidArrangement::within(const SolidPose& pose, const Vector& way) const {
   const SolidVariant& v = table_.variants()[pose.variant];
   const Vector low = pose.at + v.low, high = pose.at + v.high;
-  LineOverlap room{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  space::LineStretch room{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   const auto clip = [&](double slope, double before, double behind) {
     if (slope == 0) return;
     const double first = before / slope, second = behind / slope;
@@ -110,7 +110,7 @@ LineOverlap SolidArrangement::within(const SolidPose& pose, const Vector& way) c
 }
 
 void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
-                                         const LineOverlap& room) const {
+                                         const space::LineStretch& room) const {
   stretches_.clear();
   const BoxList<3>::Box first = box_at({pose.variant, pose.at + room.from * way}, table_.gap()),
                         last = box_at({pose.variant, pose.at + room.to * way}, table_.gap());
@@ -129,7 +129,7 @@ void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, c
       if (way.y == 0 && !(u.y > overlap.low.y && u.y < overlap.high.y)) continue;
       if (way.z == 0 && !(u.z > overlap.low.z && u.z < overlap.high.z)) continue;
       ++looked_at_;
-      const LineOverlap t = overlap_on_line(overlap, u, along, 0.5 * shallow_);
+      const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
       if (t.from < t.to && t.to > room.from && t.from < room.to)
         stretches_.push_back({t.from, t.to, weights_[i * size() + j], &overlap, u, along});
     }
@@ -152,7 +152,7 @@ double SolidArrangement::cost_at(double t, double bound) const {
 SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const SolidPose& pose, const Vector& way,
                                                            double bound, bool from_end) const {
   LinePlace best{0, bound};
-  const LineOverlap room = within(pose, way);
+  const space::LineStretch room = within(pose, way);
   if (!(room.from <= room.to)) return best;
   collect_stretches(i, pose, way, room);
   const double sense = from_end ? -1 : 1;  // the line is walked from one side

@@ -79,8 +79,8 @@ class SolidArrangement {
 
   BoxList<3>::Box box_at(const SolidPose& pose, double wider) const;
   /// The stretch of the line within the container.
-  LineOverlap within(const SolidPose& pose, const Vector& way) const;
-  void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way, const LineOverlap& room) const;
+  space::LineStretch within(const SolidPose& pose, const Vector& way) const;
+  void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way, const space::LineStretch& room) const;
   double cost_at(double t, double bound) const;
 
   const SolidTable& table_;

@@ -94,7 +94,7 @@ class SolidBuilder {
         if (way.x == 0 && !(u.x > low.x && u.x < high.x)) continue;
         if (way.y == 0 && !(u.y > low.y && u.y < high.y)) continue;
         if (way.z == 0 && !(u.z > low.z && u.z < high.z)) continue;
-        const LineOverlap t = overlap_on_line(overlap, u, along, 0.5 * shallow_);
+        const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
         if (t.from < t.to && t.to > shallow_ && t.from < most) most = std::max(t.from, 0.0);
       }
     }

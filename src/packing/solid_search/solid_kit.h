@@ -18,6 +18,8 @@ struct SolidKit {
   using Mover = SolidMover;
   using LinearMoves = SolidLinearMoves;
 
+  static constexpr double kMostShrink = 0.016;  // of the height
+
   static std::size_t part_of(const SolidTable& table, const SolidPose& pose) {
     return table.variants()[pose.variant].part;
   }
