@@ -8,6 +8,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "io/mesh/read_mesh.h"
@@ -56,16 +57,13 @@ class SolidReader : private NestingJson {
       : NestingJson(text, name), options_(options), size_(text.size()) {}
 
   SolidProblemRead problem(const NestingWishes& wishes) {
-    SolidProblemRead result;
-    for (int digits = 0; digits <= kMostDigits; ++digits) {
-      ReadContext context(options_);
-      context.folder = std::filesystem::path(name()).parent_path();
-      context.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits)));
-      context.take_bytes(size_, name());
-      result = read(context, wishes);
-      result.problem.digits = digits;
-      if (context.rounding.points == 0) break;
-    }
+    ReadContext context(options_);
+    context.folder = std::filesystem::path(name()).parent_path();
+    context.take_bytes(size_, name());
+    const int digits = digits_needed(context);
+    context.grid = grid_of(digits);
+    SolidProblemRead result = read(context, wishes);
+    result.problem.digits = digits;
     for (packing::SolidPart& part : result.problem.parts) part = body_of(std::move(part));
     packing::check(result.problem, name());
     return result;
@@ -87,6 +85,60 @@ class SolidReader : private NestingJson {
   }
 
  private:
+  static Grid grid_of(int digits) { return Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits))); }
+
+  /// Of all numbers of shapes, and of all vertices in files, which are read on the way.
+  int digits_needed(ReadContext& context) {
+    int digits = 0;
+    if (const JsonValue* named = tree().find("shapes")) digits = digits_in(*named);
+    for (const JsonValue& item : list(need(tree(), "item-types")).items) {
+      need(item, "demand");  // an object
+      if (const JsonValue* shape = item.find("shape")) digits = std::max(digits, digits_in(*shape));
+      if (const JsonValue* path = item.find("path")) digits = std::max(digits, digits_of_file(*path, context));
+    }
+    return digits;
+  }
+
+  int digits_in(const JsonValue& value) const {
+    int digits = 0;
+    if (value.is(Kind::kNumber)) {
+      const Fraction n = number(value);
+      while (digits < kMostDigits && packing::power_of_ten(digits) % n.denominator() != 0) ++digits;
+    }
+    for (const JsonValue& item : value.items) digits = std::max(digits, digits_in(item));
+    return digits;
+  }
+
+  int digits_of_file(const JsonValue& path, ReadContext& context) {
+    if (!path.is(Kind::kString)) fail(path, fmt::format("a path is meant, not {}", path.kind_name()));
+    const std::filesystem::path file = found_file(context.folder, path.text);
+    auto known = files_.find(path.text);
+    if (known == files_.end()) known = files_.emplace(path.text, File{file, context.take_file(file)}).first;
+    int digits = 0;
+    for (; digits < kMostDigits; ++digits) {
+      ReadContext trial(options_);
+      trial.grid = grid_of(digits);
+      vertices_and_faces(known->second, trial);
+      if (trial.rounding.points == 0) break;
+    }
+    return digits;
+  }
+
+  struct File {
+    std::filesystem::path path;
+    std::string bytes;
+  };
+
+  static space::Mesh vertices_and_faces(const File& file, ReadContext& context) {
+    try {
+      const std::string ending = lower_ending(file.path.extension().string());
+      require_kind(file.bytes, ending, file.path.string());
+      return parse_mesh(file.bytes, ending, context, [](const auto&) { return exact::Real(1); });
+    } catch (const Error& e) {
+      throw e.within(file.path.string());
+    }
+  }
+
   SolidProblemRead read(ReadContext& context, const NestingWishes& wishes) {
     SolidProblemRead result;
     packing::SolidProblem& problem = result.problem;
@@ -101,8 +153,6 @@ class SolidReader : private NestingJson {
     none.kind = Kind::kObject;
     const JsonValue* named = tree().find("shapes");
     ShapeReader shapes(json, named != nullptr ? *named : none);
-    shapes_.clear();
-    places_.clear();
     for (const JsonValue& item : list(need(tree(), "item-types")).items) {
       problem.parts.push_back(part(item, shapes, context));
       const std::string& own = problem.parts.back().name;
@@ -134,25 +184,30 @@ class SolidReader : private NestingJson {
   }
 
   plane::ShapePtr from_file(const JsonValue& path, ReadContext& context) const {
-    if (!path.is(Kind::kString)) fail(path, fmt::format("a path is meant, not {}", path.kind_name()));
-    const std::filesystem::path file = found_file(context.folder, path.text);
-    const std::string bytes = context.take_file(file);
+    const File& file = files_.at(path.text);
+    space::Solid solid;
+    solid.form = space::Solid::Form::kMesh;
+    solid.mesh = vertices_and_faces(file, context);
+    const std::string name = file.path.filename().string();
     try {
-      const std::string ending = lower_ending(file.extension().string());
-      require_kind(bytes, ending, file.string());
-      space::Solid solid;
-      solid.form = space::Solid::Form::kMesh;
-      solid.mesh = parse_mesh(bytes, ending, context, [](const auto&) { return exact::Real(1); });
       const space::Mesh raw = solid.mesh;
-      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size()))
-        context.notes.push_back(fmt::format("{}: {}", file.filename().string(), note));
-      take_loose_vertices(raw, solid, file.filename().string(), context);
+      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size(), slit_of(raw)))
+        context.notes.push_back(fmt::format("{}: {}", name, note));
+      take_loose_vertices(raw, solid, name, context);
       plane::Shape shape;
       shape.solid = std::make_shared<const space::Solid>(std::move(solid));
       return share(std::move(shape));
     } catch (const Error& e) {
-      throw e.within(file.string());
+      throw e.within(file.path.string());
     }
+  }
+
+  /// How wide slits can be that stem from rounded vertices: some steps, if the mesh has many.
+  static std::int64_t slit_of(const space::Mesh& mesh) {
+    constexpr std::int64_t kSteps = 16, kPartOfSize = std::int64_t{1} << 20;
+    std::int64_t most = 0;
+    for (const space::Point& p : mesh.vertices) most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return std::min(kSteps, most / kPartOfSize);
   }
 
   /// A convex surface that leaves out some of its file's vertices stands for the hull of all of them.
@@ -192,6 +247,7 @@ class SolidReader : private NestingJson {
 
   const ReadOptions& options_;
   std::size_t size_;
+  std::map<std::string, File> files_;
   std::vector<plane::ShapePtr> shapes_;
   std::vector<std::string> places_;
   std::size_t next_ = 0;
