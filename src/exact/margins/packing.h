@@ -25,8 +25,4 @@ inline constexpr double kSolidContact = 1e-6;
 /// A plane whose unit normal has less than this along a line does not end what lies on the line.
 inline constexpr double kAlongPlane = 0x1p-40;
 
-/// What a volume by doubles may be too large by, of itself: sums of at most a million tetrahedra, and vertices of
-/// convex parts that were rounded by less than a part in 10^7 of the part. It decides how safe a lower bound is.
-inline constexpr double kVolumeLost = 1e-6;
-
 }  // namespace findspace::margin

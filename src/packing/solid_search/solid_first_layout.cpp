@@ -17,23 +17,40 @@ namespace {
 
 constexpr std::size_t kCornersTried = 24, kRandomTried = 8;
 constexpr int kMostFalls = 6;
+constexpr std::uint64_t kWorkOfFirst = 20'000'000;  // boxes and planes: some tenths of a second
+constexpr std::size_t kMostOrders = 32;
+
+/// What parts are sorted by: their boxes' volumes, heights, bases, longest sides; then these volumes times random
+/// factors.
+std::vector<double> keys_of(const SolidTable& table, std::size_t number, Random& random) {
+  std::vector<double> keys;
+  for (const SolidVariant& v : table.variants()) {
+    const Vector s = v.high - v.low;
+    const double volume = s.x * s.y * s.z;
+    keys.push_back(number == 0   ? volume
+                   : number == 1 ? s.z
+                   : number == 2 ? s.x * s.y
+                   : number == 3 ? std::max({s.x, s.y, s.z})
+                                 : volume * random.between(0.3, 1));
+  }
+  return keys;
+}
 
 class SolidBuilder {
  public:
-  SolidBuilder(const SolidProblem& problem, const SolidTable& table, std::uint64_t seed)
-      : problem_(problem), table_(table), random_(seed), shallow_(table.size() * margin::kNoOverlap) {}
+  SolidBuilder(const SolidProblem& problem, const SolidTable& table, Random& random)
+      : problem_(problem), table_(table), random_(random), shallow_(table.size() * margin::kNoOverlap) {}
 
-  LayoutInDoubles<SolidPose> build() {
+  /// Those of the greatest keys first.
+  LayoutInDoubles<SolidPose> build(const std::vector<double>& keys) {
     std::vector<std::size_t> order(problem_.parts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::vector<double> volumes;
-    for (const SolidVariant& v : table_.variants())
-      volumes.push_back((v.high.x - v.low.x) * (v.high.y - v.low.y) * (v.high.z - v.low.z));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return volumes[p] > volumes[q]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return keys[p] > keys[q]; });
     for (const std::size_t part : order)
       for (int copy = 0; copy < problem_.parts[part].demand; ++copy) place(part);
     return std::move(result_);
   }
+  std::uint64_t work() const { return work_; }
 
  private:
   void place(std::size_t variant) {
@@ -91,6 +108,7 @@ class SolidBuilder {
       const Vector u = sign * (at - other.at), along = sign * way;
       for (const ConvexOverlap& overlap : pair.overlaps) {
         const Vector low = overlap.low, high = overlap.high;
+        ++work_;
         if (way.x == 0 && !(u.x > low.x && u.x < high.x)) continue;
         if (way.y == 0 && !(u.y > low.y && u.y < high.y)) continue;
         if (way.z == 0 && !(u.z > low.z && u.z < high.z)) continue;
@@ -103,15 +121,25 @@ class SolidBuilder {
 
   const SolidProblem& problem_;
   const SolidTable& table_;
-  Random random_;
+  Random& random_;
   double shallow_;
+  mutable std::uint64_t work_ = 0;
   LayoutInDoubles<SolidPose> result_;
 };
 
 }  // namespace
 
 LayoutInDoubles<SolidPose> first_layout(const SolidProblem& problem, const SolidTable& table, std::uint64_t seed) {
-  return SolidBuilder(problem, table, seed).build();
+  Random random(seed);
+  LayoutInDoubles<SolidPose> best;
+  std::uint64_t work = 0;
+  for (std::size_t number = 0; number == 0 || (number < kMostOrders && work < kWorkOfFirst); ++number) {
+    SolidBuilder builder(problem, table, random);
+    LayoutInDoubles<SolidPose> layout = builder.build(keys_of(table, number, random));
+    work += builder.work();
+    if (number == 0 || layout.length < best.length) best = std::move(layout);
+  }
+  return best;
 }
 
 }  // namespace findspace::packing

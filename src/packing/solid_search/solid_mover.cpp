@@ -12,7 +12,7 @@
 namespace findspace::packing {
 namespace {
 
-constexpr int kSolidSpread = 30, kSolidAbout = 15;  // positions at random
+constexpr int kSolidSpread = 20, kSolidAbout = 10;  // positions at random
 constexpr double kAboutReach = 0.3;                 // of the solid's box
 constexpr int kMostRounds = 8;                      // over the axes
 constexpr int kMostSlides = 4;
