@@ -30,6 +30,8 @@ class Reader : private NestingJson {
       fail(tree(),
            "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
            "(docs/nesting.md); few shapes of a scene are placed by 'findspace place'");
+    if (tree().find("container") != nullptr && tree().find("item-types") != nullptr)
+      fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !wishes.height)

@@ -236,7 +236,7 @@ class SolidReader : private NestingJson {
         throw Error(ErrorCode::kUnsupported,
                     "pack takes bounded solids with flat faces; this one is round or unbounded");
       part.disjoint = part.body.parts.size() == 1 || shape.solid != nullptr;
-      if (shape.solid != nullptr) part.surface = space::ray_solids(shape);
+      if (shape.solid != nullptr && part.body.parts.size() > 1) part.surface = space::ray_solids(shape);
       if (!part.is_exact() && part.surface.empty())
         throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
     } catch (const Error& e) {
