@@ -56,7 +56,11 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "batch") return {".jsonl"};
   if (verb == "check" || verb == "measure") return {".svg", ".json"};
-  if (verb == "pack") return {".json", ".svg", ".dxf"};
+  if (verb == "pack") {
+    std::vector<std::string> all{".json", ".dxf"};
+    all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+    return all;
+  }
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");

@@ -4,55 +4,31 @@
 
 #include <findspace/error.h>
 #include <fmt/format.h>
-#include <signal.h>
 
-#include <atomic>
 #include <thread>
 
 #include "commands.h"
 #include "io/nesting/read_nesting.h"
+#include "io/nesting/read_solids.h"
 #include "io/nesting/write_layout.h"
 #include "io/text/read_text.h"
+#include "pack_solids.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
 #include "packing_report.h"
 #include "session.h"
+#include "stop_on_interrupt.h"
 
 namespace findspace::app {
 namespace {
 
-std::atomic<bool> stop_wanted = false;
-
-extern "C" void on_stop(int) { stop_wanted = true; }
-
-/// While it lives Ctrl-C and a polite end of the process end the search, and the best layout is kept.
-class StopOnInterrupt {
- public:
-  StopOnInterrupt() {
-    struct sigaction action {};
-    action.sa_handler = on_stop;
-    sigaction(SIGINT, &action, &interrupt_);
-    sigaction(SIGTERM, &action, &terminate_);
-  }
-  ~StopOnInterrupt() {
-    sigaction(SIGINT, &interrupt_, nullptr);
-    sigaction(SIGTERM, &terminate_, nullptr);
-  }
-  StopOnInterrupt(const StopOnInterrupt&) = delete;
-  StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
-
- private:
-  struct sigaction interrupt_ {
-  }, terminate_{};
-};
-
 class Packing {
  public:
-  Packing(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
+  Packing(const Options& options, const std::string& text, Reporter& reporter)
+      : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg", ".dxf"});
-    problem_ =
-        io::read_nesting(io::read_text(options.scene, options.input_limit), options.scene, nesting_wishes(options));
+    problem_ = io::read_nesting(text, options.scene, nesting_wishes(options));
     if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 
@@ -74,10 +50,11 @@ class Packing {
     std::optional<packing::Layout> best;
     {
       const StopOnInterrupt interrupt;
-      best = (problem_.box ? packing::search_box : packing::search_strip)(problem_, search, events, stop_wanted);
+      best = (problem_.box ? packing::search_box : packing::search_strip)(problem_, search, events,
+                                                                          StopOnInterrupt::wanted());
     }
     if (!best) return empty();
-    return {options_.json ? json(*best) : summary(*best), stop_wanted ? kInterrupted : kDone};
+    return {options_.json ? json(*best) : summary(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
   }
 
  private:
@@ -123,7 +100,7 @@ class Packing {
   /// No parts, none that are wanted or fit a sheet, or no layout in which all conditions hold.
   Outcome empty() {
     packing::Layout layout;
-    if (stop_wanted) return {"interrupted before a first layout was found\n", kInterrupted};
+    if (StopOnInterrupt::wanted()) return {"interrupted before a first layout was found\n", kInterrupted};
     if (!problem_.on_sheets() && problem_.items() > 0)
       throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
     for (std::size_t part = 0; part < problem_.parts.size(); ++part)
@@ -147,6 +124,10 @@ class Packing {
 
 }  // namespace
 
-Outcome run_pack(const Options& options, Reporter& reporter) { return Packing(options, reporter).run(); }
+Outcome run_pack(const Options& options, Reporter& reporter) {
+  const std::string text = io::read_text(options.scene, options.input_limit);
+  if (io::is_solid_problem(text, options.scene)) return run_pack_solids(options, text, reporter);
+  return Packing(options, text, reporter).run();
+}
 
 }  // namespace findspace::app

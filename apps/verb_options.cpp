@@ -72,14 +72,17 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
   const bool pack = verb == "pack";
   command
       .add_option(pack ? "PROBLEM" : "LAYOUT", o.scene,
-                  pack ? "the problem, as nesting JSON" : "the layout: JSON, or an SVG of sparrow")
+                  pack ? "the problem, as nesting JSON, or one of solids" : "the layout: JSON, or an SVG of sparrow")
       ->required()
       ->type_name("");
   if (!pack) command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON")->expected(0, 1)->type_name("");
   add_strip(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
-  command.add_option("-o,--output", o.outputs, "write the layout to FILE, .json, .svg or .dxf; may be repeated")
+  command
+      .add_option("-o,--output", o.outputs,
+                  "write the layout to FILE: .json, .svg, .dxf; solids also .stl, .obj, .3mf, .glb, .ply, .off; may be "
+                  "repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)
@@ -87,7 +90,9 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
       ->group(kCommon);
   add_start(command, o);
   command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlane);
-  command.add_option("--work", o.work, "end after N million evaluations a thread: the same result every time")
+  command
+      .add_option("--work", o.work,
+                  "end after N million evaluations a thread (of solids, an island): the same result every time")
       ->type_name("N")
       ->group(kPlane);
 }

@@ -197,5 +197,37 @@ TEST(PhiLaws, EveryKindOfRegistersGivesTheSameBits) {
   ASSERT_GT(ties, 100U);
 }
 
+TEST(PhiLaws, StretchOfALineEndsAtPlanes) {
+  RandomPolytopes random(23);
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto [a, b] = random.pair();
+    const PhiFunction phi(a, b);
+    for (int i = 0; i < 10; ++i) {
+      const Vector u = draw(random, phi), to = draw(random, phi);
+      const double size = length(to - u);
+      if (size == 0) continue;
+      const Vector way = scaled(1 / size, to - u);
+      const LineStretch t = scan_line(phi.blocks().data(), phi.blocks().size(), u, way, 0, 0x1p-40);
+      for (const VectorUnit unit : vector_units()) {
+        const LineStretch same = scan_line_on(unit, phi.blocks().data(), phi.blocks().size(), u, way, 0, 0x1p-40);
+        ASSERT_EQ(same.from, t.from);
+        ASSERT_EQ(same.to, t.to);
+      }
+      if (!(t.from < t.to)) {
+        EXPECT_GE(phi.max_form(u), 0);
+        continue;
+      }
+      ++met;
+      const double near = 1e-9 * (size + length(u) + length(to));
+      const auto value = [&](double at) { return phi.max_form(plus(u, scaled(at, way))); };
+      EXPECT_NEAR(value(t.from), 0, near);
+      EXPECT_NEAR(value(t.to), 0, near);
+      EXPECT_LT(value(0.5 * (t.from + t.to)), near);
+    }
+  }
+  EXPECT_GT(met, kRounds);
+}
+
 }  // namespace space_phi
 }  // namespace findspace::space

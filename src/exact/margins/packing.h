@@ -20,4 +20,9 @@ inline constexpr double kPieceLeft = 1e-10;
 /// A compaction ends where it gains less than this.
 inline constexpr double kCompactionGain = 1e-5;
 
+/// Solids this near count as touching where directions along contacts are chosen; of the floor.
+inline constexpr double kSolidContact = 1e-6;
+/// A plane whose unit normal has less than this along a line does not end what lies on the line.
+inline constexpr double kAlongPlane = 0x1p-40;
+
 }  // namespace findspace::margin

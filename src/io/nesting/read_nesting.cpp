@@ -9,10 +9,9 @@
 
 #include <algorithm>
 
+#include "io/nesting/nesting_json.h"
 #include "io/nesting/unscaled_problem.h"
-#include "io/text/json_tree.h"
 #include "packing/problem/pair_formula.h"
-#include "plane/base/work_budget.h"
 
 namespace findspace::io {
 namespace {
@@ -20,37 +19,39 @@ namespace {
 using packing::Fraction;
 using Kind = JsonValue::Kind;
 
-class Reader {
+class Reader : private NestingJson {
  public:
-  Reader(const std::string& text, std::string name) : name_(std::move(name)), tree_(parse_json(text, name_, work_)) {}
+  using NestingJson::NestingJson;
 
   packing::Problem problem(const NestingWishes& wishes) const {
     UnscaledProblem result;
-    if (const JsonValue* named = tree_.find("name")) result.name = named->text;
-    if (tree_.find("findspace") != nullptr && tree_.find("items") == nullptr)
-      fail(tree_,
+    if (const JsonValue* named = tree().find("name")) result.name = named->text;
+    if (tree().find("findspace") != nullptr && tree().find("items") == nullptr)
+      fail(tree(),
            "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
            "(docs/nesting.md); few shapes of a scene are placed by 'findspace place'");
-    const JsonValue& items = list(need(tree_, "items"));
+    if (tree().find("container") != nullptr && tree().find("item-types") != nullptr)
+      fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
+    const JsonValue& items = list(need(tree(), "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
-    if (const JsonValue* sheets = tree_.find("sheets"); sheets != nullptr && !wishes.height)
+    if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !wishes.height)
       for (const JsonValue& value : list(*sheets).items) result.sheets.push_back(sheet(value, result.parts));
     check_costs(result);
-    if (const JsonValue* box = tree_.find("box")) result.box = truth(*box) && result.sheets.empty() && !wishes.height;
+    if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !wishes.height;
     if (result.sheets.empty() && !result.box)
-      result.height = wishes.height ? *wishes.height : number(need(tree_, "strip_height"));
+      result.height = wishes.height ? *wishes.height : number(need(tree(), "strip_height"));
     result.gap = wishes.gap;
     result.edge = wishes.edge;
-    if (const JsonValue* gaps = tree_.find("gaps"))
+    if (const JsonValue* gaps = tree().find("gaps"))
       for (const JsonValue& value : list(*gaps).items) result.pair_gaps.push_back(pair_gap(value, result.parts));
     read_conditions(result);
-    if (const JsonValue* fixed = tree_.find("fixed"))
+    if (const JsonValue* fixed = tree().find("fixed"))
       for (const JsonValue& item : list(*fixed).items) result.fixed.push_back(fixed_part(item, result));
-    return std::move(result).on_grid(name_);
+    return std::move(result).on_grid(name());
   }
 
   packing::Layout layout(const packing::Problem& problem) const {
-    const JsonValue& body = need(tree_, "layout");
+    const JsonValue& body = need(tree(), "layout");
     packing::Layout result;
     result.length = number(need(body, "length"));
     for (const JsonValue& item : list(need(body, "items")).items) {
@@ -70,35 +71,6 @@ class Reader {
   }
 
  private:
-  std::string place(const JsonValue& at) const { return fmt::format("{}:{}:{}", name_, at.line, at.column); }
-  [[noreturn]] void fail(const JsonValue& at, const std::string& what) const {
-    throw Error(ErrorCode::kSyntax, what, place(at));
-  }
-  const JsonValue& need(const JsonValue& object, const char* key) const {
-    if (!object.is(Kind::kObject)) fail(object, fmt::format("an object with '{}' is meant", key));
-    const JsonValue* value = object.find(key);
-    if (value == nullptr) fail(object, fmt::format("'{}' is missing", key));
-    return *value;
-  }
-  const JsonValue& list(const JsonValue& value) const {
-    if (!value.is(Kind::kArray)) fail(value, fmt::format("a list is meant, not {}", value.kind_name()));
-    return value;
-  }
-  Fraction number(const JsonValue& value) const {
-    if (!value.is(Kind::kNumber) && !value.is(Kind::kString))
-      fail(value, fmt::format("a number is meant, not {}", value.kind_name()));
-    try {
-      return Fraction::parse(value.text);
-    } catch (const Error& e) {
-      throw e.within(place(value));
-    }
-  }
-  int whole(const JsonValue& value) const {
-    const Fraction n = number(value);
-    if (n.denominator() != 1 || n < 0 || n > 1000000) fail(value, "a whole number from 0 to 1000000 is meant");
-    return int(n.numerator());
-  }
-
   UnscaledRing ring(const JsonValue& points) const {
     UnscaledRing result;
     for (const JsonValue& p : list(points).items) {
@@ -106,11 +78,6 @@ class Reader {
       result.push_back({number(p.items[0]), number(p.items[1])});
     }
     return result;
-  }
-
-  bool truth(const JsonValue& value) const {
-    if (!value.is(Kind::kBoolean)) fail(value, fmt::format("true or false is meant, not {}", value.kind_name()));
-    return value.boolean;
   }
 
   std::vector<UnscaledRing> shape(const JsonValue& value) const {
@@ -168,14 +135,14 @@ class Reader {
     try {
       packing::parse_condition(value.text);
     } catch (const Error& e) {
-      throw e.within(fmt::format("{}:{}:{}: 'where'", name_, value.line, value.column));
+      throw e.within(fmt::format("{}:{}:{}: 'where'", name(), value.line, value.column));
     }
     return value.text;
   }
 
   void read_conditions(UnscaledProblem& problem) const {
-    if (const JsonValue* where = tree_.find("where")) problem.where = condition(*where);
-    if (const JsonValue* pairs = tree_.find("pairs"))
+    if (const JsonValue* where = tree().find("where")) problem.where = condition(*where);
+    if (const JsonValue* pairs = tree().find("pairs"))
       for (const JsonValue& value : list(*pairs).items) {
         const JsonValue& between = list(need(value, "between"));
         if (between.size() != 2) fail(between, "a condition is between two parts");
@@ -183,7 +150,7 @@ class Reader {
                                       index_of(between.items[1], problem.parts, "part"),
                                       condition(need(value, "where"))});
       }
-    if (const JsonValue* groups = tree_.find("groups"))
+    if (const JsonValue* groups = tree().find("groups"))
       for (const JsonValue& value : list(*groups).items) {
         UnscaledGroup& group = problem.groups.emplace_back();
         for (const JsonValue& name : list(need(value, "parts")).items)
@@ -219,7 +186,7 @@ class Reader {
     const auto has_cost = [](const UnscaledSheet& sheet) { return sheet.cost.has_value(); };
     const auto count = std::count_if(problem.sheets.begin(), problem.sheets.end(), has_cost);
     if (count != 0 && std::size_t(count) != problem.sheets.size())
-      throw Error(ErrorCode::kBadValue, "some sheets have a cost and others none", name_);
+      throw Error(ErrorCode::kBadValue, "some sheets have a cost and others none", name());
   }
 
   UnscaledPart part(const JsonValue& item) const {
@@ -238,14 +205,6 @@ class Reader {
     return result;
   }
 
-  template <class Named>
-  std::size_t index_of(const JsonValue& name, const std::vector<Named>& all, const char* what) const {
-    const auto same = [&](const Named& one) { return one.name == name.text; };
-    const auto found = std::find_if(all.begin(), all.end(), same);
-    if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text));
-    return std::size_t(found - all.begin());
-  }
-
   /// Without the sheet.
   template <class Named>
   packing::Placed placed(const JsonValue& item, const std::vector<Named>& parts) const {
@@ -260,10 +219,6 @@ class Reader {
     result.y = number(at.items[1]);
     return result;
   }
-
-  std::string name_;
-  plane::WorkBudget work_;
-  JsonValue tree_;
 };
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 #include "packing/compaction/linear_moves.h"
 
-#include <ClpSimplex.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "exact/margins/packing.h"
+#include "packing/compaction/linear_program.h"
 
 namespace findspace::packing {
 namespace {
@@ -18,54 +18,9 @@ constexpr double kLengthOfOverlap = 0.01;  // what the length costs beside a dep
 constexpr int kMostSteps = 40;
 constexpr int kMostSeparations = 12;
 
-/// Rows and columns of a program, in units of the strip's height.
-class Program {
- public:
-  Program(std::size_t items, double height) : height_(height), items_(items) {}
-
-  int add_column(double low, double high, double cost) {
-    low_.push_back(low / height_);
-    high_.push_back(high / height_);
-    cost_.push_back(cost);
-    return int(low_.size()) - 1;
-  }
-  void begin_row(double least) {
-    starts_.push_back(CoinBigIndex(columns_.size()));
-    least_.push_back(least / height_);
-  }
-  void add(int column, double factor) {
-    if (factor == 0) return;
-    columns_.push_back(column);
-    factors_.push_back(factor);
-  }
-  /// False where there is no solution.
-  bool solve() {
-    starts_.push_back(CoinBigIndex(columns_.size()));
-    const int rows = int(least_.size());
-    std::vector<int> lengths;
-    for (int r = 0; r < rows; ++r) lengths.push_back(int(starts_[std::size_t(r) + 1] - starts_[std::size_t(r)]));
-    const CoinPackedMatrix matrix(false, int(low_.size()), rows, CoinBigIndex(columns_.size()), factors_.data(),
-                                  columns_.data(), starts_.data(), lengths.data());
-    const std::vector<double> most(least_.size(), COIN_DBL_MAX);
-    clp_.setLogLevel(0);
-    clp_.setPrimalTolerance(margin::kProgramTolerance);
-    clp_.loadProblem(matrix, low_.data(), high_.data(), cost_.data(), least_.data(), most.data());
-    clp_.dual();
-    return clp_.status() == 0;
-  }
-  double value(int column) const { return clp_.primalColumnSolution()[column] * height_; }
-  int x(std::size_t item) const { return int(2 * item); }
-  int y(std::size_t item) const { return int(2 * item + 1); }
-  int length() const { return int(2 * items_); }
-
- private:
-  double height_;
-  std::size_t items_;
-  std::vector<double> low_, high_, cost_, least_, factors_;
-  std::vector<int> columns_;
-  std::vector<CoinBigIndex> starts_;
-  ClpSimplex clp_;
-};
+/// The columns of a program over parts: two a part, then the length.
+int column_x(std::size_t item) { return int(2 * item); }
+int column_y(std::size_t item) { return int(2 * item + 1); }
 
 }  // namespace
 
@@ -106,7 +61,7 @@ void LinearMoves::collect(const std::vector<Pose>& poses, double trust, Goal goa
 }
 
 bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, double trust, Goal goal) {
-  Program program(poses.size(), table_.height());
+  LinearProgram program(table_.height());
   const auto& variants = table_.variants();
   for (const Pose& p : poses) {
     const Variant& v = variants[p.variant];
@@ -116,22 +71,22 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
     program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
                        std::clamp(room.height - v.high.y - p.at.y, 0.0, trust), 0);
   }
-  program.add_column(row_.fixed_end(), std::max(most, row_.fixed_end()),
-                     goal == Goal::kSeparate ? kLengthOfOverlap : 1);
+  const int end = program.add_column(row_.fixed_end(), std::max(most, row_.fixed_end()),
+                                     goal == Goal::kSeparate ? kLengthOfOverlap : 1);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     program.begin_row(poses[i].at.x + variants[poses[i].variant].high.x);
-    program.add(program.length(), 1);
-    program.add(program.x(i), -1);
+    program.add(end, 1);
+    program.add(column_x(i), -1);
   }
   std::vector<int> slacks;
   for (const Bound& row : rows_) {
     program.begin_row(row.need);
     if (row.b < poses.size()) {
-      program.add(program.x(row.b), row.normal.x);
-      program.add(program.y(row.b), row.normal.y);
+      program.add(column_x(row.b), row.normal.x);
+      program.add(column_y(row.b), row.normal.y);
     }
-    program.add(program.x(row.a), -row.normal.x);
-    program.add(program.y(row.a), -row.normal.y);
+    program.add(column_x(row.a), -row.normal.x);
+    program.add(column_y(row.a), -row.normal.y);
     if (!row.soft) continue;
     const double greatest = goal == Goal::kLoosen ? row.most_lacking : table_.height();
     slacks.push_back(program.add_column(0, greatest, goal == Goal::kLoosen ? 100 : 1));
@@ -140,10 +95,10 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
   ++solved_;
   if (!program.solve()) return false;
   for (std::size_t i = 0; i < poses.size(); ++i)
-    poses[i].at = poses[i].at + Vec{program.value(program.x(i)), program.value(program.y(i))};
+    poses[i].at = poses[i].at + Vec{program.value(column_x(i)), program.value(column_y(i))};
   left_ = 0;
   for (const int slack : slacks) left_ += program.value(slack);
-  length = program.value(program.length());
+  length = program.value(end);
   return true;
 }
 

@@ -7,18 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "exact/margins/packing.h"
+#include "packing/search/weights.h"
 
 namespace findspace::packing {
-namespace {
-
-constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kDecay = 0.95;
-
-}  // namespace
-
 Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Pose> poses, double length)
     : table_(&table),
       row_(&row),
@@ -26,12 +20,10 @@ Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Po
       poses_(std::move(poses)),
       length_(length),
       shallow_(table.height() * margin::kNoOverlap),
-      slack_(std::max(length, table.height()) * margin::kBoxRounding) {
+      slack_(std::max(length, table.height()) * margin::kBoxRounding),
+      boxes_(poses_.size() + row.obstacles().size()) {
   poses_.insert(poses_.end(), row.obstacles().begin(), row.obstacles().end());
   const std::size_t n = poses_.size();
-  constexpr float kFar = std::numeric_limits<float>::infinity();
-  const Lanes far{kFar, kFar, kFar, kFar};
-  boxes_.assign((n + kLanes - 1) / kLanes, {far, far, -far, -far});
   for (std::size_t i = size_; i < n; ++i) move(i, poses_[i]);
   depths_.resize(n);
   near_.resize(n + 1);
@@ -109,37 +101,20 @@ void Arrangement::set_poses(const std::vector<Pose>& poses) {
 void Arrangement::move(std::size_t i, const Pose& pose) {
   const Variant& v = table_->variants()[pose.variant];
   poses_[i] = pose;
-  BoxBlock& block = boxes_[i / kLanes];
-  const std::size_t lane = i % kLanes;
-  block.low_x[lane] = float(pose.at.x + v.low.x - slack_);
-  block.low_y[lane] = float(pose.at.y + v.low.y - slack_);
-  block.high_x[lane] = float(pose.at.x + v.high.x + slack_);
-  block.high_y[lane] = float(pose.at.y + v.high.y + slack_);
+  boxes_.put(i, {{float(pose.at.x + v.low.x - slack_), float(pose.at.y + v.low.y - slack_)},
+                 {float(pose.at.x + v.high.x + slack_), float(pose.at.y + v.high.y + slack_)}});
 }
 
 template <class Meet>
 void Arrangement::for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const {
   const Variant& v = table_->variants()[pose.variant];
   const double gap = 1.01 * table_->gap();  // a grown polygon is a little larger than the gap
-  const float low_x = float(pose.at.x + v.low.x - gap), low_y = float(pose.at.y + v.low.y - gap),
-              high_x = float(pose.at.x + v.high.x + gap), high_y = float(pose.at.y + v.high.y + gap);
-  const auto meets = [&](const BoxBlock& block) {
-    return (low_x < block.high_x) & (block.low_x < high_x) & (low_y < block.high_y) & (block.low_y < high_y);
-  };
-  for (std::size_t b = 0; b < boxes_.size(); ++b) {
-    const auto met = meets(boxes_[b]);
-    looked_at_ += kLanes;
-    std::array<std::uint64_t, 2> halves;
-    std::memcpy(halves.data(), &met, sizeof halves);
-    if ((halves[0] | halves[1]) == 0) continue;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const std::size_t j = b * kLanes + lane;
-      if (met[lane] != 0 && j != i && !meet(j)) return;
-    }
-  }
+  const BoxList<2>::Box box{{float(pose.at.x + v.low.x - gap), float(pose.at.y + v.low.y - gap)},
+                            {float(pose.at.x + v.high.x + gap), float(pose.at.y + v.high.y + gap)}};
+  if (!boxes_.for_each_meeting(box, looked_at_, [&](std::size_t j) { return j == i || meet(j); })) return;
   if (tied_.empty()) return;
   for (const std::uint32_t j : tied_[i])
-    if (meets(boxes_[j / kLanes])[j % kLanes] == 0 && !meet(j)) return;
+    if (!boxes_.meets(j, box) && !meet(j)) return;
 }
 
 std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose) const {
@@ -212,12 +187,11 @@ void Arrangement::update_weights() {
   double deepest = 0;
   for (const Overlap& o : overlaps_) deepest = std::max(deepest, o.depth);
   for (const Overlap& o : overlaps_) {
-    const double growth = kLeastGrowth + (kMostGrowth - kLeastGrowth) * o.depth / deepest;
-    const double weight = weights_[o.i * poses_.size() + o.j] * growth / kDecay;
+    const double weight = weights_[o.i * poses_.size() + o.j] * grown_weight(o.depth / deepest);
     weights_[o.i * poses_.size() + o.j] = weight;
     weights_[o.j * poses_.size() + o.i] = weight;
   }
-  for (double& w : weights_) w = std::max(1.0, w * kDecay);
+  for (double& w : weights_) w = decayed_weight(w);
   for (std::size_t i = 0; i < size(); ++i)
     if (excess(poses_[i].variant) > 0) strip_weights_[i] *= kMostGrowth;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "packing/nfp/row.h"
+#include "packing/search/box_list.h"
 #include "packing/search/random.h"
 
 namespace findspace::packing {
@@ -71,13 +72,6 @@ class Arrangement {
     double least, weight;
   };
 
-  /// Boxes side by side, four at a time: rounded outwards a little, so none is missed.
-  using Lanes [[gnu::vector_size(16)]] = float;
-  struct BoxBlock {
-    Lanes low_x, low_y, high_x, high_y;
-  };
-  static constexpr std::size_t kLanes = 4;
-
   /// Calls meet(j) for the other items whose boxes meet that of the pose, in order, then for those tied to it that are
   /// farther away, until it says false.
   template <class Meet>
@@ -99,7 +93,7 @@ class Arrangement {
   std::vector<std::uint32_t> first_range_;
   std::vector<double> excess_;
   double length_, shallow_, slack_;
-  std::vector<BoxBlock> boxes_;
+  BoxList<2> boxes_;
   std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
   std::vector<double> weights_, strip_weights_, depths_;
   std::vector<Overlap> overlaps_;

@@ -9,23 +9,30 @@
 // Keywords: guided local search, strip packing, open dimension.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "packing/search/separation.h"
 
 namespace findspace::packing {
 
-class Island {
+template <class Kit>
+class IslandOf {
  public:
-  Island(const FieldTable& table, const Row& row, DoubleLayout start, std::uint64_t seed);
+  using Pose = typename Kit::Pose;
+  using Found = LayoutInDoubles<Pose>;
+
+  IslandOf(const typename Kit::Table& table, const typename Kit::Row& row, Found start, std::uint64_t seed);
 
   /// One pass over the overlapping parts, or one step between two separations. `progress`: how much of the whole
   /// search is over, from 0 to 1.
   void step(double progress);
-  const DoubleLayout& best() const { return best_; }
+  const Found& best() const { return best_; }
   /// Goes on from a better layout of another island.
-  void adopt(const DoubleLayout& better);
+  void adopt(const Found& better) { keep(better); }
   std::uint64_t work() const { return separation_.work(); }
   /// Overlapping depth at the last pass.
   double overlap() const { return separation_.loss(); }
@@ -41,19 +48,127 @@ class Island {
   std::vector<Pose> shrunk(double ratio);  // the best layout, moved together
   std::vector<Pose> from_pool();
   void swap_two_large(std::vector<Pose>& poses);
-  void keep(DoubleLayout better);
+  void keep(Found better);
   void fail();
 
-  const FieldTable& table_;
-  const Row& row_;
+  const typename Kit::Table& table_;
+  const typename Kit::Row& row_;
   Random random_;
-  Separation separation_;
-  DoubleLayout best_;
+  SeparationOf<Kit> separation_;
+  Found best_;
   std::vector<std::size_t> large_;  // items, by size
   Phase phase_ = Phase::kExplore;
   double progress_ = 0, target_ = 0;
+  double shrink_ = Kit::kMostShrink;  // of exploration: half as much after a failure, twice as much after a success
   bool separating_ = false;
   std::vector<Near> pool_;
 };
+
+inline constexpr double kFirstCompression = 0.0005, kLastCompression = 0.00001;
+inline constexpr double kExploration = 0.8;  // of the whole search
+inline constexpr std::size_t kPool = 12;
+inline constexpr Patience kExplorePatience{120, 3}, kCompressPatience{80, 3};
+
+template <class Kit>
+IslandOf<Kit>::IslandOf(const typename Kit::Table& table, const typename Kit::Row& row, Found start, std::uint64_t seed)
+    : table_(table),
+      row_(row),
+      random_(seed),
+      separation_(table, row, start.poses, start.length, random_),
+      best_(std::move(start)) {
+  for (std::size_t i = 0; i < best_.poses.size(); ++i) large_.push_back(i);
+  const auto larger = [&](std::size_t i, std::size_t j) {
+    return Kit::size_of(table_, best_.poses[i]) > Kit::size_of(table_, best_.poses[j]);
+  };
+  std::stable_sort(large_.begin(), large_.end(), larger);
+  large_.resize(std::max<std::size_t>(std::min<std::size_t>(large_.size(), 2), large_.size() * 2 / 3));
+  best_.length = separation_.shorten(best_.poses, best_.length);
+}
+
+template <class Kit>
+void IslandOf<Kit>::step(double progress) {
+  progress_ = progress;
+  if (phase_ == Phase::kExplore && progress >= kExploration) {
+    phase_ = Phase::kCompress;
+    separating_ = false;
+  }
+  if (!separating_) return begin();
+  using State = typename SeparationOf<Kit>::State;
+  const State state = separation_.pass(phase_ == Phase::kCompress ? kCompressPatience : kExplorePatience);
+  if (state == State::kStuck) fail();
+  if (state != State::kFree) return;
+  shrink_ = std::min(2 * shrink_, Kit::kMostShrink);
+  Found better = separation_.free();
+  better.length = separation_.shorten(better.poses, better.length);
+  keep(std::move(better));
+}
+
+template <class Kit>
+void IslandOf<Kit>::begin() {
+  std::vector<Pose> poses;
+  if (phase_ == Phase::kCompress) {
+    const double over = (progress_ - kExploration) / (1 - kExploration);
+    poses = shrunk(kFirstCompression + (kLastCompression - kFirstCompression) * std::clamp(over, 0.0, 1.0));
+  } else {
+    poses = pool_.empty() ? shrunk(shrink_) : from_pool();
+  }
+  separation_.begin(poses, target_, best_.length);
+  separating_ = true;
+}
+
+/// What lies behind a random place moves up by what is cut off.
+template <class Kit>
+std::vector<typename Kit::Pose> IslandOf<Kit>::shrunk(double ratio) {
+  const double cut = ratio * best_.length, split = random_.between(0, best_.length);
+  std::vector<Pose> poses = best_.poses;
+  for (Pose& p : poses)
+    if (Kit::along(Kit::middle(table_, p)) > split) p.at = Kit::moved_back(p.at, cut);
+  target_ = std::max(best_.length - cut, row_.fixed_end());
+  return poses;
+}
+
+template <class Kit>
+std::vector<typename Kit::Pose> IslandOf<Kit>::from_pool() {
+  const double place = std::min(random_.half_normal() * 0.25, 0.999);
+  std::vector<Pose> poses = pool_[std::size_t(place * double(pool_.size()))].poses;
+  swap_two_large(poses);
+  return poses;
+}
+
+template <class Kit>
+void IslandOf<Kit>::swap_two_large(std::vector<Pose>& poses) {
+  if (large_.size() < 2) return;
+  const std::size_t i = large_[random_.below(large_.size())];
+  const auto part_of = [&](std::size_t k) { return Kit::part_of(table_, poses[k]); };
+  std::size_t j = i;
+  for (int tries = 0; tries < 20 && part_of(j) == part_of(i); ++tries) j = large_[random_.below(large_.size())];
+  const auto first = Kit::middle(table_, poses[i]), second = Kit::middle(table_, poses[j]);
+  poses[i].at = Kit::exchanged(poses[i].at, first, second);
+  poses[j].at = Kit::exchanged(poses[j].at, second, first);
+}
+
+template <class Kit>
+void IslandOf<Kit>::keep(Found better) {
+  best_ = std::move(better);
+  pool_.clear();
+  separating_ = false;
+}
+
+template <class Kit>
+void IslandOf<Kit>::fail() {
+  separating_ = false;
+  if (phase_ == Phase::kCompress) return;
+  if (shrink_ > kExploreShrink) {
+    shrink_ = std::max(0.5 * shrink_, kExploreShrink);
+    return;
+  }
+  const double loss = separation_.least_loss();
+  const auto above = [](double least, const Near& near) { return least < near.loss; };
+  pool_.insert(std::upper_bound(pool_.begin(), pool_.end(), loss, above), {separation_.nearest(), loss});
+  if (pool_.size() > kPool) pool_.pop_back();
+}
+
+using Island = IslandOf<PlaneKit>;
+extern template class IslandOf<PlaneKit>;
 
 }  // namespace findspace::packing

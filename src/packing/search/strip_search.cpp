@@ -6,27 +6,22 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <ctime>
-#include <limits>
-#include <memory>
 #include <vector>
 
 #include "packing/compaction/finish.h"
 #include "packing/proof/verify.h"
 #include "packing/search/filling.h"
-#include "packing/search/island.h"
+#include "packing/search/island_team.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::packing {
 namespace {
 
 constexpr std::uint64_t kRound = 10'000'000;  // pairs looked at: about a tenth of a second
-constexpr double kLeastWaiting = 30;          // seconds without a better layout, and
 constexpr double kFillingShare = 0.5;
 constexpr std::array<double, 5> kLonger{1, 1.25, 1.5, 2, 4};  // strips for a first layout
 constexpr Patience kFirstPatience{100, 2};
-constexpr double kWaiting = 0.5;  // of the time so far: then a search without limits ends
 
 class Search {
  public:
@@ -35,7 +30,7 @@ class Search {
       : problem_(problem),
         options_(options),
         events_(events),
-        stop_(stop),
+        limits_(options.seconds, options.work, stop),
         table_(problem),
         row_(problem, table_, options.start != nullptr ? sheets_from(*options.start) : cheapest_sheets(problem)) {}
 
@@ -51,8 +46,7 @@ class Search {
     offer(first.layout);
     if (first.layout.poses.empty()) return std::move(best_);
     fill(first);
-    for (unsigned t = 0; t < std::max(1u, options_.threads); ++t)
-      islands_.push_back(std::make_unique<Island>(table_, row_, first.layout, options_.seed * 1000003 + t));
+    team_.settle(table_, row_, first.layout, options_.seed, std::max(1u, options_.threads));
     for (std::uint64_t work = work_ + kRound; !over(); work += kRound) round(work);
     return std::move(best_);
   }
@@ -101,7 +95,8 @@ class Search {
   void fill(FirstLayout& layout) {
     const std::size_t threads = std::max(1u, options_.threads);
     std::uint64_t number = options_.seed * 7000003;
-    while (!layout.left.empty() && !stop_ && progress(double(work_)) < kFillingShare && (limited() || !over())) {
+    while (!layout.left.empty() && !limits_.is_stopped() && limits_.progress(double(work_)) < kFillingShare &&
+           (limits_.is_limited() || !over())) {
       std::vector<std::optional<FirstLayout>> tried(threads);
       std::vector<std::uint64_t> work(threads);
       plane::parallel_for(
@@ -116,40 +111,14 @@ class Search {
     }
   }
 
-  bool limited() const { return options_.seconds > 0 || options_.work > 0; }
+  double seconds() const { return limits_.seconds(); }
+  bool over() const { return limits_.is_over(double(work_), better_at_); }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-
-  double progress(double work) const {
-    const double by_time = options_.seconds > 0 ? seconds() / options_.seconds : 0;
-    const double by_work = options_.work > 0 ? work / options_.work : 0;
-    return std::max(by_time, by_work);
-  }
-
-  bool over() const {
-    if (stop_) return true;
-    if (limited()) return progress(double(work_)) >= 1;
-    return seconds() - better_at_ > kLeastWaiting + kWaiting * better_at_;
-  }
-
-  /// All islands do the same work; time and a wish to stop end it anywhere.
   void round(std::uint64_t until) {
-    plane::parallel_for(islands_.size(), [&](std::size_t k) {
-      Island& island = *islands_[k];
-      while (island.work() < until && !stop_ && (options_.seconds <= 0 || seconds() < options_.seconds))
-        island.step(progress(double(island.work())));
-    });
+    const DoubleLayout& best = team_.round(until, limits_);
     work_ = until;
-    exchange();
-    if (events_.progress) events_.progress(state());
-  }
-
-  void exchange() {
-    const auto shorter = [](const auto& a, const auto& b) { return a->best().length < b->best().length; };
-    const DoubleLayout best = (*std::min_element(islands_.begin(), islands_.end(), shorter))->best();
-    for (const auto& island : islands_)
-      if (island->best().length > best.length) island->adopt(best);
     if (best.length < offered_) offer(best);
+    if (events_.progress) events_.progress(state());
   }
 
   void offer(const DoubleLayout& layout) {
@@ -190,20 +159,18 @@ class Search {
       s.length = best_->length.to_double();
       s.density = area(problem_, *best_) / room(problem_, *best_);
     }
-    s.overlap = std::numeric_limits<double>::infinity();
-    for (const auto& island : islands_) s.overlap = std::min(s.overlap, island->overlap());
+    s.overlap = team_.overlap();
     return s;
   }
 
   const Problem& problem_;
   const SearchOptions& options_;
   const SearchEvents& events_;
-  const std::atomic<bool>& stop_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  SearchLimits limits_;
   FieldTable table_;
   Row row_;
   std::vector<double> values_ = values_of(problem_);
-  std::vector<std::unique_ptr<Island>> islands_;
+  IslandTeam<PlaneKit> team_;
   std::optional<Layout> best_;
   double offered_ = 0, better_at_ = 0;
   std::uint64_t work_ = 0;

@@ -18,13 +18,15 @@
 
 namespace findspace::packing {
 
-struct SearchOptions {
+template <class Layout>
+struct SearchOptionsOf {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   double seconds = 0;  // 0: until no better layout comes for a while
   double work = 0;     // pairs of parts looked at by a thread; 0: no limit
   const Layout* start = nullptr;
 };
+using SearchOptions = SearchOptionsOf<Layout>;
 
 struct SearchState {
   double seconds = 0, processor = 0;  // since the beginning
@@ -33,10 +35,12 @@ struct SearchState {
   double since_better = 0;  // seconds
 };
 
-struct SearchEvents {
+template <class Layout>
+struct SearchEventsOf {
   std::function<void(const Layout&, const SearchState&)> better;  // a proved layout
   std::function<void(const SearchState&)> progress;
 };
+using SearchEvents = SearchEventsOf<Layout>;
 
 /// Nothing where there are no parts, no part that fits a sheet, or no layout was found in which all conditions hold.
 /// `stop`: ends the search when it becomes true.

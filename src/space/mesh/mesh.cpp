@@ -264,13 +264,60 @@ exact::Real six_volumes(const Mesh& mesh) {
   return sum;
 }
 
-std::vector<std::string> clean(Mesh& mesh, double step) {
+namespace {
+
+/// Whether the vertex is no farther than `slit` from the line through an edge, and beside it.
+bool is_beside(const Mesh& mesh, const MeshEdge& edge, int vertex, std::int64_t slit) {
+  const Point &a = mesh.vertices[std::size_t(edge.first)], &b = mesh.vertices[std::size_t(edge.second)],
+              &p = mesh.vertices[std::size_t(vertex)];
+  const auto dot = [](const auto& u, const auto& v) {
+    return exact::Real(u.x) * exact::Real(v.x) + exact::Real(u.y) * exact::Real(v.y) +
+           exact::Real(u.z) * exact::Real(v.z);
+  };
+  if (dot(p - a, b - a).sign() <= 0 || dot(p - b, a - b).sign() <= 0) return false;
+  const Wide3 area = exact::cross(b - a, p - a);
+  return dot(area, area) <= dot(b - a, b - a) * exact::Real(slit) * exact::Real(slit);
+}
+
+/// Leads an open edge over a vertex nearly on it, where the edges to that vertex are open as well.
+bool close_slit(Mesh& mesh, std::int64_t slit) {
+  std::map<int, std::set<int>> open;  // to the other ends
+  std::map<MeshEdge, int> face_at;
+  MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
+    if (uses.size() % 2 == 0) return;
+    open[edge.first].insert(edge.second);
+    open[edge.second].insert(edge.first);
+    face_at[edge] = uses[0].face;
+  });
+  for (const auto& [edge, f] : face_at)
+    for (const int v : open[edge.first]) {
+      if (open[edge.second].count(v) == 0 || !is_beside(mesh, edge, v, slit)) continue;
+      std::vector<int>& face = mesh.faces[std::size_t(f)];
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const int from = face[i], to = face[(i + 1) % face.size()];
+        if (std::minmax(from, to) != std::minmax(edge.first, edge.second)) continue;
+        face.insert(face.begin() + std::ptrdiff_t(i) + 1, v);
+        return true;
+      }
+    }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> clean(Mesh& mesh, double step, std::int64_t slit) {
   std::vector<std::string> notes;
   weld(mesh, notes);
   if (mesh.faces.empty()) throw Error(ErrorCode::kGeometry, "the mesh has no faces");
   drop_empty_faces(mesh, notes);
   flatten(mesh, notes);
   split_edges(mesh, notes);
+  int slits = 0;
+  while (slit > 0 && close_slit(mesh, slit)) ++slits;
+  if (slits > 0) {
+    notes.push_back(fmt::format("{} slits between faces were closed", slits));
+    flatten(mesh, notes);
+  }
   orient(mesh, step, notes);
   check_closed(mesh, step);
   if (six_volumes(mesh).sign() <= 0) throw Error(ErrorCode::kGeometry, "the mesh encloses no volume");

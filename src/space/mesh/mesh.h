@@ -26,7 +26,9 @@ void each_edge(const std::vector<int>& face, Visit visit) {
 }
 
 /// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
-std::vector<std::string> clean(Mesh& mesh, double step);
+/// Where vertices of a file are rounded, T-junctions leave slits: open edges are led over vertices that are no farther
+/// than `slit` steps.
+std::vector<std::string> clean(Mesh& mesh, double step, std::int64_t slit = 0);
 
 /// Whether a clean mesh bounds a convex set: one piece of Euler number 2, no edge with the surface above it.
 bool is_convex(const Mesh& mesh);

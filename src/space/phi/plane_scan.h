@@ -63,6 +63,39 @@ __attribute__((always_inline)) inline Highest scan_planes_inline(const PlaneBloc
   return {most[0], static_cast<int>(first[0])};
 }
 
+/// The open stretch of a line where all planes are negative; crossed where there is none.
+struct LineStretch {
+  double from = std::numeric_limits<double>::infinity(), to = -std::numeric_limits<double>::infinity();
+};
+
+/// {t : plane(u + t way) + raised < 0 for all planes}. A plane whose slope along the line is not more than `level` ends
+/// nothing; there it is only asked whether it is negative at u.
+__attribute__((always_inline)) inline LineStretch scan_line_inline(const PlaneBlock* blocks, std::size_t count,
+                                                                   const Vector& u, const Vector& way, double raised,
+                                                                   double level) {
+  const Lanes zero{}, x = zero + u.x, y = zero + u.y, z = zero + u.z;
+  const Lanes infinite = zero + std::numeric_limits<double>::infinity();
+  Lanes from = -infinite, to = infinite;
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto* row = reinterpret_cast<const StoredLanes*>(blocks + b);
+    const Lanes slope = (row[0] * way.x + row[1] * way.y) + row[2] * way.z;
+    const Lanes value = (((row[0] * x + row[1] * y) + row[2] * z) + row[3]) + raised;
+    const Lanes end = -value / slope;
+    const LaneIndex rises = slope > level, falls = slope < -level;
+    const Lanes upper = rises ? end : infinite, lower = falls ? end : -infinite;
+    to = upper < to ? upper : to;
+    from = lower > from ? lower : from;
+    const LaneIndex outside = ~(rises | falls) & (value >= zero);
+    from = outside ? infinite : from;
+  }
+  LineStretch result{from[0], to[0]};
+  for (int k = 1; k < 8; ++k) {
+    result.from = from[k] > result.from ? from[k] : result.from;
+    result.to = to[k] < result.to ? to[k] : result.to;
+  }
+  return result;
+}
+
 /// Kinds of vector registers, narrowest first.
 enum class VectorUnit { kPlain, kAvx2, kAvx512 };
 
@@ -72,7 +105,13 @@ std::vector<VectorUnit> vector_units();
 /// The highest of 8 * count planes at u, and which it is (the first of equals); by the machine's widest registers.
 Highest scan_planes(const PlaneBlock* blocks, std::size_t count, const Vector& u);
 
+/// See scan_line_inline; by the machine's widest registers.
+LineStretch scan_line(const PlaneBlock* blocks, std::size_t count, const Vector& u, const Vector& way, double raised,
+                      double level);
+
 /// The same by the registers of one kind, which must be one of vector_units().
 Highest scan_planes_on(VectorUnit unit, const PlaneBlock* blocks, std::size_t count, const Vector& u);
+LineStretch scan_line_on(VectorUnit unit, const PlaneBlock* blocks, std::size_t count, const Vector& u,
+                         const Vector& way, double raised, double level);
 
 }  // namespace findspace::space

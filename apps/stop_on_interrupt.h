@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// While it lives Ctrl-C and a polite end of the process end the search, and the best result is kept.
+#pragma once
+
+#include <signal.h>
+
+#include <atomic>
+
+namespace findspace::app {
+
+class StopOnInterrupt {
+ public:
+  StopOnInterrupt();
+  ~StopOnInterrupt();
+  StopOnInterrupt(const StopOnInterrupt&) = delete;
+  StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+
+  /// Becomes true when an end is asked for.
+  static const std::atomic<bool>& wanted();
+
+ private:
+  struct sigaction interrupt_ {
+  }, terminate_{};
+};
+
+}  // namespace findspace::app

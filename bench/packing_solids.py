@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Heights of `findspace pack` on the data sets of solids, beside those of sparrow-3d, as a table in Markdown.
+
+usage: packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S | --work N] [--seeds N] [--threads N] [INSTANCE...]
+
+FOLDER holds stoyan2004, stoyan2005, egeblad2009 and liu2015 (default: ../shared/data/3d beside the repository). The
+figures of sparrow-3d are the mean and the best of 15 seeds of ten minutes with 4 workers. "processor" is the time that
+the machine gave the program in the mean: other work on the machine takes from it. "first" is the time of the first
+layout. Evaluations are boxes and planes looked at, of one island, where --work limits them."""
+import argparse
+import os
+import re
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SPARROW = {"stoyan2004/Example1": (51.54, 50.37), "stoyan2004/Example2": (29.00, 29.00),
+           "stoyan2004/Example3": (40.07, 38.67), "stoyan2004/Example4": (54.21, 52.00),
+           "stoyan2004/Example5": (68.02, 65.10), "stoyan2005/Example1": (17.46, 17.46),
+           "stoyan2005/Example2": (19.00, 19.00), "stoyan2005/Example3": (27.52, 26.87),
+           "egeblad2009/Merged1": (16.55, 16.16), "egeblad2009/Merged2": (20.97, 20.38),
+           "egeblad2009/Merged3": (22.00, 22.00), "egeblad2009/Merged4": (23.84, 23.01),
+           "egeblad2009/Merged5": (26.14, 24.64), "liu2015/Experiment1": (30.55, 30.15)}
+NOTE = re.compile(r"([\d.]+) s +processor +([\d.]+) s +height ([\d.]+)")
+
+
+def run(arguments, name, seed):
+    """(seconds, processor seconds, height) of every better layout, the processor time of all, and the lower bound."""
+    limit = ["--work", str(arguments.work)] if arguments.work else ["--time-limit", str(arguments.seconds)]
+    before = os.times()
+    done = subprocess.run([arguments.executable, "pack", os.path.join(arguments.data, name + ".json"), *limit, "--threads",
+                           str(arguments.threads), "--seed", str(seed)], capture_output=True, text=True, check=False)
+    after = os.times()
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    points = [(float(s), float(p), float(h)) for s, p, h in NOTE.findall(done.stderr)]
+    bound = re.search(r"no layout is lower(?: than ([\d.]+))?", done.stdout).group(1)
+    return points, after.children_user - before.children_user, bound or "reached"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("executable")
+    parser.add_argument("instances", nargs="*")
+    parser.add_argument("--data", default=os.path.join(HERE, "..", "..", "shared", "data", "3d"))
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--work", type=float, default=0)
+    parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--threads", type=int, default=2)
+    arguments = parser.parse_args()
+    print("| instance | mean | best | sparrow-3d mean | best | lower bound | first, s | last gain, s | processor, s |\n"
+          "|---|---|---|---|---|---|---|---|---|")
+    for name in arguments.instances or SPARROW:
+        runs = [run(arguments, name, seed) for seed in range(1, arguments.seeds + 1)]
+        heights = [points[-1][2] for points, _, _ in runs]
+        mean, best = SPARROW.get(name, ("", ""))
+        print(f"| {name} | {sum(heights) / len(heights):.3f} | {min(heights):.3f} | {mean} | {best} | {runs[0][2]} | "
+              f"{max(points[0][0] for points, _, _ in runs):.2f} | {max(points[-1][0] for points, _, _ in runs):.1f} | "
+              f"{sum(used for _, used, _ in runs) / len(runs):.0f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "io/nesting/read_solids.h"
+
+#include <findspace/error.h>
+
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "io/mesh/read_mesh.h"
+#include "io/nesting/nesting_json.h"
+#include "io/scene/scene_shapes.h"
+#include "io/text/file_kind.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::io {
+namespace {
+
+using packing::Fraction;
+using Kind = JsonValue::Kind;
+
+constexpr int kMostDigits = 9;
+
+/// "Stoyan et al. 2005" as a folder of the data sets is named: "stoyan2005".
+std::string short_folder(const std::string& words) {
+  std::string first, year;
+  for (std::size_t i = 0; i < words.size() && std::isalpha(static_cast<unsigned char>(words[i])) != 0; ++i)
+    first += char(std::tolower(static_cast<unsigned char>(words[i])));
+  for (const char c : words)
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0) year += c;
+  return first + year;
+}
+
+/// The file of an item: at its path from the folder of the problem; or, as the data sets have it, where the first
+/// folder of the path is that of the problem, or one beside it or above, by its short name.
+std::filesystem::path found_file(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  if (path.is_absolute() || std::filesystem::exists(folder / path) || path.begin() == path.end()) return folder / path;
+  const std::string first = path.begin()->string();
+  std::filesystem::path rest;
+  for (auto part = std::next(path.begin()); part != path.end(); ++part) rest /= *part;
+  if (rest.empty()) return folder / path;
+  if (std::filesystem::exists(folder / rest)) return folder / rest;
+  for (const char* above : {"..", "../.."}) {
+    const std::filesystem::path other = folder / above / short_folder(first) / rest;
+    if (std::filesystem::exists(other)) return other;
+  }
+  return folder / path;
+}
+
+class SolidReader : private NestingJson {
+ public:
+  SolidReader(const std::string& text, const std::string& name, const ReadOptions& options)
+      : NestingJson(text, name), options_(options), size_(text.size()) {}
+
+  SolidProblemRead problem(const NestingWishes& wishes) {
+    ReadContext context(options_);
+    context.folder = std::filesystem::path(name()).parent_path();
+    context.take_bytes(size_, name());
+    const int digits = digits_needed(context);
+    context.grid = grid_of(digits);
+    SolidProblemRead result = read(context, wishes);
+    result.problem.digits = digits;
+    for (packing::SolidPart& part : result.problem.parts) part = body_of(std::move(part));
+    packing::check(result.problem, name());
+    return result;
+  }
+
+  packing::SolidLayout layout(const packing::SolidProblem& problem) const {
+    const JsonValue& body = need(tree(), "layout");
+    packing::SolidLayout result;
+    result.height = number(need(body, "height"));
+    for (const JsonValue& item : list(need(body, "items")).items) {
+      packing::SolidPlaced& placed = result.items.emplace_back();
+      placed.part = index_of(need(item, "part"), problem.parts, "part");
+      if (const JsonValue* copy = item.find("copy")) placed.copy = whole(*copy);
+      const JsonValue& at = list(need(item, "at"));
+      if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
+      for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
+    }
+    return result;
+  }
+
+ private:
+  static Grid grid_of(int digits) { return Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits))); }
+
+  /// Of all numbers of shapes, and of all vertices in files, which are read on the way.
+  int digits_needed(ReadContext& context) {
+    int digits = 0;
+    if (const JsonValue* named = tree().find("shapes")) digits = digits_in(*named);
+    for (const JsonValue& item : list(need(tree(), "item-types")).items) {
+      need(item, "demand");  // an object
+      if (const JsonValue* shape = item.find("shape")) digits = std::max(digits, digits_in(*shape));
+      if (const JsonValue* path = item.find("path")) digits = std::max(digits, digits_of_file(*path, context));
+    }
+    return digits;
+  }
+
+  int digits_in(const JsonValue& value) const {
+    int digits = 0;
+    if (value.is(Kind::kNumber)) {
+      const Fraction n = number(value);
+      while (digits < kMostDigits && packing::power_of_ten(digits) % n.denominator() != 0) ++digits;
+    }
+    for (const JsonValue& item : value.items) digits = std::max(digits, digits_in(item));
+    return digits;
+  }
+
+  int digits_of_file(const JsonValue& path, ReadContext& context) {
+    if (!path.is(Kind::kString)) fail(path, fmt::format("a path is meant, not {}", path.kind_name()));
+    const std::filesystem::path file = found_file(context.folder, path.text);
+    auto known = files_.find(path.text);
+    if (known == files_.end()) known = files_.emplace(path.text, File{file, context.take_file(file)}).first;
+    int digits = 0;
+    for (; digits < kMostDigits; ++digits) {
+      ReadContext trial(options_);
+      trial.grid = grid_of(digits);
+      vertices_and_faces(known->second, trial);
+      if (trial.rounding.points == 0) break;
+    }
+    return digits;
+  }
+
+  struct File {
+    std::filesystem::path path;
+    std::string bytes;
+  };
+
+  static space::Mesh vertices_and_faces(const File& file, ReadContext& context) {
+    try {
+      const std::string ending = lower_ending(file.path.extension().string());
+      require_kind(file.bytes, ending, file.path.string());
+      return parse_mesh(file.bytes, ending, context, [](const auto&) { return exact::Real(1); });
+    } catch (const Error& e) {
+      throw e.within(file.path.string());
+    }
+  }
+
+  SolidProblemRead read(ReadContext& context, const NestingWishes& wishes) {
+    SolidProblemRead result;
+    packing::SolidProblem& problem = result.problem;
+    if (const JsonValue* named = tree().find("name")) problem.name = named->text;
+    const JsonValue& container = need(tree(), "container");
+    problem.width = number(need(container, "size-x"));
+    problem.depth = number(need(container, "size-y"));
+    problem.gap = wishes.gap;
+    problem.edge = wishes.edge;
+    const SceneReader json(name(), context);
+    JsonValue none;
+    none.kind = Kind::kObject;
+    const JsonValue* named = tree().find("shapes");
+    ShapeReader shapes(json, named != nullptr ? *named : none);
+    for (const JsonValue& item : list(need(tree(), "item-types")).items) {
+      problem.parts.push_back(part(item, shapes, context));
+      const std::string& own = problem.parts.back().name;
+      const auto same = [&](const packing::SolidPart& other) { return other.name == own; };
+      if (std::count_if(problem.parts.begin(), problem.parts.end(), same) > 1)
+        fail(item, fmt::format("there are two items '{}': give them an 'id'", own));
+    }
+    result.notes = context.summary();
+    return result;
+  }
+
+  packing::SolidPart part(const JsonValue& item, ShapeReader& shapes, ReadContext& context) {
+    packing::SolidPart result;
+    result.demand = whole(need(item, "demand"));
+    const JsonValue *id = item.find("id"), *path = item.find("path"), *shape = item.find("shape");
+    if ((path != nullptr) + (shape != nullptr) != 1) fail(item, "an item has either a 'path' or a 'shape'");
+    if (path != nullptr) {
+      result.name = std::filesystem::path(path->text).stem().string();
+      shapes_.push_back(from_file(*path, context));
+    } else {
+      const Label label{nullptr, "item", id != nullptr ? std::string_view(id->text) : std::string_view()};
+      shapes_.push_back(shapes.shape(*shape, label));
+      result.name = shape->is(Kind::kString) ? shape->text : "";
+    }
+    if (id != nullptr) result.name = id->text;
+    if (result.name.empty()) fail(item, "an item without a file needs an 'id'");
+    places_.push_back(place(item));
+    return result;
+  }
+
+  plane::ShapePtr from_file(const JsonValue& path, ReadContext& context) const {
+    const File& file = files_.at(path.text);
+    space::Solid solid;
+    solid.form = space::Solid::Form::kMesh;
+    solid.mesh = vertices_and_faces(file, context);
+    const std::string name = file.path.filename().string();
+    try {
+      const space::Mesh raw = solid.mesh;
+      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size(), slit_of(raw)))
+        context.notes.push_back(fmt::format("{}: {}", name, note));
+      take_loose_vertices(raw, solid, name, context);
+      plane::Shape shape;
+      shape.solid = std::make_shared<const space::Solid>(std::move(solid));
+      return share(std::move(shape));
+    } catch (const Error& e) {
+      throw e.within(file.path.string());
+    }
+  }
+
+  /// How wide slits can be that stem from rounded vertices: some steps, if the mesh has many.
+  static std::int64_t slit_of(const space::Mesh& mesh) {
+    constexpr std::int64_t kSteps = 16, kPartOfSize = std::int64_t{1} << 20;
+    std::int64_t most = 0;
+    for (const space::Point& p : mesh.vertices) most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return std::min(kSteps, most / kPartOfSize);
+  }
+
+  /// A convex surface that leaves out some of its file's vertices stands for the hull of all of them.
+  static void take_loose_vertices(const space::Mesh& raw, space::Solid& solid, const std::string& file,
+                                  ReadContext& context) {
+    std::vector<char> used(raw.vertices.size());
+    for (const std::vector<int>& face : raw.faces)
+      for (const int v : face) used[std::size_t(v)] = 1;
+    const auto loose = std::count(used.begin(), used.end(), 0);
+    if (loose == 0 || !space::is_convex(solid.mesh)) return;
+    solid.form = space::Solid::Form::kPolytope;
+    solid.mesh = raw;
+    context.notes.push_back(
+        fmt::format("{}: {} vertices belong to no face; the convex hull of all is taken", file, loose));
+  }
+
+  /// The convex parts of the shape that was read with the part.
+  packing::SolidPart body_of(packing::SolidPart part) {
+    const plane::Shape& shape = *shapes_[next_];
+    const std::string& at = places_[next_];
+    ++next_;
+    try {
+      part.body = space::body(shape);
+      const auto is_solid = [](const space::BodyPart& piece) { return piece.core && piece.radius.sign() == 0; };
+      if (part.body.outside || !std::all_of(part.body.parts.begin(), part.body.parts.end(), is_solid))
+        throw Error(ErrorCode::kUnsupported,
+                    "pack takes bounded solids with flat faces; this one is round or unbounded");
+      part.disjoint = part.body.parts.size() == 1 || shape.solid != nullptr;
+      if (shape.solid != nullptr && part.body.parts.size() > 1) part.surface = space::ray_solids(shape);
+      if (!part.is_exact() && part.surface.empty())
+        throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
+    } catch (const Error& e) {
+      throw e.within(fmt::format("item '{}' ({})", part.name, at));
+    }
+    return part;
+  }
+
+  const ReadOptions& options_;
+  std::size_t size_;
+  std::map<std::string, File> files_;
+  std::vector<plane::ShapePtr> shapes_;
+  std::vector<std::string> places_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+bool is_solid_problem(const std::string& text, const std::string& name) {
+  const NestingJson json(text, name);
+  return json.tree().find("container") != nullptr && json.tree().find("item-types") != nullptr;
+}
+
+SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingWishes& wishes,
+                             const ReadOptions& options) {
+  return SolidReader(text, name, options).problem(wishes);
+}
+
+packing::SolidLayout read_solid_layout(const std::string& text, const std::string& name,
+                                       const packing::SolidProblem& problem) {
+  return SolidReader(text, name, {}).layout(problem);
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Layouts of solids as files: JSON with exact numbers, which read_solid_layout reads back; one surface of all items for
+// mesh formats; a picture. Faults of a layout as sentences.
+#pragma once
+
+#include <string>
+
+#include "io/mesh/write_mesh.h"
+#include "io/nesting/write_layout.h"
+#include "packing/solid_proof/verify_solids.h"
+
+namespace findspace::io {
+
+std::string layout_json(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
+                        const LayoutFacts& facts);
+/// The convex parts of all items, in units; the labels are the items' names.
+Surface layout_surface(const packing::SolidProblem& problem, const packing::SolidLayout& layout);
+/// A view from above, with the container.
+std::string layout_svg(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
+                       const LayoutFacts& facts);
+
+/// "bracket#3"
+std::string item_name(const packing::SolidProblem& problem, const packing::SolidLayout& layout, std::size_t item);
+std::string fault_text(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
+                       const packing::SolidFault& fault);
+
+}  // namespace findspace::io

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Islands that search side by side, and the limits of a search. After rounds of the same work they meet, and those that
+// are behind go on from the best layout. Guarantee: without a limit of time the result depends on the seed and the
+// number of islands only. Keywords: island model, parallel search.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "packing/search/island.h"
+#include "plane/base/parallel.h"
+
+namespace findspace::packing {
+
+/// When a search is over. Times are in seconds, work is that of an island.
+class SearchLimits {
+ public:
+  /// 0: no limit. `stop` must live as long.
+  SearchLimits(double seconds, double work, const std::atomic<bool>& stop)
+      : most_seconds_(seconds), most_work_(work), stop_(stop) {}
+
+  bool is_limited() const { return most_seconds_ > 0 || most_work_ > 0; }
+  bool is_stopped() const { return stop_; }
+  bool is_out_of_time() const { return stop_ || (most_seconds_ > 0 && seconds() >= most_seconds_); }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  /// How much of the search is over, from 0 to 1.
+  double progress(double work) const {
+    return std::max(most_seconds_ > 0 ? seconds() / most_seconds_ : 0, most_work_ > 0 ? work / most_work_ : 0);
+  }
+  /// Without limits: when no better layout has come for a while.
+  bool is_over(double work, double better_at) const {
+    if (stop_) return true;
+    if (is_limited()) return progress(work) >= 1;
+    return seconds() - better_at > kLeastWaiting + kWaiting * better_at;
+  }
+
+ private:
+  static constexpr double kLeastWaiting = 30;
+  static constexpr double kWaiting = 0.5;  // of the time so far
+
+  double most_seconds_, most_work_;
+  const std::atomic<bool>& stop_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+template <class Kit>
+class IslandTeam {
+ public:
+  using Found = typename IslandOf<Kit>::Found;
+
+  /// The table and the row must live as long.
+  void settle(const typename Kit::Table& table, const typename Kit::Row& row, const Found& start, std::uint64_t seed,
+              std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k)
+      islands_.push_back(std::make_unique<IslandOf<Kit>>(table, row, start, seed * 1000003 + k));
+  }
+
+  /// All islands work up to the same amount; time and a wish to stop end it anywhere. The best layout, which those that
+  /// are behind go on from.
+  const Found& round(std::uint64_t until, const SearchLimits& limits) {
+    plane::parallel_for(islands_.size(), [&](std::size_t k) {
+      IslandOf<Kit>& island = *islands_[k];
+      while (island.work() < until && !limits.is_out_of_time()) island.step(limits.progress(double(island.work())));
+    });
+    const auto shorter = [](const auto& a, const auto& b) { return a->best().length < b->best().length; };
+    const IslandOf<Kit>& best = **std::min_element(islands_.begin(), islands_.end(), shorter);
+    for (const auto& island : islands_)
+      if (island->best().length > best.best().length) island->adopt(best.best());
+    return best.best();
+  }
+
+  /// Left in the separations under way.
+  double overlap() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& island : islands_) least = std::min(least, island->overlap());
+    return least;
+  }
+
+ private:
+  std::vector<std::unique_ptr<IslandOf<Kit>>> islands_;
+};
+
+}  // namespace findspace::packing

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/solid_moves/solid_finish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "exact/margins/packing.h"
+#include "packing/solid_moves/solid_linear_moves.h"
+#include "packing/solid_proof/verify_solids.h"
+
+namespace findspace::packing {
+namespace {
+
+constexpr double kSolidSnap = 8;  // fine steps
+/// Gaps in steps of the fine grid, and whether contacts along an axis stay.
+constexpr std::pair<double, bool> kSolidLoosenings[] = {{0, true},   {4, true},   {4, false},   {32, true},
+                                                        {32, false}, {512, true}, {4096, false}};
+
+class SolidFinisher {
+ public:
+  SolidFinisher(const SolidProblem& problem, const SolidTable& table) : problem_(problem), table_(table) {
+    while (double(power_of_ten(digits_)) * table.size() * margin::kLayoutGrid < 1) ++digits_;
+    digits_ = std::max(digits_, std::min(problem.digits, digits_ + 2));
+    for (const SolidPart& part : problem.parts) boxes_.push_back(box_of(problem, part));
+  }
+
+  double step() const { return 1 / double(power_of_ten(digits_)); }
+
+  SolidLayout rounded(const std::vector<SolidPose>& poses, double snap) const {
+    SolidLayout layout;
+    std::vector<int> copies(problem_.parts.size());
+    for (const SolidPose& pose : poses) {
+      const std::size_t part = table_.variants()[pose.variant].part;
+      SolidPlaced& item = layout.items.emplace_back(SolidPlaced{part, ++copies[part], {}});
+      const SolidBox& box = boxes_[part];
+      const double edge = table_.edge(), at[] = {pose.at.x + edge, pose.at.y + edge, pose.at.z + edge};
+      for (std::size_t k = 0; k < 3; ++k) {
+        int128 place = nearest(at[k], snap);
+        if (k < 2)
+          place = std::min(place, below((k == 0 ? problem_.width : problem_.depth) - problem_.edge - box.high[k]));
+        item.at[k] = Fraction(std::max(place, -below(box.low[k] - problem_.edge)), power_of_ten(digits_));
+      }
+      layout.height = std::max(layout.height, item.at[2] + box.high[2] + problem_.edge);
+    }
+    return layout;
+  }
+
+ private:
+  /// A coordinate on the fine grid; next to a coarse one it goes there, where stacks without clearance stand.
+  int128 nearest(double value, double snap) const {
+    const int128 fine = int128(std::llround(value * double(power_of_ten(digits_))));
+    if (snap == 0 || problem_.digits > digits_) return fine;
+    const double steps = double(problem_.steps()), own = std::round(value * steps) / steps;
+    return std::abs(own - value) <= snap * step() ? nearest(own, 0) : fine;
+  }
+  /// The greatest step that is not above the value.
+  int128 below(const Fraction& value) const {
+    const int128 scaled = bounded_product(value.numerator(), power_of_ten(digits_)), d = value.denominator();
+    return scaled >= 0 ? scaled / d : -((-scaled + d - 1) / d);
+  }
+
+  const SolidProblem& problem_;
+  const SolidTable& table_;
+  std::vector<SolidBox> boxes_;
+  int digits_ = 0;
+};
+
+}  // namespace
+
+std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
+                                    const std::vector<SolidPose>& poses, double height) {
+  const SolidFinisher finisher(problem, table);
+  const SolidColumn column(table);
+  for (const auto& [steps, keep_contacts] : kSolidLoosenings) {
+    std::vector<SolidPose> moved = poses;
+    if (steps > 0) SolidLinearMoves(table, column).loosen(moved, height, steps * finisher.step(), keep_contacts);
+    SolidLayout layout = finisher.rounded(moved, kSolidSnap + 2 * steps);
+    if (verify(problem, layout).is_feasible()) return layout;
+  }
+  return std::nullopt;
+}
+
+SolidLayout tower_of(const SolidProblem& problem) {
+  SolidLayout layout;
+  Fraction z = problem.edge;
+  for (std::size_t part = 0; part < problem.parts.size(); ++part) {
+    const SolidBox box = box_of(problem, problem.parts[part]);
+    for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
+      layout.items.push_back({part, copy, {problem.edge - box.low[0], problem.edge - box.low[1], z - box.low[2]}});
+      const Fraction top = z + box.high[2] - box.low[2];
+      layout.height = top + problem.edge;
+      z = top + problem.gap;
+    }
+  }
+  return layout;
+}
+
+std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout) {
+  std::vector<SolidPose> poses;
+  const double edge = table.edge();
+  for (const SolidPlaced& item : layout.items)
+    poses.push_back(
+        {item.part, {item.at[0].to_double() - edge, item.at[1].to_double() - edge, item.at[2].to_double() - edge}});
+  return poses;
+}
+
+}  // namespace findspace::packing

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A layout of solids in doubles made into one that is proved, as finish.h does in the plane: parts are moved apart by
+// some steps of a fine grid where that costs nearly nothing, put onto the grid, and verified exactly. Contacts along an
+// axis stay contacts. Guarantee: what is returned is feasible by exact predicates. Cost: at most seven linear programs
+// and verifications.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "packing/solid_phi/solid_table.h"
+
+namespace findspace::packing {
+
+/// Nothing where the overlaps of the layout are too deep for that.
+std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
+                                    const std::vector<SolidPose>& poses, double height);
+
+/// The boxes of the parts upon each other: always feasible.
+SolidLayout tower_of(const SolidProblem& problem);
+
+/// The poses of a layout, in its order.
+std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout);
+
+}  // namespace findspace::packing

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/solid_phi/solid_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "exact/margins/packing.h"
+#include "space/phi/contact_surface.h"
+
+namespace findspace::packing {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+Vector least(const Vector& a, const Vector& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vector most(const Vector& a, const Vector& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+
+/// The planes of A - B in units, the gap farther out; `step` of the common grid.
+void add_planes(const space::ContactSurface& surface, double step, double gap, ConvexOverlap& overlap,
+                std::vector<space::PlaneBlock>& blocks) {
+  std::vector<Vector> normals;
+  std::vector<double> offsets;
+  for (int f = 0; f < surface.facet_count(); ++f) {
+    const space::Plane& plane = surface.raw_plane(f);
+    const Vector n = exact::approx(plane.normal);
+    const double size = space::length(n);
+    normals.push_back((1 / size) * n);
+    offsets.push_back(double(plane.offset) / size * step - gap);
+  }
+  overlap.low = {kFar, kFar, kFar};
+  overlap.high = {-kFar, -kFar, -kFar};
+  for (const space::Point& p : surface.vertices()) {
+    const Vector v = step * exact::approx(p);
+    overlap.low = least(overlap.low, v);
+    overlap.high = most(overlap.high, v);
+  }
+  overlap.low = overlap.low - Vector{gap, gap, gap};
+  overlap.high = overlap.high + Vector{gap, gap, gap};
+  const std::vector<space::PlaneBlock> packed = space::pack_planes(normals, offsets);
+  blocks.insert(blocks.end(), packed.begin(), packed.end());
+}
+
+/// Convex parts on a common grid, and its steps in a unit; rounded where their exact one is out of range.
+struct CommonParts {
+  std::vector<space::Polytope> first, second;
+  double steps;
+};
+
+std::vector<space::Polytope> rounded_parts(const space::Body& body, double factor) {
+  std::vector<space::Polytope> result;
+  for (const space::BodyPart& part : body.parts) {
+    std::vector<space::Point> points;
+    for (const space::Point& p : part.vertices())
+      points.push_back(
+          {std::llround(double(p.x) * factor), std::llround(double(p.y) * factor), std::llround(double(p.z) * factor)});
+    if (auto hull = space::Polytope::try_hull(points)) result.push_back(std::move(*hull));
+  }
+  return result;
+}
+
+double farthest(const space::Body& body) {
+  double most = 1;
+  for (const space::BodyPart& part : body.parts)
+    for (const space::Point& p : part.vertices())
+      most = std::max({most, std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
+  return most / double(body.scale);
+}
+
+CommonParts common_parts(const space::Body& a, const space::Body& b, double steps) {
+  const auto parts_of = [](const space::Body& body) {
+    std::vector<space::Polytope> result;
+    for (const space::BodyPart& part : body.parts) result.push_back(*part.core);
+    return result;
+  };
+  if (const auto scale = common_scale(a, b))
+    return {parts_of(space::at_scale(a, *scale)), parts_of(space::at_scale(b, *scale)), steps * double(*scale)};
+  const double scale = double(space::kCoordinateLimit / 4) / std::max(farthest(a), farthest(b));
+  return {rounded_parts(a, scale / double(a.scale)), rounded_parts(b, scale / double(b.scale)), steps * scale};
+}
+
+}  // namespace
+
+double ConvexOverlap::depth(const Vector& u) const {
+  if (!may_hold(u)) return 0;
+  const double value = highest(u).value;
+  return value < 0 ? -value : 0;
+}
+
+space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
+  return space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
+}
+
+double SolidPair::depth(const Vector& u, double shallow) const {
+  if (!may_hold(u)) return 0;
+  double sum = 0;
+  for (const ConvexOverlap& overlap : overlaps)
+    if (const double depth = overlap.depth(u); depth > shallow) sum += depth;
+  return sum;
+}
+
+SolidTable::SolidTable(const SolidProblem& problem)
+    : problem_(problem),
+      width_((problem.width - problem.edge - problem.edge).to_double()),
+      depth_((problem.depth - problem.edge - problem.edge).to_double()),
+      gap_(problem.gap.to_double()),
+      edge_(problem.edge.to_double()) {
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    const SolidBox box = box_of(problem, problem.parts[p]);
+    const auto vector = [](const std::array<Fraction, 3>& v) {
+      return Vector{v[0].to_double(), v[1].to_double(), v[2].to_double()};
+    };
+    variants_.push_back({p, vector(box.low), vector(box.high)});
+    if (problem.parts[p].demand > 0) tallest_ = std::max(tallest_, variants_[p].high.z - variants_[p].low.z);
+  }
+  pairs_ = std::vector<std::atomic<const SolidPair*>>(variants_.size() * variants_.size());
+}
+
+const SolidPair& SolidTable::make(std::size_t a, std::size_t b) const {
+  const space::Body &first = problem_.parts[variants_[a].part].body, &second = problem_.parts[variants_[b].part].body;
+  auto pair = std::make_unique<SolidPair>();
+  const CommonParts common = common_parts(first, second, double(problem_.steps()));
+  std::vector<std::size_t> begins;
+  pair->low = {kFar, kFar, kFar};
+  pair->high = {-kFar, -kFar, -kFar};
+  for (const space::Polytope& p : common.first)
+    for (const space::Polytope& q : common.second) {
+      begins.push_back(pair->blocks_.size());
+      ConvexOverlap& overlap = pair->overlaps.emplace_back();
+      add_planes(space::ContactSurface(p, q), 1 / common.steps, gap_, overlap, pair->blocks_);
+      pair->low = least(pair->low, overlap.low);
+      pair->high = most(pair->high, overlap.high);
+    }
+  begins.push_back(pair->blocks_.size());
+  for (std::size_t k = 0; k < pair->overlaps.size(); ++k)
+    pair->overlaps[k].planes = std::span(pair->blocks_).subspan(begins[k], begins[k + 1] - begins[k]);
+  const std::lock_guard lock(guard_);
+  std::atomic<const SolidPair*>& known = pairs_[a * variants_.size() + b];
+  if (const SolidPair* other = known.load(std::memory_order_acquire)) return *other;
+  made_.push_back(std::move(pair));
+  known.store(made_.back().get(), std::memory_order_release);
+  return *made_.back();
+}
+
+}  // namespace findspace::packing

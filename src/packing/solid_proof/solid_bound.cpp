@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/solid_proof/solid_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::packing {
+namespace {
+
+/// Six times the volume in front of the origin of a face's fan of triangles.
+exact::Real six_volumes_of(const std::vector<space::Point>& ring) {
+  exact::Real sum;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k)
+    sum += exact::Real(exact::dot(exact::cross(ring[k] - ring[0], ring[k + 1] - ring[0]), ring[0]));
+  return sum;
+}
+
+exact::Real six_volumes_of(const space::Polytope& polytope) {
+  exact::Real sum;
+  for (int f = 0; f < polytope.facet_count(); ++f) {
+    std::vector<space::Point> ring;
+    for (const int v : polytope.circuit(f))
+      ring.push_back(polytope.vertices()[std::size_t(v)] - polytope.vertices()[0]);
+    sum += six_volumes_of(ring);
+  }
+  return sum;
+}
+
+/// Of a part, in cubic units.
+exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
+  exact::Real sum, most, steps(problem.steps());
+  if (!part.is_exact()) {
+    for (const space::RaySolid& solid : part.surface)
+      for (const auto& face : solid.surface.faces) {
+        const auto& points = solid.surface.points;
+        sum += six_volumes_of({points[std::size_t(face[0])] - points[0], points[std::size_t(face[1])] - points[0],
+                               points[std::size_t(face[2])] - points[0]});
+      }
+    return sum / (exact::Real(6) * steps * steps * steps);
+  }
+  steps = steps * exact::Real(part.body.scale);
+  for (const space::BodyPart& piece : part.body.parts) {
+    const exact::Real volume = six_volumes_of(*piece.core);
+    sum += volume;
+    if (most < volume) most = volume;
+  }
+  return (part.disjoint ? sum : most) / (exact::Real(6) * steps * steps * steps);
+}
+
+/// The greatest decimal of nine digits that is not above the value, or the one below it.
+Fraction rounded_down(const exact::Real& value) {
+  constexpr std::int64_t kDecimals = 1000000000;
+  const std::int64_t nearest = std::llround(value.to_double() * double(kDecimals));
+  const bool above = exact::Real::ratio(nearest, kDecimals) > value;
+  return Fraction(nearest - (above ? 1 : 0), kDecimals);
+}
+
+}  // namespace
+
+Fraction lower_bound(const SolidProblem& problem) {
+  Fraction tallest;
+  exact::Real sum;
+  for (const SolidPart& part : problem.parts) {
+    if (part.demand == 0) continue;
+    const SolidBox box = box_of(problem, part);
+    tallest = std::max(tallest, box.high[2] - box.low[2]);
+    sum += exact::Real(part.demand) * least_volume(problem, part);
+  }
+  const Fraction width = problem.width - problem.edge - problem.edge,
+                 depth = problem.depth - problem.edge - problem.edge;
+  const Fraction by_volume = rounded_down(sum / (in_steps(width, 1) * in_steps(depth, 1)));
+  return std::max(tallest, by_volume) + problem.edge + problem.edge;
+}
+
+}  // namespace findspace::packing

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/solid_proof/solid_pair_proof.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace findspace::packing {
+namespace {
+
+std::vector<space::Polytope> polytopes_of(const space::Body& body, std::int64_t scale) {
+  std::vector<space::Polytope> result;
+  for (const space::BodyPart& part : space::at_scale(body, scale).parts) result.push_back(*part.core);
+  return result;
+}
+
+std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidPart& part, std::int64_t scale) {
+  auto set = std::make_shared<space::SurfaceSet>();
+  const bool in_range = part.surface.empty() ? set->add(part.body, scale) : set->add(part.surface, scale);
+  if (!in_range)
+    throw Error(ErrorCode::kOutOfRange, fmt::format("'{}' has too many digits to be proved exactly", part.name));
+  return set;
+}
+
+}  // namespace
+
+SolidPairProof::SolidPairProof(const SolidProblem& problem, const SolidPart& a, const SolidPart& b) {
+  const std::optional<std::int64_t> common = common_scale(a.body, b.body);
+  if (a.is_exact() && b.is_exact() && common) {
+    steps_ = bounded_product(problem.steps(), *common);
+    phi_.emplace(polytopes_of(a.body, *common), polytopes_of(b.body, *common));
+    return;
+  }
+  const auto scale_of = [](const SolidPart& part) { return part.surface.empty() ? part.body.scale : 1; };
+  const std::int64_t scale = std::lcm(scale_of(a), scale_of(b));
+  steps_ = bounded_product(problem.steps(), scale);
+  gaps_.emplace(surfaces_of(a, scale), surfaces_of(b, scale));
+}
+
+space::RealVector SolidPairProof::in_steps(const std::array<Fraction, 3>& u) const {
+  return {packing::in_steps(u[0], steps_), packing::in_steps(u[1], steps_), packing::in_steps(u[2], steps_)};
+}
+
+bool SolidPairProof::interiors_meet(const std::array<Fraction, 3>& u) const {
+  if (gaps_) return gaps_->relation(in_steps(u)) != space::SurfaceGaps::Relation::kApart;
+  return phi_->sign_at(in_steps(u)) < 0;
+}
+
+bool SolidPairProof::is_nearer(const std::array<Fraction, 3>& u, const Fraction& gap) const {
+  const space::RealVector at = in_steps(u);
+  const exact::Real least = packing::in_steps(gap, steps_);
+  if (gaps_) return gaps_->gap(at, gaps_->near(at)).value < least;
+  return phi_->squared_distance(at) < least * least;
+}
+
+double SolidPairProof::depth(const std::array<Fraction, 3>& u) const {
+  if (!phi_) return 0;
+  return std::max(0.0, -phi_->max_form(space::rounded(in_steps(u))) / double(steps_));
+}
+
+}  // namespace findspace::packing

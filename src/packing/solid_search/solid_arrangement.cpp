@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "packing/solid_search/solid_arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "exact/margins/packing.h"
+#include "packing/search/weights.h"
+
+namespace findspace::packing {
+
+SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn&, std::vector<SolidPose> poses,
+                                   double height)
+    : table_(table),
+      poses_(std::move(poses)),
+      height_(height),
+      shallow_(table.size() * margin::kNoOverlap),
+      slack_(std::max(height, table.size()) * margin::kBoxRounding),
+      boxes_(poses_.size()),
+      depths_(poses_.size()) {
+  reset_weights();
+  set_length(height);
+}
+
+Vector SolidArrangement::inside(std::size_t variant, const Vector& at) const {
+  const SolidVariant& v = table_.variants()[variant];
+  return {std::max(-v.low.x, std::min(at.x, table_.width() - v.high.x)),
+          std::max(-v.low.y, std::min(at.y, table_.depth() - v.high.y)),
+          std::max(-v.low.z, std::min(at.z, height_ - v.high.z))};
+}
+
+Vector SolidArrangement::random_position(std::size_t variant, Random& random) const {
+  const SolidVariant& v = table_.variants()[variant];
+  const double x = random.between(-v.low.x, table_.width() - v.high.x);
+  const double y = random.between(-v.low.y, table_.depth() - v.high.y);
+  return {x, y, random.between(-v.low.z, height_ - v.high.z)};
+}
+
+void SolidArrangement::set_length(double height) {
+  height_ = height;
+  set_poses(std::vector<SolidPose>(poses_));
+}
+
+void SolidArrangement::set_poses(const std::vector<SolidPose>& poses) {
+  for (std::size_t i = 0; i < size(); ++i) move(i, {poses[i].variant, inside(poses[i].variant, poses[i].at)});
+}
+
+BoxList<3>::Box SolidArrangement::box_at(const SolidPose& pose, double wider) const {
+  const SolidVariant& v = table_.variants()[pose.variant];
+  const Vector low = pose.at + v.low, high = pose.at + v.high;
+  return {{float(low.x - wider), float(low.y - wider), float(low.z - wider)},
+          {float(high.x + wider), float(high.y + wider), float(high.z + wider)}};
+}
+
+void SolidArrangement::move(std::size_t i, const SolidPose& pose) {
+  poses_[i] = pose;
+  boxes_.put(i, box_at(pose, slack_));
+}
+
+double SolidArrangement::cost(std::size_t i, const SolidPose& pose, double bound) const {
+  const double* weights = &weights_[i * size()];
+  double sum = 0;
+  boxes_.for_each_meeting(box_at(pose, table_.gap()), looked_at_, [&](std::size_t j) {
+    if (j == i) return true;
+    const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
+    looked_at_ += pair.overlaps.size();
+    sum += weights[j] * pair.depth(sign * (pose.at - poses_[j].at), shallow_);
+    return sum < bound;
+  });
+  return sum;
+}
+
+void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector<Touch>& result) const {
+  const double near = table_.size() * margin::kSolidContact;
+  result.clear();
+  boxes_.for_each_meeting(box_at(pose, table_.gap() + near), looked_at_, [&](std::size_t j) {
+    if (j == i) return true;
+    const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
+    const Vector u = sign * (pose.at - poses_[j].at);
+    looked_at_ += pair.overlaps.size();
+    for (const ConvexOverlap& overlap : pair.overlaps) {
+      const space::Highest highest = overlap.highest(u);
+      if (highest.value > near) continue;
+      const double depth = -highest.value;
+      result.push_back({depth > shallow_ ? depth * weights_[i * size() + j] : 0, sign * overlap.normal(highest.plane)});
+    }
+    return true;
+  });
+}
+
+space::LineStretch SolidArrangement::within(const SolidPose& pose, const Vector& way) const {
+  const SolidVariant& v = table_.variants()[pose.variant];
+  const Vector low = pose.at + v.low, high = pose.at + v.high;
+  space::LineStretch room{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const auto clip = [&](double slope, double before, double behind) {
+    if (slope == 0) return;
+    const double first = before / slope, second = behind / slope;
+    room.from = std::max(room.from, std::min(first, second));
+    room.to = std::min(room.to, std::max(first, second));
+  };
+  clip(way.x, -low.x, table_.width() - high.x);
+  clip(way.y, -low.y, table_.depth() - high.y);
+  clip(way.z, -low.z, height_ - high.z);
+  return room;
+}
+
+void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
+                                         const space::LineStretch& room) const {
+  stretches_.clear();
+  const BoxList<3>::Box first = box_at({pose.variant, pose.at + room.from * way}, table_.gap()),
+                        last = box_at({pose.variant, pose.at + room.to * way}, table_.gap());
+  BoxList<3>::Box swept;
+  for (std::size_t k = 0; k < 3; ++k) {
+    swept.low[k] = std::min(first.low[k], last.low[k]);
+    swept.high[k] = std::max(first.high[k], last.high[k]);
+  }
+  boxes_.for_each_meeting(swept, looked_at_, [&](std::size_t j) {
+    if (j == i) return true;
+    const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
+    const Vector u = sign * (pose.at - poses_[j].at), along = sign * way;
+    looked_at_ += pair.overlaps.size();
+    for (const ConvexOverlap& overlap : pair.overlaps) {
+      if (way.x == 0 && !(u.x > overlap.low.x && u.x < overlap.high.x)) continue;
+      if (way.y == 0 && !(u.y > overlap.low.y && u.y < overlap.high.y)) continue;
+      if (way.z == 0 && !(u.z > overlap.low.z && u.z < overlap.high.z)) continue;
+      ++looked_at_;
+      const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
+      if (t.from < t.to && t.to > room.from && t.from < room.to)
+        stretches_.push_back({t.from, t.to, weights_[i * size() + j], &overlap, u, along});
+    }
+    return true;
+  });
+}
+
+double SolidArrangement::cost_at(double t, double bound) const {
+  double sum = 0;
+  for (const std::uint32_t k : active_) {
+    const Stretch& s = stretches_[k];
+    const double depth = -s.overlap->highest(s.u + t * s.way).value;
+    if (depth > shallow_) sum += s.weight * depth;
+    if (sum >= bound) break;
+  }
+  looked_at_ += active_.size();
+  return sum;
+}
+
+SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const SolidPose& pose, const Vector& way,
+                                                           double bound, bool from_end) const {
+  LinePlace best{0, bound};
+  const space::LineStretch room = within(pose, way);
+  if (!(room.from <= room.to)) return best;
+  collect_stretches(i, pose, way, room);
+  const double sense = from_end ? -1 : 1;  // the line is walked from one side
+  const double start = from_end ? -room.to : room.from, end = from_end ? -room.from : room.to;
+  events_.clear();
+  active_.clear();
+  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
+    const double from = from_end ? -stretches_[k].to : stretches_[k].from;
+    const double to = from_end ? -stretches_[k].from : stretches_[k].to;
+    if (from < start)
+      active_.push_back(k);
+    else
+      events_.push_back({from, k, true});
+    events_.push_back({to, k, false});
+  }
+  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+    return a.t != b.t ? a.t < b.t : a.begins != b.begins ? b.begins : a.stretch < b.stretch;
+  });
+  const auto look = [&](double t) {
+    const double cost = cost_at(sense * t, best.cost);
+    if (cost < best.cost) best = {sense * t, cost};
+  };
+  look(start);
+  for (const Event& e : events_) {
+    if (best.cost <= 0 || e.t > end) break;
+    if (!e.begins) std::erase(active_, e.stretch);
+    look(e.t);
+    if (e.begins) active_.push_back(e.stretch);
+  }
+  if (best.cost > 0) look(end);
+  return best;
+}
+
+double SolidArrangement::loss() {
+  double sum = 0;
+  overlaps_.clear();
+  std::fill(depths_.begin(), depths_.end(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i)
+    boxes_.for_each_meeting(box_at(poses_[i], table_.gap()), looked_at_, [&](std::size_t j) {
+      if (j <= i) return true;
+      const auto [pair, sign] = table_.link(poses_[j].variant, poses_[i].variant);
+      looked_at_ += pair.overlaps.size();
+      const double depth = pair.depth(sign * (poses_[i].at - poses_[j].at), shallow_);
+      if (depth <= 0) return true;
+      overlaps_.push_back({std::uint32_t(i), std::uint32_t(j), depth});
+      depths_[i] += depth;
+      depths_[j] += depth;
+      sum += depth;
+      return true;
+    });
+  return sum;
+}
+
+void SolidArrangement::update_weights() {
+  double deepest = 0;
+  for (const Overlap& o : overlaps_) deepest = std::max(deepest, o.depth);
+  for (const Overlap& o : overlaps_) {
+    const double weight = weights_[o.i * size() + o.j] * grown_weight(o.depth / deepest);
+    weights_[o.i * size() + o.j] = weight;
+    weights_[o.j * size() + o.i] = weight;
+  }
+  for (double& w : weights_) w = decayed_weight(w);
+}
+
+}  // namespace findspace::packing

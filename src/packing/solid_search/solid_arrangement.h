@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Solids in a container of a given height, perhaps overlapping: depths, weighted costs of positions and of lines of
+// them, and the weights that grow where an overlap persists. Cost of a position: the weighted sum of the depths.
+// Guarantee: none; it is a search's state. Keywords: guided local search, overlap minimisation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "packing/search/box_list.h"
+#include "packing/search/random.h"
+#include "packing/solid_moves/solid_linear_moves.h"
+#include "packing/solid_phi/solid_table.h"
+
+namespace findspace::packing {
+
+class SolidArrangement {
+ public:
+  /// The table must live as long.
+  SolidArrangement(const SolidTable& table, const SolidColumn& column, std::vector<SolidPose> poses, double height);
+
+  std::size_t size() const { return poses_.size(); }
+  const SolidTable& table() const { return table_; }
+  const std::vector<SolidPose>& poses() const { return poses_; }
+  const SolidPose& pose(std::size_t i) const { return poses_[i]; }
+  double length() const { return height_; }
+  /// Parts that stick out are moved in.
+  void set_length(double height);
+  void set_poses(const std::vector<SolidPose>& poses);
+  void move(std::size_t i, const SolidPose& pose);
+  /// The nearest position within the container.
+  Vector inside(std::size_t variant, const Vector& at) const;
+  Vector random_position(std::size_t variant, Random& random) const;
+
+  /// The weighted cost of an item at a pose, or something not below `bound` where it is not below.
+  double cost(std::size_t i, const SolidPose& pose, double bound) const;
+  /// How the item at this pose overlaps another.
+  struct Touch {
+    double cost;    // 0 in contact
+    Vector normal;  // out of it, of length 1
+  };
+  /// Overlaps and contacts of convex parts.
+  void touches(std::size_t i, const SolidPose& pose, std::vector<Touch>& result) const;
+  /// The place at + t way within the container that costs least, exactly: the ends of all intervals are tried. Of
+  /// places that cost nothing the one next to the beginning of the line, or to its end. Where none costs less than
+  /// `bound` that is returned.
+  struct LinePlace {
+    double t = 0, cost = 0;
+  };
+  LinePlace best_on_line(std::size_t i, const SolidPose& pose, const Vector& way, double bound, bool from_end) const;
+
+  /// The sum of all depths; fills depth_of(i), the sum of those of an item.
+  double loss();
+  double depth_of(std::size_t i) const { return depths_[i]; }
+  /// After loss(): weights of overlaps grow, by more the deeper they are; others decay.
+  void update_weights();
+  void reset_weights() { weights_.assign(size() * size(), 1); }
+  /// Boxes, and planes in blocks, looked at since the beginning.
+  std::uint64_t looked_at() const { return looked_at_; }
+
+ private:
+  struct Overlap {
+    std::uint32_t i, j;
+    double depth;
+  };
+  /// Where the line lies in the overlap of two convex parts.
+  struct Stretch {
+    double from, to, weight;
+    const ConvexOverlap* overlap;
+    Vector u, way;
+  };
+  struct Event {
+    double t;
+    std::uint32_t stretch;
+    bool begins;
+  };
+
+  BoxList<3>::Box box_at(const SolidPose& pose, double wider) const;
+  /// The stretch of the line within the container.
+  space::LineStretch within(const SolidPose& pose, const Vector& way) const;
+  void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way, const space::LineStretch& room) const;
+  double cost_at(double t, double bound) const;
+
+  const SolidTable& table_;
+  std::vector<SolidPose> poses_;
+  double height_, shallow_, slack_;
+  BoxList<3> boxes_;
+  std::vector<double> weights_, depths_;
+  std::vector<Overlap> overlaps_;
+  mutable std::vector<Stretch> stretches_;
+  mutable std::vector<Event> events_;
+  mutable std::vector<std::uint32_t> active_;
+  mutable std::uint64_t looked_at_ = 0;
+};
+
+}  // namespace findspace::packing

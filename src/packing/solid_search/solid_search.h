@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The search for a low container of solids: islands (island_team.h) of guided local search, each better layout proved
+// and given away at once. It ends early where a layout is as low as the lower bound. Guarantee: layouts given are
+// feasible, exactly. With a limit of work alone the result depends on the seed and the number of islands only, for any
+// number of threads. Cost: as long as allowed. Keywords: three-dimensional packing, open dimension.
+#pragma once
+
+#include "packing/search/strip_search.h"
+#include "packing/solid_problem/solid_problem.h"
+
+namespace findspace::packing {
+
+using SolidSearchOptions = SearchOptionsOf<SolidLayout>;
+using SolidSearchEvents = SearchEventsOf<SolidLayout>;
+
+/// Nothing where there are no parts. `stop`: ends the search when it becomes true.
+std::optional<SolidLayout> search_solids(const SolidProblem& problem, const SolidSearchOptions& options,
+                                         const SolidSearchEvents& events, const std::atomic<bool>& stop);
+
+}  // namespace findspace::packing

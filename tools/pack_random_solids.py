@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Packs small random instances of solids and checks every layout in rational arithmetic that knows nothing of the program.
+
+usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
+
+Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, a gap
+and an edge. Checked: every copy of every part, inside the walls, the height as stated and not below the lower bound, no
+two interiors meeting, and gaps as wide as asked for. Two convex parts are told apart by all axes that can separate them.
+Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
+
+With --kills N searches are killed after random times: each leaves a whole feasible layout in its file, or no file."""
+import argparse
+import itertools
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from fractions import Fraction
+
+
+def minus(p, q):
+    return tuple(a - b for a, b in zip(p, q))
+
+
+def cross(p, q):
+    return (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+
+
+def dot(p, q):
+    return sum(a * b for a, b in zip(p, q))
+
+
+def sides(points):
+    return [minus(q, p) for p, q in itertools.combinations(points, 2)]
+
+
+def axes(first, second):
+    """All directions in which two hulls can be separated, and more."""
+    d, e = sides(first), sides(second)
+    found = set()
+    for u, v in itertools.chain(itertools.combinations(d, 2), itertools.combinations(e, 2), itertools.product(d, e)):
+        n = cross(u, v)
+        if any(n):
+            found.add(n)
+    return found
+
+
+class Kinds:
+    """The axes of two kinds of convex parts, found once."""
+
+    def __init__(self):
+        self.known = {}
+
+    def interiors_meet(self, first, second, by):
+        key = (tuple(first), tuple(second))
+        if key not in self.known:
+            self.known[key] = [(n, min(dot(n, p) for p in first), max(dot(n, p) for p in first),
+                                min(dot(n, p) for p in second), max(dot(n, p) for p in second))
+                               for n in axes(first, second)]
+        for n, low, high, other_low, other_high in self.known[key]:
+            shift = dot(n, by)
+            if other_high + shift <= low or high <= other_low + shift:
+                return False
+        return True
+
+
+def box_points(low, high):
+    return [tuple(p) for p in itertools.product(*zip(low, high))]
+
+
+def box_shape(low, high):
+    return {"box": {"min": list(low), "max": list(high)}}
+
+
+def random_part(rng, boxes_only):
+    """(shape of a scene, its convex parts as lists of points)"""
+    kind = rng.randrange(2 if boxes_only else 4)
+    size = [rng.randint(1, 5) for _ in range(3)]
+    if kind == 0:
+        return box_shape((0, 0, 0), size), [box_points((0, 0, 0), size)]
+    if kind == 1:
+        a = ((0, 0, 0), (size[0] + 1, 1, size[2]))
+        b = ((0, 0, 0), (1, size[1] + 1, rng.randint(1, 4)))
+        return {"union": [box_shape(*a), box_shape(*b)]}, [box_points(*a), box_points(*b)]
+    if kind == 2:
+        w, d, h = size[0] + 1, size[1] + 1, size[2]
+        outline = [[0, 0], [w, 0], [w, 1], [1, 1], [1, d], [0, d]]
+        return ({"prism": {"polygon": outline, "z": [0, h]}},
+                [box_points((0, 0, 0), (w, 1, h)), box_points((0, 0, 0), (1, d, h))])
+    while True:
+        points = [tuple(rng.randint(-3, 3) for _ in range(3)) for _ in range(rng.randint(4, 7))]
+        if any(dot(cross(minus(q, p), minus(r, p)), minus(s, p)) for p, q, r, s in itertools.combinations(points, 4)):
+            return {"polytope": [list(p) for p in points]}, [points]
+
+
+class Instance:
+    def __init__(self, number, rng):
+        self.boxes_only = number % 4 == 3
+        self.gap = Fraction(rng.choice([0, 1, 3]), 2) if self.boxes_only else Fraction(0)
+        self.edge = Fraction(rng.choice([0, 1]), 4) if self.boxes_only else Fraction(0)
+        self.parts = [random_part(rng, self.boxes_only) for _ in range(rng.randint(1, 5))]
+        self.demand = [rng.randint(1, 3) for _ in self.parts]
+        widest = max(max(p[k] for p in points) - min(p[k] for p in points)
+                     for k in (0, 1) for points in (sum(pieces, []) for _, pieces in self.parts))
+        self.floor = [widest + 1 + rng.randint(0, 6) for _ in range(2)]
+        self.kinds = Kinds()
+
+    def problem(self):
+        return {"name": "random", "container": {"size-x": self.floor[0], "size-y": self.floor[1]},
+                "item-types": [{"id": f"part{i}", "demand": n, "shape": shape}
+                               for i, ((shape, _), n) in enumerate(zip(self.parts, self.demand))]}
+
+    def options(self):
+        return ["--gap", str(float(self.gap)), "--edge", str(float(self.edge))]
+
+    def fault(self, layout):
+        """What is wrong with a layout, or None."""
+        placed = [(int(item["part"][4:]), tuple(Fraction(c) for c in item["at"])) for item in layout["items"]]
+        for i, n in enumerate(self.demand):
+            if sum(1 for part, _ in placed if part == i) != n:
+                return f"{n} copies of part{i} are wanted"
+        height, top = Fraction(layout["height"]), Fraction(0)
+        most = [Fraction(self.floor[0]), Fraction(self.floor[1]), height]
+        for part, at in placed:
+            for points in self.parts[part][1]:
+                for p in points:
+                    for k in range(3):
+                        c = p[k] + at[k]
+                        if c < self.edge or c + self.edge > most[k]:
+                            return f"part{part} is outside"
+                    top = max(top, p[2] + at[2] + self.edge)
+        if top != height:
+            return f"the height is {top}, not {height}"
+        for (i, at), (j, to) in itertools.combinations(placed, 2):
+            for a, b in itertools.product(self.parts[i][1], self.parts[j][1]):
+                if self.kinds.interiors_meet(a, b, minus(to, at)):
+                    return f"part{i} and part{j} overlap"
+                if self.gap and self.is_nearer(a, at, b, to):
+                    return f"part{i} and part{j} are too near each other"
+        return None
+
+    def is_nearer(self, a, at, b, to):
+        """Of two boxes."""
+        square = Fraction(0)
+        for k in range(3):
+            low, high = min(p[k] for p in a) + at[k], max(p[k] for p in a) + at[k]
+            other_low, other_high = min(p[k] for p in b) + to[k], max(p[k] for p in b) + to[k]
+            apart = max(other_low - high, low - other_high, 0)
+            square += apart * apart
+        return square < self.gap * self.gap
+
+
+def moved(layout, rng):
+    """The layout with one item moved; the height as its items have it."""
+    other = json.loads(json.dumps(layout))
+    item = rng.choice(other["items"])
+    k = rng.randrange(3)
+    item["at"][k] = str(Fraction(item["at"][k]) + Fraction(rng.choice([-1, 1]), rng.choice([1, 2, 10, 10**9])))
+    return other
+
+
+def check(executable, number, rng, folder):
+    instance = Instance(number, rng)
+    problem, out = os.path.join(folder, "problem.json"), os.path.join(folder, "layout.json")
+    with open(problem, "w", encoding="utf-8") as file:
+        json.dump(instance.problem(), file)
+    options = instance.options()
+    done = subprocess.run([executable, "pack", problem, "--work", "0.5", "--quiet", "--seed", str(number + 1), "-o", out,
+                           *options], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        return f"status {done.returncode}: {done.stderr}"
+    with open(out, encoding="utf-8") as file:
+        whole = json.load(file)
+    layout = whole["layout"]
+    fault = instance.fault(layout)
+    if fault:
+        return fault
+    if not layout["proven"] or Fraction(layout["height"]) < Fraction(layout["lower_bound"]):
+        return "not proven, or lower than the lower bound"
+    whole["layout"] = moved(layout, rng)
+    with open(out, "w", encoding="utf-8") as file:
+        json.dump(whole, file)
+    verdict = subprocess.run([executable, "verify", out, problem, "--quiet", *options], capture_output=True, text=True, check=False)
+    fault = instance.fault(whole["layout"])
+    is_free = fault is None or fault.startswith("the height is")
+    if (verdict.returncode == 0) != is_free:
+        return f"verify says {verdict.stdout.strip()} where the check finds {fault}"
+    return None
+
+
+def check_kill(executable, rng, folder):
+    instance = Instance(4 * rng.randrange(1000), rng)
+    instance.demand = [n + 4 for n in instance.demand]
+    problem, out = os.path.join(folder, "problem.json"), os.path.join(folder, "layout.json")
+    with open(problem, "w", encoding="utf-8") as file:
+        json.dump(instance.problem(), file)
+    if os.path.exists(out):
+        os.remove(out)
+    with subprocess.Popen([executable, "pack", problem, "--time-limit", "60", "-o", out], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as search:
+        time.sleep(rng.uniform(0, 0.5))
+        search.send_signal(rng.choice([signal.SIGKILL, signal.SIGINT]))
+        search.wait()
+    if not os.path.exists(out):
+        return None
+    with open(out, encoding="utf-8") as file:
+        return instance.fault(json.load(file)["layout"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("executable")
+    parser.add_argument("--count", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kills", type=int, default=0)
+    arguments = parser.parse_args()
+    wrong = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for number in range(arguments.count):
+            fault = check(arguments.executable, number, random.Random(arguments.seed * 100003 + number), folder)
+            if fault:
+                wrong += 1
+                print(f"instance {number} of seed {arguments.seed}: {fault}")
+        rng = random.Random(arguments.seed)
+        for number in range(arguments.kills):
+            fault = check_kill(arguments.executable, rng, folder)
+            if fault:
+                wrong += 1
+                print(f"kill {number} of seed {arguments.seed}: {fault}")
+    print(f"{arguments.count} instances, {arguments.kills} kills, {wrong} wrong")
+    sys.exit(wrong != 0)
+
+
+if __name__ == "__main__":
+    main()
