@@ -112,17 +112,17 @@ TriedAnswer CsgPair::contained(const RealVector& p) const {
   const Tried<bool> whole = is_whole(**worst);
   if (!whole) return whole.refusal();
   if (*whole) return worst;
-  const Tried<const FreeSpace*> fits = this->fits();
+  const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   return (*fits)->nearest(p, false);
 }
 
 /// Null: nothing fits.
-Tried<const FreeSpace*> CsgPair::fits() const {
+Tried<const PositionSet*> CsgPair::fits() const {
   std::call_once(fits_made_, [&] {
     std::optional<space::Bounds3> box;
-    std::vector<FreeSpace> all;
+    std::vector<PositionSet> all;
     const space::Bounds3 inner = bounds(*b_);
     for (const Body& container : a_->containers) {
       if (!container.convex()) {
@@ -142,16 +142,15 @@ Tried<const FreeSpace*> CsgPair::fits() const {
       if (box->high[k] < box->low[k]) return;
     }
     for (const Body& container : a_->containers)
-      all.push_back(FreeSpace::inside(*b_, container.parts[0], box->low, box->high));
+      all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
     std::vector<GrownSet> sets;
     for (const Body& obstacle : a_->obstacles) {
       for (const BodyPart& t : obstacle.parts) {
-        for (const BodyPart& s : b_->parts)
-          sets.push_back({space::difference_planes(t, s), space::real(t.center - s.center), t.radius + s.radius});
+        for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
       }
     }
-    all.push_back(FreeSpace::outside(std::move(sets), box->low, box->high));
-    fits_ = FreeSpace::common(all, box->low, box->high);
+    all.push_back(PositionSet::outside(std::move(sets), box->low, box->high));
+    fits_ = PositionSet::common(all, box->low, box->high);
   });
   if (no_fits_) return *no_fits_;
   return fits_ ? &*fits_ : nullptr;
@@ -159,7 +158,7 @@ Tried<const FreeSpace*> CsgPair::fits() const {
 
 TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
-  const Tried<const FreeSpace*> fits = this->fits();
+  const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   TriedAnswer v = (*fits)->farthest(p);
@@ -197,8 +196,7 @@ bool CsgPair::too_large() const {
           return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
         };
         double most = -exact::kInfinity;
-        for (const CutSearch& part : parts_)
-          most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
+        for (const CutSearch& part : parts_) most = std::max(most, part.places.farthest_from(ahead).value);
         wide += most;
       }
       if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;
@@ -277,9 +275,9 @@ TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
 
 /// How far B + p is from fitting, less a level above 0.
 TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
-  const exact::Tried<const FreeSpace*> made = this->fits();
+  const exact::Tried<const PositionSet*> made = this->fits();
   if (!made) return made.refusal();
-  const FreeSpace* fits = *made;
+  const PositionSet* fits = *made;
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
@@ -292,7 +290,8 @@ TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
     const double v = (*worst)->value.to_double();
     if (*whole) return Between{v - error - level, v + error - level};
   }
-  const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
+  const Until until{level, margin::kRoughShare};
+  const BoundaryPlace found = fits->nearest_to(distance_to_point(space::rounded(p)), {least, {}, &until});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }

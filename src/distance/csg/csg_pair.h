@@ -3,7 +3,7 @@
 //
 // T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of B:
 //   gamma1, d1, penetration
-//                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
+//                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
@@ -23,13 +23,11 @@
 #include "distance/csg/csg_part.h"
 #include "distance/rays/near_rays.h"
 #include "distance/rays/value_rays.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
 #include "space/body/csg_solid.h"
 
 namespace findspace::distance {
-
-class CsgDepth;
 
 class CsgPair {
  public:
@@ -67,7 +65,8 @@ class CsgPair {
   Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
   exact::Tried<Answer> apart_or_deep(const space::RealVector& p) const;
-  exact::Tried<const CsgDepth*> depths() const;
+  /// The positions at which B is free of A.
+  exact::Tried<const PositionSet*> free() const;
   exact::Tried<Answer> overlapping(const space::RealVector& p) const;
   TriedAnswer free_of_sets(const space::RealVector& p) const;
   Answer reach(const space::RealVector& p) const;
@@ -84,7 +83,7 @@ class CsgPair {
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
   TriedAnswer farthest_fit(const space::RealVector& p) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
-  exact::Tried<const FreeSpace*> fits() const;
+  exact::Tried<const PositionSet*> fits() const;
   exact::Tried<Answer> protrusion(const space::RealVector& p) const;
   exact::Tried<Answer> hausdorff(const space::RealVector& p) const;
   bool too_large() const;
@@ -100,12 +99,11 @@ class CsgPair {
   std::vector<std::unique_ptr<const SolidPair>> containers_, obstacles_;
   double size_ = 1;
   mutable std::once_flag fits_made_;
-  mutable std::optional<FreeSpace> fits_;
-  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_depths_;
+  mutable std::optional<PositionSet> fits_, free_;
+  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_free_;
   mutable std::once_flag among_made_;
   mutable std::shared_ptr<const Among> among_;
-  mutable std::once_flag depths_made_;
-  mutable std::shared_ptr<const CsgDepth> depths_;
+  mutable std::once_flag free_made_;
   mutable std::once_flag extents_made_;
   mutable bool too_large_ = false;
 };

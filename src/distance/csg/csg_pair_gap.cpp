@@ -10,7 +10,6 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
-#include "distance/search/boundary_slack.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 
@@ -44,14 +43,6 @@ double distance(const Box& a, const Box& b) {
                         apart(a.low.z, a.high.z, b.low.z, b.high.z)});
 }
 
-Answer searched(const BoundaryPlace& found, double size) {
-  Answer out;
-  out.value = Real::from_double(found.value);
-  out.proven = false;
-  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
-  return out;
-}
-
 /// The part as a body of its own.
 Body body_of(const BodyPart& part) {
   Body one;
@@ -68,11 +59,11 @@ Answer CsgPair::apart(const RealVector& p) const {
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
-      if (best && distance(box, {part.low, part.high}) > best->value.to_double()) continue;
+      if (best && distance(box, {part.low(), part.high()}) > best->value.to_double()) continue;
       const TouchingRule to = gap_to(s, by);
-      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
+      const BoundaryPlace found = part.places.nearest_to(to, {});
       if (!found.found) continue;
-      Answer v = searched(found, size_);
+      Answer v = searched_answer(found, size_);
       const double near = found.value, error = v.error;
       if (near < error) v.value = Real();
       const Touching at = to(found.place);
@@ -99,13 +90,13 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
     const Box box = box_of(s, by);
     const TouchingRule to = gap_to(s, by);
     for (const CutSearch& part : parts_) {
-      const double least = distance(box, {part.low, part.high});
+      const double least = distance(box, {part.low(), part.high()});
       if (least > out.low) continue;
       if (least - level > margin::kFarByBoxes * size_) {
         out.low = least;
         continue;
       }
-      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0, {}, &until);
+      const BoundaryPlace found = part.places.nearest_to(to, {0, {}, &until});
       out.low = std::min(out.low, found.bound);
       out.high = std::min(out.high, found.value);
     }
@@ -120,10 +111,8 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
-      if (distance(box, {part.low, part.high}) > 0) continue;
-      Constraints rules = part.rules;
-      rules.keep_in.push_back(keep_in(s, by));
-      most = std::max(most, most_slack(part.cells, rules, {enough * size_}).value);
+      if (distance(box, {part.low(), part.high()}) > 0) continue;
+      most = std::max(most, part.places.also_in(keep_in(s, by)).deepest({enough * size_}).value);
     }
   }
   return most > enough * size_ ? most : 0;
@@ -147,12 +136,12 @@ Answer CsgPair::reach(const RealVector& p) const {
       const Vector near = space::rounded(at);
       const double radius = s.radius.to_double();
       for (const CutSearch& part : parts_) {
-        const Vector far{std::max(near.x - part.low.x, part.high.x - near.x),
-                         std::max(near.y - part.low.y, part.high.y - near.y),
-                         std::max(near.z - part.low.z, part.high.z - near.z)};
+        const Vector far{std::max(near.x - part.low().x, part.high().x - near.x),
+                         std::max(near.y - part.low().y, part.high().y - near.y),
+                         std::max(near.z - part.low().z, part.high().z - near.z)};
         if (best && space::length(far) + radius < best->value.to_double()) continue;
         const auto away = [near](const Vector& x) { return space::length(x - near); };
-        const BoundaryPlace found = farthest_allowed(part.cells, part.rules, away, size_);
+        const BoundaryPlace found = part.places.farthest_from(away);
         if (!found.found || (best && found.value + radius <= best->value.to_double())) continue;
         best = named_reach(*part.sets, at, found);
         best->value += s.radius;
@@ -165,7 +154,7 @@ Answer CsgPair::reach(const RealVector& p) const {
 
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
 Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
-  Answer out = searched(found, size_);
+  Answer out = searched_answer(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
       const RealVector way = space::minus(space::real(v), from);
@@ -190,9 +179,9 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   const ConvexDistance beyond = keep_out(b_->parts[0], by);
   std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
-    const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
+    const BoundaryPlace found = part.places.farthest_from(beyond);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    Answer v = searched(found, size_);
+    Answer v = searched_answer(found, size_);
     // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
       const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));

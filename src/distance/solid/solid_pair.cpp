@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "distance/answer/answer.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 
 namespace findspace::distance {
@@ -106,11 +106,10 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
     const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
     std::vector<GrownSet> sets;
     for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts)
-        sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
+      for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
     }
-    round_overlap_ = std::make_shared<const FreeSpace>(
-        FreeSpace::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+    round_overlap_ = std::make_shared<const PositionSet>(
+        PositionSet::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
   });
   TriedAnswer out = round_overlap_->nearest(p, true);
   if (!out) return out.refusal();

@@ -28,7 +28,7 @@
 
 namespace findspace::distance {
 
-class FreeSpace;
+class PositionSet;
 struct UnionContainers;
 
 class SolidPair {
@@ -55,7 +55,7 @@ class SolidPair {
     bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
     mutable std::once_flag front_made;
-    mutable std::shared_ptr<const FreeSpace> boundary;
+    mutable std::shared_ptr<const PositionSet> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
   struct Side {  // one of the two as moving, the other as fixed
@@ -67,7 +67,7 @@ class SolidPair {
 
   const Fit& fit(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
-  static const FreeSpace& boundary_of(const Side& side, const Fit& fit);
+  static const PositionSet& boundary_of(const Side& side, const Fit& fit);
   TriedAnswer contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;
@@ -97,7 +97,7 @@ class SolidPair {
   mutable std::once_flag overlap_made_;
   mutable std::unique_ptr<space::OpenUnion> overlap_;
   mutable std::once_flag round_overlap_made_;
-  mutable std::shared_ptr<const FreeSpace> round_overlap_;
+  mutable std::shared_ptr<const PositionSet> round_overlap_;
 };
 
 /// max |v - w| + radii over two points of the body.

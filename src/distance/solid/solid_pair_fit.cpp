@@ -8,14 +8,14 @@
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
 //   in a union of round parts: solid_pair_union.cpp.
-// Guarantee: as solid_pair.h; boundaries that are round are searched (free_space.h). Keywords: erosion, Minkowski
+// Guarantee: as solid_pair.h; boundaries that are round are searched (position_set.h). Keywords: erosion, Minkowski
 // difference, containment.
 
 #include <algorithm>
 #include <cmath>
 
 #include "distance/answer/answer.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/solid/solid_pair.h"
 
@@ -41,7 +41,7 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
 
 }  // namespace
 
-const FreeSpace& SolidPair::boundary_of(const Side& side, const Fit& fit) {
+const PositionSet& SolidPair::boundary_of(const Side& side, const Fit& fit) {
   std::call_once(fit.front_made, [&] {
     const Body &b = *side.moving, &a = *side.fixed;
     const space::Bounds3 box = *fit_box(b, a);
@@ -50,8 +50,8 @@ const FreeSpace& SolidPair::boundary_of(const Side& side, const Fit& fit) {
       for (std::size_t k = 0; k < group.cover.size(); ++k) sets.push_back({group.cover.planes(k), {}, group.radius});
     }
     fit.boundary =
-        std::make_shared<const FreeSpace>(a.convex() ? FreeSpace::inside(b, a.parts[0], box.low, box.high)
-                                                     : FreeSpace::outside(std::move(sets), box.low, box.high));
+        std::make_shared<const PositionSet>(a.convex() ? PositionSet::inside(b, a.parts[0], box.low, box.high)
+                                                       : PositionSet::outside(std::move(sets), box.low, box.high));
   });
   return *fit.boundary;
 }
@@ -212,10 +212,10 @@ exact::Tried<Answer> SolidPair::depth_inside(const Side& side, const RealVector&
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
-  const FreeSpace free = FreeSpace::outside(std::move(sets), box.low, box.high);
+  const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
   std::optional<Answer> least;
   for (const BodyPart& part : side.moving->parts) {
-    exact::Tried<Answer> v = free.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    exact::Tried<Answer> v = free.least(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!v) return v;
     if (!least || v->value < least->value) least = *std::move(v);
   }
