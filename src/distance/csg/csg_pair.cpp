@@ -21,42 +21,9 @@ using space::RealVector;
 
 namespace {
 
-/// max(0, v), or max(0, -v) if `negated`.
-TriedAnswer not_below_zero(exact::Tried<Answer> v, bool negated) {
-  if (!v) return v.refusal();
-  return cut_off(*std::move(v), negated);
-}
-
 TriedAnswer defined(exact::Tried<Answer> v) {
   if (!v) return v.refusal();
   return std::optional(*std::move(v));
-}
-
-Which exchanged(Which which) {
-  switch (which) {
-    case Which::kEta1:
-      return Which::kDelta1;
-    case Which::kDelta1:
-      return Which::kEta1;
-    case Which::kEta2:
-      return Which::kDelta2;
-    case Which::kDelta2:
-      return Which::kEta2;
-    case Which::kMu:
-      return Which::kMuBack;
-    case Which::kMuBack:
-      return Which::kMu;
-    case Which::kH:
-      return Which::kHBack;
-    case Which::kHBack:
-      return Which::kH;
-    case Which::kDstar:
-      return Which::kDstarBack;
-    case Which::kDstarBack:
-      return Which::kDstar;
-    default:
-      return which;
-  }
 }
 
 }  // namespace
@@ -156,7 +123,11 @@ Tried<const PositionSet*> CsgPair::fits() const {
   return fits_ ? &*fits_ : nullptr;
 }
 
-TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
+TriedAnswer CsgPair::farthest_fit(Inner inner, const RealVector& p) const {
+  if (inner == Inner::kA) {
+    if (too_large()) return std::nullopt;
+    return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
+  }
   if (containers_.empty()) return farthest_in_union(p);
   const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
@@ -166,23 +137,23 @@ TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
   return v;
 }
 
-Tried<Answer> CsgPair::protrusion(const RealVector& p) const {
+TriedAnswer CsgPair::protrusion(Inner inner, const RealVector& p, Depth /*depth*/) const {
+  if (inner == Inner::kA) return defined(protrusion_back(p));
   TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  if (!worst) return worst.refusal();
   // B that fits nowhere protrudes everywhere.
-  if (!*worst || (*worst)->value.sign() > 0)
+  if (worst && (!*worst || (*worst)->value.sign() > 0))
     return Refusal("the protrusion from a shape that round ones are cut out of is not computed");
-  return **std::move(worst);
+  return worst;
 }
 
-Tried<Answer> CsgPair::hausdorff(const RealVector& p) const {
-  Tried<Answer> back = protrusion_back(p);
+TriedAnswer CsgPair::hausdorff(const RealVector& p) const {
+  TriedAnswer back = defined(protrusion_back(p));
   if (!back) return back;
   // No point of B is farther from A than the gap and B's own width.
-  const double most = apart(p).value.to_double() + diameter(*b_).to_double();
-  if (most < back->value.to_double() - back->error) return back;
-  Tried<Answer> forth = protrusion(p);
-  return forth && forth->value < back->value ? back : forth;
+  const double most = apart(p).value.to_double() + distance::diameter(*b_).to_double();
+  if (most < (*back)->value.to_double() - (*back)->error) return back;
+  TriedAnswer forth = protrusion(Inner::kB, p, Depth::kValue);
+  return forth && (*forth)->value < (*back)->value ? back : forth;
 }
 
 /// Whether A is wider than B along an axis, and so never in it.
@@ -205,11 +176,12 @@ bool CsgPair::too_large() const {
   return too_large_;
 }
 
-/// max(0, -eta1), and max(0, mu) where it is 0.
-Tried<Answer> CsgPair::clearance(const RealVector& p) const {
-  TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  if (!worst) return worst.refusal();
-  return *worst ? *cut_off(**std::move(worst), true) : Answer{};
+TriedAnswer CsgPair::clearance(Inner inner, const RealVector& p) const {
+  TriedAnswer v = inner == Inner::kA    ? defined(protrusion_back(p))
+                  : containers_.empty() ? contained_in_union(p)
+                                        : worst_fit(p);
+  if (!v) return v;
+  return cut_off(*std::move(v), true);
 }
 
 TriedAnswer CsgPair::covered(const RealVector& p) const {
@@ -220,57 +192,25 @@ TriedAnswer CsgPair::covered(const RealVector& p) const {
   return defined(std::move(v));
 }
 
-Tried<Answer> CsgPair::apart_or_deep(const RealVector& p) const {
-  Gap found = gap(p);
-  if (found.depth > 0) return overlapping(p);
-  return std::move(found.value);
+TriedAnswer CsgPair::gap(const RealVector& p, Depth depth) const {
+  Gap found = gap_at(p);
+  if (found.depth > 0 && depth == Depth::kValue) return defined(overlapping(p));
+  return std::optional(std::move(found.value));
 }
 
-TriedAnswer CsgPair::value_at(Which which, const RealVector& p) const {
-  switch (which) {
-    case Which::kGamma1:
-      return defined(apart_or_deep(p));
-    case Which::kD1:
-      return cut_off(gap(p).value, false);
-    case Which::kPenetration:
-      return not_below_zero(apart_or_deep(p), true);
-    case Which::kGamma2:
-      return std::optional(reach(p));
-    case Which::kEta1:
-      return contained(p);
-    case Which::kEta2:
-      return farthest_fit(p);
-    case Which::kMu:
-      return defined(protrusion(p));
-    case Which::kH:
-      return not_below_zero(protrusion(p), false);
-    case Which::kDstarBack:
-      return defined(clearance(p));
-    case Which::kMuBack:
-      return defined(protrusion_back(p));
-    case Which::kHBack:
-      return not_below_zero(protrusion_back(p), false);
-    case Which::kDelta1:
-      return covered(p);
-    case Which::kDelta2:
-      if (too_large()) return std::nullopt;
-      return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
-    case Which::kHausdorff:
-      return defined(hausdorff(p));
-    case Which::kDstar:
-      return not_below_zero(protrusion_back(p), true);
-    default:
-      return Refusal("this distance to a shape that round ones are cut out of is not computed");
-  }
+TriedAnswer CsgPair::reach(const RealVector& p) const { return std::optional(reach_of_parts(p)); }
+
+TriedAnswer CsgPair::diameter(const RealVector& /*p*/) const {
+  return Refusal("this distance to a shape that round ones are cut out of is not computed");
+}
+
+TriedAnswer CsgPair::fit(Inner inner, const RealVector& p) const {
+  return inner == Inner::kB ? contained(p) : covered(p);
 }
 
 TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
-  if (!cut_moves_) return value_at(which, p);
-  TriedAnswer v = value_at(exchanged(which), space::negated(p));
-  if (!v || !*v) return v;
-  if ((*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
-  exchange_roles(**v, p);
-  return v;
+  if (!cut_moves_) return PairDistances::try_value(which, p);
+  return exchanged_back(PairDistances::try_value(exchanged(which), space::negated(p)), p);
 }
 
 /// How far B + p is from fitting, less a level above 0.

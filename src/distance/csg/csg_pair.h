@@ -29,14 +29,13 @@
 
 namespace findspace::distance {
 
-class CsgPair {
+class CsgPair : public PairDistances {
  public:
   /// Both of one scale, B bounded. With `cut_moves` it is A that is moved, by -p in its own words: then the distances
   /// are those of A + p to B.
   CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
 
   TriedAnswer try_value(Which which, const space::RealVector& p) const;
-  /// The same; Error(kUnsupported) instead of a refusal.
   std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
@@ -58,18 +57,16 @@ class CsgPair {
     double depth = 0;
   };
 
-  TriedAnswer value_at(Which which, const space::RealVector& p) const;
-  Gap gap(const space::RealVector& p) const;
+  Gap gap_at(const space::RealVector& p) const;
   /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
   double common_depth(const space::RealVector& p, double enough) const;
   Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
-  exact::Tried<Answer> apart_or_deep(const space::RealVector& p) const;
   /// The positions at which B is free of A.
   exact::Tried<const PositionSet*> free() const;
   exact::Tried<Answer> overlapping(const space::RealVector& p) const;
   TriedAnswer free_of_sets(const space::RealVector& p) const;
-  Answer reach(const space::RealVector& p) const;
+  Answer reach_of_parts(const space::RealVector& p) const;
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
   TriedAnswer worst_fit(const space::RealVector& p) const;
   exact::Tried<bool> is_whole(const Answer& worst) const;
@@ -81,16 +78,22 @@ class CsgPair {
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
-  TriedAnswer farthest_fit(const space::RealVector& p) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
   exact::Tried<const PositionSet*> fits() const;
-  exact::Tried<Answer> protrusion(const space::RealVector& p) const;
-  exact::Tried<Answer> hausdorff(const space::RealVector& p) const;
   bool too_large() const;
-  exact::Tried<Answer> clearance(const space::RealVector& p) const;
   /// Of A out of B + p.
   exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
   TriedAnswer covered(const space::RealVector& p) const;
+
+  // Of A that does not move.
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override;
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer hausdorff(const space::RealVector& p) const override;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;

@@ -75,7 +75,7 @@ exact::Tried<const CsgPair::Among*> CsgPair::among() const {
 /// Whether B + p is in A, and how deep.
 bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
-  Gap gap = all.left->gap(p);
+  Gap gap = all.left->gap_at(p);
   if (gap.depth > 0) return false;
   depth = std::move(gap.value);
   depth.value = -depth.value;

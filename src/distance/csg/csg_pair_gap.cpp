@@ -118,7 +118,7 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   return most > enough * size_ ? most : 0;
 }
 
-CsgPair::Gap CsgPair::gap(const RealVector& p) const {
+CsgPair::Gap CsgPair::gap_at(const RealVector& p) const {
   Gap out;
   out.value = apart(p);
   const double v = out.value.value.to_double();
@@ -128,7 +128,7 @@ CsgPair::Gap CsgPair::gap(const RealVector& p) const {
   return out;
 }
 
-Answer CsgPair::reach(const RealVector& p) const {
+Answer CsgPair::reach_of_parts(const RealVector& p) const {
   std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {

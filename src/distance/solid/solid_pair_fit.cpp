@@ -109,7 +109,7 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   return made;
 }
 
-const SolidPair::Fit& SolidPair::fit(const Side& side) const {
+const SolidPair::Fit& SolidPair::fit_of(const Side& side) const {
   std::call_once(side.made, [&] { side.fit = made_fit(side); });
   return *side.fit;
 }
@@ -117,11 +117,11 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
 TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
   const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
   if (in_round) {
-    const exact::Tried<Answer> tried = protrusion(side, p);
+    const exact::Tried<Answer> tried = protrusion_of(side, p, Depth::kValue);
     if (!tried) return tried.refusal();
     const Answer& v = *tried;
     if (v.value.sign() <= 0) return std::optional(v);  // inside both distances agree
-    const Fit& f = fit(side);
+    const Fit& f = fit_of(side);
     if (f.none) return std::nullopt;
     if (f.in_union) return into_union(side, f, p, v);
     if (!f.round) {
@@ -135,12 +135,12 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
     }
     return boundary_of(side, f).nearest(p, false);
   }
-  const Fit& f = fit(side);
+  const Fit& f = fit_of(side);
   if (f.balls) {
     const auto q = f.balls->nearest(p);
     if (!q) return std::nullopt;
     if (*q != p) return std::optional(signed_value(p, *q, 1));
-    exact::Tried<Answer> inside = protrusion(side, p);  // inside E both distances agree
+    exact::Tried<Answer> inside = protrusion_of(side, p, Depth::kValue);  // inside E both distances agree
     if (!inside) return inside.refusal();
     return std::optional(*std::move(inside));
   }
@@ -153,7 +153,7 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
 
 std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
   std::optional<Answer> least;
-  for (const Fit::Group& group : fit(side).groups) {
+  for (const Fit::Group& group : fit_of(side).groups) {
     if (group.cover.covers(p)) return std::nullopt;
     const RealVector q = *group.cover.nearest_touching(p);
     Answer v = signed_value(p, q, -1);
@@ -170,8 +170,8 @@ std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVe
   return least;
 }
 
-TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
-  const Fit& f = fit(side);
+TriedAnswer SolidPair::farthest_in(const Side& side, const RealVector& p) const {
+  const Fit& f = fit_of(side);
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
@@ -199,7 +199,7 @@ TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const
 TriedAnswer SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
   const bool in_rounds = side.fixed->round() && !side.fixed->convex();
   if (in_rounds) {
-    const exact::Tried<Answer> out = protrusion(side, p, false);
+    const exact::Tried<Answer> out = protrusion_of(side, p, Depth::kSign);
     if (!out) return out.refusal();
     if (out->value.sign() > 0) return std::optional(Answer{});
   }
