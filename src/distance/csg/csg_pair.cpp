@@ -141,8 +141,7 @@ TriedAnswer CsgPair::protrusion(Inner inner, const RealVector& p, Depth /*depth*
   if (inner == Inner::kA) return defined(protrusion_back(p));
   TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere protrudes everywhere.
-  if (worst && (!*worst || (*worst)->value.sign() > 0))
-    return Refusal("the protrusion from a shape that round ones are cut out of is not computed");
+  if (worst && (!*worst || (*worst)->value.sign() > 0)) return std::optional(protrusion_out(p));
   return worst;
 }
 
@@ -241,6 +240,8 @@ TriedBetween CsgPair::between(Which which, const Real& level, const RealVector& 
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
   if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
+  if (which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at > 0)
+    return nearly_protrudes(cut_moves_ ? space::negated(p) : p, at);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
   const TriedAnswer found = try_value(which, p);
   if (!found) return found.refusal();

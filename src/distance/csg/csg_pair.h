@@ -6,8 +6,8 @@
 //                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
-//   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
-//   of A; eta2            where all containers are convex;
+//   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by csg_protrusion.h; hausdorff where the
+//   other one is known; eta2  where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
 //                   that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
@@ -81,6 +81,10 @@ class CsgPair : public PairDistances {
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
   exact::Tried<const PositionSet*> fits() const;
   bool too_large() const;
+  /// Of B + p out of A, where it is not in A.
+  Answer protrusion_out(const space::RealVector& p) const;
+  /// Less the level; as near as tells about how far it is from that.
+  Between nearly_protrudes(const space::RealVector& p, double level) const;
   /// Of A out of B + p.
   exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
   TriedAnswer covered(const space::RealVector& p) const;

@@ -10,7 +10,9 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
+#include "distance/csg/csg_protrusion.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
@@ -198,6 +200,48 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   }
   if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
   return *std::move(best);
+}
+
+/// At a corner of B, and to a place that square roots name, exactly.
+Answer CsgPair::protrusion_out(const RealVector& p) const {
+  const CsgProtrusion out = csg_protrusion(solids_of(*b_, p), parts_, size_, margin::kProtrudesTo * size_);
+  const Vector& place = out.found.place;
+  Answer v;
+  v.value = Real::from_double(out.found.value);
+  v.proven = false;
+  v.error = out.found.bound - out.found.value + margin::kFoundError * size_;
+  v.enclosed = Enclosure{Real::from_double(out.found.value - margin::kFoundError * size_),
+                         Real::from_double(out.found.bound + margin::kFoundError * size_)};
+  v.witness = point_pair(space::real(place), space::real(out.nearest));
+  if (!out.part) return v;
+  for (const BodyPart& part : b_->parts) {
+    if (part.radius.sign() > 0) continue;
+    for (const space::Point& corner : part.vertices()) {
+      if (space::length(space::plus(exact::approx(corner), space::rounded(p)) - place) > margin::kAtVertex * size_)
+        continue;
+      BodyPart one;
+      one.center = corner;
+      for (Answer& named : named_gaps(*out.part->sets, one, p, out.nearest, size_)) {
+        if (std::fabs((named.value - v.value).to_double()) > v.error) continue;  // no sign: the same value
+        named.nearest.reset();
+        return std::move(named);
+      }
+    }
+  }
+  return v;
+}
+
+Between CsgPair::nearly_protrudes(const RealVector& p, double level) const {
+  const Solids solids = solids_of(*b_, p);
+  const double error = margin::kFoundError * size_;
+  for (double near = size_ / 16;; near /= 8) {
+    const SolidMaxMin found = csg_protrusion(solids, parts_, size_, near).found;
+    const Between out{std::max(0.0, found.value) - error - level, found.bound + error - level};
+    const bool told = out.low > 0 || out.high < 0;
+    if ((told && out.high - out.low <= std::max(out.low, -out.high)) || !found.complete ||
+        near < margin::kProtrudesTo * size_)
+      return out;
+  }
 }
 
 }  // namespace findspace::distance

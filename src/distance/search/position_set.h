@@ -89,6 +89,7 @@ class PositionSet {
   }
 
   const Box& box() const { return box_; }
+  const Constraints& rules() const { return rules_; }
 
  private:
   PositionSet(const space::RealVector& low, const space::RealVector& high);
