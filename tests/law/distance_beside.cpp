@@ -53,7 +53,9 @@ TEST(DistanceBeside, PointOutside) {
       ASSERT_TRUE(v.has_value());
       EXPECT_LE(lower(*v), d.to_double() * (1 + 1e-12)) << int(w);
       EXPECT_GE(upper(*v), d.to_double() * (1 - 1e-12)) << int(w);
-      if (v->proven) EXPECT_NEAR(v->value.to_double(), d.to_double(), d.to_double() * 1e-12) << int(w);
+      if (v->proven) {
+        EXPECT_NEAR(v->value.to_double(), d.to_double(), d.to_double() * 1e-12) << int(w);
+      }
     }
   }
   EXPECT_GT(seen, 100);
@@ -69,12 +71,16 @@ TEST(DistanceBeside, OrderOfDistances) {
                hausdorff = at.measure(Which::kHausdorff, p);
     ASSERT_TRUE(gamma && mu && h && hausdorff);
     EXPECT_LE(lower(*mu), upper(*mu));
-    if (!gamma->minus_infinity) EXPECT_LE(lower(*gamma), upper(*mu) * (1 + 1e-12));
+    if (!gamma->minus_infinity) {
+      EXPECT_LE(lower(*gamma), upper(*mu) * (1 + 1e-12));
+    }
     EXPECT_LE(lower(*mu), upper(*h));
     EXPECT_LE(lower(*mu), upper(*hausdorff));
     // B protrudes from A where it is not contained, however little.
     const auto margin = at.measure(Which::kEta1, p);
-    if (margin && !margin->minus_infinity && margin->value.sign() > 0) EXPECT_GT(upper(*mu), 0);
+    if (margin && !margin->minus_infinity && margin->value.sign() > 0) {
+      EXPECT_GT(upper(*mu), 0);
+    }
   }
 }
 
