@@ -18,7 +18,7 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext):
         folder = os.environ.get("FINDSPACE_BUILD") or os.path.abspath(os.path.join(self.build_temp, "cmake"))
         options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG",
-                   "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON", "-DFINDSPACE_TESTS=OFF",
+                   "-DCMAKE_UNITY_BUILD=ON", "-DFINDSPACE_PYTHON=ON",
                    "-DPython3_EXECUTABLE=" + sys.executable]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *options], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "findspace_python"], check=True)

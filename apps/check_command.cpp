@@ -27,11 +27,6 @@ std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& 
   return found ? *std::move(found) : std::nullopt;
 }
 
-void refuse_orientation(const Options& options) {
-  if (options.orientation)
-    throw Error(ErrorCode::kUsage, "--orientation is for 3D scenes; in the plane --angle says all");
-}
-
 }  // namespace
 
 Outcome run_check(const Options& options, Reporter& reporter) {

@@ -104,6 +104,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
 Outcome run_map(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
   const io::Free::Kind free = session.scene().free.kind;
+  if (!session.in_space()) refuse_orientation(options);
   const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
   if (options.at && !at_place)
     throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
@@ -115,6 +116,8 @@ Outcome run_map(const Options& options, Reporter& reporter) {
     require_question(session);
     if (line) {
       refuse_lines(options, "for maps of space, not of a line");
+      if (options.orientation)
+        throw Error(ErrorCode::kUsage, "--orientation is for maps of positions and of poses, not of a line");
       return map_space_line(session);
     }
     return at_orientations(session, [](const Session& s) {

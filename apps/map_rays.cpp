@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "formula/language/certain_cells.h"
@@ -189,8 +190,11 @@ struct RaysShown {
   std::string slices() const {
     const auto [low, high] = shown_box(set, cast->summary);
     const space::RayGrid slices = io::slice_grid(low, high, kLayers, std::max(cast->grid.nu, cast->grid.nv));
-    const io::SlicesText layers{set.title, set.subtitle, session.unit(), set.meaning};
-    return io::slices_svg(space::all_rows(*set.source(slices).rays), slices, low, high, step, layers);
+    io::SlicesPicture picture{set.title, set.subtitle, session.unit(), set.meaning, slices, low, high, step, {}, {}};
+    picture.rows = space::all_rows(*set.source(slices).rays);
+    for (const plane::ShapePtr& shape : set.fixed)
+      picture.fixed.push_back(space::all_rows(*space::shape_rays(*shape, slices)));
+    return io::slices_svg(picture);
   }
   Writers writers() const {
     Writers out;
@@ -265,6 +269,15 @@ void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
   set.somewhere = levels.formula.atoms().size() == 1 && set.least->value;
 }
 
+/// The shapes of a formula that stay where they are.
+std::vector<plane::ShapePtr> fixed_shapes(const Session& session, const formula::Formula& formula) {
+  std::set<std::string> names = formula.shapes();
+  for (const std::string& moving : session.scene().moving) names.erase(moving);
+  std::vector<plane::ShapePtr> out;
+  for (const std::string& name : names) out.push_back(session.scene().shape(name));
+  return out;
+}
+
 /// A question about positions on lines, with what its set refers to.
 struct AskedRays {
   std::optional<formula::SpaceSolver> solver;
@@ -293,6 +306,7 @@ std::unique_ptr<const AskedRays> asked_rays(const Session& session, const LineCh
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   set.subtitle = session.scene().where.text;
   set.meaning = "positions";
+  set.fixed = fixed_shapes(session, where);
   set.lines = lines;
   set.low = window.low;
   set.high = window.high;

@@ -75,6 +75,11 @@ Outcome at_each(const Session& session, Outcome (*ask)(const Session&)) {
 
 }  // namespace
 
+void refuse_orientation(const Options& options) {
+  if (options.orientation)
+    throw Error(ErrorCode::kUsage, "--orientation is for 3D scenes; in the plane an angle says all");
+}
+
 Outcome at_orientations(const Session& session, Outcome (*ask)(const Session&)) {
   if (const auto asked = asked_orientation(session))
     return ask(Session(session.options(), session.reporter(), rotated(session, *asked)));

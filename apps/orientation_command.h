@@ -14,4 +14,7 @@ namespace findspace::app {
 /// else to the scene as it is.
 Outcome at_orientations(const Session& session, Outcome (*ask)(const Session&));
 
+/// Of scenes of the plane.
+void refuse_orientation(const Options& options);
+
 }  // namespace findspace::app

@@ -20,7 +20,7 @@ formula::World at_instant(formula::World world) {
   if (!world.instant) return world;
   plane::Rounding rounding;
   for (const auto& [name, path] : world.motion.of) {
-    plane::Region& shape = world.shapes.at(name);
+    plane::SharedRegion& shape = world.shapes.at(name);
     const exact::Real angle = formula::angle_at(path, *world.instant);
     if (angle.sign() != 0) shape = plane::rotated(shape, {0, 0}, angle, world.step.to_double(), rounding);
     const exact::RealPoint by = formula::position_at(path, *world.instant);

@@ -8,19 +8,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <string_view>
 
 #include "io/draw/draw_layout.h"
+#include "io/text/put.h"
 #include "io/write/write_json.h"
 
 namespace findspace::app {
 
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
+using io::put;
 
 /// "12.5 mm²" with `power` "²".
 std::string size_text(double value, std::string_view unit, const char* power = "");

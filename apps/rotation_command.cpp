@@ -109,7 +109,7 @@ std::string picture(const Session& session, const formula::World& world, const f
   const auto shown = stations(world, about(session), angles);
   for (const Station& w : shown) {
     for (const io::NamedRegion& r : p.moving) {
-      p.rotated.push_back({fmt::format("{}°", io::shown(w.degrees)), &w.world.shapes.at(r.name)});
+      p.rotated.push_back({fmt::format("{}°", io::shown(w.degrees)), &*w.world.shapes.at(r.name)});
     }
   }
   return io::rotations_svg(io::picture_svg(p), angles);

@@ -41,17 +41,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   picture.arrows = motion_arrows(session.scene(), world, formula);
   if (session.scene().board)
     picture.copper = copper_of(*session.scene().board, world.moving, session.scene().grid.step_size());
-  std::set<std::string> named;
-  if (formula != nullptr) {
-    for (const formula::Atom& a : formula->atoms()) {
-      named.insert(a.distance.first.begin(), a.distance.first.end());
-      named.insert(a.distance.second.begin(), a.distance.second.end());
-      for (const formula::SumTerm& t : a.more) {
-        named.insert(t.distance.first.begin(), t.distance.first.end());
-        named.insert(t.distance.second.begin(), t.distance.second.end());
-      }
-    }
-  }
+  const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
   const bool named_only = session.scene().named_only;
   // The parts of a collection carry their own names; one whose parts have none carries its own.
   const auto all_of = [&](const std::string& name) {
@@ -59,8 +49,8 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
     const auto has_name = [](const auto& part) { return !std::isdigit(static_cast<unsigned char>(part.first[0])); };
     const bool by_parts =
         parts != world.parts.end() && std::all_of(parts->second.begin(), parts->second.end(), has_name);
-    if (!named_only && !by_parts) return picture.fixed.push_back({name, &world.shapes.at(name)});
-    if (parts == world.parts.end()) return picture.fixed.push_back({name, &world.shapes.at(name)});
+    if (!named_only && !by_parts) return picture.fixed.push_back({name, &*world.shapes.at(name)});
+    if (parts == world.parts.end()) return picture.fixed.push_back({name, &*world.shapes.at(name)});
     for (const auto& [part, region] : parts->second) picture.fixed.push_back({part, &region});
   };
   // The names of a board's pads are said where the formula speaks of them.
@@ -70,7 +60,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   for (const plane::ShapePtr& s : session.scene().shapes) {
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
     if (moves)
-      picture.moving.push_back({shown_name(s->name), &world.shapes.at(s->name)});
+      picture.moving.push_back({shown_name(s->name), &*world.shapes.at(s->name)});
     else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
       all_of(s->name);
   }

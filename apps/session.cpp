@@ -237,10 +237,7 @@ formula::World Session::world() const { return scene_.named_only ? world_of(wher
 formula::World Session::world_of(const formula::Formula& formula) const {
   std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
   const std::optional<Goal> goal = this->goal();
-  for (const formula::Atom& a : formula.atoms()) {
-    add_names(a.distance, named);
-    for (const formula::SumTerm& t : a.more) add_names(t.distance, named);
-  }
+  named.merge(formula.shapes());
   if (goal)
     for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
   for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);

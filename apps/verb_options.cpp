@@ -142,6 +142,15 @@ void add_files(CLI::App& command, std::string_view verb, Options& o) {
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
 }
 
+CLI::Option* add_orientation(CLI::App& command, Options& o) {
+  return command
+      .add_option("--orientation", o.orientation,
+                  "rotate the moving shape: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or a "
+                  "matrix of nine numbers (default: as drawn)")
+      ->type_name("ROTATION")
+      ->group(kSpace);
+}
+
 /// The position, the angle and the instant that are asked about.
 void add_question(CLI::App& command, std::string_view verb, Options& o) {
   const bool phi = verb == "phi", values = verb == "check" || verb == "measure";
@@ -166,18 +175,13 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
         ->type_name("D")
         ->group(kCommon);
   }
+  if (verb == "map") add_orientation(command, o);
   if (values) {
     auto* angle = command.add_option(
         "--angle", o.angle,
         "rotate the moving shape by DEG degrees, counter-clockwise, in space about the z axis (default 0)");
     angle->type_name("DEG")->group(kCommon);
-    command
-        .add_option("--orientation", o.orientation,
-                    "rotate the moving shape: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or a "
-                    "matrix of nine numbers (default: as drawn)")
-        ->type_name("ROTATION")
-        ->excludes(angle)
-        ->group(kSpace);
+    add_orientation(command, o)->excludes(angle);
     command.add_option("--time", o.time, "an instant of the motion, in its own time (default: over all its time)")
         ->type_name("T")
         ->group(kPlane);

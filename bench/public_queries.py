@@ -4,7 +4,7 @@
 
 All times are those of the processor, so they are those of one core, whatever else the machine does.
 
-usage: PYTHONPATH=build/python/python /usr/bin/python3 bench/public_queries.py [--cpp build/bench/findspace_positions] [--positions N]
+usage: PYTHONPATH=build/release/python /usr/bin/python3 bench/public_queries.py [--cpp build/bench/findspace_positions] [--positions N]
 
 1. A formula of ten atoms over shapes of 100 vertices, asked at a million positions: findspace; with --cpp the same
    question from C++; where GEOS can say it (the same ten clearances as buffered unions), Shapely's prepared contains.

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Writes python/findspace/_findspace.pyi from the module's own signatures.
 
-usage: PYTHONPATH=build/python/python /usr/bin/python3 python/make_stubs.py > python/findspace/_findspace.pyi
+usage: PYTHONPATH=build/release/python /usr/bin/python3 python/make_stubs.py > python/findspace/_findspace.pyi
 """
 import inspect
 import re

@@ -97,7 +97,7 @@ class Picker {
           shape, [](plane::Mark) { return true; }, within(shape_name, place));
       if (!found || (near && !(found->distance < near->distance))) continue;
       near = found;
-      best = &shape;
+      best = &*shape;
       name = shape_name;
     }
     if (!near) throw Error(ErrorCode::kBadValue, "no shape has a boundary to measure from");

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """One call of each kind, for valgrind: what the module does to memory that the interpreter owns, and to its own.
 
-usage: PYTHONMALLOC=malloc PYTHONPATH=build/python/python valgrind --error-exitcode=9 /usr/bin/python3 python/tests/memory_walk.py
+usage: PYTHONMALLOC=malloc PYTHONPATH=build/release/python valgrind --error-exitcode=9 /usr/bin/python3 python/tests/memory_walk.py
 """
 import gc
 import pickle

@@ -94,6 +94,39 @@ TEST(CutValues, AreThoseOfSamples) {
   EXPECT_GT(meeting, 20);
 }
 
+/// No point of the cube is farther from the solid than the protrusion says, and its witness is as far; on lines it has
+/// the sign of the value.
+TEST(CutValues, ProtrusionIsThatOfSamples) {
+  std::mt19937 random(11);
+  int out = 0;
+  for (const Case& c : cases()) {
+    const CsgPair pair = pair_of(c);
+    const auto solid = std::make_shared<const CsgSolid>(space::csg_solid(*c.shape));
+    const auto gap = [&](const RealVector& x) {
+      Body point;
+      point.parts.emplace_back();
+      return CsgPair(space::shared(std::move(point)), solid, false).value(Which::kD1, x)->value.to_double();
+    };
+    for (int k = 0; k < 4; ++k) {
+      const RealVector p = on_grid(any(random, 24));
+      const Answer v = *pair.value(Which::kMu, p);
+      if (v.value.sign() <= 0) continue;
+      ++out;
+      const double low = v.bounds().lower->to_double(), high = v.bounds().upper->to_double();
+      EXPECT_LT(high - low, 0.25) << c.name;
+      ASSERT_EQ(v.witness.size(), 2u) << c.name;
+      EXPECT_LT(to_cube(space::rounded(v.witness[0].at), space::rounded(p)), 1e-9) << c.name;  // no sign: test
+      EXPECT_GE(gap(v.witness[0].at), low - 0.001) << c.name;
+      for (int i = 0; i < 40; ++i) EXPECT_LE(gap(space::plus(p, on_grid(any(random, kHalf)))), high + 1e-6) << c.name;
+      for (const double level : {low / 2, high * 2}) {
+        const Between at = **pair.between(Which::kMu, Real::from_double(level), p);
+        EXPECT_TRUE(level < low ? at.low > 0 : at.high < 0) << c.name;
+      }
+    }
+  }
+  EXPECT_GT(out, 10);
+}
+
 /// The cube is in the solid where its corners and no place of what is cut out are: E is known by formula.
 TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
   std::mt19937 random(8);

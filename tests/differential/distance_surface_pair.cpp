@@ -107,31 +107,32 @@ struct Decided {
 void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
                  const std::vector<Which>& all, double moved, Decided& decided) {
   for (const Which which : all) {
-    const auto found = surfaces.value(which, p);
-    if (!found) continue;
+    const TriedAnswer told = surfaces.try_value(which, p);
+    if (!told) continue;
+    const std::optional<Answer>& found = *told;
     ++decided.all;
     const auto wanted = parts.value(which, space::scaled(Real(scale), p));
-    ASSERT_EQ(found->value.has_value(), wanted.has_value()) << int(which);
+    ASSERT_EQ(found.has_value(), wanted.has_value()) << int(which);
     if (!wanted) continue;
-    decided.depths += which == Which::kGamma1 && found->value->value.sign() < 0;
-    decided.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value->value.sign() > 0);
+    decided.depths += which == Which::kGamma1 && found->value.sign() < 0;
+    decided.fits += which == Which::kEta2 || (which == Which::kEta1 && found->value.sign() > 0);
     const Real value = wanted->value / Real(scale);
-    if (wanted->proven && found->value->proven && moved == 0) {
+    if (wanted->proven && found->proven && moved == 0) {
       ++decided.proven;
-      ASSERT_EQ((found->value->value - value).sign(), 0)
-          << int(which) << " " << found->value->value.to_double() << " " << value.to_double();
+      ASSERT_EQ((found->value - value).sign(), 0)
+          << int(which) << " " << found->value.to_double() << " " << value.to_double();
     } else {
-      ASSERT_NEAR(found->value->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()))
+      ASSERT_NEAR(found->value.to_double(), value.to_double(), 4 * moved + 0x1p-30 * (1 + value.to_double()))
           << int(which);
     }
-    if (!found->value->nearest || (which != Which::kGamma1 && which != Which::kEta1)) continue;
+    if (!found->nearest || (which != Which::kGamma1 && which != Which::kEta1)) continue;
     // At the nearest such position the distance is 0.
-    const auto there = surfaces.value(which, *found->value->nearest);
-    if (!there || !there->value) continue;
-    if (found->value->proven)
-      ASSERT_EQ(there->value->value.sign(), 0) << int(which);
+    const TriedAnswer there = surfaces.try_value(which, *found->nearest);
+    if (!there || !*there) continue;
+    if (found->proven)
+      ASSERT_EQ((*there)->value.sign(), 0) << int(which);
     else
-      ASSERT_NEAR(there->value->value.to_double(), 0, 0x1p-30) << int(which);
+      ASSERT_NEAR((*there)->value.to_double(), 0, 0x1p-30) << int(which);
   }
 }
 
@@ -186,17 +187,18 @@ TEST(SurfacePair, Protrudes) {
     const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
     const SurfacePair surfaces(b.surfaced, a.surfaced);
     const RealVector p = space::place(pick(), pick(), pick());
-    const auto found = surfaces.value(Which::kMu, p);
-    if (!found || found->value->value.sign() <= 0) continue;
+    const TriedAnswer told = surfaces.try_value(Which::kMu, p);
+    if (!told || (*told)->value.sign() <= 0) continue;
+    const Answer& found = **told;
     const Answer wanted =
         protrusion_of_union(at_scale(*b.body, scale), at_scale(*a.body, scale), space::scaled(Real(scale), p));
-    const double value = found->value->value.to_double(), one = 1 / double(scale);
+    const double value = found.value.to_double(), one = 1 / double(scale);
     ASSERT_NEAR(value, wanted.value.to_double() * one,
-                4 * (a.body->moved + b.body->moved) + found->value->error + wanted.error * one + 0x1p-30 * value)
+                4 * (a.body->moved + b.body->moved) + found.error + wanted.error * one + 0x1p-30 * value)
         << round;
-    ASSERT_LT(found->value->error, of_stars ? 0x1p-20 : 0x1p-6) << round;
+    ASSERT_LT(found.error, of_stars ? 0x1p-20 : 0x1p-6) << round;
     ++decided;
-    corners += found->value->proven;
+    corners += found.proven;
   }
   EXPECT_GT(decided, 18);
   EXPECT_GT(corners, 5);
@@ -207,12 +209,12 @@ TEST(SurfacePair, DeepestInside) {
   const Given a = of_mesh(corner_room(20)), b = of_body(space::box_body({{{{5, 5, -7}, {16, 16, 7}}}}));
   const SurfacePair pair(b.surfaced, a.surfaced);
   const auto found = pair.value(Which::kMu, {});
-  ASSERT_TRUE(found && found->value);
-  EXPECT_EQ(found->value->value, Real(11));  // above both walls of the L, at a corner
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->value, Real(11));  // above both walls of the L, at a corner
   space::Body ball;
   ball.parts.push_back({std::nullopt, {8, 8, 0}, Real(2)});
   const auto of_ball = SurfacePair(of_body(std::move(ball)).surfaced, a.surfaced).value(Which::kMu, {});
-  EXPECT_NEAR(of_ball->value->value.to_double(), 3.5 + std::sqrt(7) / 2, 0x1p-30);  // on the way between the walls
+  EXPECT_NEAR(of_ball->value.to_double(), 3.5 + std::sqrt(7) / 2, 0x1p-30);  // on the way between the walls
 }
 
 /// A dent that a corner fills exactly: they touch, and do not overlap.
@@ -220,10 +222,10 @@ TEST(SurfacePair, Contact) {
   space::Body room = space::box_body({{{{-9, -9, -9}, {9, 9, 0}}}});
   const Given a = of_body(room), b = of_body(space::box_body({{{{-1, -1, 0}, {1, 1, 2}}}}));
   const SurfacePair pair(b.surfaced, a.surfaced);
-  const auto value = [&](Which which, const RealVector& p) { return pair.value(which, p)->value->value; };
+  const auto value = [&](Which which, const RealVector& p) { return pair.value(which, p)->value; };
   EXPECT_EQ(value(Which::kGamma1, {}).sign(), 0);
   EXPECT_EQ(value(Which::kD1, space::place(0, 0, -1, 1 << 20)).sign(), 0);
-  EXPECT_FALSE(pair.value(Which::kGamma1, space::place(0, 0, -1, 1 << 20)));
+  EXPECT_FALSE(pair.try_value(Which::kGamma1, space::place(0, 0, -1, 1 << 20)));
   EXPECT_EQ(value(Which::kGamma1, space::place(0, 0, 1, 3)), Real(1) / Real(3));
   EXPECT_EQ(value(Which::kEta1, space::place(0, 0, -2)).sign(), 0);
 }

@@ -10,82 +10,17 @@ Each test makes its input. A run that does not end within a minute is killed and
 import json
 import math
 import os
-import pathlib
 import resource
 import shutil
 import signal
 import stat
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import zipfile
 
-PROGRAM = ""
-SECONDS = 60  # no timing: what takes longer hangs
-GIGABYTE = 1 << 30
-SQUARE = [[0, 0], [4, 0], [4, 3], [0, 3]]
-TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
-SECRET = "hunter2secret"
-
-
-class Result:
-    def __init__(self, status, out, err, kilobytes):
-        self.status, self.out, self.err, self.kilobytes = status, out, err, kilobytes
-
-
-class SafetyTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="findspace-safety-"))
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-
-    def file(self, name, content):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if isinstance(content, bytes):
-            path.write_bytes(content)
-        else:
-            path.write_text(content if isinstance(content, str) else json.dumps(content))
-        return path
-
-    def scene(self, shapes, **more):
-        return self.file("scene.json", {"findspace": 1, "unit": "mm", "shapes": shapes, **more})
-
-    def of_file(self, name):
-        return self.scene({"A": {"file": str(name)}})
-
-    def run_program(self, *arguments, program=None, **options):
-        out, err = tempfile.TemporaryFile(), tempfile.TemporaryFile()
-        child = subprocess.Popen([program or PROGRAM, *map(str, arguments)], stdout=out, stderr=err, cwd=self.folder,
-                                 **{"stdin": subprocess.DEVNULL, **options})
-        end = time.monotonic() + SECONDS
-        while True:
-            pid, status, usage = os.wait4(child.pid, os.WNOHANG)
-            if pid:
-                break
-            if time.monotonic() > end:
-                child.kill()
-                os.wait4(child.pid, 0)
-                self.fail(f"{arguments} does not end")
-            time.sleep(0.01)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        texts = []
-        for stream in (out, err):
-            stream.seek(0)
-            texts.append(stream.read().decode(errors="replace"))
-            stream.close()
-        return Result(child.returncode, *texts, usage.ru_maxrss)
-
-    def expect(self, status, says, *arguments, **options):
-        result = self.run_program(*arguments, **options)
-        self.assertEqual(result.status, status, result.err[:500])
-        self.assertIn(says, result.err)
-        return result
-
-    def leftovers(self):
-        return sorted(p.name for p in self.folder.iterdir())
-
+from safety_test import GIGABYTE, SECONDS, SECRET, SQUARE, TETRAHEDRON, SafetyTest
 
 class Reading(SafetyTest):
     """What a scene may read."""
@@ -304,7 +239,7 @@ class Limits(SafetyTest):
         read, write = os.pipe()
         self.addCleanup(os.close, read)
         self.scene({"A": {"points": [[i, i] for i in range(20000)]}})
-        child = subprocess.Popen([PROGRAM, "convert", "scene.json", "--json", "--time-limit", "2"], cwd=self.folder,
+        child = subprocess.Popen([self.program, "convert", "scene.json", "--json", "--time-limit", "2"], cwd=self.folder,
                                  stdout=write, stderr=subprocess.PIPE)
         os.close(write)
         err = child.communicate(timeout=SECONDS)[1].decode()
@@ -361,7 +296,7 @@ class Limits(SafetyTest):
         """While it waits for the reader of one output, the other stands under its temporary name."""
         self.scene({"A": {"polygon": SQUARE}})
         os.mkfifo(self.folder / "pipe.svg")
-        child = subprocess.Popen([PROGRAM, "convert", "scene.json", "-o", "a.json", "-o", "pipe.svg"],
+        child = subprocess.Popen([self.program, "convert", "scene.json", "-o", "a.json", "-o", "pipe.svg"],
                                  cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         end = time.monotonic() + SECONDS
         while not any(name.startswith("a.json.") for name in self.leftovers()):
@@ -381,7 +316,7 @@ class Limits(SafetyTest):
 
     def test_ignored_signals_stay_ignored(self):
         scene = self.long_scene()
-        child = subprocess.Popen([PROGRAM, "map", scene, "--time-limit", "2"], stdout=subprocess.DEVNULL,
+        child = subprocess.Popen([self.program, "map", scene, "--time-limit", "2"], stdout=subprocess.DEVNULL,
                                  stderr=subprocess.DEVNULL,
                                  preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         time.sleep(0.5)
@@ -413,7 +348,7 @@ class Limits(SafetyTest):
     def test_threads_that_cannot_be_started(self):
         self.folder.chmod(0o755)
         self.many_shapes().chmod(0o644)
-        program = shutil.copy(PROGRAM, self.folder / "findspace")
+        program = shutil.copy(self.program, self.folder / "findspace")
         os.chmod(program, 0o755)
         result = self.run_program("--reuid=61234", "--clear-groups", program, "map", "scene.json", "--threads", "4",
                                   program="setpriv",
@@ -423,5 +358,5 @@ class Limits(SafetyTest):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    SafetyTest.program = os.path.abspath(sys.argv.pop(1))
     unittest.main()

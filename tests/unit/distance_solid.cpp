@@ -164,14 +164,14 @@ TEST(SolidPair, DirectedHausdorffInsideAHole) {
 TEST(BoxPair, AgreesOnSlitsAndUnboundedShapes) {
   const BoxPair channel(box_set({{{{0, 0, 0}, {1, 2, 2}}}}),
                         box_set({{{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}}));
-  EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1)).or_throw()->value.sign(), 0);
-  EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2)).or_throw()->value.to_double(), -0.5);
+  EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
+  EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2))->value.to_double(), -0.5);
   // Everything outside a room of 4: gamma1 is minus eta1 of the room, and minus infinity for what does not fit in.
   const space::BoxComplex walls = closure(complement(box_set({{{{0, 0, 0}, {4, 4, 4}}}})));
   const BoxPair fits(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), walls), large(box_set({{{{0, 0, 0}, {5, 1, 1}}}}), walls);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1)).or_throw()->value.to_double(), 1);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1)).or_throw()->value.to_double(), -2);
-  EXPECT_TRUE(large.value(Which::kGamma1, place(1, 1, 1)).or_throw()->minus_infinity);
+  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1))->value.to_double(), 1);
+  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1))->value.to_double(), -2);
+  EXPECT_TRUE(large.value(Which::kGamma1, place(1, 1, 1))->minus_infinity);
 }
 
 TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
@@ -201,8 +201,8 @@ TEST(BoxPair, RefusesWhatIsTooFine) {
   };
   const BoxPair pair(squares(20, 7, 3), squares(100, 1000, 500));
   EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real()));
-  EXPECT_FALSE(pair.value(Which::kGamma1, place(0, 0, 0)));
-  EXPECT_FALSE(pair.value(Which::kGamma2, place(0, 0, 0)));
+  EXPECT_FALSE(pair.try_value(Which::kGamma1, place(0, 0, 0)));
+  EXPECT_FALSE(pair.try_value(Which::kGamma2, place(0, 0, 0)));
   EXPECT_FALSE(pair.least(Which::kGamma1));
   EXPECT_FALSE(pair.directional_map(Which::kGamma1, Real(1), 0, 0));
   EXPECT_FALSE(pair.directional_least(Which::kGamma1, 0, 0));

@@ -30,9 +30,14 @@ TEST(DrawSlices, OfABall) {
   EXPECT_EQ(grid.nv, 8);
   EXPECT_EQ(grid.axis, 0);
   const space::PieceRays rays({space::ball_piece({}, Real(3))}, 1, grid);
-  const std::string svg = slices_svg(space::all_rows(rays), grid, low, high, 0.5, {"a < b", "", "mm", "positions"});
+  const space::PieceRays small({space::ball_piece({}, Real(1))}, 1, grid);
+  const std::string svg = slices_svg(
+      {"a < b", "", "mm", "positions", grid, low, high, 0.5, space::all_rows(rays), {space::all_rows(small)}});
   EXPECT_EQ(count(svg, "class=\"layer\""), 8);
   EXPECT_EQ(count(svg, "face strips"), 6);
+  EXPECT_EQ(count(svg, "fixed strips"), 2);
+  EXPECT_EQ(count(svg, "class=\"axis\""), 8);
+  EXPECT_NE(svg.find("fixed shapes, cut at this height"), std::string::npos);
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
   EXPECT_NE(svg.find("z = -0.25 mm"), std::string::npos);
   const std::size_t last = svg.rfind("face strips"),
@@ -51,7 +56,7 @@ TEST(DrawSlices, PlacesAreDots) {
   RayGrid grid = slice_grid(low, high, 1, 1);
   grid.u = grid.v = 0;
   const space::PieceRays rays({space::ball_piece({}, Real())}, 1, grid);
-  EXPECT_EQ(count(slices_svg(space::all_rows(rays), grid, low, high, 1, {}), "free dots"), 1);
+  EXPECT_EQ(count(slices_svg({"", "", "", "", grid, low, high, 1, space::all_rows(rays), {}}), "free dots"), 1);
 }
 
 TEST(DrawBodies, OutlinesAndHiddenLines) {

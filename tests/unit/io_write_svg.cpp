@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <pugixml.hpp>
 
 #include "findspace/error.h"
@@ -80,6 +82,30 @@ TEST(Svg, SceneryHasNamesAndTheMovingShapeAPlace) {
   EXPECT_EQ(count(svg, "moving"), 1);
   EXPECT_EQ(count(svg, "pole"), 1);
   EXPECT_NE(svg.find("at p = (50, 50)"), std::string::npos);
+}
+
+/// Strips as close as a name is high: a name that may cross no line has no place but on the part.
+TEST(Svg, ANameDoesNotHideASmallPart) {
+  Region strips = plane::box(0, 0, 100, 1);
+  for (int k = 1; k < 30; ++k) strips = strips + plane::box(0, 2 * k, 100, 2 * k + 1);
+  strips = plane::translated(strips, {-50, -30});
+  const Region part = plane::box(-1, -1, 1, 1);
+  Picture p;
+  p.step = Real(1);
+  const plane::Summary summary = plane::summarize(strips, Real(1));
+  p.region = &strips;
+  p.summary = &summary;
+  p.moving = {{"a part with a long name", &part}};
+  p.position = {0, 0};
+  const std::string svg = picture_svg(p);
+  pugi::xml_document xml;
+  ASSERT_TRUE(xml.load_string(svg.c_str()));
+  const auto name = xml.select_node("//text[@class='label']").node();
+  ASSERT_STREQ(name.text().get(), "a part with a long name");
+  double x = 0, y = 0;
+  ASSERT_EQ(std::sscanf(xml.select_node("/svg/g/*[@class='moving']").node().attribute("d").value(), "M%lf %lf", &x, &y),
+            2);
+  EXPECT_GT(std::hypot(name.attribute("x").as_double() - x, name.attribute("y").as_double() - y), 14);
 }
 
 TEST(Svg, ArrowsSayHowShapesMove) {

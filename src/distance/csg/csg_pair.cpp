@@ -21,42 +21,9 @@ using space::RealVector;
 
 namespace {
 
-/// max(0, v), or max(0, -v) if `negated`.
-TriedAnswer not_below_zero(exact::Tried<Answer> v, bool negated) {
-  if (!v) return v.refusal();
-  return cut_off(*std::move(v), negated);
-}
-
 TriedAnswer defined(exact::Tried<Answer> v) {
   if (!v) return v.refusal();
   return std::optional(*std::move(v));
-}
-
-Which exchanged(Which which) {
-  switch (which) {
-    case Which::kEta1:
-      return Which::kDelta1;
-    case Which::kDelta1:
-      return Which::kEta1;
-    case Which::kEta2:
-      return Which::kDelta2;
-    case Which::kDelta2:
-      return Which::kEta2;
-    case Which::kMu:
-      return Which::kMuBack;
-    case Which::kMuBack:
-      return Which::kMu;
-    case Which::kH:
-      return Which::kHBack;
-    case Which::kHBack:
-      return Which::kH;
-    case Which::kDstar:
-      return Which::kDstarBack;
-    case Which::kDstarBack:
-      return Which::kDstar;
-    default:
-      return which;
-  }
 }
 
 }  // namespace
@@ -112,17 +79,17 @@ TriedAnswer CsgPair::contained(const RealVector& p) const {
   const Tried<bool> whole = is_whole(**worst);
   if (!whole) return whole.refusal();
   if (*whole) return worst;
-  const Tried<const FreeSpace*> fits = this->fits();
+  const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   return (*fits)->nearest(p, false);
 }
 
 /// Null: nothing fits.
-Tried<const FreeSpace*> CsgPair::fits() const {
+Tried<const PositionSet*> CsgPair::fits() const {
   std::call_once(fits_made_, [&] {
     std::optional<space::Bounds3> box;
-    std::vector<FreeSpace> all;
+    std::vector<PositionSet> all;
     const space::Bounds3 inner = bounds(*b_);
     for (const Body& container : a_->containers) {
       if (!container.convex()) {
@@ -142,24 +109,27 @@ Tried<const FreeSpace*> CsgPair::fits() const {
       if (box->high[k] < box->low[k]) return;
     }
     for (const Body& container : a_->containers)
-      all.push_back(FreeSpace::inside(*b_, container.parts[0], box->low, box->high));
+      all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
     std::vector<GrownSet> sets;
     for (const Body& obstacle : a_->obstacles) {
       for (const BodyPart& t : obstacle.parts) {
-        for (const BodyPart& s : b_->parts)
-          sets.push_back({space::difference_planes(t, s), space::real(t.center - s.center), t.radius + s.radius});
+        for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
       }
     }
-    all.push_back(FreeSpace::outside(std::move(sets), box->low, box->high));
-    fits_ = FreeSpace::common(all, box->low, box->high);
+    all.push_back(PositionSet::outside(std::move(sets), box->low, box->high));
+    fits_ = PositionSet::common(all, box->low, box->high);
   });
   if (no_fits_) return *no_fits_;
   return fits_ ? &*fits_ : nullptr;
 }
 
-TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
+TriedAnswer CsgPair::farthest_fit(Inner inner, const RealVector& p) const {
+  if (inner == Inner::kA) {
+    if (too_large()) return std::nullopt;
+    return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
+  }
   if (containers_.empty()) return farthest_in_union(p);
-  const Tried<const FreeSpace*> fits = this->fits();
+  const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   TriedAnswer v = (*fits)->farthest(p);
@@ -167,23 +137,22 @@ TriedAnswer CsgPair::farthest_fit(const RealVector& p) const {
   return v;
 }
 
-Tried<Answer> CsgPair::protrusion(const RealVector& p) const {
+TriedAnswer CsgPair::protrusion(Inner inner, const RealVector& p, Depth /*depth*/) const {
+  if (inner == Inner::kA) return defined(protrusion_back(p));
   TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  if (!worst) return worst.refusal();
   // B that fits nowhere protrudes everywhere.
-  if (!*worst || (*worst)->value.sign() > 0)
-    return Refusal("the protrusion from a shape that round ones are cut out of is not computed");
-  return **std::move(worst);
+  if (worst && (!*worst || (*worst)->value.sign() > 0)) return std::optional(protrusion_out(p));
+  return worst;
 }
 
-Tried<Answer> CsgPair::hausdorff(const RealVector& p) const {
-  Tried<Answer> back = protrusion_back(p);
+TriedAnswer CsgPair::hausdorff(const RealVector& p) const {
+  TriedAnswer back = defined(protrusion_back(p));
   if (!back) return back;
   // No point of B is farther from A than the gap and B's own width.
-  const double most = apart(p).value.to_double() + diameter(*b_).to_double();
-  if (most < back->value.to_double() - back->error) return back;
-  Tried<Answer> forth = protrusion(p);
-  return forth && forth->value < back->value ? back : forth;
+  const double most = apart(p).value.to_double() + distance::diameter(*b_).to_double();
+  if (most < (*back)->value.to_double() - (*back)->error) return back;
+  TriedAnswer forth = protrusion(Inner::kB, p, Depth::kValue);
+  return forth && (*forth)->value < (*back)->value ? back : forth;
 }
 
 /// Whether A is wider than B along an axis, and so never in it.
@@ -197,8 +166,7 @@ bool CsgPair::too_large() const {
           return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
         };
         double most = -exact::kInfinity;
-        for (const CutSearch& part : parts_)
-          most = std::max(most, farthest_allowed(part.cells, part.rules, ahead, size_).value);
+        for (const CutSearch& part : parts_) most = std::max(most, part.places.farthest_from(ahead).value);
         wide += most;
       }
       if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;
@@ -207,11 +175,12 @@ bool CsgPair::too_large() const {
   return too_large_;
 }
 
-/// max(0, -eta1), and max(0, mu) where it is 0.
-Tried<Answer> CsgPair::clearance(const RealVector& p) const {
-  TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
-  if (!worst) return worst.refusal();
-  return *worst ? *cut_off(**std::move(worst), true) : Answer{};
+TriedAnswer CsgPair::clearance(Inner inner, const RealVector& p) const {
+  TriedAnswer v = inner == Inner::kA    ? defined(protrusion_back(p))
+                  : containers_.empty() ? contained_in_union(p)
+                                        : worst_fit(p);
+  if (!v) return v;
+  return cut_off(*std::move(v), true);
 }
 
 TriedAnswer CsgPair::covered(const RealVector& p) const {
@@ -222,64 +191,32 @@ TriedAnswer CsgPair::covered(const RealVector& p) const {
   return defined(std::move(v));
 }
 
-Tried<Answer> CsgPair::apart_or_deep(const RealVector& p) const {
-  Gap found = gap(p);
-  if (found.depth > 0) return overlapping(p);
-  return std::move(found.value);
+TriedAnswer CsgPair::gap(const RealVector& p, Depth depth) const {
+  Gap found = gap_at(p);
+  if (found.depth > 0 && depth == Depth::kValue) return defined(overlapping(p));
+  return std::optional(std::move(found.value));
 }
 
-TriedAnswer CsgPair::value_at(Which which, const RealVector& p) const {
-  switch (which) {
-    case Which::kGamma1:
-      return defined(apart_or_deep(p));
-    case Which::kD1:
-      return cut_off(gap(p).value, false);
-    case Which::kPenetration:
-      return not_below_zero(apart_or_deep(p), true);
-    case Which::kGamma2:
-      return std::optional(reach(p));
-    case Which::kEta1:
-      return contained(p);
-    case Which::kEta2:
-      return farthest_fit(p);
-    case Which::kMu:
-      return defined(protrusion(p));
-    case Which::kH:
-      return not_below_zero(protrusion(p), false);
-    case Which::kDstarBack:
-      return defined(clearance(p));
-    case Which::kMuBack:
-      return defined(protrusion_back(p));
-    case Which::kHBack:
-      return not_below_zero(protrusion_back(p), false);
-    case Which::kDelta1:
-      return covered(p);
-    case Which::kDelta2:
-      if (too_large()) return std::nullopt;
-      return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
-    case Which::kHausdorff:
-      return defined(hausdorff(p));
-    case Which::kDstar:
-      return not_below_zero(protrusion_back(p), true);
-    default:
-      return Refusal("this distance to a shape that round ones are cut out of is not computed");
-  }
+TriedAnswer CsgPair::reach(const RealVector& p) const { return std::optional(reach_of_parts(p)); }
+
+TriedAnswer CsgPair::diameter(const RealVector& /*p*/) const {
+  return Refusal("this distance to a shape that round ones are cut out of is not computed");
+}
+
+TriedAnswer CsgPair::fit(Inner inner, const RealVector& p) const {
+  return inner == Inner::kB ? contained(p) : covered(p);
 }
 
 TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
-  if (!cut_moves_) return value_at(which, p);
-  TriedAnswer v = value_at(exchanged(which), space::negated(p));
-  if (!v || !*v) return v;
-  if ((*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
-  exchange_roles(**v, p);
-  return v;
+  if (!cut_moves_) return PairDistances::try_value(which, p);
+  return exchanged_back(PairDistances::try_value(exchanged(which), space::negated(p)), p);
 }
 
 /// How far B + p is from fitting, less a level above 0.
 TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
-  const exact::Tried<const FreeSpace*> made = this->fits();
+  const exact::Tried<const PositionSet*> made = this->fits();
   if (!made) return made.refusal();
-  const FreeSpace* fits = *made;
+  const PositionSet* fits = *made;
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
@@ -292,7 +229,8 @@ TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
     const double v = (*worst)->value.to_double();
     if (*whole) return Between{v - error - level, v + error - level};
   }
-  const BoundaryPlace found = fits->nearly(p, {level, margin::kRoughShare});
+  const Until until{level, margin::kRoughShare};
+  const BoundaryPlace found = fits->nearest_to(distance_to_point(space::rounded(p)), {least, {}, &until});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }
@@ -302,6 +240,8 @@ TriedBetween CsgPair::between(Which which, const Real& level, const RealVector& 
   const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
   const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
   if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
+  if (which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at > 0)
+    return nearly_protrudes(cut_moves_ ? space::negated(p) : p, at);
   if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
   const TriedAnswer found = try_value(which, p);
   if (!found) return found.refusal();

@@ -3,11 +3,11 @@
 //
 // T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of B:
 //   gamma1, d1, penetration
-//                   the depth by search (csg_depth.h), of B and parts of A without round polyhedra;
+//                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
-//   obstacle; mu, h           of B to A where B + p lies in A; hausdorff where A protrudes from B by more than B could
-//   of A; eta2            where all containers are convex;
+//   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by csg_protrusion.h; hausdorff where the
+//   other one is known; eta2  where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
 //                   that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
@@ -23,22 +23,19 @@
 #include "distance/csg/csg_part.h"
 #include "distance/rays/near_rays.h"
 #include "distance/rays/value_rays.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
 #include "space/body/csg_solid.h"
 
 namespace findspace::distance {
 
-class CsgDepth;
-
-class CsgPair {
+class CsgPair : public PairDistances {
  public:
   /// Both of one scale, B bounded. With `cut_moves` it is A that is moved, by -p in its own words: then the distances
   /// are those of A + p to B.
   CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
 
   TriedAnswer try_value(Which which, const space::RealVector& p) const;
-  /// The same; Error(kUnsupported) instead of a refusal.
   std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
@@ -60,17 +57,16 @@ class CsgPair {
     double depth = 0;
   };
 
-  TriedAnswer value_at(Which which, const space::RealVector& p) const;
-  Gap gap(const space::RealVector& p) const;
+  Gap gap_at(const space::RealVector& p) const;
   /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
   double common_depth(const space::RealVector& p, double enough) const;
   Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
-  exact::Tried<Answer> apart_or_deep(const space::RealVector& p) const;
-  exact::Tried<const CsgDepth*> depths() const;
+  /// The positions at which B is free of A.
+  exact::Tried<const PositionSet*> free() const;
   exact::Tried<Answer> overlapping(const space::RealVector& p) const;
   TriedAnswer free_of_sets(const space::RealVector& p) const;
-  Answer reach(const space::RealVector& p) const;
+  Answer reach_of_parts(const space::RealVector& p) const;
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
   TriedAnswer worst_fit(const space::RealVector& p) const;
   exact::Tried<bool> is_whole(const Answer& worst) const;
@@ -82,16 +78,26 @@ class CsgPair {
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
-  TriedAnswer farthest_fit(const space::RealVector& p) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
-  exact::Tried<const FreeSpace*> fits() const;
-  exact::Tried<Answer> protrusion(const space::RealVector& p) const;
-  exact::Tried<Answer> hausdorff(const space::RealVector& p) const;
+  exact::Tried<const PositionSet*> fits() const;
   bool too_large() const;
-  exact::Tried<Answer> clearance(const space::RealVector& p) const;
+  /// Of B + p out of A, where it is not in A.
+  Answer protrusion_out(const space::RealVector& p) const;
+  /// Less the level; as near as tells about how far it is from that.
+  Between nearly_protrudes(const space::RealVector& p, double level) const;
   /// Of A out of B + p.
   exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
   TriedAnswer covered(const space::RealVector& p) const;
+
+  // Of A that does not move.
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override;
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer hausdorff(const space::RealVector& p) const override;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;
@@ -100,12 +106,11 @@ class CsgPair {
   std::vector<std::unique_ptr<const SolidPair>> containers_, obstacles_;
   double size_ = 1;
   mutable std::once_flag fits_made_;
-  mutable std::optional<FreeSpace> fits_;
-  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_depths_;
+  mutable std::optional<PositionSet> fits_, free_;
+  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_free_;
   mutable std::once_flag among_made_;
   mutable std::shared_ptr<const Among> among_;
-  mutable std::once_flag depths_made_;
-  mutable std::shared_ptr<const CsgDepth> depths_;
+  mutable std::once_flag free_made_;
   mutable std::once_flag extents_made_;
   mutable bool too_large_ = false;
 };

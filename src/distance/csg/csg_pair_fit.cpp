@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
 #include "exact/margins/space_distance.h"
 
@@ -19,12 +18,6 @@ using space::RealVector;
 using space::Vector;
 
 namespace {
-
-exact::Refusal no_fit_found() {
-  return exact::Refusal(
-      "how far a shape is from fitting into a union of shapes that round ones are cut out of was not found "
-      "within the limit of the search");
-}
 
 bool inside(const RealVector& p, const space::Bounds3& box) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -44,6 +37,12 @@ struct CsgPair::Among {
   space::Bounds3 places;  // beyond this B protrudes from the box about A
   std::unique_ptr<const CsgPair> left;
 
+  /// Of B in A.
+  exact::Tried<PositionSet> fits() const {
+    const exact::Tried<const PositionSet*> free = left->free();
+    if (!free) return free.refusal();
+    return (*free)->within({low(), high()});
+  }
   Vector low() const { return space::rounded(places.low); }
   Vector high() const { return space::rounded(places.high); }
 };
@@ -76,7 +75,7 @@ exact::Tried<const CsgPair::Among*> CsgPair::among() const {
 /// Whether B + p is in A, and how deep.
 bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
-  Gap gap = all.left->gap(p);
+  Gap gap = all.left->gap_at(p);
   if (gap.depth > 0) return false;
   depth = std::move(gap.value);
   depth.value = -depth.value;
@@ -90,17 +89,9 @@ TriedAnswer CsgPair::contained_in_union(const RealVector& p) const {
   if (!all) return std::nullopt;
   Answer out;
   if (in_union(*all, p, out)) return std::optional(std::move(out));
-  const exact::Tried<const CsgDepth*> depths = all->left->depths();
-  if (!depths) return depths.refusal();
-  const BoundaryPlace found = (*depths)->nearest_in(all->low(), all->high(), space::rounded(p), {});
-  const double off = std::fabs(found.value - found.bound);
-  if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > margin::kMostFoundError * size_) return no_fit_found();
-  out.value = Real::from_double(found.value);
-  out.nearest = space::real(found.place);
-  out.proven = false;
-  out.error = margin::kFoundError * size_ + off;
-  return std::optional(std::move(out));
+  const exact::Tried<PositionSet> fits = all->fits();
+  if (!fits) return fits.refusal();
+  return fits->nearest(p, false);
 }
 
 TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
@@ -108,17 +99,11 @@ TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
   if (!made) return made.refusal();
   const Among* all = *made;
   if (!all) return std::nullopt;
-  const exact::Tried<const CsgDepth*> depths = all->left->depths();
-  if (!depths) return depths.refusal();
-  const BoundaryPlace found = (*depths)->farthest_in(all->low(), all->high(), space::rounded(p));
-  const double off = std::fabs(found.value - found.bound);
-  if (!found.found && !found.unresolved && found.complete) return std::nullopt;
-  if (!found.found || off > margin::kMostFoundError * size_) return no_fit_found();
-  Answer out;
-  out.value = Real::from_double(found.value);
-  out.proven = false;
-  out.error = margin::kFoundError * size_ + off;
-  return std::optional(std::move(out));
+  const exact::Tried<PositionSet> fits = all->fits();
+  if (!fits) return fits.refusal();
+  TriedAnswer v = fits->farthest(p);
+  if (v && *v) (*v)->nearest.reset();
+  return v;
 }
 
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
@@ -139,9 +124,9 @@ TriedBetween CsgPair::nearly_in_union(const RealVector& p, double level) const {
     if (level <= 0) return Between{slack - level, exact::kInfinity};
   }
   const Until until{level, 0.5};
-  const exact::Tried<const CsgDepth*> depths = all->left->depths();
-  if (!depths) return depths.refusal();
-  const BoundaryPlace found = (*depths)->nearest_in(all->low(), all->high(), space::rounded(p), {}, &until);
+  const exact::Tried<PositionSet> fits = all->fits();
+  if (!fits) return fits.refusal();
+  const BoundaryPlace found = fits->nearest_to(distance_to_point(space::rounded(p)), {0, {}, &until});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{found.bound - error - level, found.value + error - level};
 }

@@ -10,8 +10,9 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
-#include "distance/search/boundary_slack.h"
+#include "distance/csg/csg_protrusion.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
@@ -44,14 +45,6 @@ double distance(const Box& a, const Box& b) {
                         apart(a.low.z, a.high.z, b.low.z, b.high.z)});
 }
 
-Answer searched(const BoundaryPlace& found, double size) {
-  Answer out;
-  out.value = Real::from_double(found.value);
-  out.proven = false;
-  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
-  return out;
-}
-
 /// The part as a body of its own.
 Body body_of(const BodyPart& part) {
   Body one;
@@ -68,11 +61,11 @@ Answer CsgPair::apart(const RealVector& p) const {
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
-      if (best && distance(box, {part.low, part.high}) > best->value.to_double()) continue;
+      if (best && distance(box, {part.low(), part.high()}) > best->value.to_double()) continue;
       const TouchingRule to = gap_to(s, by);
-      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0);
+      const BoundaryPlace found = part.places.nearest_to(to, {});
       if (!found.found) continue;
-      Answer v = searched(found, size_);
+      Answer v = searched_answer(found, size_);
       const double near = found.value, error = v.error;
       if (near < error) v.value = Real();
       const Touching at = to(found.place);
@@ -99,13 +92,13 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
     const Box box = box_of(s, by);
     const TouchingRule to = gap_to(s, by);
     for (const CutSearch& part : parts_) {
-      const double least = distance(box, {part.low, part.high});
+      const double least = distance(box, {part.low(), part.high()});
       if (least > out.low) continue;
       if (least - level > margin::kFarByBoxes * size_) {
         out.low = least;
         continue;
       }
-      const BoundaryPlace found = nearest_allowed(part.cells, part.rules, to, size_, 0, {}, &until);
+      const BoundaryPlace found = part.places.nearest_to(to, {0, {}, &until});
       out.low = std::min(out.low, found.bound);
       out.high = std::min(out.high, found.value);
     }
@@ -120,16 +113,14 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
-      if (distance(box, {part.low, part.high}) > 0) continue;
-      Constraints rules = part.rules;
-      rules.keep_in.push_back(keep_in(s, by));
-      most = std::max(most, most_slack(part.cells, rules, {enough * size_}).value);
+      if (distance(box, {part.low(), part.high()}) > 0) continue;
+      most = std::max(most, part.places.also_in(keep_in(s, by)).deepest({enough * size_}).value);
     }
   }
   return most > enough * size_ ? most : 0;
 }
 
-CsgPair::Gap CsgPair::gap(const RealVector& p) const {
+CsgPair::Gap CsgPair::gap_at(const RealVector& p) const {
   Gap out;
   out.value = apart(p);
   const double v = out.value.value.to_double();
@@ -139,7 +130,7 @@ CsgPair::Gap CsgPair::gap(const RealVector& p) const {
   return out;
 }
 
-Answer CsgPair::reach(const RealVector& p) const {
+Answer CsgPair::reach_of_parts(const RealVector& p) const {
   std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {
@@ -147,12 +138,12 @@ Answer CsgPair::reach(const RealVector& p) const {
       const Vector near = space::rounded(at);
       const double radius = s.radius.to_double();
       for (const CutSearch& part : parts_) {
-        const Vector far{std::max(near.x - part.low.x, part.high.x - near.x),
-                         std::max(near.y - part.low.y, part.high.y - near.y),
-                         std::max(near.z - part.low.z, part.high.z - near.z)};
+        const Vector far{std::max(near.x - part.low().x, part.high().x - near.x),
+                         std::max(near.y - part.low().y, part.high().y - near.y),
+                         std::max(near.z - part.low().z, part.high().z - near.z)};
         if (best && space::length(far) + radius < best->value.to_double()) continue;
         const auto away = [near](const Vector& x) { return space::length(x - near); };
-        const BoundaryPlace found = farthest_allowed(part.cells, part.rules, away, size_);
+        const BoundaryPlace found = part.places.farthest_from(away);
         if (!found.found || (best && found.value + radius <= best->value.to_double())) continue;
         best = named_reach(*part.sets, at, found);
         best->value += s.radius;
@@ -165,7 +156,7 @@ Answer CsgPair::reach(const RealVector& p) const {
 
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
 Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
-  Answer out = searched(found, size_);
+  Answer out = searched_answer(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
       const RealVector way = space::minus(space::real(v), from);
@@ -190,9 +181,9 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   const ConvexDistance beyond = keep_out(b_->parts[0], by);
   std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
-    const BoundaryPlace found = farthest_allowed(part.cells, part.rules, beyond, size_);
+    const BoundaryPlace found = part.places.farthest_from(beyond);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    Answer v = searched(found, size_);
+    Answer v = searched_answer(found, size_);
     // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
       const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
@@ -209,6 +200,48 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   }
   if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
   return *std::move(best);
+}
+
+/// At a corner of B, and to a place that square roots name, exactly.
+Answer CsgPair::protrusion_out(const RealVector& p) const {
+  const CsgProtrusion out = csg_protrusion(solids_of(*b_, p), parts_, size_, margin::kProtrudesTo * size_);
+  const Vector& place = out.found.place;
+  Answer v;
+  v.value = Real::from_double(out.found.value);
+  v.proven = false;
+  v.error = out.found.bound - out.found.value + margin::kFoundError * size_;
+  v.enclosed = Enclosure{Real::from_double(out.found.value - margin::kFoundError * size_),
+                         Real::from_double(out.found.bound + margin::kFoundError * size_)};
+  v.witness = point_pair(space::real(place), space::real(out.nearest));
+  if (!out.part) return v;
+  for (const BodyPart& part : b_->parts) {
+    if (part.radius.sign() > 0) continue;
+    for (const space::Point& corner : part.vertices()) {
+      if (space::length(space::plus(exact::approx(corner), space::rounded(p)) - place) > margin::kAtVertex * size_)
+        continue;
+      BodyPart one;
+      one.center = corner;
+      for (Answer& named : named_gaps(*out.part->sets, one, p, out.nearest, size_)) {
+        if (std::fabs((named.value - v.value).to_double()) > v.error) continue;  // no sign: the same value
+        named.nearest.reset();
+        return std::move(named);
+      }
+    }
+  }
+  return v;
+}
+
+Between CsgPair::nearly_protrudes(const RealVector& p, double level) const {
+  const Solids solids = solids_of(*b_, p);
+  const double error = margin::kFoundError * size_;
+  for (double near = size_ / 16;; near /= 8) {
+    const SolidMaxMin found = csg_protrusion(solids, parts_, size_, near).found;
+    const Between out{std::max(0.0, found.value) - error - level, found.bound + error - level};
+    const bool told = out.low > 0 || out.high < 0;
+    if ((told && out.high - out.low <= std::max(out.low, -out.high)) || !found.complete ||
+        near < margin::kProtrudesTo * size_)
+      return out;
+  }
 }
 
 }  // namespace findspace::distance

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/csg/csg_depth.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/search/swept_part.h"
 #include "exact/margins/space_distance.h"
@@ -53,8 +52,7 @@ class CsgPair::GapNear : public NearRule {
           out.low = std::min(out.low, boxes);
           continue;
         }
-        const BoundaryPlace found =
-            nearest_allowed(part.cells, part.rules, gap, pair_->size_, -exact::kInfinity, {}, &wanted);
+        const BoundaryPlace found = part.places.nearest_to(gap, {-exact::kInfinity, {}, &wanted});
         out.low = std::min(out.low, found.bound - error - level_);
         const double high = found.value + error - level_;
         if (!found.found || !(high < out.high)) continue;
@@ -78,9 +76,9 @@ class CsgPair::GapNear : public NearRule {
     const auto off = [](double u, double v, double low, double high, double other_low, double other_high) {
       return between_spans(std::min(u, v) + low, std::max(u, v) + high, other_low, other_high);
     };
-    return space::length({off(p.x, q.x, s.low.x, s.high.x, part.low.x, part.high.x),
-                          off(p.y, q.y, s.low.y, s.high.y, part.low.y, part.high.y),
-                          off(p.z, q.z, s.low.z, s.high.z, part.low.z, part.high.z)});
+    return space::length({off(p.x, q.x, s.low.x, s.high.x, part.low().x, part.high().x),
+                          off(p.y, q.y, s.low.y, s.high.y, part.low().y, part.high().y),
+                          off(p.z, q.z, s.low.z, s.high.z, part.low().z, part.high().z)});
   }
 
   static std::function<AlongPlace(double)> beyond(const Moving& s, const Vector& start, const Vector& unit,
@@ -129,11 +127,11 @@ class CsgPair::FreeNear : public NearRule {
     std::optional<Vector> out_of_one;
     std::optional<exact::Refusal> refused;
     const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
-    const exact::Tried<const CsgDepth*> depths = pair_->depths();
-    if (!depths) return depths.refusal();
+    const exact::Tried<const PositionSet*> free = pair_->free();
+    if (!free) return free.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
-        (*depths)->nearest_to(distance_to_segment(start, unit, from, to), low, high, ask, &wanted);
+        (*free)->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, {{low, high}}});
     if (refused) return *refused;
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;
@@ -159,7 +157,7 @@ class CsgPair::FreeNear : public NearRule {
         return best;
       }
       const std::optional<Answer>& free = *found;
-      if (!free || !free->nearest || free->value.sign() >= 0) continue;
+      if (!free || !free->nearest || free->value.sign() <= 0) continue;
       const Vector there = space::rounded(*free->nearest);
       const double d = space::length(there - from);
       if (!best || d < *best) {

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/boundary_slack.h"
-#include "distance/search/free_space.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 
@@ -31,17 +29,6 @@ double size_of(const Body& body) {
 }
 
 bool flat_sided(const BodyPart& part) { return part.core && part.radius.sign() == 0; }
-
-TouchingRule highest_plane(std::vector<HalfSpace> planes, const Vector& p) {
-  return [planes = std::move(planes), p](const Vector& x) {
-    Touching best{-exact::kInfinity, {}};
-    for (const HalfSpace& h : planes) {
-      const double value = h.approx_value(x - p);
-      if (value > best.value) best = {value, h.unit};
-    }
-    return best;
-  };
-}
 
 }  // namespace
 
@@ -79,17 +66,17 @@ ConvexDistance keep_out(const BodyPart& set, const Vector& p) {
 }
 
 CutSearch cut_search(const CsgPart& part, double size) {
-  CutSearch out;
-  out.sets = &part;
   const space::Bounds3 box = bounds(part);
   const double slack = margin::kAroundPart * size;
-  out.low = space::rounded(box.low) - Vector{slack, slack, slack};
-  out.high = space::plus(space::rounded(box.high), {slack, slack, slack});
-  const auto [low, high] = askew(out.low, out.high);
-  out.cells = tetrahedra_of_box(low, high);
-  for (const BodyPart& set : part.within) out.rules.keep_in.push_back(keep_in(set, {}));
-  for (const BodyPart& set : part.without) out.rules.keep_out.push_back(keep_out(set, {}));
-  out.empty = most_slack(out.cells, out.rules, {margin::kNoInterior * size}).value <= margin::kNoInterior * size;
+  const Vector by{slack, slack, slack};
+  Constraints rules;
+  for (const BodyPart& set : part.within) rules.keep_in.push_back(keep_in(set, {}));
+  for (const BodyPart& set : part.without) rules.keep_out.push_back(keep_out(set, {}));
+  CutSearch out{&part, PositionSet::of_rules(std::move(rules),
+                                             {space::rounded(box.low) - by, space::plus(space::rounded(box.high), by)},
+                                             size, [&part](const RealVector& x) { return holds(part, x); })};
+  const double none = margin::kNoInterior * size;
+  out.empty = out.places.deepest({none}).value <= none;
   return out;
 }
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "distance/search/boundary_search.h"
 #include "distance/search/meet_slack.h"
+#include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
 #include "space/body/csg_solid.h"
 
@@ -18,10 +18,11 @@ namespace findspace::distance {
 
 struct CutSearch {
   const space::CsgPart* sets = nullptr;
-  std::vector<Tetrahedron> cells;  // hold it
-  Constraints rules;               // what else its places have to keep
-  space::Vector low, high;
+  PositionSet places;
   bool empty = false;
+
+  const space::Vector& low() const { return places.box().low; }
+  const space::Vector& high() const { return places.box().high; }
 };
 
 /// Of all coordinates and radii.

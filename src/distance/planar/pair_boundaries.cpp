@@ -30,8 +30,9 @@ bool is_inside(const FeatureTree& of, Index v, const FeatureTree& set, const Rea
 
 /// Every piece of the boundary of `inner`, moved by p, lies in the set: 1; none does: -1; else 0.
 int pieces_inside(const FeatureTree& inner, const FeatureTree& set, const RealPoint& p) {
-  int found = 0;
-  for (Index v : inner.representatives()) {
+  const auto near = inner.representatives_in(set, near_value(p.x), near_value(p.y));
+  int found = near.size() < inner.representatives().size() ? -1 : 0;
+  for (Index v : near) {
     int side = is_inside(inner, v, set, p) ? 1 : -1;
     if (found != 0 && found != side) return 0;
     found = side;
@@ -87,8 +88,9 @@ std::vector<Feature> PairBoundaries::common_point(const Standing& s, const RealP
   if (s.kind == Standing::Kind::kClose) return features(distance::common_point(fixed(), moving(), p));
   for (bool moves : {true, false}) {
     const FeatureTree &inner = moves ? moving() : fixed(), &set = moves ? fixed() : moving();
-    for (Index v : inner.representatives()) {
-      if (is_inside(inner, v, set, moves ? p : -p)) return corner_features(moves, v, p);
+    const exact::RealPoint by = moves ? p : -p;
+    for (Index v : inner.representatives_in(set, near_value(by.x), near_value(by.y))) {
+      if (is_inside(inner, v, set, by)) return corner_features(moves, v, p);
     }
   }
   return {};

@@ -129,7 +129,8 @@ GridBox grown(const GridBox& w) { return {w.x0 - 1, w.y0 - 1, w.x1 + 1, w.y1 + 1
 /// One of the vertices that stand for the pieces of a shape's boundary, moved by (dx, dy), lies deeper than `margin` in
 /// the other shape (or outside it, if not `inside`).
 bool has_vertex_deep(const FeatureTree& of, const FeatureTree& in, double dx, double dy, double margin, bool inside) {
-  return std::any_of(of.representatives().begin(), of.representatives().end(), [&](plane::Index v) {
+  const auto candidates = inside ? of.representatives_in(in, dx, dy) : of.representatives();
+  return std::any_of(candidates.begin(), candidates.end(), [&](plane::Index v) {
     const exact::Point& p = of.region().point(v);
     auto depth = depth_in(in, p.x + dx, p.y + dy);
     return depth && (inside ? *depth : -*depth) > margin;
@@ -194,7 +195,8 @@ bool PenetrationDepth::certainly_free(double x, double y, double margin) const {
   if (!certainly_apart(fixed_, moving_, x, y, margin)) return false;
   // Boundaries that do not meet: what one vertex of a piece does, all the piece does.
   const auto lie = [](const FeatureTree& of, const FeatureTree& in, double dx, double dy, bool inside) {
-    return std::all_of(of.representatives().begin(), of.representatives().end(), [&](plane::Index v) {
+    const auto tried = inside ? of.representatives() : of.representatives_in(in, dx, dy);
+    return std::all_of(tried.begin(), tried.end(), [&](plane::Index v) {
       const exact::Point& p = of.region().point(v);
       auto depth = depth_in(in, p.x + dx, p.y + dy);
       return depth && (*depth > 0) == inside;

@@ -35,7 +35,7 @@ bool is_far(const plane::PieceBox& b, double size) {
 
 }  // namespace
 
-ShapePair::ShapePair(plane::Region b, plane::Region a) : b_(std::move(b)), a_(std::move(a)) {}
+ShapePair::ShapePair(plane::SharedRegion b, plane::SharedRegion a) : b_(std::move(b)), a_(std::move(a)) {}
 
 TDistancePointer ShapePair::distance(Which which) const {
   std::lock_guard lock(guard_);

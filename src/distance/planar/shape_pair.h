@@ -13,6 +13,7 @@
 
 #include "distance/planar/signed_distance.h"
 #include "distance/planar_features/t_distance.h"
+#include "plane/complex/shared_region.h"
 
 namespace findspace::distance {
 
@@ -40,7 +41,7 @@ inline constexpr std::size_t kWhichCount = 16;
 class ShapePair {
  public:
   /// Closed sets, B bounded.
-  ShapePair(plane::Region b, plane::Region a);
+  ShapePair(plane::SharedRegion b, plane::SharedRegion a);
 
   TDistancePointer distance(Which which) const;
   /// The same shapes, cell by cell, where they are far from the origin for their size and searches in numbers would be
@@ -65,7 +66,7 @@ class ShapePair {
   TDistancePointer farthest(Which base) const;
   TDistancePointer diameter() const;
 
-  plane::Region b_, a_;
+  plane::SharedRegion b_, a_;
   mutable std::recursive_mutex guard_;
   mutable std::array<TDistancePointer, kWhichCount> known_;
   mutable std::once_flag moved_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
@@ -78,6 +79,8 @@ void FeatureTree::collect() {
     if (region_.vertices[v].out == kNone && region_.vertices[v].mark > 0)
       features_.push_back(vertex_feature(region_, v));
   }
+  std::sort(representatives_.begin(), representatives_.end(),
+            [&](Index v, Index w) { return std::pair(region_.point(v).x, v) < std::pair(region_.point(w).x, w); });
   for (const BoundaryFeature& s : features_) {
     arcs_ = arcs_ || s.arc;
     scale_ = std::max({scale_, std::abs(s.x0), std::abs(s.y0), std::abs(s.x1), std::abs(s.y1), std::abs(s.cx) + s.r,
@@ -99,6 +102,19 @@ Index FeatureTree::build(Index first, Index last) {
   nodes_[at].box = nodes_[at + 1].box;
   nodes_[at].box.add(nodes_[right].box);
   return at;
+}
+
+std::span<const Index> FeatureTree::representatives_in(const FeatureTree& set, double dx, double dy) const {
+  if (set.region_.faces[0].mark > 0) return representatives_;
+  if (set.nodes_.empty()) return {};
+  const FeatureBox& box = set.nodes_[0].box;
+  const double slack = (scale_ + set.scale_ + std::abs(dx) + std::abs(dy)) * margin::kOnBoundary;
+  const auto x_of = [&](Index v) { return region_.point(v).x + dx; };
+  const auto first = std::partition_point(representatives_.begin(), representatives_.end(),
+                                          [&](Index v) { return x_of(v) < box.x0 - slack; });
+  const auto last =
+      std::partition_point(first, representatives_.end(), [&](Index v) { return x_of(v) <= box.x1 + slack; });
+  return {first, last};
 }
 
 FeatureTree::Extreme FeatureTree::extreme(double ux, double uy) const {

@@ -52,8 +52,10 @@ class FeatureTree {
   bool has_arcs() const { return arcs_; }
   std::span<const BoundaryFeature> features() const { return features_; }
   std::span<const Node> nodes() const { return nodes_; }
-  /// A vertex of every connected piece of the boundary.
+  /// A vertex of every connected piece of the boundary, from left to right.
   std::span<const plane::Index> representatives() const { return representatives_; }
+  /// Those that may lie in the set when moved by (dx, dy): the others are certainly outside. Cost: O(log n).
+  std::span<const plane::Index> representatives_in(const FeatureTree& set, double dx, double dy) const;
   /// The size of the coordinates.
   double scale() const { return scale_; }
 

@@ -10,7 +10,7 @@
 #include "distance/rays/ray_covers.h"
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
-#include "distance/search/free_space.h"
+#include "distance/search/grown_set.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
@@ -97,9 +97,7 @@ Vector box_corner(const Body& a, const Body& b, bool high, bool fit) {
 Positions overlaps(const Body& b, const Body& a) {
   Positions out{{}, {}, box_corner(a, b, false, false), box_corner(a, b, true, false)};
   for (const BodyPart& t : a.parts) {
-    for (const BodyPart& s : b.parts)
-      out.out.push_back(
-          grown_distance({space::difference_planes(t, s), space::real(t.center - s.center), t.radius + s.radius}));
+    for (const BodyPart& s : b.parts) out.out.push_back(grown_distance(difference(t, s)));
   }
   return out;
 }

@@ -32,11 +32,15 @@ struct Touching {
 };
 using TouchingRule = std::function<Touching(const space::Vector&)>;
 
+struct Constraints;
+
 /// What else places have to keep out of, which no few convex functions say: each cell is decided those that count
 /// there.
 class LazyConstraints {
  public:
   virtual ~LazyConstraints() = default;
+  /// This, and convex functions that count in all cells.
+  virtual Constraints rules() = 0;
   /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
   virtual double beyond(int number, const space::Vector& x) const = 0;
   /// Those for a cell of one that had those of `known`: the numbers.

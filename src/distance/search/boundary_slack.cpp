@@ -3,13 +3,10 @@
 #include "distance/search/boundary_slack.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "distance/search/boundary_cells.h"
 #include "distance/search/boundary_columns.h"
-#include "exact/margins/space_distance.h"
+#include "distance/search/tetrahedral_max_min.h"
 #include "exact/number/interval.h"
-#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -21,81 +18,52 @@ constexpr int kMostSlackCells = 20000;
 constexpr int kSlackRounds = 4;  // of tangents in a cell
 constexpr double kNear = 0.75;   // of the bound: a value that more tangents do not help
 
-struct SlackCell : TetrahedralCell {
-  double bound = 0;
-  bool operator<(const SlackCell& other) const { return bound < other.bound; }
+/// Over a cell the slack is at most the chords of what is to be kept out of, and the tangents of what is to be kept in.
+class SlackTarget : public MaxMinTarget {
+ public:
+  explicit SlackTarget(const Constraints& rules) : rules_(rules) {}
+
+  bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& /*best*/) const override {
+    ++looks_;
+    for (const ConvexDistance& f : rules_.keep_out) {
+      Column& c = cell.distances.emplace_back();
+      for (std::size_t v = 0; v < 4; ++v) c[v] = f(cell.corner[v]);
+    }
+    touch(middle, cell);
+    for (const Column& c : cell.distances) cell.bound = std::min(cell.bound, most(c));
+    return true;
+  }
+
+  void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
+    double least = exact::kInfinity;
+    for (const ConvexDistance& f : rules_.keep_out) least = std::min(least, f(x));
+    for (const TouchingRule& g : rules_.keep_in) least = std::min(least, -g(x).value);
+    best.offer(x, least);
+    if (!(least > kNear * cell.bound && least > 0)) touch(x, cell);
+  }
+
+  double distance(int set, const Vector& x) const override { return rules_.keep_out[static_cast<std::size_t>(set)](x); }
+  double shortest_share() const override { return 1; }
+  int rounds() const override { return kSlackRounds; }
+  int looks() const { return looks_; }
+
+ private:
+  void touch(const Vector& x, MaxMinCell& cell) const {
+    for (const TouchingRule& g : rules_.keep_in) cell.distances.push_back(less(0, tangent(g(x), x, cell.corner)));
+  }
+
+  const Constraints& rules_;
+  mutable int looks_ = 0;
 };
-
-double slack_at(const Constraints& rules, const Vector& x) {
-  double least = exact::kInfinity;
-  for (const ConvexDistance& f : rules.keep_out) least = std::min(least, f(x));
-  for (const TouchingRule& g : rules.keep_in) least = std::min(least, -g(x).value);
-  return least;
-}
-
-/// What the slack is at most: chords of what is to be kept out of.
-std::vector<Column> chords(const Constraints& rules, const Tetrahedron& corner) {
-  std::vector<Column> out;
-  for (const ConvexDistance& f : rules.keep_out) {
-    Column& c = out.emplace_back();
-    for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
-  }
-  return out;
-}
-
-/// Tangents at x of what is to be kept in.
-void touch(const Constraints& rules, const Tetrahedron& corner, const Vector& x, std::vector<Column>& out) {
-  for (const TouchingRule& g : rules.keep_in) out.push_back(less(0, tangent(g(x), x, corner)));
-}
-
-/// The greatest slack that the columns leave, and where.
-Slack highest_slack(const std::vector<Column>& columns, const Tetrahedron& corner) {
-  const HighestPlace high = highest_place(columns, corner);
-  const Vector& x = high.place;
-  if (std::isfinite(x.x + x.y + x.z)) {
-    const double bound = high.value + margin::kLpNoise * high.spread;
-    return {bound, bound, x, 0};
-  }
-  double greatest = 0;  // a cell of rounding
-  for (const Column& c : columns) greatest = std::max(greatest, most(c));
-  return {greatest, greatest, centre(corner), 0};
-}
 
 }  // namespace
 
 Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end) {
-  Slack best{-exact::kInfinity, exact::kInfinity, {}, 0};
-  plane::Subdivision<SlackCell> queue("tetrahedra of the place with the most slack");
-  const auto add = [&](const Tetrahedron& corner) {
-    std::vector<Column> columns = chords(rules, corner);
-    touch(rules, corner, centre(corner), columns);
-    double bound = exact::kInfinity;
-    for (int round = 0; round < kSlackRounds && bound > std::max(end.enough, best.value); ++round) {
-      const Slack at = highest_slack(columns, corner);
-      bound = std::min(bound, at.bound);
-      const double value = slack_at(rules, at.place);
-      if (value > best.value) {
-        best.value = value;
-        best.place = at.place;
-      }
-      if (value > kNear * bound && value > 0) break;
-      touch(rules, corner, at.place, columns);
-    }
-    queue.push({{corner}, bound});
-  };
-  for (const Tetrahedron& t : domain) add(t);
-  const auto settled = [&](const SlackCell& top) {
-    return top.bound <= end.enough || top.bound - best.value <= end.blur ||
-           (best.value > std::max(0.0, end.enough) && best.value >= end.share * top.bound);
-  };
-  queue.run(kMostSlackCells, settled, [&](const SlackCell& top) {
-    ++best.cells;
-    std::size_t a = 0, b = 1;
-    longest_edge(top.corner, a, b);
-    for (const Tetrahedron& half : halves(top.corner, a, b)) add(half);
-  });
-  best.bound = queue.empty() ? best.value : std::max(best.value, queue.best().bound);
-  return best;
+  const SlackTarget target(rules);
+  TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, end.enough, 1 - end.share, end.blur));
+  for (const Tetrahedron& t : domain) search.add(t, nullptr, exact::kInfinity, {});
+  const SolidMaxMin found = search.run(kMostSlackCells);
+  return {found.value, found.bound, found.place, target.looks() / 2};
 }
 
 }  // namespace findspace::distance

@@ -145,20 +145,6 @@ Answer protrusion_of_convex(const Body& b, const BodyPart& a, const RealVector& 
   return *best;
 }
 
-namespace {
-
-/// A convex core and a radius, as what is protrusion out of.
-struct Target {
-  std::vector<HalfSpace> planes;  // none of a point
-  RealVector center;
-  Real radius;
-};
-
-struct Solids {
-  std::vector<Tetrahedron> cells;
-  std::vector<RoundSolid> round;
-};
-
 Solids solids_of(const Body& b, const RealVector& p) {
   Solids out;
   const Vector by = space::rounded(p);
@@ -166,6 +152,7 @@ Solids solids_of(const Body& b, const RealVector& p) {
     if (part.point() || part.radius.sign() > 0) {
       out.round.push_back(round_solid(part, by));
     } else {
+      for (const space::Point& v : part.vertices()) out.corners.push_back(space::plus(exact::approx(v), by));
       for (Tetrahedron& t : tetrahedra(*part.core)) {
         for (Vector& v : t) v = space::plus(v, by);
         out.cells.push_back(t);
@@ -174,6 +161,15 @@ Solids solids_of(const Body& b, const RealVector& p) {
   }
   return out;
 }
+
+namespace {
+
+/// A convex core and a radius, as what is protrusion out of.
+struct Target {
+  std::vector<HalfSpace> planes;  // none of a point
+  RealVector center;
+  Real radius;
+};
 
 /// At a vertex of B the exact distance to the nearest set is known.
 std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,

@@ -25,6 +25,13 @@ namespace findspace::distance {
 std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
 /// A part with a radius, or a point, moved.
 RoundSolid round_solid(const space::BodyPart& part, const space::Vector& by);
+/// The body's parts, moved by p, as searches divide them.
+struct Solids {
+  std::vector<Tetrahedron> cells;
+  std::vector<RoundSolid> round;
+  std::vector<space::Vector> corners;  // of the polyhedra
+};
+Solids solids_of(const space::Body& b, const space::RealVector& p);
 /// Whether no polyhedron among the parts has a radius.
 bool polyhedra_and_balls(const space::Body& b);
 /// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.

@@ -35,14 +35,23 @@ void TetrahedralMaxMin::add(const Tetrahedron& corner, const RoundSolid* round, 
   const Vector middle = centre(corner);
   const std::optional<Column> beyond = target_.beyond(cell, middle);
   if (beyond && *std::min_element(beyond->begin(), beyond->end()) > best_.near()) return;
-  if (!target_.look(cell, middle, best_) || !best_.worth(cell.bound)) return;
-  if (!cell.distances.empty()) {
+  if (!target_.look(cell, middle, best_) || dropped(cell.bound)) return;
+  for (int round = 0; round < target_.rounds() && !cell.distances.empty(); ++round) {
     const LpBound lp = bounding_lp(cell.distances, beyond);
     cell.bound = std::min(cell.bound, lp.value);
-    if (!best_.worth(cell.bound)) return;
+    if (dropped(cell.bound)) return;
+    const std::size_t known = cell.distances.size();
     target_.offer(mean(lp.rows, corner), cell, best_);
+    if (cell.distances.size() == known) break;
   }
-  if (best_.worth(cell.bound)) queue_.push(std::move(cell));
+  if (!dropped(cell.bound)) queue_.push(std::move(cell));
+}
+
+/// Whether a cell is not worth a look.
+bool TetrahedralMaxMin::dropped(double bound) {
+  if (best_.worth(bound)) return false;
+  bound_ = std::max(bound_, bound);
+  return true;
 }
 
 SolidMaxMin TetrahedralMaxMin::run(int most) {
@@ -51,7 +60,9 @@ SolidMaxMin TetrahedralMaxMin::run(int most) {
       [this](const MaxMinCell& top) { split(top); });
   SolidMaxMin out = best_.found();
   out.complete = end != plane::SubdivisionEnd::kSpent;
-  out.bound = out.complete ? std::max(out.value + best_.near(), best_.slack()) : queue_.best().bound;
+  // Less than these was not looked for; and of more than the slack a share may lack.
+  out.bound = std::max({out.value + best_.near(), best_.slack(), bound_});
+  if (!queue_.empty()) out.bound = std::max(out.bound, queue_.best().bound);
   return out;
 }
 

@@ -18,6 +18,7 @@
 #include "distance/search/boundary_cells.h"
 #include "distance/search/lp_bound.h"
 #include "distance/search/round_solid.h"
+#include "exact/number/interval.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {
@@ -55,7 +56,8 @@ class MaxMinTarget {
   /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
   /// those of its sets, and others, that bound it best, with their distances. False: nothing of it counts.
   virtual bool look(MaxMinCell& cell, const space::Vector& middle, MaxMinBest& best) const = 0;
-  /// A place of the cell at which the distances in it may be greatest.
+  /// A place of the cell at which the distances in it may be greatest. More distances that bound the cell there are
+  /// used at once, so many times.
   virtual void offer(const space::Vector& x, MaxMinCell& cell, MaxMinBest& best) const = 0;
   virtual double distance(int set, const space::Vector& x) const = 0;
   /// How far the corners are beyond a plane that the solid is on one side of.
@@ -63,6 +65,7 @@ class MaxMinTarget {
   /// A cell is divided across the edge along which the distances bend most, if that is longer than this share of the
   /// longest one; else across the longest.
   virtual double shortest_share() const { return 0; }
+  virtual int rounds() const { return 1; }
 };
 
 class TetrahedralMaxMin {
@@ -76,10 +79,12 @@ class TetrahedralMaxMin {
 
  private:
   void split(const MaxMinCell& cell);
+  bool dropped(double bound);
   double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const;
 
   const MaxMinTarget& target_;
   MaxMinBest best_;
+  double bound_ = -exact::kInfinity;  // of what was left out
   plane::Subdivision<MaxMinCell> queue_{"tetrahedra of the farthest place of a solid from a set"};
 };
 

@@ -7,7 +7,7 @@
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/convex_distance.h"
-#include "distance/search/free_space.h"
+#include "distance/search/grown_set.h"
 #include "distance/search/lp_bound.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"

@@ -185,15 +185,6 @@ Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
   return exact::Refusal("the positions have round edges, which the exact map of boxes does not hold");
 }
 
-bool BoxPair::has_value(Which which) {
-  const auto d = derived(which);
-  const Which base = d ? d->base : which;
-  return base == Which::kGamma1 || base == Which::kEta1 || base == Which::kDelta1 || base == Which::kEta2 ||
-         base == Which::kDelta2;
-}
-
-bool BoxPair::is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
-
 std::optional<Answer> BoxPair::signed_value(const Signs& s, const RealVector& p) {
   if (!s.defined) return std::nullopt;
   Answer out;
@@ -220,38 +211,30 @@ std::optional<Answer> BoxPair::farthest_value(const Signs& s, const RealVector& 
   return out;
 }
 
-/// gamma2, or the diameter of both.
-TriedAnswer BoxPair::reach(Which which, const RealVector& p) const {
-  const Tried<const Signs*> s = signs(Which::kGamma1);
+TriedAnswer BoxPair::signed_value(Which base, const RealVector& p) const {
+  const Tried<const Signs*> s = signs(base);
   if (!s) return s.refusal();
-  std::optional<Answer> most = farthest_value(**s, p);
+  return signed_value(**s, p);
+}
+
+TriedAnswer BoxPair::farthest_value(Which base, const RealVector& p) const {
+  const Tried<const Signs*> s = signs(base);
+  if (!s) return s.refusal();
+  return farthest_value(**s, p);
+}
+
+TriedAnswer BoxPair::diameter(const RealVector& p) const {
+  TriedAnswer most = reach(p);
   for (const BoxComplex* own : {&a_, &b_}) {
-    if (which != Which::kDiameter || !most) continue;
-    const TriedAnswer diameter = BoxPair(*own, *own).reach(Which::kGamma2, {});
-    if (!diameter) return diameter;
-    if (!*diameter || most->value < (*diameter)->value) most = *diameter;
+    if (!most || !*most) continue;
+    TriedAnswer diameter = BoxPair(*own, *own).reach({});
+    if (!diameter || !*diameter || (*most)->value < (*diameter)->value) most = std::move(diameter);
   }
   return most;
 }
 
-TriedAnswer BoxPair::value(Which which, const RealVector& p) const {
-  if (is_reach(which)) return reach(which, p);
-  const bool farthest = which == Which::kEta2 || which == Which::kDelta2;
-  const auto d = derived(which);
-  const Tried<const Signs*> s = signs(which == Which::kEta2     ? Which::kEta1
-                                      : which == Which::kDelta2 ? Which::kDelta1
-                                      : d                       ? d->base
-                                                                : which);
-  if (!s) return s.refusal();
-  if (farthest) return farthest_value(**s, p);
-  std::optional<Answer> v = signed_value(**s, p);
-  if (!d) return v;
-  if (!v) return d->negated ? std::optional<Answer>(Answer{}) : std::nullopt;
-  if (v->minus_infinity && d->negated) return std::nullopt;
-  v->minus_infinity = false;
-  if (d->negated) v->value = -v->value;
-  if (v->value.sign() < 0) v->value = Real();
-  return v;
+TriedAnswer BoxPair::protrusion(Inner, const RealVector&, Depth) const {
+  return exact::Refusal("how far a set of boxes protrudes from another is not read off the map of boxes");
 }
 
 Tried<std::optional<BoxPair::Least>> BoxPair::least(Which which) const {

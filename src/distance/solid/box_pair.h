@@ -16,12 +16,12 @@
 #include <mutex>
 #include <optional>
 
-#include "distance/solid/solid_pair.h"
+#include "distance/solid/pair_distances.h"
 #include "space/box/box_complex.h"
 
 namespace findspace::distance {
 
-class BoxPair {
+class BoxPair : public PairDistances {
  public:
   /// Closed sets; B bounded.
   BoxPair(space::BoxComplex b, space::BoxComplex a);
@@ -30,10 +30,13 @@ class BoxPair {
   exact::Tried<space::BoxComplex> sign_map(Which which, const exact::Real& level) const;
   /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
   exact::Tried<space::BoxComplex> directional_map(Which which, const exact::Real& level, int axis, int way) const;
-  /// Whether value() answers for it; for these two as well, which bodies tell faster.
-  static bool has_value(Which which);
-  static bool is_reach(Which which);
-  TriedAnswer value(Which which, const space::RealVector& p) const;
+  /// What it does not answer.
+  static bool protrudes(Which which) {
+    return which == Which::kMu || which == Which::kMuBack || which == Which::kH || which == Which::kHBack ||
+           which == Which::kHausdorff;
+  }
+  /// What bodies tell faster.
+  static bool is_reach(Which which) { return which == Which::kGamma2 || which == Which::kDiameter; }
 
   /// The least value of gamma1, eta1 or delta1 and where it is taken, if the '-' set is made of separate boxes or
   /// empty.
@@ -58,7 +61,17 @@ class BoxPair {
   exact::Tried<space::BoxComplex> base_map(Which base, const exact::Real& level) const;
   static std::optional<Answer> signed_value(const Signs& s, const space::RealVector& p);
   static std::optional<Answer> farthest_value(const Signs& s, const space::RealVector& p);
-  TriedAnswer reach(Which which, const space::RealVector& p) const;
+  TriedAnswer signed_value(Which base, const space::RealVector& p) const;
+  TriedAnswer farthest_value(Which base, const space::RealVector& p) const;
+  TriedAnswer gap(const space::RealVector& p, Depth) const override { return signed_value(Which::kGamma1, p); }
+  TriedAnswer reach(const space::RealVector& p) const override { return farthest_value(Which::kGamma1, p); }
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(Inner inner, const space::RealVector& p) const override { return signed_value(base_of(inner), p); }
+  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override {
+    return farthest_value(base_of(inner), p);
+  }
+  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth) const override;
+  static Which base_of(Inner inner) { return inner == Inner::kB ? Which::kEta1 : Which::kDelta1; }
   static std::optional<Least> least(const Signs& s);
 
   space::BoxComplex b_, a_;

@@ -296,32 +296,19 @@ class Least {
   RealVector low_, high_;  // beyond this box the bodies' boxes do not meet: every distance grows
 };
 
-Which exchanged(Which which) {
-  switch (which) {
-    case Which::kDelta1:
-      return Which::kEta1;
-    case Which::kDelta2:
-      return Which::kEta2;
-    case Which::kMuBack:
-      return Which::kMu;
-    case Which::kHBack:
-      return Which::kH;
-    case Which::kDstar:
-      return Which::kDstarBack;
-    default:
-      return which;
-  }
+bool of_back(Which which) {
+  return which == Which::kDelta1 || which == Which::kDelta2 || which == Which::kMuBack || which == Which::kHBack ||
+         which == Which::kDstar;
 }
 
 }  // namespace
 
 TriedAnswer solid_least(Which which, const Body& b, const Body& a) {
   if (a.outside) return exact::Refusal("over all positions a distance to a complement has no least value");
-  const Which forth = exchanged(which);
-  if (forth == which) return Least(b, a).of(which);
+  if (!of_back(which)) return Least(b, a).of(which);
   // A in B + p is -A + p in -B.
   const Body back_b = mirrored(a), back_a = mirrored(b);
-  return Least(back_b, back_a).of(forth);
+  return Least(back_b, back_a).of(exchanged(which));
 }
 
 }  // namespace findspace::distance

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "distance/answer/answer.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 
 namespace findspace::distance {
@@ -33,16 +33,6 @@ Answer with_radius(const RealVector& p, const RealVector& q, bool inside, const 
   return out;
 }
 
-/// max(0, v), or max(0, -v) if `negated`.
-TriedAnswer cut(TriedAnswer v, bool negated) {
-  if (!v) return v;
-  return cut_off(*std::move(v), negated);
-}
-TriedAnswer cut(Tried<Answer> v, bool negated) {
-  if (!v) return v.refusal();
-  return cut_off(*std::move(v), negated);
-}
-
 TriedAnswer defined(Tried<Answer> v) {
   if (!v) return v.refusal();
   return std::optional(*std::move(v));
@@ -63,14 +53,14 @@ SolidPair::SolidPair(std::shared_ptr<const Body> b, std::shared_ptr<const Body> 
   back_.fixed = b_.get();
 }
 
-Tried<Answer> SolidPair::gap(const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::gap_of_parts(const RealVector& p, Depth depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
   std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenUnion>(overlap_cover(*b_, *a_)); });
   if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_in_complement(p), -1);
   return signed_value(p, *overlap_->nearest_touching(p), 1);
 }
 
-Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::round_gap(const RealVector& p, Depth depth) const {
   std::optional<Answer> best;
   for (const BodyPart& t : a_->parts) {
     for (const BodyPart& s : b_->parts) {
@@ -89,7 +79,7 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
     }
   }
   const bool one_pair = a_->parts.size() == 1 && b_->parts.size() == 1;
-  if (!depth || one_pair || best->value.sign() >= 0) return *best;
+  if (depth == Depth::kSign || one_pair || best->value.sign() >= 0) return *best;
   const auto is_ball = [](const BodyPart& part) { return part.point(); };
   if (std::all_of(a_->parts.begin(), a_->parts.end(), is_ball) &&
       std::all_of(b_->parts.begin(), b_->parts.end(), is_ball) &&
@@ -106,11 +96,10 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
     const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
     std::vector<GrownSet> sets;
     for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts)
-        sets.push_back({space::difference_planes(t, s), real(t.center - s.center), t.radius + s.radius});
+      for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
     }
-    round_overlap_ = std::make_shared<const FreeSpace>(
-        FreeSpace::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+    round_overlap_ = std::make_shared<const PositionSet>(
+        PositionSet::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
   });
   TriedAnswer out = round_overlap_->nearest(p, true);
   if (!out) return out.refusal();
@@ -118,86 +107,26 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, bool depth) const {
   return minus(**std::move(out));
 }
 
-Tried<Answer> SolidPair::protrusion(const Side& side, const RealVector& p, bool depth) const {
+Tried<Answer> SolidPair::protrusion_of(const Side& side, const RealVector& p, Depth depth) const {
   if (side.fixed->convex()) return protrusion_of_convex(*side.moving, side.fixed->parts[0], p);
   if (!side.fixed->round()) {
     if (auto inside = inside_polyhedra(side, p)) return *inside;
   }
   Answer out = protrusion_of_union(*side.moving, *side.fixed, p);
   const bool inside = side.fixed->round() && out.value.sign() <= 0;
-  if (depth && inside) return depth_inside(side, p);
+  if (depth == Depth::kValue && inside) return depth_inside(side, p);
   return out;
-}
-
-TriedAnswer SolidPair::bounded(Which which, const RealVector& p) const {
-  const RealVector q = space::negated(p);
-  // Exchanged roles see the position from the other side.
-  const auto seen_back = [](TriedAnswer v) {
-    if (v && *v && (*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
-    return v;
-  };
-  const auto protrusion_back = [&](bool depth) {
-    Tried<Answer> v = protrusion(back_, q, depth);
-    if (!v) return v;
-    exchange_roles(*v, p);
-    if (v->nearest) v->nearest = space::negated(*v->nearest);
-    return v;
-  };
-  switch (which) {
-    case Which::kGamma1:
-      return defined(gap(p));
-    case Which::kGamma2:
-      return std::optional(reach(p));
-    case Which::kEta1:
-      return contained(forth_, p);
-    case Which::kEta2:
-      return farthest_fit(forth_, p);
-    case Which::kDelta1:
-      return seen_back(contained(back_, q));
-    case Which::kDelta2:
-      return seen_back(farthest_fit(back_, q));
-    case Which::kMu:
-      return defined(protrusion(forth_, p));
-    case Which::kMuBack:
-      return defined(protrusion_back(true));
-    case Which::kHausdorff: {
-      const Tried<Answer> forth = protrusion(forth_, p, false), back = protrusion_back(false);
-      if (!forth || !back) return (forth ? back : forth).refusal();
-      return std::optional(forth->value < back->value ? *back : *forth);
-    }
-    case Which::kD1:
-      return cut(gap(p, false), false);
-    case Which::kH:
-      return cut(protrusion(forth_, p, false), false);
-    case Which::kHBack:
-      return cut(protrusion_back(false), false);
-    case Which::kDstar:
-      return seen_back(clearance_inside(back_, q));
-    case Which::kDstarBack:
-      return clearance_inside(forth_, p);
-    case Which::kPenetration:
-      return cut(gap(p), true);
-    case Which::kDiameter: {
-      Answer most = reach(p);
-      for (const Body* body : {a_.get(), b_.get()}) {
-        const Real own = diameter(*body);
-        if (most.value < own) most = exact_answer<RealVector>(own, Way::kParts);
-      }
-      return std::optional(std::move(most));
-    }
-  }
-  return std::nullopt;
 }
 
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
 Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
-  if (!a_->round()) return protrusion_of_cells(*b_, fit(forth_).cells, p);
+  if (!a_->round()) return protrusion_of_cells(*b_, fit_of(forth_).cells, p);
   if (!a_->convex()) return Refusal("the protrusion from the complement of a union of round parts is not computed");
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
   Answer out;
   if (!part.core) {
-    const Tried<Answer> apart = gap(p, false);
+    const Tried<Answer> apart = gap_of_parts(p, Depth::kSign);
     if (!apart) return apart;
     out.value = std::min(-apart->value, part.radius);
     return out;
@@ -213,47 +142,63 @@ Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
   return out;
 }
 
-/// A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
-TriedAnswer SolidPair::unbounded(Which which, const RealVector& p) const {
-  const auto gamma1 = [&]() -> TriedAnswer {
-    TriedAnswer v = contained(forth_, p);
-    if (!v) return v;
-    return std::optional(*v ? minus(**std::move(v)) : lowest_answer<RealVector>(Way::kParts));
-  };
-  const auto eta1 = [&](bool depth) -> Tried<Answer> {
-    Tried<Answer> v = gap(p, depth);
-    if (!v) return v;
-    return minus(*std::move(v));
-  };
-  const auto mu = [&]() -> Tried<Answer> {
-    Tried<Answer> v = eta1(false);
-    if (!v || v->value.sign() <= 0) return v;
-    return reach_into_parts(p);
-  };
-  switch (which) {
-    case Which::kGamma1:
-      return gamma1();
-    case Which::kEta1:
-      return defined(eta1(true));
-    case Which::kMu:
-      return defined(mu());
-    case Which::kH:
-      return cut(mu(), false);
-    case Which::kD1:
-      return cut(gamma1(), false);
-    case Which::kPenetration:
-      return cut(gamma1(), true);
-    case Which::kDstarBack:
-      return cut(eta1(true), true);
-    case Which::kDstar:
-      return std::optional(Answer{});
-    default:
-      return std::nullopt;
-  }
+template <class Ask>
+TriedAnswer SolidPair::seen(Inner inner, const RealVector& p, const Ask& ask) const {
+  if (outside_) return std::nullopt;
+  if (inner == Inner::kB) return ask(forth_, p);
+  return exchanged_back(ask(back_, space::negated(p)), p);
 }
 
-TriedAnswer SolidPair::try_value(Which which, const RealVector& p) const {
-  return outside_ ? unbounded(which, p) : bounded(which, p);
+// Where A is the closure of the complement of its parts: the dual distances of the parts (distances.md 3.1).
+
+TriedAnswer SolidPair::gap(const RealVector& p, Depth depth) const {
+  if (!outside_) return defined(gap_of_parts(p, depth));
+  TriedAnswer v = contained(forth_, p);
+  if (!v) return v;
+  return std::optional(*v ? minus(**std::move(v)) : lowest_answer<RealVector>(Way::kParts));
+}
+
+TriedAnswer SolidPair::reach(const RealVector& p) const {
+  if (outside_) return std::nullopt;
+  return std::optional(reach_of_parts(p));
+}
+
+TriedAnswer SolidPair::diameter(const RealVector& p) const {
+  if (outside_) return std::nullopt;
+  Answer most = reach_of_parts(p);
+  for (const Body* body : {a_.get(), b_.get()}) {
+    const Real own = distance::diameter(*body);
+    if (most.value < own) most = exact_answer<RealVector>(own, Way::kParts);
+  }
+  return std::optional(std::move(most));
+}
+
+TriedAnswer SolidPair::fit(Inner inner, const RealVector& p) const {
+  if (!outside_ || inner == Inner::kA)
+    return seen(inner, p, [this](const Side& side, const RealVector& q) { return contained(side, q); });
+  Tried<Answer> v = gap_of_parts(p, Depth::kValue);
+  if (!v) return v.refusal();
+  return std::optional(minus(*std::move(v)));
+}
+
+TriedAnswer SolidPair::farthest_fit(Inner inner, const RealVector& p) const {
+  return seen(inner, p, [this](const Side& side, const RealVector& q) { return farthest_in(side, q); });
+}
+
+TriedAnswer SolidPair::clearance(Inner inner, const RealVector& p) const {
+  if (outside_) return PairDistances::clearance(inner, p);
+  return seen(inner, p, [this](const Side& side, const RealVector& q) { return clearance_inside(side, q); });
+}
+
+TriedAnswer SolidPair::protrusion(Inner inner, const RealVector& p, Depth depth) const {
+  if (!outside_ || inner == Inner::kA)
+    return seen(inner, p,
+                [&](const Side& side, const RealVector& q) { return defined(protrusion_of(side, q, depth)); });
+  Tried<Answer> v = gap_of_parts(p, Depth::kSign);
+  if (!v) return v.refusal();
+  Answer inside = minus(*std::move(v));
+  if (inside.value.sign() <= 0) return std::optional(std::move(inside));
+  return defined(reach_into_parts(p));
 }
 
 }  // namespace findspace::distance

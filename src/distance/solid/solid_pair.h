@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// All T-distances of a moving body B and a fixed body A of space at a position p (distances.md 3.1 to 3.4), with
-// witnesses.
+// What a moving body B and a fixed body A of space tell at a position p by their convex parts, with witnesses: all that
+// pair_distances.h asks.
 //   gamma1   sd(p; U, X): from the cover of the overlap set by differences of convex parts;
 //   eta1     sd(p; iE, E): from the cover of the complement of E by differences of cells outside A and parts of B;
 //   where A is
@@ -21,24 +21,20 @@
 #include <vector>
 
 #include "distance/answer/answer.h"
-#include "distance/planar/shape_pair.h"
+#include "distance/solid/pair_distances.h"
 #include "space/body/ball_meet.h"
 #include "space/body/body.h"
 #include "space/body/position_covers.h"
 
 namespace findspace::distance {
 
-class FreeSpace;
+class PositionSet;
 struct UnionContainers;
 
-class SolidPair {
+class SolidPair : public PairDistances {
  public:
   /// Both of one scale; B is not `outside`.
   SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
-
-  TriedAnswer try_value(Which which, const space::RealVector& p) const;
-  /// The same; Error(kUnsupported) instead of a refusal.
-  std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
 
  private:
   /// "moving in fixed": E of a body in another, made when first needed.
@@ -55,7 +51,7 @@ class SolidPair {
     bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
     mutable std::once_flag front_made;
-    mutable std::shared_ptr<const FreeSpace> boundary;
+    mutable std::shared_ptr<const PositionSet> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
   struct Side {  // one of the two as moving, the other as fixed
@@ -65,13 +61,13 @@ class SolidPair {
     mutable std::unique_ptr<Fit> fit;
   };
 
-  const Fit& fit(const Side& side) const;
+  const Fit& fit_of(const Side& side) const;
   static std::unique_ptr<Fit> made_fit(const Side& side);
-  static const FreeSpace& boundary_of(const Side& side, const Fit& fit);
+  static const PositionSet& boundary_of(const Side& side, const Fit& fit);
   TriedAnswer contained(const Side& side, const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
   std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;
-  TriedAnswer farthest_fit(const Side& side, const space::RealVector& p) const;
+  TriedAnswer farthest_in(const Side& side, const space::RealVector& p) const;
   /// The box holds E.
   static std::shared_ptr<const UnionContainers> union_containers(const space::Body& b, const space::Body& a,
                                                                  const space::Bounds3& box);
@@ -82,14 +78,22 @@ class SolidPair {
   TriedAnswer clearance_inside(const Side& side, const space::RealVector& p) const;
   /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
   static exact::Tried<Answer> depth_inside(const Side& side, const space::RealVector& p);
-  /// Without `depth` a value below 0 need only be below 0; so also below.
-  exact::Tried<Answer> gap(const space::RealVector& p, bool depth = true) const;
-  exact::Tried<Answer> round_gap(const space::RealVector& p, bool depth) const;
-  Answer reach(const space::RealVector& p) const;
-  exact::Tried<Answer> protrusion(const Side& side, const space::RealVector& p, bool depth = true) const;
+  exact::Tried<Answer> gap_of_parts(const space::RealVector& p, Depth depth) const;
+  exact::Tried<Answer> round_gap(const space::RealVector& p, Depth depth) const;
+  Answer reach_of_parts(const space::RealVector& p) const;
+  exact::Tried<Answer> protrusion_of(const Side& side, const space::RealVector& p, Depth depth) const;
   exact::Tried<Answer> reach_into_parts(const space::RealVector& p) const;
-  TriedAnswer bounded(Which which, const space::RealVector& p) const;
-  TriedAnswer unbounded(Which which, const space::RealVector& p) const;
+  /// What `ask` says of the side and the position as seen from it; undefined of what lies in A's complement.
+  template <class Ask>
+  TriedAnswer seen(Inner inner, const space::RealVector& p, const Ask& ask) const;
+
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override;
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
 
   std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
   bool outside_ = false;
@@ -97,7 +101,7 @@ class SolidPair {
   mutable std::once_flag overlap_made_;
   mutable std::unique_ptr<space::OpenUnion> overlap_;
   mutable std::once_flag round_overlap_made_;
-  mutable std::shared_ptr<const FreeSpace> round_overlap_;
+  mutable std::shared_ptr<const PositionSet> round_overlap_;
 };
 
 /// max |v - w| + radii over two points of the body.

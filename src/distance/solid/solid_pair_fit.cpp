@@ -8,14 +8,14 @@
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
 //   in a union of round parts: solid_pair_union.cpp.
-// Guarantee: as solid_pair.h; boundaries that are round are searched (free_space.h). Keywords: erosion, Minkowski
+// Guarantee: as solid_pair.h; boundaries that are round are searched (position_set.h). Keywords: erosion, Minkowski
 // difference, containment.
 
 #include <algorithm>
 #include <cmath>
 
 #include "distance/answer/answer.h"
-#include "distance/search/free_space.h"
+#include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/solid/solid_pair.h"
 
@@ -41,7 +41,7 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
 
 }  // namespace
 
-const FreeSpace& SolidPair::boundary_of(const Side& side, const Fit& fit) {
+const PositionSet& SolidPair::boundary_of(const Side& side, const Fit& fit) {
   std::call_once(fit.front_made, [&] {
     const Body &b = *side.moving, &a = *side.fixed;
     const space::Bounds3 box = *fit_box(b, a);
@@ -50,8 +50,8 @@ const FreeSpace& SolidPair::boundary_of(const Side& side, const Fit& fit) {
       for (std::size_t k = 0; k < group.cover.size(); ++k) sets.push_back({group.cover.planes(k), {}, group.radius});
     }
     fit.boundary =
-        std::make_shared<const FreeSpace>(a.convex() ? FreeSpace::inside(b, a.parts[0], box.low, box.high)
-                                                     : FreeSpace::outside(std::move(sets), box.low, box.high));
+        std::make_shared<const PositionSet>(a.convex() ? PositionSet::inside(b, a.parts[0], box.low, box.high)
+                                                       : PositionSet::outside(std::move(sets), box.low, box.high));
   });
   return *fit.boundary;
 }
@@ -109,7 +109,7 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   return made;
 }
 
-const SolidPair::Fit& SolidPair::fit(const Side& side) const {
+const SolidPair::Fit& SolidPair::fit_of(const Side& side) const {
   std::call_once(side.made, [&] { side.fit = made_fit(side); });
   return *side.fit;
 }
@@ -117,11 +117,11 @@ const SolidPair::Fit& SolidPair::fit(const Side& side) const {
 TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
   const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
   if (in_round) {
-    const exact::Tried<Answer> tried = protrusion(side, p);
+    const exact::Tried<Answer> tried = protrusion_of(side, p, Depth::kValue);
     if (!tried) return tried.refusal();
     const Answer& v = *tried;
     if (v.value.sign() <= 0) return std::optional(v);  // inside both distances agree
-    const Fit& f = fit(side);
+    const Fit& f = fit_of(side);
     if (f.none) return std::nullopt;
     if (f.in_union) return into_union(side, f, p, v);
     if (!f.round) {
@@ -135,12 +135,12 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
     }
     return boundary_of(side, f).nearest(p, false);
   }
-  const Fit& f = fit(side);
+  const Fit& f = fit_of(side);
   if (f.balls) {
     const auto q = f.balls->nearest(p);
     if (!q) return std::nullopt;
     if (*q != p) return std::optional(signed_value(p, *q, 1));
-    exact::Tried<Answer> inside = protrusion(side, p);  // inside E both distances agree
+    exact::Tried<Answer> inside = protrusion_of(side, p, Depth::kValue);  // inside E both distances agree
     if (!inside) return inside.refusal();
     return std::optional(*std::move(inside));
   }
@@ -153,7 +153,7 @@ TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
 
 std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
   std::optional<Answer> least;
-  for (const Fit::Group& group : fit(side).groups) {
+  for (const Fit::Group& group : fit_of(side).groups) {
     if (group.cover.covers(p)) return std::nullopt;
     const RealVector q = *group.cover.nearest_touching(p);
     Answer v = signed_value(p, q, -1);
@@ -170,8 +170,8 @@ std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVe
   return least;
 }
 
-TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const {
-  const Fit& f = fit(side);
+TriedAnswer SolidPair::farthest_in(const Side& side, const RealVector& p) const {
+  const Fit& f = fit_of(side);
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
@@ -199,7 +199,7 @@ TriedAnswer SolidPair::farthest_fit(const Side& side, const RealVector& p) const
 TriedAnswer SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
   const bool in_rounds = side.fixed->round() && !side.fixed->convex();
   if (in_rounds) {
-    const exact::Tried<Answer> out = protrusion(side, p, false);
+    const exact::Tried<Answer> out = protrusion_of(side, p, Depth::kSign);
     if (!out) return out.refusal();
     if (out->value.sign() > 0) return std::optional(Answer{});
   }
@@ -212,10 +212,10 @@ exact::Tried<Answer> SolidPair::depth_inside(const Side& side, const RealVector&
   const space::Bounds3 box = bounds(*side.fixed);
   std::vector<GrownSet> sets;
   for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
-  const FreeSpace free = FreeSpace::outside(std::move(sets), box.low, box.high);
+  const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
   std::optional<Answer> least;
   for (const BodyPart& part : side.moving->parts) {
-    exact::Tried<Answer> v = free.nearest_to(touching_distance(part, space::rounded(p), part.radius.to_double()));
+    exact::Tried<Answer> v = free.least(touching_distance(part, space::rounded(p), part.radius.to_double()));
     if (!v) return v;
     if (!least || v->value < least->value) least = *std::move(v);
   }

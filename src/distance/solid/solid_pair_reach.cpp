@@ -62,7 +62,7 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
 
 }  // namespace
 
-Answer SolidPair::reach(const RealVector& p) const {
+Answer SolidPair::reach_of_parts(const RealVector& p) const {
   std::optional<Answer> best;
   visit_farthest(*a_, *b_, space::rounded(p), [&](const BodyPart& t, const BodyPart& s, const auto& v, const auto& w) {
     const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);

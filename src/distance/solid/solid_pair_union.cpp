@@ -81,7 +81,7 @@ TriedAnswer SolidPair::into_union(const Side& side, const Fit& fit, const RealVe
   // Moved by as much, the way that B protrudes by, it often fits, and no shorter way leads to where it does.
   if (!outside.witness.empty() && outside.proven) {
     const RealVector q = space::minus(p, space::minus(outside.witness[0].at, outside.witness[1].at));
-    const exact::Tried<Answer> there = protrusion(side, q, false);
+    const exact::Tried<Answer> there = protrusion_of(side, q, Depth::kSign);
     if (!there) return there.refusal();
     if (there->value.sign() <= 0) return std::optional(signed_value(p, q, 1));
   }

@@ -9,7 +9,6 @@ namespace findspace::distance {
 using exact::Real;
 using space::RealVector;
 using space::SurfaceGap;
-using Decided = SurfacePair::Decided;
 using Relation = space::SurfaceGaps::Relation;
 
 namespace {
@@ -34,17 +33,7 @@ bool box_fits(const space::Body& moving, const space::Body& fixed) {
   return true;
 }
 
-Decided exchanged_back(Decided v, const RealVector& p) {
-  if (!v.value) return v;
-  if (v.value->nearest) v.value->nearest = space::negated(*v.value->nearest);
-  exchange_roles(*v.value, p);
-  return v;
-}
-
-std::optional<Decided> cut(std::optional<Decided> v, bool negated) {
-  if (v) v->value = cut_off(std::move(v->value), negated);
-  return v;
-}
+exact::Refusal untold() { return exact::Refusal("the surfaces do not tell"); }
 
 }  // namespace
 
@@ -71,101 +60,75 @@ std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector
   return found;
 }
 
-/// gamma1 and what follows from it.
-std::optional<Decided> SurfacePair::apart(Which which, const RealVector& p) const {
+TriedAnswer SurfacePair::gap(const RealVector& p, Depth depth) const {
   std::optional<Answer> gap;
   const auto found = relation(forth_, p, gap);
-  if (!found) return std::nullopt;
-  if (*found != Relation::kApart) {
-    if (which == Which::kD1) return Decided{Answer{}};
-    return which == Which::kGamma1 ? depth(p) : cut(depth(p), true);
-  }
-  return cut(Decided{gap}, which == Which::kPenetration);
+  if (!found) return untold();
+  if (*found == Relation::kApart) return gap;
+  if (depth == Depth::kSign) return std::optional(Answer{});
+  return this->depth(p);
 }
 
-/// Where the one lies in the other eta1, which mu is too; else mu, and of eta1 nothing.
-std::optional<Decided> SurfacePair::inside(const Side& side, Which which, const RealVector& p) {
-  std::optional<Answer> gap;
-  const bool one = side.fixed->surface && side.fixed->surface->one_sheet();
-  if (!side.gaps || (!one && which != Which::kMu)) return std::nullopt;
-  const auto found = relation(side, p, gap);
-  if (!found) return std::nullopt;
-  if (*found == Relation::kInside) return Decided{gap};
-  if (which != Which::kMu) return to_fit(side, which, p);
-  Answer out = protrusion(side, p);
-  // Whether it lies inside a union of several, and how deep, is not known.
-  const bool decided = one || *found == Relation::kApart || out.value > Real::from_double(out.error);
-  return decided ? std::optional(Decided{std::move(out)}) : std::nullopt;
+TriedAnswer SurfacePair::of_outlines(Which which, const RealVector& p) const {
+  if (!a_.outline || !b_.outline) return untold();
+  return SolidPair(b_.outline, a_.outline).try_value(which, p);
 }
 
-std::optional<Decided> SurfacePair::contained(const Side& side, Which which, const RealVector& p) {
+bool SurfacePair::too_large(const Side& side) {
   const auto &b = side.moving->outline, &a = side.fixed->outline;
-  const bool fit = which == Which::kEta1 || which == Which::kEta2;
-  if (fit && b && a && !box_fits(*b, *a)) return Decided{};
-  if (side.fixed->convex && b) return Decided{SolidPair(b, a).value(which, p)};
-  if (which == Which::kEta2) return to_fit(side, which, p);
-  return inside(side, which, p);
+  return b && a && !box_fits(*b, *a);
 }
 
-/// The Hausdorff distance.
-std::optional<Decided> SurfacePair::larger(const RealVector& p) const {
-  const auto forth = contained(forth_, Which::kMu, p);
-  if (!forth) return std::nullopt;
-  auto other = contained(back_, Which::kMu, space::negated(p));
-  if (!other) return std::nullopt;
-  other = exchanged_back(*std::move(other), p);
-  return forth->value->value < other->value->value ? other : forth;
+TriedAnswer SurfacePair::fit(Inner inner, const RealVector& p) const {
+  const Side& of = side(inner);
+  const RealVector q = seen(inner, p);
+  if (too_large(of)) return std::nullopt;
+  if (of.fixed->convex && of.moving->outline)
+    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta1, q), p);
+  if (!of.gaps || !of.fixed->surface->one_sheet()) return untold();
+  std::optional<Answer> gap;
+  const auto found = relation(of, q, gap);
+  if (!found) return untold();
+  return told(inner, *found == Relation::kInside ? TriedAnswer(gap) : to_fit(of, false, q), p);
 }
 
-std::optional<Decided> SurfacePair::back(Which which, const RealVector& p) const {
-  auto found = contained(back_, which, space::negated(p));
-  if (found) found = exchanged_back(*std::move(found), p);
-  return found;
+TriedAnswer SurfacePair::farthest_fit(Inner inner, const RealVector& p) const {
+  const Side& of = side(inner);
+  const RealVector q = seen(inner, p);
+  if (too_large(of)) return std::nullopt;
+  if (of.fixed->convex && of.moving->outline)
+    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta2, q), p);
+  return told(inner, to_fit(of, true, q), p);
 }
 
-std::optional<Decided> SurfacePair::value(Which which, const RealVector& p) const {
-  const auto depth = [&](const Side& of, const RealVector& at) -> std::optional<Decided> {
-    if (of.fixed->convex && of.moving->outline) return cut(contained(of, Which::kEta1, at), true);
-    if (!of.fixed->surface || !of.fixed->surface->one_sheet()) return std::nullopt;
-    std::optional<Answer> gap;
-    const auto found = relation(of, at, gap);
-    if (!found) return std::nullopt;
-    return *found == Relation::kInside ? cut(Decided{gap}, true) : Decided{Answer{}};
-  };
-  switch (which) {
-    case Which::kGamma1:
-    case Which::kD1:
-    case Which::kPenetration:
-      return apart(which, p);
-    case Which::kGamma2:
-    case Which::kDiameter:
-      if (!a_.outline || !b_.outline) return std::nullopt;
-      return Decided{SolidPair(b_.outline, a_.outline).value(which, p)};
-    case Which::kEta1:
-    case Which::kEta2:
-    case Which::kMu:
-      return contained(forth_, which, p);
-    case Which::kH:
-      return cut(contained(forth_, Which::kMu, p), false);
-    case Which::kDelta1:
-      return back(Which::kEta1, p);
-    case Which::kDelta2:
-      return back(Which::kEta2, p);
-    case Which::kMuBack:
-      return back(Which::kMu, p);
-    case Which::kHBack:
-      return cut(back(Which::kMu, p), false);
-    case Which::kHausdorff:
-      return larger(p);
-    case Which::kDstarBack:
-      return depth(forth_, p);
-    case Which::kDstar: {
-      auto found = depth(back_, space::negated(p));
-      if (found) found = exchanged_back(*std::move(found), p);
-      return found;
-    }
-  }
-  return std::nullopt;
+/// Where the one lies in the other it is the fit.
+TriedAnswer SurfacePair::protrusion(Inner inner, const RealVector& p, Depth /*depth*/) const {
+  const Side& of = side(inner);
+  const RealVector q = seen(inner, p);
+  if (of.fixed->convex && of.moving->outline)
+    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kMu, q), p);
+  std::optional<Answer> gap;
+  const auto found = relation(of, q, gap);
+  if (!found) return untold();
+  if (*found == Relation::kInside) return told(inner, gap, p);
+  Answer out = protrusion(of, q);
+  // Whether it lies inside a union of several, and how deep, is not known.
+  const bool decided =
+      of.fixed->surface->one_sheet() || *found == Relation::kApart || out.value > Real::from_double(out.error);
+  if (!decided) return untold();
+  return told(inner, std::optional(std::move(out)), p);
+}
+
+TriedAnswer SurfacePair::clearance(Inner inner, const RealVector& p) const {
+  const Side& of = side(inner);
+  if (of.fixed->convex && of.moving->outline) return PairDistances::clearance(inner, p);
+  if (!of.fixed->surface || !of.fixed->surface->one_sheet()) return untold();
+  std::optional<Answer> gap;
+  const auto found = relation(of, seen(inner, p), gap);
+  if (!found) return untold();
+  if (*found != Relation::kInside) return std::optional(Answer{});
+  TriedAnswer v = told(inner, gap, p);
+  return cut_off(*std::move(v), true);
 }
 
 }  // namespace findspace::distance

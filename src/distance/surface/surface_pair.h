@@ -13,7 +13,7 @@
 //   eta1, eta2 in one surface      the nearest, and the farthest, position at which B touches it from inside;
 //   mu, h, hausdorff outside       at a corner of B, or by search (surface_max_min.h);
 //   delta1, delta2, mu, h back     as these with the roles exchanged.
-// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Nothing is said of other values.
+// Guarantee: exact, but for what is searched (to 2^-40; `proven` is false then). Other values are refused.
 // Cost: surface_gap.h; surface_contact.h where positions are looked for at which they touch. Source: decisions 11 (why
 // facets suffice), 15, 19. Keywords: clearance, mesh distance, penetration depth.
 #pragma once
@@ -35,15 +35,9 @@ struct Surfaced {
   std::shared_ptr<const space::Body> parts{};  // the body, where it is known
 };
 
-class SurfacePair {
+class SurfacePair : public PairDistances {
  public:
   SurfacePair(Surfaced b, Surfaced a);
-
-  struct Decided {
-    std::optional<Answer> value;  // nothing: undefined
-  };
-  /// Nothing where the surfaces do not tell.
-  std::optional<Decided> value(Which which, const space::RealVector& p) const;
 
  private:
   /// Positions at which the moving one touches the fixed one from one side, made when first needed.
@@ -60,16 +54,30 @@ class SurfacePair {
   static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
                                                               std::optional<Answer>& gap);
   static const SurfaceContacts& contacts(const Side& side, space::TouchSide from);
+  const Side& side(Inner inner) const { return inner == Inner::kB ? forth_ : back_; }
+  /// As seen by the one that is to lie in the other.
+  static space::RealVector seen(Inner inner, const space::RealVector& p) {
+    return inner == Inner::kB ? p : space::negated(p);
+  }
+  static TriedAnswer told(Inner inner, TriedAnswer v, const space::RealVector& p) {
+    return inner == Inner::kB ? v : exchanged_back(std::move(v), p);
+  }
   /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest
   /// position at which it does.
-  std::optional<Decided> depth(const space::RealVector& p) const;
-  static std::optional<Decided> to_fit(const Side& side, Which which, const space::RealVector& p);
+  TriedAnswer depth(const space::RealVector& p) const;
+  static TriedAnswer to_fit(const Side& side, bool farthest, const space::RealVector& p);
   static Answer protrusion(const Side& side, const space::RealVector& p);
-  static std::optional<Decided> contained(const Side& side, Which which, const space::RealVector& p);
-  static std::optional<Decided> inside(const Side& side, Which which, const space::RealVector& p);
-  std::optional<Decided> apart(Which which, const space::RealVector& p) const;
-  std::optional<Decided> back(Which which, const space::RealVector& p) const;
-  std::optional<Decided> larger(const space::RealVector& p) const;
+  /// Whether boxes tell that it fits nowhere.
+  static bool too_large(const Side& side);
+
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override { return of_outlines(Which::kGamma2, p); }
+  TriedAnswer diameter(const space::RealVector& p) const override { return of_outlines(Which::kDiameter, p); }
+  TriedAnswer of_outlines(Which which, const space::RealVector& p) const;
+  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
+  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
 
   Surfaced b_, a_;
   Side forth_, back_;

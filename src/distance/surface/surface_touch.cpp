@@ -11,7 +11,6 @@ namespace findspace::distance {
 
 using space::RealVector;
 using space::TouchSide;
-using Decided = SurfacePair::Decided;
 
 namespace {
 
@@ -27,15 +26,17 @@ const space::SurfaceSet::Ball* only_ball(const Surfaced& s) {
   return one ? s.surface->balls().data() : nullptr;
 }
 
-std::optional<Decided> of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, TouchSide side,
-                               bool farthest, const RealVector& p) {
-  if (!fixed.surface || !fixed.surface->one_sheet() || fixed.convex || ball.radius.sign() <= 0) return std::nullopt;
+exact::Refusal not_touching() { return exact::Refusal("the positions at which the surfaces touch do not tell"); }
+
+TriedAnswer of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, TouchSide side, bool farthest,
+                    const RealVector& p) {
+  if (!fixed.surface || !fixed.surface->one_sheet() || fixed.convex || ball.radius.sign() <= 0) return not_touching();
   const SurfaceBall of{fixed.surface.get(), ball.radius, side};
   const RealVector center = space::real(ball.center), x = space::plus(p, center);
   BallPlace place = farthest ? farthest_for_ball(of, x) : nearest_for_ball(of, x);
-  if (!place.decided) return std::nullopt;
+  if (!place.decided) return not_touching();
   if (place.value && place.value->nearest) place.value->nearest = space::minus(*place.value->nearest, center);
-  return Decided{std::move(place.value)};
+  return std::move(place.value);
 }
 
 /// Each one surface, not both convex: then parts are the quick way.
@@ -44,15 +45,15 @@ bool decided_by_contacts(const Surfaced& b, const Surfaced& a) {
   return one(b) && one(a) && !(b.convex && a.convex);
 }
 
-std::optional<Decided> of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
-  if (!contact.decided) return std::nullopt;
-  if (!contact.place) return Decided{};
+TriedAnswer of_contact(const SurfaceContact& contact, const RealVector& p, int sign) {
+  if (!contact.decided) return not_touching();
+  if (!contact.place) return std::nullopt;
   Answer out = signed_value(p, *contact.place, sign);
   if (contact.error > 0) {
     out.proven = false;
     out.error = contact.error;
   }
-  return Decided{std::move(out)};
+  return std::optional(std::move(out));
 }
 
 }  // namespace
@@ -65,33 +66,30 @@ const SurfaceContacts& SurfacePair::contacts(const Side& side, TouchSide from) {
   return *slot.contacts;
 }
 
-std::optional<Decided> SurfacePair::depth(const RealVector& p) const {
-  const bool back = faces(a_) < faces(b_);
-  const Side& side = back ? back_ : forth_;
-  const RealVector at = back ? space::negated(p) : p;
-  std::optional<Decided> out;
-  if (const auto* ball = only_ball(*side.moving)) {
-    out = of_ball(*ball, *side.fixed, TouchSide::kOutside, false, at);
-    if (out && out->value) out->value->value = -out->value->value;
-  } else if (decided_by_contacts(*side.moving, *side.fixed)) {
-    out = of_contact(contacts(side, TouchSide::kOutside).nearest(at), at, -1);
+TriedAnswer SurfacePair::depth(const RealVector& p) const {
+  const Inner inner = faces(a_) < faces(b_) ? Inner::kA : Inner::kB;
+  const Side& of = side(inner);
+  const RealVector at = seen(inner, p);
+  TriedAnswer out = not_touching();
+  if (const auto* ball = only_ball(*of.moving)) {
+    out = of_ball(*ball, *of.fixed, TouchSide::kOutside, false, at);
+    if (out && *out) (*out)->value = -(*out)->value;
+  } else if (decided_by_contacts(*of.moving, *of.fixed)) {
+    out = of_contact(contacts(of, TouchSide::kOutside).nearest(at), at, -1);
   }
-  if (!out || !out->value) return std::nullopt;
-  if (back && out->value->nearest) out->value->nearest = space::negated(*out->value->nearest);
-  return out;
+  if (!out || !*out) return not_touching();
+  return told(inner, std::move(out), p);
 }
 
-std::optional<Decided> SurfacePair::to_fit(const Side& side, Which which, const RealVector& p) {
+TriedAnswer SurfacePair::to_fit(const Side& side, bool farthest, const RealVector& p) {
+  TriedAnswer out = not_touching();
   if (const auto* ball = only_ball(*side.moving)) {
-    auto out = of_ball(*ball, *side.fixed, TouchSide::kInside, which == Which::kEta2, p);
-    if (out && out->value && which == Which::kEta2) out->value->nearest.reset();
-    return out;
+    out = of_ball(*ball, *side.fixed, TouchSide::kInside, farthest, p);
+  } else if (decided_by_contacts(*side.moving, *side.fixed)) {
+    const SurfaceContacts& of = contacts(side, TouchSide::kInside);
+    out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);
   }
-  if (!decided_by_contacts(*side.moving, *side.fixed)) return std::nullopt;
-  const SurfaceContacts& of = contacts(side, TouchSide::kInside);
-  const bool farthest = which == Which::kEta2;
-  auto out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);
-  if (out && out->value && farthest) out->value->nearest.reset();
+  if (farthest && out && *out) (*out)->nearest.reset();
   return out;
 }
 

@@ -17,7 +17,7 @@ inline constexpr double kPlaceNoise = 0x1p-44;
 /// A place this near to a vertex may be that vertex. Filters: the distance there is then computed exactly.
 inline constexpr double kAtVertex = 0x1p-44;
 /// By how much, in doubles, a place keeps each rule of a search (boundary_search::allowed). It is less than
-/// kDistanceNoise, as a search that asked for more would not offer places on boundaries. Searches in free_space.cpp,
+/// kDistanceNoise, as a search that asked for more would not offer places on boundaries. Searches in position_set.cpp,
 /// where the place is then checked by exact predicates. Decides for solids that others are cut out of (csg), where no
 /// exact rule exists: a place may break a rule by kDistanceNoise. The value is then off by less than kFoundError. But a
 /// pocket of no width, or of one below kDistanceNoise, may count as a place that belongs, or as none.

@@ -148,6 +148,19 @@ Atom compare(Distance distance, Relation relation, exact::Real level, std::strin
 
 Atom minimisers(Distance distance) { return {std::move(distance), Relation::kEqual, exact::Real(0), true, {}}; }
 
+std::set<std::string> Formula::shapes() const {
+  std::set<std::string> out;
+  const auto add = [&](const Distance& d) {
+    out.insert(d.first.begin(), d.first.end());
+    out.insert(d.second.begin(), d.second.end());
+  };
+  for (const Atom& a : atoms_) {
+    add(a.distance);
+    for (const SumTerm& t : a.more) add(t.distance);
+  }
+  return out;
+}
+
 Formula::Formula(Atom atom) : Formula(Node{Op::kAtom, 0, {}}, {std::move(atom)}) {}
 
 Formula::Formula(Node root, std::vector<Atom> atoms) : root_(flattened(std::move(root))), atoms_(std::move(atoms)) {

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -129,6 +130,8 @@ class Formula {
   const Node& root() const { return root_; }
   /// From left to right, one for each occurrence.
   const std::vector<Atom>& atoms() const { return atoms_; }
+  /// The names of all shapes that it speaks of.
+  std::set<std::string> shapes() const;
   /// The distinct ones, in order of first occurrence.
   const std::vector<SignMap>& sign_maps() const { return sign_maps_; }
   /// The index into sign_maps() that decides atoms()[atom].

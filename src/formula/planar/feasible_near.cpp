@@ -193,7 +193,7 @@ class Near {
   }
 
   Mover made(const Names& names) const {
-    Region shape = world_.shape(names);
+    plane::SharedRegion shape = world_.shape(names);
     auto box = plane::extent(shape);
     return {std::move(shape), box};
   }

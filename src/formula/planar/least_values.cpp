@@ -58,7 +58,7 @@ DiscRange disc_range(const PreparedWorld& world, const Roles& r) {
 
 /// Where to look for the best.
 SearchWindow search_window(const PreparedWorld& world, const Roles& r, const plane::Region& over) {
-  const plane::Region a = world.shape(r.names.second);
+  const plane::SharedRegion a = world.shape(r.names.second);
   const bool rotation = r.wanted.mode == Mode::kRotation;
   double size = 2 + distance::reach(world.shape(r.names.first)) + distance::reach(a), way = 0;
   for (const distance::RotatingPose& p : rotation_poses(world, r, false))

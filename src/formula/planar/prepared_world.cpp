@@ -61,8 +61,9 @@ PreparedWorld::PreparedWorld(const PreparedWorld& before, ShapeChanges changes)
 
 /// Distances are those of closed sets.
 void PreparedWorld::prepare(const std::string& name) {
-  plane::Region& region = world_.shapes.at(name);
-  region = plane::closure(std::move(region));
+  plane::SharedRegion& shape = world_.shapes.at(name);
+  if (!plane::is_closed(shape)) shape = plane::closure(shape);
+  const plane::Region& region = shape;
   const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
   if (!box) return;
   boxes_.emplace(name, *box);
@@ -70,14 +71,16 @@ void PreparedWorld::prepare(const std::string& name) {
     boundary_components_.emplace(name, plane::BoundaryComponents(region));
 }
 
-plane::Region PreparedWorld::shape(const std::vector<std::string>& names) const {
-  std::vector<const plane::Region*> parts;
+plane::SharedRegion PreparedWorld::shape(const std::vector<std::string>& names) const {
+  std::vector<plane::SharedRegion> parts;
   for (const std::string& n : names) {
     auto found = world_.shapes.find(n);
     if (found == world_.shapes.end()) throw Error(ErrorCode::kUnknownName, "there is no shape '" + n + "'");
-    parts.push_back(&found->second);
+    parts.push_back(found->second);
   }
-  plane::Region whole = parts.size() == 1 ? *parts[0] : plane::unite(parts);
+  std::vector<const plane::Region*> regions;
+  for (const plane::SharedRegion& part : parts) regions.push_back(&*part);
+  plane::SharedRegion whole = parts.size() == 1 ? parts[0] : plane::SharedRegion(plane::unite(regions));
   if (plane::is_empty(whole) && !world_.eroded)
     throw Error(ErrorCode::kGeometry,
                 fmt::format("shape '{}' is empty: there is no distance to it", fmt::join(names, "+")));

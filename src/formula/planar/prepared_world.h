@@ -19,6 +19,7 @@
 #include "formula/language/which.h"
 #include "formula/planar/world.h"
 #include "plane/complex/extent.h"
+#include "plane/complex/shared_region.h"
 #include "plane/query/boundary_components.h"
 
 namespace findspace::formula {
@@ -55,14 +56,14 @@ using ShapeChanges = std::map<std::string, std::optional<plane::Region>>;
 class PreparedWorld {
  public:
   explicit PreparedWorld(World world);
-  /// The same world but for some shapes; what does not speak of these is taken over. Cost: a copy of the others.
+  /// The same world but for some shapes; what does not speak of these is taken over. Cost: that of the changes.
   PreparedWorld(const PreparedWorld& before, ShapeChanges changes);
 
   const World& world() const { return world_; }
   const exact::Real& step() const { return world_.step; }
   const Motion& motion() const { return world_.motion; }
   /// The union of the named shapes, closed.
-  plane::Region shape(const std::vector<std::string>& names) const;
+  plane::SharedRegion shape(const std::vector<std::string>& names) const;
   /// A box around a shape; none for one that is unbounded or empty.
   const plane::PieceBox* box(const std::string& name) const;
   /// A bounded shape's boundary_components; none where it has not several.

@@ -70,7 +70,7 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
   if (in_rotation(wanted)) {
     const RealPoint centre = world.steps({r.wanted.vector.at(0), r.wanted.vector.at(1)});
     const Which kind = r.which();
-    const plane::Region b = world.shape(r.names.first), a = world.shape(r.names.second);
+    const plane::SharedRegion b = world.shape(r.names.first), a = world.shape(r.names.second);
     if (!world.motion().given()) return distance::rotation_position_maps(b, a, kind, centre, wanted.level);
     return distance::rotation_position_maps(b, a, kind, centre, wanted.level, rotation_poses(world, r, false), sense);
   }

@@ -74,7 +74,7 @@ World rotated_world(World world, const RealPoint& about, const Real& degrees, pl
                 "at an angle, the centre of the rotation must be a point of the grid, seen from the position");
   const plane::GridPoint centre{std::int64_t(*about.x.integer()), std::int64_t(*about.y.integer())};
   for (const std::string& name : world.moving) {
-    plane::Region& shape = world.shapes.at(name);
+    plane::SharedRegion& shape = world.shapes.at(name);
     shape = plane::rotated(shape, centre, degrees, world.step.to_double(), rounding);
   }
   return world;

@@ -13,10 +13,11 @@
 
 #include "distance/planar/at_position.h"
 #include "formula/language/position_answers.h"
+#include "plane/complex/shared_region.h"
 
 namespace findspace::formula {
 
-using Shapes = std::map<std::string, plane::Region>;
+using Shapes = std::map<std::string, plane::SharedRegion>;
 /// The named parts of the shapes that are collections, in order.
 using Parts = std::map<std::string, std::vector<std::pair<std::string, plane::Region>>>;
 

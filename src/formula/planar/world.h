@@ -15,7 +15,7 @@
 namespace findspace::formula {
 
 struct World {
-  std::map<std::string, plane::Region> shapes;  // in grid steps
+  Shapes shapes;  // in grid steps
   std::vector<std::string> moving;
   exact::Real step;                    // one grid step in the scene's unit
   Motion motion;                       // if given, distances are taken over its time

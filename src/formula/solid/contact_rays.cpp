@@ -7,6 +7,7 @@
 
 namespace findspace::formula {
 
+using distance::Answer;
 using distance::Between;
 using distance::SurfacePair;
 using exact::Real;
@@ -43,11 +44,12 @@ space::RaySourcePointer contact_rays(distance::Which which, const space::RaySoli
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
   const auto pair = std::make_shared<const SurfacePair>(of_b, of_a);
   const distance::RayRule rule = [pair, which, level](const RealVector& p) -> distance::TriedBetween {
-    const auto found = pair->value(which, p);
-    if (!found) return exact::Refusal("where two surfaces touch was not found within the limit");
-    if (!found->value) return std::nullopt;
-    const double gap = (found->value->value - level).to_double(), error = found->value->error;
-    return Between{gap - error, gap + error, ball(which, *found->value, level)};
+    const distance::TriedAnswer told = pair->try_value(which, p);
+    if (!told) return exact::Refusal("where two surfaces touch was not found within the limit");
+    const std::optional<Answer>& found = *told;
+    if (!found) return std::nullopt;
+    const double gap = (found->value - level).to_double(), error = found->error;
+    return Between{gap - error, gap + error, ball(which, *found, level)};
   };
   return std::make_unique<distance::ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, 1, grid);
 }

@@ -166,21 +166,17 @@ Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealV
 
 // Boxes, then the ways of cut shapes and of surfaces, then bodies.
 Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
-  if (boxes_ && (BoxPair::has_value(which) || (BoxPair::is_reach(which) && !all().pair))) {
-    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->value(which, at); });
+  if (boxes_ && !BoxPair::protrudes(which) && (!BoxPair::is_reach(which) || !all().pair)) {
+    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->try_value(which, at); });
     if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
   if (cut_.pair)
     return asked(distance::Way::kCut, cut_.scale, p,
                  [&](const RealVector& at) { return cut_.pair->try_value(which, at); });
   if (surfaces_) {
-    bool decided = false;
-    auto v = asked(distance::Way::kSurfaces, surface_scale_, p, [&](const RealVector& at) {
-      const auto found = surfaces_->value(which, at);
-      decided = found.has_value();
-      return found ? found->value : std::nullopt;
-    });
-    if (decided || !v) return v;
+    auto v = asked(distance::Way::kSurfaces, surface_scale_, p,
+                   [&](const RealVector& at) { return surfaces_->try_value(which, at); });
+    if (v) return v;
   }
   return value_of_bodies(which, p);
 }

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -195,27 +195,24 @@ class BodiesDrawing {
   }
 
   std::string run() {
-    put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
+    put(out_,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
         "font-size=\"13\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
         kViewSize, (high_[1] - low_[1]) * scale_ + 2 * kBodiesMargin + header_, xml_escaped(picture_.title));
     double y = kBodiesLine;
-    put("<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, xml_escaped(picture_.title));
+    put(out_, "<text x=\"12\" y=\"{}\" fill=\"#123\" font-weight=\"bold\">{}</text>\n", y, xml_escaped(picture_.title));
     for (const std::string& line : picture_.lines)
-      put("<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kBodiesLine, xml_escaped(line));
+      put(out_, "<text x=\"12\" y=\"{}\" fill=\"#345\">{}</text>\n", y += kBodiesLine, xml_escaped(line));
     put_parts();
     for (const Shown& part : parts_) put_edges(part, part.core.hidden, part.moving ? "#9bd" : "#bbb", kDashed);
     for (const auto& pair : picture_.pairs) {
-      put("<path stroke=\"#d22\" class=\"witness\" d=\"M{}L{}\"/>\n", at(seen(pair[0])), at(seen(pair[1])));
-      for (const Place3& p : pair) put("<circle cx=\"{}\" r=\"3\" fill=\"#d22\"/>\n", at(seen(p), "\" cy=\""));
+      put(out_, "<path stroke=\"#d22\" class=\"witness\" d=\"M{}L{}\"/>\n", at(seen(pair[0])), at(seen(pair[1])));
+      for (const Place3& p : pair) put(out_, "<circle cx=\"{}\" r=\"3\" fill=\"#d22\"/>\n", at(seen(p), "\" cy=\""));
     }
     return out_ + "</svg>\n";
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
   void extend(const Place2& p, double by) {
     for (std::size_t k = 0; k < 2; ++k) {
       low_[k] = any_ ? std::min(low_[k], p[k] - by) : p[k] - by;
@@ -256,7 +253,7 @@ class BodiesDrawing {
     for (const int v : face.ring)
       path += fmt::format("{}{}", path.empty() ? "M" : "L", at(part.points[static_cast<std::size_t>(v)]));
     const std::string fill = shaded(part.moving ? kSky : kStone, face.light);
-    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\".5\" fill-opacity=\"{}\"/>\n", path, fill,
+    put(out_, "<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\".5\" fill-opacity=\"{}\"/>\n", path, fill,
         part.glass ? "none" : fill, part.glass ? kGlass : 0.93);
     put_edges(part, face.edges, part.moving ? "#15a" : "#555", "");
   }
@@ -267,17 +264,18 @@ class BodiesDrawing {
     const std::string fill = shaded(part.moving ? kSky : kStone, 1);
     const double wide = 2 * part.radius * scale_;
     const char* line = part.moving ? "#15a" : "#555";
-    put("<path d=\"{}z\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", path, line, wide > 0 ? wide + 2 : 1);
-    put("<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" opacity=\"{}\"/>\n", path, fill, fill, wide,
-        part.glass ? kGlass : 0.8);
+    put(out_, "<path d=\"{}z\" stroke=\"{}\" stroke-width=\"{:.2f}\"/>\n", path, line, wide > 0 ? wide + 2 : 1);
+    put(out_, "<path d=\"{}z\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" opacity=\"{}\"/>\n", path, fill, fill,
+        wide, part.glass ? kGlass : 0.8);
     for (const SeenFace& face : part.core.faces) put_edges(part, face.edges, line, "");
   }
   void put_edges(const Shown& part, const std::vector<Edge3>& edges, const char* colour, const char* style) {
     if (edges.empty()) return;
-    put("<path stroke=\"{}\"{} d=\"", colour, style);
+    put(out_, "<path stroke=\"{}\"{} d=\"", colour, style);
     for (const Edge3& e : edges)
-      put("M{}L{}", at(part.points[static_cast<std::size_t>(e[0])]), at(part.points[static_cast<std::size_t>(e[1])]));
-    put("\"/>\n");
+      put(out_, "M{}L{}", at(part.points[static_cast<std::size_t>(e[0])]),
+          at(part.points[static_cast<std::size_t>(e[1])]));
+    put(out_, "\"/>\n");
   }
 
   const BodiesPicture& picture_;

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+
+#include "io/text/put.h"
 
 namespace findspace::io {
 
@@ -54,13 +55,12 @@ std::string PathWriter::number(double value) const {
 }
 
 void PathWriter::put(char command, const Place& p) {
-  fmt::format_to(std::back_inserter(data_), "{}{} {}", command, number(frame_.x(p[0] + offset_[0])),
-                 number(frame_.y(p[1] + offset_[1])));
+  io::put(data_, "{}{} {}", command, number(frame_.x(p[0] + offset_[0])), number(frame_.y(p[1] + offset_[1])));
 }
 
 void PathWriter::arc_to(const Place& p, double radius, bool ccw) {
   const std::string r = number(radius * frame_.scale);
-  fmt::format_to(std::back_inserter(data_), "A{0} {0} 0 0 {1}", r, ccw != frame_.y_down ? 0 : 1);
+  io::put(data_, "A{0} {0} 0 0 {1}", r, ccw != frame_.y_down ? 0 : 1);
   put(' ', p);
 }
 
@@ -94,8 +94,8 @@ void PathWriter::add_curve(const Curve& curve) {
 }
 
 void PathWriter::add_frame() {
-  fmt::format_to(std::back_inserter(data_), "M{0} {1}H{2}V{3}H{0}Z", pixels(frame_.left), pixels(frame_.top),
-                 pixels(frame_.left + frame_.width()), pixels(frame_.top + frame_.height()));
+  io::put(data_, "M{0} {1}H{2}V{3}H{0}Z", pixels(frame_.left), pixels(frame_.top), pixels(frame_.left + frame_.width()),
+          pixels(frame_.top + frame_.height()));
 }
 
 void PathWriter::add_face(const plane::Face& face) {

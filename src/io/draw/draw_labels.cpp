@@ -54,9 +54,11 @@ Labeller::Labeller(const Frame& frame, const Real& step, std::vector<LabelledSha
   });
 }
 
-void Labeller::avoid(const Place& point, double radius) {
+void Labeller::avoid(const Place& point, double radius) { taken_.push_back(around(point, radius)); }
+
+Labeller::Box Labeller::around(const Place& point, double radius) const {
   const double x = frame_.x(point[0]), y = frame_.y(point[1]);
-  taken_.push_back({{x - radius, y - radius}, {x + radius, y + radius}});
+  return {{x - radius, y - radius}, {x + radius, y + radius}};
 }
 
 void Labeller::avoid_text(const Place& middle, std::string_view text) {
@@ -80,7 +82,7 @@ void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const Curve& k = net.curves()[i];
     const Place from = net.at(k.from), to = net.at(k.to);
-    const auto keep = [&](double x, double y) { avoid({x + offset[0], y + offset[1]}, kClearance); };
+    const auto keep = [&](double x, double y) { lines_.push_back(around({x + offset[0], y + offset[1]}, kClearance)); };
     const double first = std::atan2(from[1] - k.center[1], from[0] - k.center[0]);
     for (double t = 0; t < lengths[i]; t += stride) {
       const double part = t / lengths[i], angle = first + k.angle * part;
@@ -98,6 +100,10 @@ Labeller::Box Labeller::box_around(double x, double y, std::string_view text) co
 }
 
 bool Labeller::is_free(const Box& b) const {
+  return is_open(b) && std::none_of(lines_.begin(), lines_.end(), [&](const Box& t) { return meet(b, t); });
+}
+
+bool Labeller::is_open(const Box& b) const {
   if (b.low[0] < frame_.left || b.high[0] > frame_.left + frame_.width()) return false;
   if (b.low[1] < frame_.top || b.high[1] > frame_.top + frame_.height()) return false;
   return std::none_of(taken_.begin(), taken_.end(), [&](const Box& t) { return meet(b, t); });
@@ -165,8 +171,8 @@ std::optional<Labeller::Box> Labeller::place_inside(std::size_t shape) {
   return outside == boxes.end() ? boxes.front() : *outside;
 }
 
-/// Above, below, right or left of the largest component, or at a corner of its box; in its middle if all is taken,
-/// unless another name is there.
+/// Above, below, right or left of the largest component, or at a corner of its box; across a line where no place is
+/// free of them. In its middle if all is taken, unless another name is there.
 std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape) const {
   const LabelledShape& s = shapes_[shape];
   const Component& c = *largest(s.summary);
@@ -188,10 +194,11 @@ std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape) const {
                                    {left, above},
                                    {right, below},
                                    {left, below}}};
-  for (const Place& way : ways) {
-    const Box b = box_around(way[0], way[1], s.name);
-    if (is_free(b) && !meets_smaller(shape, b)) return b;
-  }
+  for (const bool across : {false, true})
+    for (const Place& way : ways) {
+      const Box b = box_around(way[0], way[1], s.name);
+      if ((across ? is_open(b) : is_free(b)) && !meets_smaller(shape, b)) return b;
+    }
   const bool named = std::any_of(names_.begin(), names_.end(), [&](const Box& n) { return meet(own, n); });
   return named ? std::nullopt : std::optional(own);
 }

@@ -42,7 +42,10 @@ class Labeller {
  private:
   using Box = plane::Bounds;  // in pixels
   Box box_around(double x, double y, std::string_view text) const;
+  Box around(const plane::Place& point, double radius) const;
+  /// Within the frame and off what is to be avoided; lines may cross an open place.
   bool is_free(const Box& b) const;
+  bool is_open(const Box& b) const;
   bool lies_in(const LabelledShape& shape, plane::Locator& locator, const Box& b) const;
   bool meets_smaller(std::size_t shape, const Box& b) const;
   Box pixel_box(const LabelledShape& shape, const plane::Bounds& b) const;
@@ -54,7 +57,7 @@ class Labeller {
   const Frame& frame_;
   const exact::Real& step_;
   std::vector<LabelledShape> shapes_;  // from small to large
-  std::vector<Box> taken_, names_;
+  std::vector<Box> taken_, lines_, names_;
   std::optional<plane::Locator> region_;
 };
 

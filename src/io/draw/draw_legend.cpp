@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "io/draw/draw_layout.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -17,11 +17,6 @@ namespace {
 constexpr double kTitleSize = 16, kEntryLine = 20, kSwatch = 26, kEntryGap = 24;
 constexpr std::size_t kMostLines = 3;  // of the title, and of what stands below it
 constexpr double kTickDistance = 80, kTickFont = 10.5;
-
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 /// The sign before an entry's text: a swatch of 18 by 12 pixels around the middle of a line at y.
 std::string sign(LegendEntry::Mark mark, double x, double y) {

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
+
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -130,8 +131,8 @@ std::string outline(const CurveNet& net, const Frame& frame, std::string_view st
   for (Index v = 0; v < s.vertices.size(); ++v) {
     if (s.vertices[v].out != kNone || s.vertices[v].mark == 0) continue;
     const Place p = net.at(v);
-    fmt::format_to(std::back_inserter(out), "<circle class=\"{}-dot\" cx=\"{}\" cy=\"{}\" r=\"2.5\"/>\n", style,
-                   pixels(frame.x(p[0] + offset[0])), pixels(frame.y(p[1] + offset[1])));
+    put(out, "<circle class=\"{}-dot\" cx=\"{}\" cy=\"{}\" r=\"2.5\"/>\n", style, pixels(frame.x(p[0] + offset[0])),
+        pixels(frame.y(p[1] + offset[1])));
   }
   return out;
 }

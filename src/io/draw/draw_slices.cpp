@@ -6,30 +6,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
 
 constexpr double kWidth = 900, kPanelGap = 18, kPanelLine = 16;
 
-/// One layer: from the window's coordinates to those of its panel.
+constexpr double kTicksLeft = 38, kTicksBelow = 20;  // room for the numbers of a panel
+
+/// One layer: where it stands on the page, and how wide its strips are.
 struct Panel {
-  double left, top, scale, x0, y1, strip;
-  double x(double v) const { return left + (v - x0) * scale; }
-  double y(double v) const { return top + (y1 - v) * scale; }
+  Frame frame;
+  double strip;
 };
 
 void put_strip(std::string& strips, std::string& dots, const Panel& p, double from, double to, double y, bool point) {
   if (point)
-    fmt::format_to(std::back_inserter(dots), "M{:.2f} {:.2f}h0", p.x(from), p.y(y));
+    put(dots, "M{:.2f} {:.2f}h0", p.frame.x(from), p.frame.y(y));
   else
-    fmt::format_to(std::back_inserter(strips), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.x(from), p.y(y + p.strip / 2),
-                   (to - from) * p.scale, p.strip * p.scale, (from - to) * p.scale);
+    put(strips, "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.frame.x(from), p.frame.y(y + p.strip / 2),
+        (to - from) * p.frame.scale, p.strip * p.frame.scale, (from - to) * p.frame.scale);
 }
 
 /// The intervals of line i, cut at the window.
@@ -49,6 +50,18 @@ void put_line(std::string& strips, std::string& dots, const Panel& panel, const 
   if (in) put_strip(strips, dots, panel, from, high, y, false);
 }
 
+/// What a set's lines give to draw in a layer.
+struct Layer {
+  std::string strips, dots;
+
+  Layer(const space::RayRow& row, const space::RayGrid& grid, const Panel& panel, double part) {
+    const plane::Bounds& shown = panel.frame.world;
+    for (int i = 0; i < grid.nu; ++i)
+      put_line(strips, dots, panel, row, i, static_cast<double>(grid.u_at(i)) * part, part, shown.low[0],
+               shown.high[0]);
+  }
+};
+
 }  // namespace
 
 space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int layers, int n) {
@@ -62,6 +75,11 @@ space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int
 
 namespace {
 
+/// The unit as it stands after a number, fit for XML.
+std::string unit_after(const SlicesPicture& picture) {
+  return picture.unit.empty() ? "" : " " + xml_escaped(picture.unit);
+}
+
 /// The window in the unit, and where its layers stand on the page: `across` beside each other, `down` below.
 struct Page {
   Page(std::size_t layers, const space::Point& low, const space::Point& high, double step)
@@ -71,46 +89,49 @@ struct Page {
         y1(static_cast<double>(high.y) * step),
         across(std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(layers)))))),
         down((static_cast<int>(layers) + across - 1) / across),
-        per_unit(((kWidth - kPanelGap) / across - kPanelGap) / std::max(x1 - x0, y1 - y0)),
-        width(std::max(kWidth * 0.6, kPanelGap + across * ((x1 - x0) * per_unit + kPanelGap))) {}
-  double panel_width() const { return (x1 - x0) * per_unit; }
-  double panel_height() const { return (y1 - y0) * per_unit; }
-  double below(double top) const { return top + down * (panel_height() + kPanelLine + kPanelGap); }
+        per_unit(((kWidth - kPanelGap) / across - kPanelGap - kTicksLeft) / std::max(x1 - x0, y1 - y0)),
+        width(std::max(kWidth * 0.6, kPanelGap + across * across_one())) {}
+  double across_one() const { return kTicksLeft + (x1 - x0) * per_unit + kPanelGap; }
+  double below_one() const { return kPanelLine + (y1 - y0) * per_unit + kTicksBelow + kPanelGap; }
+  double below(double top) const { return top + down * below_one(); }
+  /// Of layer k; the first row of layers begins at `top`.
+  Frame frame(int k, double top) const {
+    return {{{x0, y0}, {x1, y1}},
+            per_unit,
+            kPanelGap + kTicksLeft + (k % across) * across_one(),
+            top + (k / across) * below_one()};
+  }
 
   double x0, x1, y0, y1;
   int across, down;
   double per_unit, width;  // pixels
 };
 
-/// Layer k of the grid as a panel of the page; `points` becomes true where a line has a single point.
-std::string layer_svg(const space::RayRow& row, const space::RayGrid& grid, int k, const Page& page, double top,
-                      double part, std::string_view unit, bool& points) {
-  const int below = k / page.across;  // rows of panels
-  const Panel panel{kPanelGap + (k % page.across) * (page.panel_width() + kPanelGap),
-                    top + below * (page.panel_height() + kPanelLine + kPanelGap),
-                    page.per_unit,
-                    page.x0,
-                    page.y1,
-                    static_cast<double>(grid.du) * part};
-  std::string strips, dots;
-  for (int i = 0; i < grid.nu; ++i)
-    put_line(strips, dots, panel, row, i, static_cast<double>(grid.u_at(i)) * part, part, page.x0, page.x1);
-  points = points || !dots.empty();
-  std::string out = fmt::format(
-      "<g class=\"layer\">\n<text class=\"note\" x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}</text>\n"
-      "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"none\" stroke=\"#b9c0c6\"/>\n",
-      panel.left, panel.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), xml_escaped(unit), panel.left,
-      panel.top, page.panel_width(), page.panel_height());
-  if (!strips.empty()) out += fmt::format("<path class=\"face strips\" d=\"{}\"/>\n", strips);
-  if (!dots.empty()) out += fmt::format("<path class=\"free dots\" d=\"{}\"/>\n", dots);
+/// Layer k of the grid: the fixed shapes below the region. `points` becomes true where a line has a single point.
+std::string layer_svg(const SlicesPicture& picture, int k, const Frame& frame, double part, bool& points) {
+  const space::RayGrid& grid = picture.grid;
+  const Panel panel{frame, static_cast<double>(grid.du) * part};
+  std::string out =
+      fmt::format("<g class=\"layer\">\n<text class=\"note\" x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}</text>\n{}", frame.left,
+                  frame.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), unit_after(picture), axes(frame));
+  for (const std::vector<space::RayRow>& shape : picture.fixed) {
+    const Layer section(shape[static_cast<std::size_t>(k)], grid, panel, part);
+    if (!section.strips.empty()) out += fmt::format("<path class=\"fixed strips\" d=\"{}\"/>\n", section.strips);
+  }
+  const Layer region(picture.rows[static_cast<std::size_t>(k)], grid, panel, part);
+  points = points || !region.dots.empty();
+  if (!region.strips.empty()) out += fmt::format("<path class=\"face strips\" d=\"{}\"/>\n", region.strips);
+  if (!region.dots.empty()) out += fmt::format("<path class=\"free dots\" d=\"{}\"/>\n", region.dots);
   return out + "</g>\n";
 }
 
 /// What the marks mean and which window is shown, from `top` on.
-Block below_layers(const Page& page, const SlicesText& text, std::string_view unit, bool points, double top) {
-  std::vector<LegendEntry> entries{{LegendEntry::Mark::kFace, text.meaning}};
+Block below_layers(const Page& page, const SlicesPicture& picture, bool points, double top) {
+  std::vector<LegendEntry> entries{{LegendEntry::Mark::kFace, picture.meaning}};
   if (points) entries.push_back({LegendEntry::Mark::kPoint, "a single point of a line"});
+  if (!picture.fixed.empty()) entries.push_back({LegendEntry::Mark::kFixed, "fixed shapes, cut at this height"});
   Block meanings = legend(entries, kPanelGap, top, page.width - 2 * kPanelGap);
+  const std::string unit = unit_after(picture);
   const std::string ranges =
       fmt::format("Each layer is seen from above: x from {} to {}{} to the right, y from {} to {}{} upward.",
                   shown(page.x0), shown(page.x1), unit, shown(page.y0), shown(page.y1), unit);
@@ -120,23 +141,21 @@ Block below_layers(const Page& page, const SlicesText& text, std::string_view un
 
 }  // namespace
 
-std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
-                       const space::Point& high, double step, const SlicesText& text) {
-  const Page page(rows.size(), low, high, step);
-  const Block title = title_block(text.title, text.subtitle, kPanelGap, kPanelLine, kWidth - 2 * kPanelGap);
+std::string slices_svg(const SlicesPicture& picture) {
+  const Page page(picture.rows.size(), picture.low, picture.high, picture.step);
+  const Block title = title_block(picture.title, picture.subtitle, kPanelGap, kPanelLine, kWidth - 2 * kPanelGap);
   const double top = kPanelLine + title.height + kPanelLine, below = page.below(top);
-  const double part = step / static_cast<double>(grid.parts);
-  const std::string unit = text.unit.empty() ? "" : " " + text.unit;
+  const double part = picture.step / static_cast<double>(picture.grid.parts);
   std::string panels;
   bool points = false;
-  for (std::size_t j = 0; j < rows.size(); ++j)
-    panels += layer_svg(rows[j], grid, static_cast<int>(j), page, top, part, unit, points);
-  const Block says = below_layers(page, text, unit, points, below);
+  for (int k = 0; k < static_cast<int>(picture.rows.size()); ++k)
+    panels += layer_svg(picture, k, page.frame(k, top), part, points);
+  const Block says = below_layers(page, picture, points, below);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\">\n"
       "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}</svg>\n",
-      page.width, below + says.height, xml_escaped(text.title), style_sheet(), title.svg, panels, says.svg);
+      page.width, below + says.height, xml_escaped(picture.title), style_sheet(), title.svg, panels, says.svg);
 }
 
 }  // namespace findspace::io

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A region of space in layers: one panel for each height, seen from above, in which the lines along x that the region
-// meets are drawn as strips of their spacing, places of length 0 as dots. Guarantee: the ends of strips are those of
+// meets are drawn as strips of their spacing, places of length 0 as dots, and below them what the fixed shapes have at
+// that height. Guarantee: the ends of strips are those of
 // the ray map; between its lines nothing is claimed. Cost: one strip an interval. Keywords: slicing, layers, contour.
 #pragma once
 
@@ -16,13 +17,16 @@ namespace findspace::io {
 /// `layers` panels; lines along x, about n a panel. Row j of the grid is layer j.
 space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int layers, int n);
 
-struct SlicesText {
+struct SlicesPicture {
   std::string title, subtitle, unit;
-  std::string meaning;  // of what is drawn
+  std::string meaning;                            // of what is drawn
+  space::RayGrid grid;                            // as slice_grid makes it
+  space::Point low, high;                         // the window
+  double step = 1;                                // a grid step in the scene's unit
+  std::vector<space::RayRow> rows;                // a row a layer, at most 0 in the region
+  std::vector<std::vector<space::RayRow>> fixed;  // the same of each fixed shape
 };
 
-/// `rows` of a map on a slice grid, at most 0 in the region; `step` is a grid step in the scene's unit.
-std::string slices_svg(const std::vector<space::RayRow>& rows, const space::RayGrid& grid, const space::Point& low,
-                       const space::Point& high, double step, const SlicesText& text);
+std::string slices_svg(const SlicesPicture& picture);
 
 }  // namespace findspace::io

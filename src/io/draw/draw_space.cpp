@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_view.h"
+#include "io/text/put.h"
 #include "space/box/box_topology.h"
 
 namespace findspace::io {
@@ -237,18 +237,17 @@ View view_of(const SpaceDrawing& d) {
 
 std::string elements(const SpaceDrawing& d, const View& view) {
   std::string out;
-  const auto put = std::back_inserter(out);
   for (const Polygon& f : d.faces) {
     std::string corners;
     for (const Place3& p : f.corners) corners += view.at(p) + " ";
-    fmt::format_to(put, "<polygon points=\"{}\" {}/>\n", corners, f.style);
+    put(out, "<polygon points=\"{}\" {}/>\n", corners, f.style);
   }
   for (const Stroke& s : d.strokes) {
-    fmt::format_to(put, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n",
-                   view.x(s.from), view.y(s.from), view.x(s.to), view.y(s.to), s.style);
+    put(out, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n",
+        view.x(s.from), view.y(s.from), view.x(s.to), view.y(s.to), s.style);
   }
   for (const Place3& p : d.points)
-    fmt::format_to(put, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
+    put(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
   return out;
 }
 
@@ -257,10 +256,10 @@ std::string legend(const SpacePicture& picture, const SpaceDrawing& d, double to
   std::string out;
   const auto row = [&](bool seen, const std::string& swatch, const char* meaning) {
     if (!seen) return;
-    fmt::format_to(std::back_inserter(out),
-                   "<g transform=\"translate({} {:.1f})\">{}<text x=\"26\" y=\"4.5\" font-size=\"12.5\" "
-                   "fill=\"#333\">{}</text></g>\n",
-                   kSpaceMargin, top, swatch, meaning);
+    put(out,
+        "<g transform=\"translate({} {:.1f})\">{}<text x=\"26\" y=\"4.5\" font-size=\"12.5\" "
+        "fill=\"#333\">{}</text></g>\n",
+        kSpaceMargin, top, swatch, meaning);
     top += kLegendLine;
   };
   const auto box = [](const std::string& style) {

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <set>
 
 #include "io/draw/draw_layout.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -36,18 +36,12 @@ class MarkColours {
   Mark outside_;
 };
 
-template <class... Args>
-void append_text(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
-
 /// The picture around what was drawn.
 std::string framed(const std::string& title, const Frame& frame, const std::string& drawn, double below) {
   const double width = std::max(frame.left + frame.width(), text_width(title) + 20);
   const double height = frame.top + frame.height() + below;
   std::string out;
-  append_text(
-      out,
+  put(out,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"{2}\">\n<title>{3}</title>\n<rect width=\"100%\" height=\"100%\" "
       "fill=\"#ffffff\"/>\n<text x=\"10\" y=\"20\">{3}</text>\n{4}</svg>\n",
@@ -72,9 +66,9 @@ std::string key(const CellComplex& cells, const MarkColours& colours, const Fram
   std::size_t shown = 0;
   for (const Mark mark : marks) {
     if (++shown > kMostKeys) break;
-    append_text(out, "<rect x=\"{0}\" y=\"{1}\" width=\"12\" height=\"10\" fill=\"{2}\" stroke=\"{3}\"/>", pixels(x),
-                pixels(y), colours.face(mark), colours.line(mark));
-    append_text(out, "<text x=\"{}\" y=\"{}\">mark {}</text>\n", pixels(x + 18), pixels(y + 10), int(mark));
+    put(out, "<rect x=\"{0}\" y=\"{1}\" width=\"12\" height=\"10\" fill=\"{2}\" stroke=\"{3}\"/>", pixels(x), pixels(y),
+        colours.face(mark), colours.line(mark));
+    put(out, "<text x=\"{}\" y=\"{}\">mark {}</text>\n", pixels(x + 18), pixels(y + 10), int(mark));
     x += kKeyWidth;
   }
   return out;
@@ -86,8 +80,8 @@ std::string faces_of(const CurveNet& net, const Frame& frame, const MarkColours&
     if (face.mark == net.complex().faces[0].mark) continue;
     PathWriter path(net, frame);
     path.add_face(face);
-    append_text(out, "<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.35\" fill-rule=\"evenodd\"/>\n", path.data(),
-                colours.face(face.mark));
+    put(out, "<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.35\" fill-rule=\"evenodd\"/>\n", path.data(),
+        colours.face(face.mark));
   }
   return out;
 }
@@ -97,13 +91,13 @@ std::string lines_of(const CurveNet& net, const Frame& frame, const MarkColours&
   for (const Curve& curve : net.curves()) {
     PathWriter path(net, frame);
     path.add_curve(curve);
-    append_text(out, "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>\n", path.data(),
-                colours.line(curve.mark));
+    put(out, "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>\n", path.data(),
+        colours.line(curve.mark));
   }
   for (const Index v : net.vertices()) {
     const plane::Place at = net.at(v);
-    append_text(out, "<circle cx=\"{}\" cy=\"{}\" r=\"2\" fill=\"{}\"/>\n", pixels(frame.x(at[0])),
-                pixels(frame.y(at[1])), colours.line(net.complex().vertices[v].mark));
+    put(out, "<circle cx=\"{}\" cy=\"{}\" r=\"2\" fill=\"{}\"/>\n", pixels(frame.x(at[0])), pixels(frame.y(at[1])),
+        colours.line(net.complex().vertices[v].mark));
   }
   return out;
 }
@@ -130,9 +124,9 @@ std::string stage_svg(const std::string& title, const plane::StageDrawing& drawi
     std::string data;
     for (const int v : face) {
       const auto& c = drawing.corners[static_cast<std::size_t>(v)];
-      append_text(data, "{}{} {}", data.empty() ? 'M' : 'L', pixels(frame.x(c[0])), pixels(frame.y(c[1])));
+      put(data, "{}{} {}", data.empty() ? 'M' : 'L', pixels(frame.x(c[0])), pixels(frame.y(c[1])));
     }
-    append_text(out, "<path d=\"{}{}\"/>\n", data, face.size() > 2 ? "Z" : "");
+    put(out, "<path d=\"{}{}\"/>\n", data, face.size() > 2 ? "Z" : "");
   }
   return framed(title, frame, out + "</g>\n", 0);
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 
 #include "io/draw/draw_canvas.h"
@@ -15,6 +14,7 @@
 #include "io/draw/draw_view.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/write_mesh_binary.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -78,84 +78,80 @@ std::string one_line(std::string_view text) {
 }  // namespace
 
 std::string obj_text(const Surface& s, std::string_view title) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "# {}\n", one_line(title));
-  for (const Vec& v : s.vertices) fmt::format_to(std::back_inserter(out), "v {} {} {}\n", v[0], v[1], v[2]);
+  std::string out;
+  put(out, "# {}\n", one_line(title));
+  for (const Vec& v : s.vertices) put(out, "v {} {} {}\n", v[0], v[1], v[2]);
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1]))
-      fmt::format_to(std::back_inserter(out), "g {}\n", s.labels[f]);
+    if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1])) put(out, "g {}\n", s.labels[f]);
     const std::size_t corners = s.faces[f].size();
     out.push_back(corners > 2 ? 'f' : corners == 2 ? 'l' : 'p');
-    for (const int v : s.faces[f]) fmt::format_to(std::back_inserter(out), " {}", v + 1);
+    for (const int v : s.faces[f]) put(out, " {}", v + 1);
     out.push_back('\n');
   }
-  return fmt::to_string(out);
+  return out;
 }
 
 std::string off_text(const Surface& s) {
-  fmt::memory_buffer out;
+  std::string out;
   std::size_t corners = 0;
   for (const auto& face : s.faces) corners += face.size();
-  fmt::format_to(std::back_inserter(out), "OFF\n{} {} {}\n", s.vertices.size(), s.faces.size(), corners / 2);
-  for (const Vec& v : s.vertices) fmt::format_to(std::back_inserter(out), "{} {} {}\n", v[0], v[1], v[2]);
-  for (const auto& face : s.faces)
-    fmt::format_to(std::back_inserter(out), "{} {}\n", face.size(), fmt::join(face, " "));
-  return fmt::to_string(out);
+  put(out, "OFF\n{} {} {}\n", s.vertices.size(), s.faces.size(), corners / 2);
+  for (const Vec& v : s.vertices) put(out, "{} {} {}\n", v[0], v[1], v[2]);
+  for (const auto& face : s.faces) put(out, "{} {}\n", face.size(), fmt::join(face, " "));
+  return out;
 }
 
 std::string stl_text(const Surface& s, std::string_view title) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "solid {}\n", one_line(title));
+  std::string out;
+  put(out, "solid {}\n", one_line(title));
   for (const auto& face : s.faces) {
     const Vec n = face_normal(s, face);
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      fmt::format_to(std::back_inserter(out), "facet normal {} {} {}\n outer loop\n", n[0], n[1], n[2]);
+      put(out, "facet normal {} {} {}\n outer loop\n", n[0], n[1], n[2]);
       for (const int v : {face[0], face[i], face[i + 1]}) {
         const Vec& p = s.vertices[v];
-        fmt::format_to(std::back_inserter(out), "  vertex {} {} {}\n", p[0], p[1], p[2]);
+        put(out, "  vertex {} {} {}\n", p[0], p[1], p[2]);
       }
-      fmt::format_to(std::back_inserter(out), " endloop\nendfacet\n");
+      put(out, " endloop\nendfacet\n");
     }
   }
-  fmt::format_to(std::back_inserter(out), "endsolid {}\n", one_line(title));
-  return fmt::to_string(out);
+  put(out, "endsolid {}\n", one_line(title));
+  return out;
 }
 
 std::string svg_text(const Surface& s, std::string_view title) {
   constexpr std::array<int, 3> kStone{223, 231, 235};
   const Picture picture = fit(s);
   const SeenSurface seen = seen_surface(s.vertices, s.faces);
-  fmt::memory_buffer out;
-  const auto put = std::back_inserter(out);
-  fmt::format_to(
-      put,
+  std::string out;
+  put(out,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" fill=\"none\" stroke=\"#123\" "
       "stroke-width=\"1.4\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
       picture.width, picture.height, xml_escaped(title));
   const auto lines = [&](const std::vector<Edge3>& edges, const char* style) {
     if (edges.empty()) return;
-    fmt::format_to(put, "<path{} d=\"", style);
+    put(out, "<path{} d=\"", style);
     for (const Edge3& e : edges) {
       const auto a = picture.at(s.vertices[e[0]]), b = picture.at(s.vertices[e[1]]);
-      fmt::format_to(put, "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
+      put(out, "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
     }
-    fmt::format_to(put, "\"/>\n");
+    put(out, "\"/>\n");
   };
   for (const SeenFace& face : seen.faces) {
     const std::string fill = shaded(kStone, face.light);
     if (face.ring.size() > 2) {
-      fmt::format_to(put, "<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".6\" d=\"", fill);
+      put(out, "<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".6\" d=\"", fill);
       for (std::size_t k = 0; k < face.ring.size(); ++k) {
         const auto p = picture.at(s.vertices[face.ring[k]]);
-        fmt::format_to(put, "{}{:.2f} {:.2f}", k == 0 ? "M" : "L", p[0], p[1]);
+        put(out, "{}{:.2f} {:.2f}", k == 0 ? "M" : "L", p[0], p[1]);
       }
-      fmt::format_to(put, "z\"/>\n");
+      put(out, "z\"/>\n");
     }
     lines(face.edges, "");
   }
   lines(seen.hidden, " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
-  fmt::format_to(put, "</svg>\n");
-  return fmt::to_string(out);
+  put(out, "</svg>\n");
+  return out;
 }
 
 std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,

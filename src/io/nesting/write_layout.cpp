@@ -151,9 +151,9 @@ std::string layout_svg(const packing::Problem& problem, const packing::Layout& l
       body += fmt::format("<text x=\"0\" y=\"{:.9g}\" font-size=\"{:.6g}\" stroke=\"none\">{}</text>\n",
                           down - 0.5 * room, 0.5 * room, xml_escaped(page.title));
   }
-  const std::string what = problem.on_sheets()
-                               ? fmt::format("{} sheets, {} of the last", pages.size(), layout.length.text())
-                               : "length " + layout.length.text();
+  const std::string what = problem.on_sheets() ? fmt::format("{} sheet{}, {} of the last", pages.size(),
+                                                             pages.size() == 1 ? "" : "s", layout.length.text())
+                                               : "length " + layout.length.text();
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.9g} {:.9g} {:.9g} {:.9g}\" font-family=\"sans-serif\">\n"
       "<g stroke=\"#333\" stroke-width=\"{:.6g}\" stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n{}</g>\n"

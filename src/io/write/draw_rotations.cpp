@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "io/draw/draw_layout.h"
+#include "io/text/put.h"
 
 namespace findspace::io {
 namespace {
@@ -33,7 +33,7 @@ class Dial {
   }
 
   std::string svg() {
-    put("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" stroke=\"#e3e6ea\" stroke-width=\"{}\"/>\n",
+    put(out_, "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"none\" stroke=\"#e3e6ea\" stroke-width=\"{}\"/>\n",
         pixels(center_.x), pixels(center_.y), kRadius, kBand);
     for (int d = 0; d < 360; d += 30) tick(d);
     for (const DegreeInterval& i : angles_) band(i);
@@ -43,11 +43,6 @@ class Dial {
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
-  }
-
   Spot at(double degrees, double radius) const {
     const double a = degrees * std::numbers::pi / 180;
     return {center_.x + radius * std::cos(a), center_.y - radius * std::sin(a)};
@@ -57,9 +52,10 @@ class Dial {
   void tick(int degrees) {
     const Spot p = at(degrees, kRadius + kBand / 2 + 3), q = at(degrees, kRadius + kBand / 2 + 8),
                t = at(degrees, kRadius + kBand / 2 + 21);
-    put("<path d=\"M{} {}L{} {}\" stroke=\"#667\" stroke-width=\"1\"/>\n", pixels(p.x), pixels(p.y), pixels(q.x),
+    put(out_, "<path d=\"M{} {}L{} {}\" stroke=\"#667\" stroke-width=\"1\"/>\n", pixels(p.x), pixels(p.y), pixels(q.x),
         pixels(q.y));
-    put("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#556\" text-anchor=\"middle\" "
+    put(out_,
+        "<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#556\" text-anchor=\"middle\" "
         "font-family=\"sans-serif\">{}°</text>\n",
         pixels(t.x), pixels(t.y + 4), degrees);
   }
@@ -74,13 +70,13 @@ class Dial {
       const Spot p = at(i.from + (i.to - i.from) * k / parts, kRadius);
       path += fmt::format("A{0} {0} 0 0 0 {1} {2}", kRadius, pixels(p.x), pixels(p.y));
     }
-    put("<path d=\"{}\" fill=\"none\" stroke=\"#2a9d8f\" stroke-width=\"{}\"/>\n", path, kBand);
+    put(out_, "<path d=\"{}\" fill=\"none\" stroke=\"#2a9d8f\" stroke-width=\"{}\"/>\n", path, kBand);
   }
 
   void dot(double degrees, bool full) {
     const Spot p = at(degrees, kRadius);
-    put("<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" style=\"fill:{};stroke:#14665c;stroke-width:1.6\"/>\n", pixels(p.x),
-        pixels(p.y), full ? "#14665c" : "#fff");
+    put(out_, "<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" style=\"fill:{};stroke:#14665c;stroke-width:1.6\"/>\n",
+        pixels(p.x), pixels(p.y), full ? "#14665c" : "#fff");
   }
 
   void ends(const DegreeInterval& i) {
@@ -91,7 +87,7 @@ class Dial {
   }
 
   void line(std::size_t row, const std::string& text, bool bold = false) {
-    put("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{} fill=\"#223\" font-family=\"sans-serif\">{}</text>\n",
+    put(out_, "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{} fill=\"#223\" font-family=\"sans-serif\">{}</text>\n",
         pixels(left_ + 24), pixels(list_top() + double(row) * kLine), kFontSize, bold ? " font-weight=\"bold\"" : "",
         text);
   }

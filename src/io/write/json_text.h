@@ -6,19 +6,14 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "io/text/put.h"
 #include "io/write/write_json.h"
 
 namespace findspace::io {
-
-template <class... Args>
-void put(std::string& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 inline const char* truth(bool value) { return value ? "true" : "false"; }
 inline std::string number(const std::optional<double>& value) { return value ? json_number(*value) : "null"; }
@@ -40,8 +35,6 @@ std::string list(const Items& items, Text text, bool lines = false) {
   return out + "]";
 }
 
-/// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
-/// "within".
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.
 template <class Summary, class Point, class Box, class Component>
 void put_set(std::string& out, int dimension, const Summary& s, std::string_view unit, const std::string& measures,
@@ -55,6 +48,8 @@ void put_set(std::string& out, int dimension, const Summary& s, std::string_view
   put(out, "  \"components\": {},\n", list(s.components, component, true));
 }
 
+/// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
+/// "within".
 inline void put_extreme(std::string& out, const ExtremeValue& e) {
   const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
   put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));

@@ -55,7 +55,7 @@ std::string placement_svg(const planning::Problem& problem, const planning::Pose
   p.of_positions = false;
   p.y_down = picture.y_down;
   for (const std::string& name : picture.fixed)
-    if (problem.world.shapes.count(name) > 0) p.fixed.push_back({name, &problem.world.shapes.at(name)});
+    if (problem.world.shapes.count(name) > 0) p.fixed.push_back({name, &*problem.world.shapes.at(name)});
   const PlacedRegions placed = placed_regions(problem, poses);
   p.placed = placed.named();
   return picture_svg(p);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 
 #include "findspace/error.h"
@@ -14,6 +13,7 @@
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
 #include "io/draw/draw_region.h"
+#include "io/text/put.h"
 #include "plane/query/topology.h"
 
 namespace findspace::io {
@@ -119,8 +119,8 @@ class PictureWriter {
     for (const Drawn& d : placed_) out += outline(d.net, frame_, "moving");
     if (region_) out += region_lines(region_->net, frame_);
     if (position_ && !moving_.empty()) {
-      fmt::format_to(std::back_inserter(out), "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n",
-                     pixels(frame_.x((*position_)[0])), pixels(frame_.y((*position_)[1])));
+      put(out, "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n", pixels(frame_.x((*position_)[0])),
+          pixels(frame_.y((*position_)[1])));
     }
     out += arrows(p_.arrows, frame_, position_) + dimension_lines(p_.dimensions, frame_);
     return out + "</g>\n" + axes(frame_) + labels();

@@ -4,6 +4,7 @@
 #include "plane/complex/side_by_side.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "plane/base/union_find.h"
@@ -12,23 +13,47 @@
 namespace findspace::plane {
 namespace {
 
-/// Calls f(i, k) for all pairs of boxes that meet; by ascending starts along the axis on which they spread farther.
-template <class F>
-void meeting_boxes(const std::vector<PieceBox>& boxes, F&& f) {
-  PieceBox all = boxes[0];
-  for (const PieceBox& b : boxes) all = joined(all, b);
-  const bool wide = all.x1 - all.x0 >= all.y1 - all.y0;
-  const auto from = [&](Index k) { return wide ? boxes[k].x0 : boxes[k].y0; };
-  std::vector<Index> order(boxes.size()), open;
-  std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(), [&](Index i, Index k) { return from(i) < from(k); });
-  for (const Index k : order) {
-    std::erase_if(open, [&](Index i) { return (wide ? boxes[i].x1 : boxes[i].y1) < from(k); });
-    for (const Index i : open)
-      if (boxes[i].meets(boxes[k])) f(i, k);
-    open.push_back(k);
+/// Boxes by ascending starts along the axis on which they spread farther; those that are open, by slabs of the other.
+class Sweep {
+ public:
+  explicit Sweep(const std::vector<PieceBox>& boxes) : boxes_(boxes) {
+    PieceBox all = boxes[0];
+    for (const PieceBox& b : boxes) all = joined(all, b);
+    wide_ = all.x1 - all.x0 >= all.y1 - all.y0;
+    bottom_ = wide_ ? all.y0 : all.x0;
+    open_.resize(std::size_t(std::sqrt(double(boxes.size()))) + 1);
+    const double height = (wide_ ? all.y1 : all.x1) - bottom_;
+    slabs_per_step_ = height > 0 ? double(open_.size()) / height : 0;
   }
-}
+
+  /// Calls f(i, k) for all pairs of boxes that meet, more than once for those that share several slabs.
+  template <class F>
+  void pairs(F&& f) {
+    std::vector<Index> order(boxes_.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(), [&](Index i, Index k) { return from(i) < from(k); });
+    for (const Index k : order)
+      for (std::size_t s = slab(wide_ ? boxes_[k].y0 : boxes_[k].x0); s <= slab(wide_ ? boxes_[k].y1 : boxes_[k].x1);
+           ++s) {
+        std::erase_if(open_[s], [&](Index i) { return to(i) < from(k); });
+        for (const Index i : open_[s])
+          if (boxes_[i].meets(boxes_[k])) f(i, k);
+        open_[s].push_back(k);
+      }
+  }
+
+ private:
+  double from(Index k) const { return wide_ ? boxes_[k].x0 : boxes_[k].y0; }
+  double to(Index k) const { return wide_ ? boxes_[k].x1 : boxes_[k].y1; }
+  std::size_t slab(double at) const {
+    return std::min(std::size_t(std::max(0.0, (at - bottom_) * slabs_per_step_)), open_.size() - 1);
+  }
+
+  const std::vector<PieceBox>& boxes_;
+  bool wide_ = true;
+  double bottom_ = 0, slabs_per_step_ = 0;
+  std::vector<std::vector<Index>> open_;
+};
 
 Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
@@ -44,7 +69,7 @@ std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regi
     boxes.push_back(*box);
   }
   UnionFind same(regions.size());
-  meeting_boxes(boxes, [&](Index i, Index k) { same.unite(i, k); });
+  if (!boxes.empty()) Sweep(boxes).pairs([&](Index i, Index k) { same.unite(i, k); });
   std::vector<std::vector<Index>> groups;
   std::vector<Index> group_of(regions.size(), kNone);
   for (const Index k : all) {

@@ -20,30 +20,43 @@ namespace findspace::plane {
 using Place = std::array<double, 2>;
 
 /// The smallest box whose closure contains the set.
-struct Bounds {
+template <class Place>
+struct BoundsOf {
   Place low{}, high{};
 };
+using Bounds = BoundsOf<Place>;
 
-struct Component {
-  int dimension = 0;           // the highest of its cells
-  std::optional<double> area;  // none where unbounded
+/// What is said of a component in the plane and in space; `Place`: a point in the unit of the results.
+template <class Place>
+struct ComponentOf {
+  int dimension = 0;  // the highest of its cells
   double dangling_length = 0;
-  int holes = 0;                  // bounded components of its own complement
-  Place sample{};                 // a point of it, strictly inside where it has an interior
-  exact::RealPoint sample_point;  // the same, exactly, in grid steps
-  std::optional<Bounds> bbox;     // none where unbounded
+  int holes = 0;                        // bounded components of its own complement
+  Place sample{};                       // a point of it, strictly inside where it has an interior
+  std::optional<BoundsOf<Place>> bbox;  // none where unbounded
 };
 
-struct Summary {
+struct Component : ComponentOf<Place> {
+  std::optional<double> area;     // none where unbounded
+  exact::RealPoint sample_point;  // the sample exactly, in grid steps
+};
+
+/// What is said of a set in the plane and in space.
+template <class Place, class Component>
+struct SummaryOf {
   bool empty = true, whole = false, bounded = true;
   bool open = true, closed = true, regular = true;
-  std::optional<double> area;         // none where unbounded
-  double dangling_length = 0;         // of the curves of the set outside the closure of its interior
-  double crack_length = 0;            // of the curves missing from it inside the interior of its closure
-  int holes = 0;                      // bounded components of the complement
-  std::vector<Place> isolated;        // its isolated points, from left to right
-  std::optional<Bounds> bbox;         // none where empty or unbounded
-  std::vector<Component> components;  // unbounded first, then higher dimension, then from left to right
+  double dangling_length = 0;           // of the curves of the set outside the closure of its interior
+  double crack_length = 0;              // of the curves missing from it inside the interior of its closure
+  int holes = 0;                        // bounded components of the complement
+  std::vector<Place> isolated;          // its isolated points, from left to right
+  std::optional<BoundsOf<Place>> bbox;  // none where empty or unbounded
+  std::vector<Component> components;
+};
+
+/// Components: unbounded first, then higher dimension, then from left to right.
+struct Summary : SummaryOf<Place, Component> {
+  std::optional<double> area;  // none where unbounded
 };
 
 /// `step`: one grid step in the unit of the results.

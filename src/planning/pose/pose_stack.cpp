@@ -68,7 +68,7 @@ class Stand {
       : formula_(formula), world_(world) {
     slice.degrees = degrees;
     for (const std::string& name : world_.moving) {
-      Region& shape = world_.shapes.at(name);
+      plane::SharedRegion& shape = world_.shapes.at(name);
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
     const Solver solver(world_);

@@ -11,35 +11,25 @@
 #include <optional>
 #include <vector>
 
+#include "plane/query/summary.h"
 #include "space/box/box_complex.h"
 
 namespace findspace::space {
 
 using Place3 = std::array<double, 3>;
 
-struct PlaceBox {
-  Place3 low{}, high{};
-};
+using PlaceBox = plane::BoundsOf<Place3>;
 
-struct SpaceComponent {
-  int dimension = 0;             // the highest of its cells
+struct SpaceComponent : plane::ComponentOf<Place3> {
   std::optional<double> volume;  // none where unbounded
-  double dangling_area = 0, dangling_length = 0;
-  int holes = 0;  // bounded components of its own complement
-  Place3 sample{};
-  std::optional<PlaceBox> bbox;  // none where unbounded
+  double dangling_area = 0;
 };
 
-struct SpaceSummary {
-  bool empty = true, whole = false, bounded = true;
-  bool open = true, closed = true, regular = true;
-  std::optional<double> volume;                   // none where unbounded
-  double dangling_area = 0, dangling_length = 0;  // of sheets and lines of the set outside the closure of its interior
-  double crack_area = 0, crack_length = 0;  // of sheets and lines missing from it inside the interior of its closure
-  int holes = 0;                            // bounded components of the complement
-  std::vector<Place3> isolated;
-  std::optional<PlaceBox> bbox;
-  std::vector<SpaceComponent> components;  // higher dimension first, then by their samples
+/// Components: higher dimension first, then by their samples.
+struct SpaceSummary : plane::SummaryOf<Place3, SpaceComponent> {
+  std::optional<double> volume;  // none where unbounded
+  double dangling_area = 0;      // of sheets of the set outside the closure of its interior
+  double crack_area = 0;         // of sheets missing from it inside the interior of its closure
 };
 
 /// `step`: one unit of the coordinates in the unit of the results.

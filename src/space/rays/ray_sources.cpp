@@ -29,15 +29,17 @@ class Constant : public RaySource {
 
 class Combined : public RaySource {
  public:
-  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine)
-      : sources_(std::move(sources)), combine_(std::move(combine)) {}
+  /// `decides`: of a row that is the result whatever the sources after its own say; they are not asked then.
+  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine,
+           std::function<bool(const RayRow&)> decides = {})
+      : sources_(std::move(sources)), combine_(std::move(combine)), decides_(std::move(decides)) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
   bool searched() const override { return any_searched(sources_); }
   exact::Tried<RayRow> try_row(int j) const override {
     std::vector<RayRow> rows;
     for (const RaySourcePointer& s : sources_) {
       exact::Tried<RayRow> row = s->try_row(j);
-      if (!row) return row;
+      if (!row || (decides_ && decides_(*row))) return row;
       rows.push_back(*std::move(row));
     }
     return combined(rows, combine_);
@@ -46,30 +48,12 @@ class Combined : public RaySource {
  private:
   std::vector<RaySourcePointer> sources_;
   std::function<std::int8_t(Signs)> combine_;
+  std::function<bool(const RayRow&)> decides_;
 };
 
-class Greatest : public RaySource {
- public:
-  explicit Greatest(std::vector<RaySourcePointer> sources) : sources_(std::move(sources)) {}
-  const RayGrid& grid() const override { return sources_[0]->grid(); }
-  bool searched() const override { return any_searched(sources_); }
-  exact::Tried<RayRow> try_row(int j) const override {
-    std::vector<RayRow> rows;
-    for (const RaySourcePointer& s : sources_) {
-      exact::Tried<RayRow> row = s->try_row(j);
-      if (!row) return row;
-      rows.push_back(*std::move(row));
-      // Where one is + everywhere the others need not be asked.
-      const RayRow& last = rows.back();
-      const auto plus = [](std::int8_t sign) { return sign > 0; };
-      if (last.events.empty() && std::all_of(last.before.begin(), last.before.end(), plus)) return last;
-    }
-    return combined(rows, [](Signs s) { return *std::max_element(s.begin(), s.end()); });
-  }
-
- private:
-  std::vector<RaySourcePointer> sources_;
-};
+bool is_positive_everywhere(const RayRow& row) {
+  return row.events.empty() && std::all_of(row.before.begin(), row.before.end(), [](std::int8_t s) { return s > 0; });
+}
 
 }  // namespace
 
@@ -91,7 +75,8 @@ RaySourcePointer negated_rays(RaySourcePointer source) {
 
 RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
   if (sources.size() == 1) return std::move(sources[0]);
-  return std::make_unique<Greatest>(std::move(sources));
+  return std::make_unique<Combined>(
+      std::move(sources), [](Signs s) { return *std::max_element(s.begin(), s.end()); }, is_positive_everywhere);
 }
 
 RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level) {

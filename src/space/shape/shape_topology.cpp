@@ -3,6 +3,7 @@
 #include "space/shape/shape_topology.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "space/polytope/solid.h"
 
@@ -17,6 +18,25 @@ bool all_children(const plane::Shape& shape, Property&& property) {
   return std::all_of(shape.children.begin(), shape.children.end(), [&](const auto& c) { return property(*c); });
 }
 
+/// Whether a shape is open (or closed) because its children are; nothing where more than that decides.
+std::optional<bool> by_children(const plane::Shape& shape, bool (*same)(const plane::Shape&),
+                                bool (*opposite)(const plane::Shape&)) {
+  const auto& c = shape.children;
+  switch (shape.kind) {
+    case Kind::kUnion:
+    case Kind::kIntersection:
+    case Kind::kTranslate:
+    case Kind::kMirror:
+      return all_children(shape, same);
+    case Kind::kDifference:
+      return same(*c[0]) && std::all_of(c.begin() + 1, c.end(), [&](const auto& o) { return opposite(*o); });
+    case Kind::kComplement:
+      return opposite(*c[0]);
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool is_solid(const plane::Shape& shape) {
@@ -28,43 +48,21 @@ bool is_solid(const plane::Shape& shape) {
 }
 
 bool is_closed(const plane::Shape& shape) {
-  const auto& c = shape.children;
   switch (shape.kind) {
-    case Kind::kUnion:
-    case Kind::kIntersection:
-    case Kind::kTranslate:
-    case Kind::kMirror:
-      return all_children(shape, is_closed);
-    case Kind::kDifference:
-      return is_closed(*c[0]) && std::all_of(c.begin() + 1, c.end(), [](const auto& o) { return is_open(*o); });
-    case Kind::kComplement:
-      return is_open(*c[0]);
     case Kind::kMinkowskiDifference:
-      return is_closed(*c[0]);
+      return is_closed(*shape.children[0]);
     case Kind::kClosure:
     case Kind::kRegularize:
     case Kind::kBoundary:
       return true;
     default:
-      return is_solid(shape) || (shape.kind == Kind::kOffset && is_closed(*c[0]));
+      if (const auto by = by_children(shape, is_closed, is_open)) return *by;
+      return is_solid(shape) || (shape.kind == Kind::kOffset && is_closed(*shape.children[0]));
   }
 }
 
 bool is_open(const plane::Shape& shape) {
-  const auto& c = shape.children;
-  switch (shape.kind) {
-    case Kind::kUnion:
-    case Kind::kIntersection:
-    case Kind::kTranslate:
-    case Kind::kMirror:
-      return all_children(shape, is_open);
-    case Kind::kDifference:
-      return is_open(*c[0]) && std::all_of(c.begin() + 1, c.end(), [](const auto& o) { return is_closed(*o); });
-    case Kind::kComplement:
-      return is_closed(*c[0]);
-    default:
-      return shape.kind == Kind::kInterior;
-  }
+  return by_children(shape, is_open, is_closed).value_or(shape.kind == Kind::kInterior);
 }
 
 }  // namespace findspace::space

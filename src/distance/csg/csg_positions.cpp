@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "distance/csg/csg_depth.h"
+#include "distance/csg/csg_positions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
 #include "distance/search/boundary_slack.h"
-#include "distance/search/swept_part.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
 
@@ -37,24 +36,38 @@ Tetrahedron moved(Tetrahedron t, const Vector& by) {
 
 }  // namespace
 
+namespace {
+
+/// A part of B and one of A.
+struct CsgPosition {
+  std::vector<MeetSet> moving, fixed;
+  Tetrahedron about;              // holds the part of B
+  Vector low, high;               // likewise
+  TouchingRule in;                // the part of B
+  std::vector<TouchingRule> out;  // what is cut out, negative inside
+  const CutSearch* part = nullptr;
+};
+struct CsgPositions {
+  std::vector<CsgPosition> pairs;
+  double size = 1;
+};
+
 /// Of one search.
 class CsgConstraints : public LazyConstraints {
  public:
-  explicit CsgConstraints(const CsgDepth& all) : all_(all) {
-    for (const CsgDepth::Pair& pair : all_.pairs_) {
-      Constraints& common = common_.emplace_back(pair.part->rules);
-      common.keep_in.push_back([this, &pair](const Vector& x) { return pair.in(x - at_); });
-    }
+  explicit CsgConstraints(std::shared_ptr<const CsgPositions> all) : all_(std::move(all)) {
+    for (const CsgPosition& pair : all_->pairs)
+      common_.push_back(pair.part->places.also_in([this, &pair](const Vector& x) { return pair.in(x - at_); }));
   }
 
   /// Those of the pairs that nothing is cut out of as they are.
-  Constraints rules() {
+  Constraints rules() override {
     Constraints out;
     out.more = this;
-    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
-      if (!all_.pairs_[k].out.empty()) continue;
+    for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
+      if (!all_->pairs[k].out.empty()) continue;
       const int number = static_cast<int>(cuts_.size());
-      cuts_.push_back({k, {}, all_.pairs_[k].part->low, 0});
+      cuts_.push_back({k, {}, all_->pairs[k].part->low(), 0});
       out.keep_out.push_back([this, number](const Vector& x) { return beyond(number, x); });
     }
     return out;
@@ -68,8 +81,8 @@ class CsgConstraints : public LazyConstraints {
 
   std::vector<int> near(const Vector& middle, double edge, std::span<const int> known) override {
     std::vector<int> out;
-    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
-      if (all_.pairs_[k].out.empty() || apart(k, middle, edge)) continue;
+    for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
+      if (all_->pairs[k].out.empty() || apart(k, middle, edge)) continue;
       std::vector<Deep> cuts = moved_to(k, middle, edge, known);
       double checked = last_checked(k, known);
       const double deep = cuts.empty() ? 0 : cuts[0].slack;
@@ -90,13 +103,13 @@ class CsgConstraints : public LazyConstraints {
   }
 
   bool allows(const Vector& x, std::span<const int> known) const override {
-    const double least = margin::kNoDepth * all_.size_;
-    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
-      if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
+    const double least = margin::kNoDepth * all_->size;
+    for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
+      if (all_->pairs[k].out.empty() || apart(k, x)) continue;
       if (overlap(k, x, known)) return false;
     }
-    for (std::size_t k = 0; k < all_.pairs_.size(); ++k) {
-      if (all_.pairs_[k].out.empty() || apart(k, x)) continue;
+    for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
+      if (all_->pairs[k].out.empty() || apart(k, x)) continue;
       const Slack found = most(k, x, {least, 0, margin::kSlackOfCell * least});
       if (found.value > least) remember(through(k, found.place));
       if (found.bound > 2 * least) return false;
@@ -128,15 +141,15 @@ class CsgConstraints : public LazyConstraints {
 
   /// By more than `edge`, or touching.
   bool apart(std::size_t k, const Vector& p, double edge = 0) const {
-    const CsgDepth::Pair& pair = all_.pairs_[k];
+    const CsgPosition& pair = all_->pairs[k];
     const Vector by{edge, edge, edge}, low = space::plus(pair.low, p) - by, high = space::plus(pair.high, p),
-                                       &from = pair.part->low, to = space::plus(pair.part->high, by);
+                                       &from = pair.part->low(), to = space::plus(pair.part->high(), by);
     return high.x <= from.x - edge || high.y <= from.y - edge || high.z <= from.z - edge || to.x <= low.x + edge ||
            to.y <= low.y + edge || to.z <= low.z + edge;
   }
 
   MeetSlack slack(const Cut& cut, const Vector& p) const {
-    const CsgDepth::Pair& pair = all_.pairs_[cut.pair];
+    const CsgPosition& pair = all_->pairs[cut.pair];
     std::vector<MeetSet> sets;
     sets.reserve(pair.moving.size() + pair.fixed.size() + cut.planes.size());
     for (MeetSet set : pair.moving) {
@@ -154,7 +167,7 @@ class CsgConstraints : public LazyConstraints {
   /// What is beyond the tangents at x. A plane that is below a convex function is 0 where that is 0 or more.
   Cut through(std::size_t k, const Vector& x) const {
     Cut out{k, {}, x, exact::kInfinity};
-    for (const TouchingRule& rule : all_.pairs_[k].out) {
+    for (const TouchingRule& rule : all_->pairs[k].out) {
       const Touching at = rule(x);
       const double long_by = space::length(at.slope);
       if (!(long_by > 0)) continue;  // so deep inside that any plane will do: the place is not one of A
@@ -203,7 +216,7 @@ class CsgConstraints : public LazyConstraints {
 
   /// Whether a known cut, or one like it, tells so.
   bool overlap(std::size_t k, const Vector& p, std::span<const int> known) const {
-    const double least = margin::kNoDepth * all_.size_;
+    const double least = margin::kNoDepth * all_->size;
     const auto deep = [&](const Cut& cut) {
       if (cut.pair != k) return false;
       const MeetSlack at = slack(cut, p);
@@ -223,30 +236,30 @@ class CsgConstraints : public LazyConstraints {
 
   Slack most(std::size_t k, const Vector& p, const SlackEnd& end) const {
     at_ = p;
-    const CsgDepth::Pair& pair = all_.pairs_[k];
-    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->low,
-                 &to = pair.part->high;
-    const auto [least, greatest] = askew({std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
-                                         {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)});
-    const Slack out = most_slack(tetrahedra_of_box(least, greatest), common_[k], end);
+    const CsgPosition& pair = all_->pairs[k];
+    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->low(),
+                 &to = pair.part->high();
+    const PositionSet::Box box{{std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
+                               {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)}};
+    const Slack out = common_[k].deepest(end, box);
     cells_ += out.cells;
     return out;
   }
 
-  const CsgDepth& all_;
+  std::shared_ptr<const CsgPositions> all_;
   std::deque<Cut> cuts_;
-  std::vector<Constraints> common_;  // of what both parts of a pair hold
+  std::vector<PositionSet> common_;  // of what both parts of a pair hold
   mutable std::deque<Cut> recent_;
   mutable long cells_ = 0;  // of searches for deepest places
   mutable Vector at_;       // of B, for the rules of common_
 };
 
-exact::Tried<std::shared_ptr<const CsgDepth>> CsgDepth::make(const space::Body& b, const std::vector<CutSearch>& parts,
-                                                             double size) {
-  auto out = std::make_shared<CsgDepth>();
-  out->size_ = size;
-  out->low_ = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
-  out->high_ = space::scaled(-1, out->low_);
+}  // namespace
+
+exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CutSearch>& parts, double size) {
+  auto all = std::make_shared<CsgPositions>();
+  all->size = size;
+  Vector low{exact::kInfinity, exact::kInfinity, exact::kInfinity}, high = space::scaled(-1, low);
   for (const BodyPart& s : b.parts) {
     space::Body one;
     one.parts.push_back(s);
@@ -254,7 +267,7 @@ exact::Tried<std::shared_ptr<const CsgDepth>> CsgDepth::make(const space::Body& 
     auto moving = meet_sets(s);
     if (!moving) return moving.refusal();
     for (const CutSearch& part : parts) {
-      Pair& pair = out->pairs_.emplace_back();
+      CsgPosition& pair = all->pairs.emplace_back();
       pair.low = space::rounded(box.low);
       pair.high = space::rounded(box.high);
       pair.about = about_box(pair.low, pair.high);
@@ -267,40 +280,15 @@ exact::Tried<std::shared_ptr<const CsgDepth>> CsgDepth::make(const space::Body& 
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
       pair.in = keep_in(s, {});
       pair.part = &part;
-      const Vector low = part.low - pair.high, high = part.high - pair.low;
-      out->low_ = {std::min(out->low_.x, low.x), std::min(out->low_.y, low.y), std::min(out->low_.z, low.z)};
-      out->high_ = {std::max(out->high_.x, high.x), std::max(out->high_.y, high.y), std::max(out->high_.z, high.z)};
+      const Vector from = part.low() - pair.high, to = part.high() - pair.low;
+      low = {std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};
+      high = {std::max(high.x, to.x), std::max(high.y, to.y), std::max(high.z, to.z)};
     }
   }
-  return std::shared_ptr<const CsgDepth>(std::move(out));
-}
-
-BoundaryPlace CsgDepth::nearest(const Vector& p, const Incumbent& known, const Until* until) const {
-  double out = exact::kInfinity;
-  for (const double d : {p.x - low_.x, high_.x - p.x, p.y - low_.y, high_.y - p.y, p.z - low_.z, high_.z - p.z})
-    out = std::min(out, d);
-  out = std::max(0.0, out) + margin::kAroundCube * size_;
-  const Vector by{out, out, out};
-  return nearest_in(p - by, space::plus(p, by), p, known, until);
-}
-
-BoundaryPlace CsgDepth::nearest_in(const Vector& low, const Vector& high, const Vector& p, const Incumbent& known,
-                                   const Until* until) const {
-  return nearest_to(distance_to_segment(p, {}, 0, 0), low, high, known, until);
-}
-
-BoundaryPlace CsgDepth::nearest_to(const TouchingRule& away, const Vector& low, const Vector& high,
-                                   const Incumbent& known, const Until* until) const {
-  CsgConstraints constraints(*this);
-  const auto [from, to] = askew(low, high);
-  return nearest_allowed(tetrahedra_of_box(from, to), constraints.rules(), away, size_, 0, known, until);
-}
-
-BoundaryPlace CsgDepth::farthest_in(const Vector& low, const Vector& high, const Vector& p) const {
-  CsgConstraints constraints(*this);
-  const auto [from, to] = askew(low, high);
-  return farthest_allowed(
-      tetrahedra_of_box(from, to), constraints.rules(), [p](const Vector& x) { return space::length(x - p); }, size_);
+  return PositionSet::lazily(
+      [all = std::shared_ptr<const CsgPositions>(std::move(all))] { return std::make_unique<CsgConstraints>(all); },
+      {low, high}, size,
+      "how deep a shape is in one that round ones are cut out of was not found within the limit of the search");
 }
 
 }  // namespace findspace::distance

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "distance/search/grown_set.h"
+
+#include <algorithm>
+
+#include "distance/search/convex_distance.h"
+#include "exact/margins/space_distance.h"
+#include "space/body/open_union.h"
+#include "space/body/position_covers.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::HalfSpace;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+double greatest_value(std::span<const HalfSpace> planes, const Vector& x) {
+  double most = -exact::kInfinity;
+  for (const HalfSpace& h : planes) most = std::max(most, h.approx_value(x));
+  return most;
+}
+
+}  // namespace
+
+ConvexDistance grown_distance(const GrownSet& set) {
+  const double radius = set.radius.to_double();
+  if (set.planes.empty())
+    return
+        [center = space::rounded(set.center), radius](const Vector& x) { return space::length(x - center) - radius; };
+  return [planes = set.planes, distance = distance_to(set.planes), radius](const Vector& x) {
+    const double most = greatest_value(planes, x);
+    return (most < 0 ? most : distance(x)) - radius;
+  };
+}
+
+TouchingRule touching_distance(const space::BodyPart& part, const Vector& p, double radius) {
+  if (part.point()) {
+    return [away = distance_to_point(space::plus(exact::approx(part.center), p)), radius](const Vector& x) {
+      Touching at = away(x);
+      at.value -= radius;
+      return at;
+    };
+  }
+  return [way = way_to(part.planes()), p, radius](const Vector& x) {
+    const Vector at = x - p, off = way(at);
+    const double d = space::length(off);
+    // So near the core the slope is rounding; 0 is one as well.
+    if (d <= margin::kNoSlope * (space::size_of(at) + 1)) return Touching{-radius, {}};
+    return Touching{d - radius, space::scaled(-1 / d, off)};
+  };
+}
+
+bool GrownSet::holds(const RealVector& p) const {
+  const Vector near = space::rounded(p);
+  if (planes.empty()) {
+    const RealVector off = space::minus(p, center);
+    return space::dot(off, off) < radius * radius;
+  }
+  const bool inside =
+      std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; });
+  if (inside || radius.sign() == 0) return inside;
+  const RealVector off = space::minus(p, *nearest_in(planes, p));
+  return space::dot(off, off) < radius * radius;
+}
+
+Answer GrownSet::to_boundary(const RealVector& p) const {
+  RealVector projection = center;
+  bool inside = false;
+  if (!planes.empty()) {
+    space::OpenUnion core;
+    core.add(space::everywhere(), planes);
+    inside = core.covers(p);
+    projection = *(inside ? core.nearest_in_complement(p) : nearest_in(planes, p));
+  }
+  const RealVector w = space::minus(p, projection);
+  const Real d = sqrt(space::dot(w, w));
+  Answer out;
+  out.value = (inside ? -d : d) - radius;
+  // The boundary lies a radius further out, on the line through p; at d = 0 the line is not known.
+  if (out.value.sign() != 0 && d.sign() != 0)
+    out.nearest = space::along(projection, (inside ? -radius : radius) / d, w);
+  return out;
+}
+
+TouchingRule highest_plane(std::vector<HalfSpace> planes, const Vector& p, double inward) {
+  return [planes = std::move(planes), p, inward](const Vector& x) {
+    Touching best{-exact::kInfinity, {}};
+    for (const HalfSpace& h : planes) {
+      const double value = h.approx_value(x - p) + inward;
+      if (value > best.value) best = {value, h.unit};
+    }
+    return best;
+  };
+}
+
+TouchingRule distance_to_point(const Vector& p) {
+  return [p](const Vector& x) {
+    const double d = space::length(x - p);
+    return Touching{d, d > 0 ? space::scaled(1 / d, x - p) : Vector{}};
+  };
+}
+
+GrownSet difference(const space::BodyPart& a, const space::BodyPart& b) {
+  return {space::difference_planes(a, b), space::real(a.center - b.center), a.radius + b.radius};
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Convex sets of positions grown by balls, as searches and exact tests see them. Guarantee: whether a place belongs is
+// decided exactly; distances are doubles. Keywords: offset polyhedron, sphere-swept volume.
+#pragma once
+
+#include <vector>
+
+#include "distance/answer/answer.h"
+#include "distance/search/boundary_search.h"
+#include "space/body/body.h"
+
+namespace findspace::distance {
+
+/// The open set of what is nearer than the radius to {x : every plane < 0}, or to the centre where there are no planes.
+struct GrownSet {
+  std::vector<space::HalfSpace> planes;
+  space::RealVector center;
+  exact::Real radius;
+
+  bool holds(const space::RealVector& p) const;
+  /// The signed distance to its boundary, negative inside, and the place of the boundary nearest to p where that is
+  /// known.
+  Answer to_boundary(const space::RealVector& p) const;
+};
+
+/// The distance to the set less its radius; inside the set without a radius minus the depth in its planes, so that it
+/// is convex.
+ConvexDistance grown_distance(const GrownSet& set);
+
+/// d(x, core) - radius of a part moved by p, with its slope.
+TouchingRule touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
+
+/// The highest of the planes, moved by p and inward by `inward`.
+TouchingRule highest_plane(std::vector<space::HalfSpace> planes, const space::Vector& p, double inward = 0);
+
+TouchingRule distance_to_point(const space::Vector& p);
+
+/// Of the positions at which the two parts meet, the open set.
+GrownSet difference(const space::BodyPart& a, const space::BodyPart& b);
+
+}  // namespace findspace::distance

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/position_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "distance/search/solid_protrusion.h"
+#include "exact/margins/space_distance.h"
+
+namespace findspace::distance {
+
+using exact::Real;
+using space::HalfSpace;
+using space::RealVector;
+using space::Vector;
+
+namespace {
+
+/// The nearest complete number, or a simple part, where it is as near as the place is known.
+Real even(double c, double blur) {
+  for (const int parts : {1, 2, 3, 4, 5, 6, 8}) {
+    const Real rounded = Real(exact::round(Real::from_double(c) * Real(parts))) / Real(parts);
+    if (std::fabs(rounded.to_double() - c) <= blur) return rounded;  // no sign: the place is tested
+  }
+  return Real::from_double(c);
+}
+
+/// Polyhedra that hold the sets, with faces along theirs; of balls there is none.
+std::shared_ptr<const space::OpenUnion> sharp_cover(const std::vector<GrownSet>& sets) {
+  auto out = std::make_shared<space::OpenUnion>();
+  for (const GrownSet& set : sets) {
+    if (set.planes.empty()) continue;
+    out->add(space::everywhere(), [planes = set.planes, radius = set.radius] {
+      space::OpenUnion::Planes moved;
+      for (const HalfSpace& h : planes)
+        moved.emplace_back(h.normal, h.offset - radius * sqrt(space::dot(h.normal, h.normal)));
+      return moved;
+    });
+  }
+  return out;
+}
+
+}  // namespace
+
+Answer searched_answer(const BoundaryPlace& found, double size) {
+  Answer out;
+  out.value = Real::from_double(found.value);
+  out.proven = false;
+  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
+  return out;
+}
+
+PositionSet::PositionSet(const RealVector& low, const RealVector& high)
+    : low_(low), high_(high), box_{space::rounded(low), space::rounded(high)} {}
+
+PositionSet PositionSet::outside(std::vector<GrownSet> sets, const RealVector& low, const RealVector& high) {
+  PositionSet out(low, high);
+  out.size_ = std::max(space::length(out.box_.low), space::length(out.box_.high)) + 1;
+  for (const GrownSet& set : sets) out.rules_.keep_out.push_back(grown_distance(set));
+  out.sharp_ = sharp_cover(sets);
+  out.sets_ = std::move(sets);
+  out.holds_ = [sets = out.sets_, rules = out.rules_.keep_out, size = out.size_](const RealVector& p) {
+    const Vector near = space::rounded(p);
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      if (rules[k](near) > margin::kOutOfSet * size) continue;
+      if (sets[k].holds(p)) return false;
+    }
+    return true;
+  };
+  return out;
+}
+
+PositionSet PositionSet::inside(const space::Body& b, const space::BodyPart& a, const RealVector& low,
+                                const RealVector& high) {
+  PositionSet out(low, high);
+  out.size_ = std::max(space::length(out.box_.low), space::length(out.box_.high)) + 1;
+  for (const space::BodyPart& part : b.parts) {
+    const double tolerance = (a.radius - part.radius).to_double();
+    for (const space::Point& v : part.vertices()) {
+      out.size_ = std::max(out.size_, space::length(exact::approx(v)));
+      const bool round = a.point() || tolerance > 0;  // else planes say how deep a place is, distances do not
+      out.rules_.keep_in.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
+                                         : highest_plane(a.planes(), exact::approx(-v), -tolerance));
+    }
+  }
+  out.holds_ = [b, a](const RealVector& p) { return protrusion_of_convex(b, a, p).value.sign() <= 0; };
+  return out;
+}
+
+PositionSet PositionSet::common(std::span<const PositionSet> sets, const RealVector& low, const RealVector& high) {
+  PositionSet out(low, high);
+  out.askew_ = true;
+  std::vector<Holds> all;
+  for (const PositionSet& one : sets) {
+    out.size_ = std::max(out.size_, one.size_);
+    out.rules_.keep_out.insert(out.rules_.keep_out.end(), one.rules_.keep_out.begin(), one.rules_.keep_out.end());
+    out.rules_.keep_in.insert(out.rules_.keep_in.end(), one.rules_.keep_in.begin(), one.rules_.keep_in.end());
+    out.sets_.insert(out.sets_.end(), one.sets_.begin(), one.sets_.end());
+    all.push_back(one.holds_);
+  }
+  const Vector by = out.around_box();
+  out.box_ = {out.box_.low - by, space::plus(out.box_.high, by)};
+  out.holds_ = [all](const RealVector& p) {
+    return std::all_of(all.begin(), all.end(), [&](const Holds& holds) { return holds(p); });
+  };
+  return out;
+}
+
+PositionSet PositionSet::of_rules(Constraints rules, const Box& box, double size, Holds holds) {
+  PositionSet out(space::real(box.low), space::real(box.high));
+  out.rules_ = std::move(rules);
+  out.askew_ = true;
+  out.size_ = size;
+  out.holds_ = std::move(holds);
+  return out;
+}
+
+PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size, std::string not_found) {
+  PositionSet out = of_rules({}, box, size, {});
+  out.lazy_ = std::move(lazy);
+  out.not_found_ = std::move(not_found);
+  return out;
+}
+
+PositionSet PositionSet::within(const Box& box) const {
+  PositionSet out = *this;
+  out.low_ = space::real(box.low);
+  out.high_ = space::real(box.high);
+  out.box_ = box;
+  return out;
+}
+
+PositionSet PositionSet::also_in(TouchingRule set) const {
+  PositionSet out = *this;
+  out.rules_.keep_in.push_back(std::move(set));
+  return out;
+}
+
+std::vector<Tetrahedron> PositionSet::cells(const Box& box) const {
+  if (askew_) {
+    const auto [low, high] = askew(box.low, box.high);
+    return tetrahedra_of_box(low, high);
+  }
+  const Vector by = around_box();
+  return tetrahedra_of_box(box.low - by, space::plus(box.high, by));
+}
+
+Vector PositionSet::around_box() const {
+  const double tolerance = margin::kAroundBox * size_;
+  return {tolerance, tolerance, tolerance};
+}
+
+/// A cube about p, which is in the box, that reaches out of it.
+PositionSet::Box PositionSet::around(const Vector& p) const {
+  double out = exact::kInfinity;
+  for (const double d :
+       {p.x - box_.low.x, box_.high.x - p.x, p.y - box_.low.y, box_.high.y - p.y, p.z - box_.low.z, box_.high.z - p.z})
+    out = std::min(out, d);
+  out = std::max(0.0, out) + margin::kAroundCube * size_;
+  const Vector by{out, out, out};
+  return {p - by, space::plus(p, by)};
+}
+
+BoundaryPlace PositionSet::nearest_to(const TouchingRule& to, const Query& query) const {
+  const std::vector<Tetrahedron> domain = cells(query.box.value_or(box_));
+  if (!lazy_) return nearest_allowed(domain, rules_, to, size_, query.floor, query.known, query.until);
+  const std::unique_ptr<LazyConstraints> lazy = lazy_();
+  return nearest_allowed(domain, lazy->rules(), to, size_, query.floor, query.known, query.until);
+}
+
+BoundaryPlace PositionSet::farthest_from(const ConvexDistance& from, const Incumbent& known) const {
+  if (!lazy_) return farthest_allowed(cells(box_), rules_, from, size_, known);
+  const std::unique_ptr<LazyConstraints> lazy = lazy_();
+  return farthest_allowed(cells(box_), lazy->rules(), from, size_, known);
+}
+
+/// A place of zero clearance that belongs all the same, with simple coordinates.
+std::optional<RealVector> PositionSet::even_place(const BoundaryPlace& found) const {
+  if (!found.unresolved || !holds_) return std::nullopt;
+  const double blur = margin::kEvenPlace * size_;
+  const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur), even(found.unresolved->z, blur)};
+  return holds_(p) ? std::optional(p) : std::nullopt;
+}
+
+namespace {
+
+Answer at_place(const RealVector& place, const RealVector& p) {
+  const RealVector w = space::minus(place, p);
+  Answer out;
+  out.value = sqrt(space::dot(w, w));
+  out.nearest = place;
+  return out;
+}
+
+}  // namespace
+
+/// Of the sets with sharp edges, if it belongs.
+PositionSet::Known PositionSet::sharp_place(std::function<std::optional<RealVector>()> find,
+                                            const RealVector& p) const {
+  return [this, find = std::move(find), p]() -> std::optional<Answer> {
+    const auto place = find();
+    return place && holds(*place) ? std::optional(at_place(*place, p)) : std::nullopt;
+  };
+}
+
+TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p,
+                                 const std::optional<Answer>& known) const {
+  const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
+               off = std::fabs(found.value - found.bound);
+  const RealVector place = space::real(found.place);
+  const bool belongs = found.found && holds(place);
+  if (off <= margin::kMostFoundError * size_ && (belongs || found.known)) {
+    Answer out = searched_answer(found, size_ + std::fabs(found.bound));
+    const bool same = known && off <= 16 * slack && abs(known->value - out.value).to_double() <= out.error;
+    if (same) out = *known;  // no sign: the same value
+    if (!out.nearest && (belongs || known)) out.nearest = belongs ? place : known->nearest;
+    return out;
+  }
+  if (!found.found && !found.known && !found.unresolved && found.complete) return std::nullopt;
+  if (const auto exact = even_place(found)) {
+    Answer out = at_place(*exact, p);
+    if (std::fabs(out.value.to_double() - found.bound) <= 16 * slack) return out;  // no sign: nothing is better
+  }
+  if (belongs && !found.unresolved) return exact::Refusal(not_found_);
+  return exact::Refusal(holds_ ? "whether a round shape fits with zero clearance is not decided" : not_found_);
+}
+
+double PositionSet::deepest_at(const Vector& p) const {
+  double deepest = 0;
+  for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, rules_.keep_out[k](p));
+  return deepest;
+}
+
+double PositionSet::beyond(const Vector& p) const {
+  double most = -exact::kInfinity;
+  for (const ConvexDistance& f : rules_.keep_out) most = std::max(most, -f(p));
+  for (const TouchingRule& f : rules_.keep_in) most = std::max(most, f(p).value);
+  return most;
+}
+
+TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& known) const {
+  // The boundary of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the
+  // place.
+  const Vector near = space::rounded(p);
+  const double deepest = deepest_at(near);
+  for (std::size_t k = 0; k < sets_.size(); ++k) {
+    if (rules_.keep_out[k](near) > deepest + margin::kDeepestSets * size_) continue;
+    Answer v = sets_[k].to_boundary(p);
+    if (!v.nearest || !holds(*v.nearest)) continue;
+    v.value = -v.value;
+    return v;
+  }
+  const Known ask = known ? known : sharp_ ? sharp_place([&] { return sharp_->nearest_in_complement(p); }, p) : Known();
+  std::optional<Answer> told;
+  Query query{-deepest};
+  if (ask) {
+    query.known = [&]() -> std::optional<double> {
+      told = ask();
+      return told ? std::optional(told->value.to_double()) : std::nullopt;
+    };
+  }
+  if (open) query.box = around(near);
+  return settled(nearest_to(distance_to_point(near), query), p, told);
+}
+
+exact::Tried<Answer> PositionSet::least(const TouchingRule& of) const {
+  const BoundaryPlace found = nearest_to(of, {-exact::kInfinity});
+  const double off = std::fabs(found.value - found.bound);
+  if (!found.found || off > margin::kMostFoundError * size_ || !holds(space::real(found.place)))
+    return exact::Refusal("the depth of the shape was not found within the limit of the search");
+  return searched_answer(found, size_);
+}
+
+TriedAnswer PositionSet::farthest(const RealVector& p) const {
+  std::optional<Answer> told;
+  Incumbent ask;
+  if (sharp_) {
+    ask = [&, known = sharp_place([&] { return space::farthest_in_complement(*sharp_, low_, high_, p); },
+                                  p)]() -> std::optional<double> {
+      told = known();
+      return told ? std::optional(-told->value.to_double()) : std::nullopt;
+    };
+  }
+  const auto away = [from = space::rounded(p)](const Vector& x) { return space::length(x - from); };
+  return settled(farthest_from(away, ask), p, told);
+}
+
+}  // namespace findspace::distance

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A closed set of positions (or of places) within a box, {x : each rule of x holds}, whatever says the rules, and the
+// questions that every one of them answers:
+//   holds      whether a place belongs, exactly;
+//   nearest    the place nearest to a position, or to a convex set;
+//   farthest   the place farthest from a position, or from a convex set;
+//   deepest    the place with the most slack, where no functions are made lazily.
+// Providers say the rules:
+//   outside    what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
+//              and E where A is not convex;
+//   inside     the positions at which a body lies in one convex round part, vertex by vertex;
+//   common     what such sets have in common;
+//   of_rules   convex functions, as of a part of a solid that round ones are cut out of (csg_part.h);
+//   lazily     functions that each search makes for the cells it looks at (csg_positions.h).
+// Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
+// `error` says how far values may be off; whether a place belongs is decided exactly, where a provider can. A passage
+// or fit of zero clearance, which numbers cannot tell from none, is found among the planes along the faces of the sets,
+// exactly; one between other boundaries (an edge and a face, two edges) that would change the answer is refused, not
+// passed over. Keywords: configuration space, penetration depth, rounded polyhedra, containment.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "distance/answer/answer.h"
+#include "distance/search/boundary_search.h"
+#include "distance/search/boundary_slack.h"
+#include "distance/search/grown_set.h"
+#include "space/body/body.h"
+#include "space/body/open_union.h"
+
+namespace findspace::distance {
+
+/// What a search found for a value of that size; nothing is off by more than `error`.
+Answer searched_answer(const BoundaryPlace& found, double size);
+
+class PositionSet {
+ public:
+  struct Box {
+    space::Vector low, high;
+  };
+  using Holds = std::function<bool(const space::RealVector&)>;
+  using MakeLazy = std::function<std::unique_ptr<LazyConstraints>()>;
+  /// A value that some place is known to have exactly, perhaps with the place.
+  using Known = std::function<std::optional<Answer>()>;
+
+  static PositionSet outside(std::vector<GrownSet> sets, const space::RealVector& low, const space::RealVector& high);
+  static PositionSet inside(const space::Body& b, const space::BodyPart& a, const space::RealVector& low,
+                            const space::RealVector& high);
+  /// The box holds the set.
+  static PositionSet common(std::span<const PositionSet> sets, const space::RealVector& low,
+                            const space::RealVector& high);
+  /// `size`: of the coordinates and of what the functions are made of.
+  static PositionSet of_rules(Constraints rules, const Box& box, double size, Holds holds);
+  /// `not_found`: why a value is refused where the search ends before it is known.
+  static PositionSet lazily(MakeLazy lazy, const Box& box, double size, std::string not_found);
+  /// What it has in common with a convex set.
+  PositionSet also_in(TouchingRule set) const;
+  /// The same set, searched within another box.
+  PositionSet within(const Box& box) const;
+
+  bool holds(const space::RealVector& p) const { return !holds_ || holds_(p); }
+  /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
+  /// belongs if `open`.
+  TriedAnswer nearest(const space::RealVector& p, bool open, const Known& known = {}) const;
+  TriedAnswer farthest(const space::RealVector& p) const;
+  /// The least of a convex function at a place of the set.
+  exact::Tried<Answer> least(const TouchingRule& of) const;
+
+  /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
+  double beyond(const space::Vector& p) const;
+  /// The searches themselves, as far as `until` wants them. `floor`: the function is nowhere less.
+  struct Query {
+    double floor = 0;
+    Incumbent known{};
+    const Until* until = nullptr;
+    std::optional<Box> box{};  // instead of the set's own
+  };
+  BoundaryPlace nearest_to(const TouchingRule& to, const Query& query) const;
+  BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const;
+  Slack deepest(const SlackEnd& end, std::optional<Box> box = {}) const {
+    return most_slack(cells(box.value_or(box_)), rules_, end);
+  }
+
+  const Box& box() const { return box_; }
+  const Constraints& rules() const { return rules_; }
+
+ private:
+  PositionSet(const space::RealVector& low, const space::RealVector& high);
+
+  std::vector<Tetrahedron> cells(const Box& box) const;
+  space::Vector around_box() const;
+  Box around(const space::Vector& p) const;
+  double deepest_at(const space::Vector& p) const;
+  TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p, const std::optional<Answer>& known) const;
+  Known sharp_place(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p) const;
+  std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;
+
+  Constraints rules_;
+  MakeLazy lazy_;
+  std::vector<GrownSet> sets_;
+  Holds holds_;
+  /// The sets within their planes moved out by the radii: they hold them.
+  std::shared_ptr<const space::OpenUnion> sharp_;
+  space::RealVector low_, high_;
+  Box box_;
+  bool askew_ = false;  // the box is to be put askew (boundary_cells.h)
+  double size_ = 0;
+  std::string not_found_ = "how far a round shape is from fitting was not found within the limit of the search";
+};
+
+}  // namespace findspace::distance

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: findspace contributors
+"""Wrong and empty problems of nesting, for pack_random.py: what `findspace pack` says of each."""
+
+SQUARE = {"type": "simple_polygon", "data": [[0, 0], [2, 0], [2, 2], [0, 2]]}
+PLATE = {"id": "plate", "width": 4, "height": 4}
+
+
+def item(**changes):
+    return {"id": "a", "demand": 1, "shape": SQUARE, **changes}
+
+
+def on_plate(**changes):
+    return {"items": [item()], "sheets": [{**PLATE, **changes}]}
+
+
+CROSSED = {"type": "simple_polygon", "data": [[0, 0], [2, 2], [2, 0], [0, 2]]}
+AWAY = {"type": "simple_polygon", "data": [[1, 0], [4, 0], [4, 4], [1, 4]]}
+REFUSALS = [  # problem, exit status, words of the message or the answer
+    ({"items": [], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item(demand=0)], "strip_height": 4}, 0, "no parts to pack"),
+    ({"items": [item()], "sheets": [{"id": "small", "width": 1, "height": 9}]}, 1, "no part fits a sheet"),
+    ({"items": [item()]}, 3, "'strip_height' is missing"),
+    ({"findspace": 1, "shapes": {}}, 3, "this is a scene"),
+    ({"strip_height": 4}, 3, "'items' is missing"),
+    ({"items": [item()], "strip_height": 1}, 3, "higher than the strip"),
+    ({"items": [item()], "strip_height": 0}, 3, "no height"),
+    ({"items": [item(demand=-1)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(demand=1.5)], "strip_height": 4}, 3, "whole number"),
+    ({"items": [item(value=-1)], "strip_height": 4}, 3, "a value below 0"),
+    ({"items": [item(value="1/0")], "strip_height": 4}, 3, ":1:"),  # the place of what is no number
+    ({"items": [item(value="x")], "strip_height": 4}, 3, ":1:"),
+    ({"items": [item(mirrored=1)], "strip_height": 4}, 3, "true or false"),
+    ({"items": [item(shape=CROSSED)], "strip_height": 4}, 3, "meets itself"),
+    ({"items": [item(shape={"type": "circle", "data": []})], "strip_height": 4}, 3, "a simple_polygon or a polygon"),
+    (on_plate(width=-4), 3, "above 0"),
+    (on_plate(shape=AWAY), 3, "begins at (0, 0)"),
+    (on_plate(zones=[{"shape": SQUARE}]), 3, "one of 'keeps_out', 'only' and 'holds'"),
+    (on_plate(zones=[{"shape": SQUARE, "only": ["b"]}]), 3, "no part 'b'"),
+    (on_plate(zones=[{"shape": {"type": "simple_polygon", "data": [[0, 0], [9, 0], [0, 9]]}, "only": []}]), 3, "beyond its sheet"),
+    ({"items": [item()], "sheets": [{**PLATE, "cost": 1}, {**PLATE, "id": "other"}]}, 3, "some sheets have a cost"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a"], "gap": 1}]}, 3, "between two parts"),
+    ({"items": [item()], "strip_height": 4, "gaps": [{"between": ["a", "a"], "gap": -1}]}, 3, "a gap below 0"),
+    ({"items": [item()], "strip_height": 4, "where": "gap(self, a) < 1"}, 3, "'where'"),
+    ({"items": [item()], "strip_height": 4, "where": 1}, 3, "a formula is meant"),
+    ({"items": [item()], "strip_height": 4, "pairs": [{"between": ["a"], "where": "true"}]}, 3, "between two parts"),
+    ({"items": [item()], "strip_height": 4, "pairs": [{"between": ["a", "b"], "where": "true"}]}, 3, "no part 'b'"),
+    ({"items": [item(demand=2)], "strip_height": 4, "where": "gap(self, other) < -1"}, 4, "no layout was found"),
+    ({"items": [item()], "strip_height": 4, "groups": [{"parts": ["a"]}]}, 3, "'within'"),
+    ({"items": [item()], "strip_height": 4, "groups": [{"parts": ["a"], "within": -1}]}, 3, "below 0"),
+    ({"items": [item()], "strip_height": 4, "fixed": [{"part": "a", "at": [0, 3]}]}, 3, "outside"),
+    ({"items": [item(demand=0)], "strip_height": 4, "fixed": [{"part": "a", "at": [0, 0]}]}, 3, "more copies"),
+    ({"items": [item(demand=2)], "strip_height": 4, "fixed": [{"part": "a", "at": [0, 0]}, {"part": "a", "at": [1, 1]}]}, 3,
+     "overlap"),
+    ({**on_plate(), "fixed": [{"part": "a", "at": [0, 0], "sheet": "plate", "number": 2}]}, 3, "number 2"),
+    ({"items": [item()], "box": True, "fixed": [{"part": "a", "at": [0, 0]}]}, 3, "strip or on sheets"),
+]
