@@ -6,7 +6,7 @@
 usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
 Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, a gap
-and an edge. Checked: every copy of every part, inside the walls, the height as stated and not below the lower bound, no
+and an edge, another fourth may turn by right angles. Checked: every copy of every part, an allowed rotation, inside the walls, the height as stated and not below the lower bound, no
 two interiors meeting, and gaps as wide as asked for. Two convex parts are told apart by all axes that can separate them.
 Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
 
@@ -70,6 +70,11 @@ class Kinds:
         return True
 
 
+def is_rotation(rows):
+    """Exactly: perpendicular rows of length 1, determinant 1."""
+    return all(dot(p, q) == (p is q) for p in rows for q in rows) and dot(cross(rows[0], rows[1]), rows[2]) == 1
+
+
 def box_points(low, high):
     return [tuple(p) for p in itertools.product(*zip(low, high))]
 
@@ -108,11 +113,13 @@ class Instance:
         self.demand = [rng.randint(1, 3) for _ in self.parts]
         widest = max(max(p[k] for p in points) - min(p[k] for p in points)
                      for k in (0, 1) for points in (sum(pieces, []) for _, pieces in self.parts))
+        self.turns = number % 4 == 1
         self.floor = [widest + 1 + rng.randint(0, 6) for _ in range(2)]
         self.kinds = Kinds()
 
     def problem(self):
-        return {"name": "random", "container": {"size-x": self.floor[0], "size-y": self.floor[1]},
+        more = {"allowed_orientations": "right-angles"} if self.turns else {}
+        return {"name": "random", **more, "container": {"size-x": self.floor[0], "size-y": self.floor[1]},
                 "item-types": [{"id": f"part{i}", "demand": n, "shape": shape}
                                for i, ((shape, _), n) in enumerate(zip(self.parts, self.demand))]}
 
@@ -121,14 +128,22 @@ class Instance:
 
     def fault(self, layout):
         """What is wrong with a layout, or None."""
-        placed = [(int(item["part"][4:]), tuple(Fraction(c) for c in item["at"])) for item in layout["items"]]
+        placed = []
+        for item in layout["items"]:
+            part, rotation = int(item["part"][4:]), item.get("rotation")
+            pieces = self.parts[part][1]
+            if rotation:
+                if not self.turns or not is_rotation(rotation):
+                    return f"part{part} stands in an orientation that is not allowed"
+                pieces = [[tuple(dot(row, p) for row in rotation) for p in piece] for piece in pieces]
+            placed.append((part, pieces, tuple(Fraction(c) for c in item["at"])))
         for i, n in enumerate(self.demand):
-            if sum(1 for part, _ in placed if part == i) != n:
+            if sum(1 for part, _, _ in placed if part == i) != n:
                 return f"{n} copies of part{i} are wanted"
         height, top = Fraction(layout["height"]), Fraction(0)
         most = [Fraction(self.floor[0]), Fraction(self.floor[1]), height]
-        for part, at in placed:
-            for points in self.parts[part][1]:
+        for part, pieces, at in placed:
+            for points in pieces:
                 for p in points:
                     for k in range(3):
                         c = p[k] + at[k]
@@ -137,8 +152,8 @@ class Instance:
                     top = max(top, p[2] + at[2] + self.edge)
         if top != height:
             return f"the height is {top}, not {height}"
-        for (i, at), (j, to) in itertools.combinations(placed, 2):
-            for a, b in itertools.product(self.parts[i][1], self.parts[j][1]):
+        for (i, first, at), (j, second, to) in itertools.combinations(placed, 2):
+            for a, b in itertools.product(first, second):
                 if self.kinds.interiors_meet(a, b, minus(to, at)):
                     return f"part{i} and part{j} overlap"
                 if self.gap and self.is_nearer(a, at, b, to):

@@ -43,7 +43,7 @@ TEST(ReadSolids, ShapesOfAScene) {
   EXPECT_EQ(problem.parts[1].name, "tip");
   EXPECT_EQ(problem.items(), 3U);
   EXPECT_NEAR(packing::volume(problem), 2 + 1.0 / 6, 1e-12);
-  EXPECT_EQ(packing::box_of(problem, problem.parts[0]).high[2], packing::Fraction(1, 4));
+  EXPECT_EQ(packing::box_of(problem, problem.parts[0].forms[0]).high[2], packing::Fraction(1, 4));
 }
 
 TEST(ReadSolids, TellsProblemsApart) {
@@ -66,6 +66,29 @@ TEST(ReadSolids, SaysWhatIsWrong) {
   EXPECT_NE(message_of(head + "[" + wide + "]}").find("does not stand on the floor"), std::string::npos);
   const std::string twice = R"({"id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}})";
   EXPECT_NE(message_of(head + "[" + twice + "," + twice + "]}").find("two items 'w'"), std::string::npos);
+}
+
+TEST(ReadSolids, Orientations) {
+  const auto with = [](const std::string& allowed) {
+    return R"({"container": {"size-x": 9, "size-y": 9}, "item-types": [{"id": "b", "demand": 1, "allowed_orientations": )" +
+           allowed + R"(, "shape": {"box": {"min": [0,0,0], "max": [1,2,3]}}}]})";
+  };
+  EXPECT_EQ(read(with(R"("right-angles")")).problem.parts[0].forms.size(), 24U);
+  EXPECT_EQ(read(with(R"("upright")")).problem.parts[0].forms.size(), 4U);
+  const packing::SolidProblem lying = read(with("[[[0,0,1],[1,0,0],[0,1,0]]]")).problem;
+  ASSERT_EQ(lying.parts[0].forms.size(), 1U);
+  EXPECT_EQ(packing::box_of(lying, lying.parts[0].forms[0]).high,
+            (std::array<packing::Fraction, 3>{3, 1, 2}));  // (x, y, z) goes to (z, x, y)
+  packing::SolidLayout layout;
+  layout.height = 2;
+  layout.items = {{0, 1, 0, {0, 0, 0}}};
+  const packing::SolidLayout back = read_solid_layout(layout_json(lying, layout, {}), "layout.json", lying);
+  EXPECT_EQ(back.items[0].form, 0U);
+  const packing::SolidProblem standing = read(with("[[[1,0,0],[0,1,0],[0,0,1]]]")).problem;
+  EXPECT_THROW(read_solid_layout(layout_json(lying, layout, {}), "layout.json", standing), Error);
+  EXPECT_NE(message_of(with("[]")).find("right-angles"), std::string::npos);
+  EXPECT_NE(message_of(with("[[[1,0,0],[0,1,0],[0,0,-1]]]")).find("no rotation"), std::string::npos);
+  EXPECT_NE(message_of(with("[[[2,0,0],[0,1,0],[0,0,1]]]")).find("0, 1, -1"), std::string::npos);
 }
 
 /// A folder of its own that goes with the test.
@@ -123,7 +146,8 @@ TEST(WriteSolids, LayoutIsReadBack) {
   const packing::SolidProblem problem = read(kTwo).problem;
   packing::SolidLayout layout;
   layout.height = packing::Fraction(17, 3);
-  layout.items = {{0, 1, {0, 0, 0}}, {0, 2, {2, 0, 0}}, {1, 1, {packing::Fraction(1, 3), 0, packing::Fraction(1, 4)}}};
+  layout.items = {
+      {0, 1, 0, {0, 0, 0}}, {0, 2, 0, {2, 0, 0}}, {1, 1, 0, {packing::Fraction(1, 3), 0, packing::Fraction(1, 4)}}};
   const std::string text = layout_json(problem, layout, {});
   const packing::SolidLayout back = read_solid_layout(text, "layout.json", problem);
   EXPECT_EQ(back.height, layout.height);

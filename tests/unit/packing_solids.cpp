@@ -33,19 +33,32 @@ space::Body body_of(std::vector<space::BodyPart> parts) {
   return body;
 }
 
+SolidPart part_of(const char* name, int demand, space::Body body) {
+  SolidPart part{.name = name, .demand = demand, .forms = {}};
+  part.forms.emplace_back().body = std::move(body);
+  return part;
+}
+
+/// As it is given, and turned in all ways.
+SolidPart with_turns(SolidPart part) {
+  const SolidForm form = part.forms[0];
+  part.forms.clear();
+  for (const AxisRotation& rotation : axis_rotations(false)) part.forms.push_back(turned(form, rotation));
+  return part;
+}
+
 SolidPart box(const char* name, int demand, int w, int d, int h) {
-  return {.name = name, .demand = demand, .body = body_of({block({0, 0, 0}, {w, d, h})})};
+  return part_of(name, demand, body_of({block({0, 0, 0}, {w, d, h})}));
 }
 
 /// Of two boxes: 3 wide, 3 high, 1 thick.
 SolidPart angle(int demand) {
-  return {
-      .name = "angle", .demand = demand, .body = body_of({block({0, 0, 0}, {3, 1, 1}), block({0, 0, 1}, {1, 1, 3})})};
+  return part_of("angle", demand, body_of({block({0, 0, 0}, {3, 1, 1}), block({0, 0, 1}, {1, 1, 3})}));
 }
 
 SolidPart corner(const char* name, int demand, int size) {
   const std::vector<space::Point> points{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
-  return {.name = name, .demand = demand, .body = body_of({space::part_of(points, {})})};
+  return part_of(name, demand, body_of({space::part_of(points, {})}));
 }
 
 SolidProblem problem_of(int width, int depth, std::vector<SolidPart> parts) {
@@ -59,7 +72,7 @@ SolidProblem problem_of(int width, int depth, std::vector<SolidPart> parts) {
 SolidLayout layout_of(int height, std::vector<std::array<Fraction, 3>> places) {
   SolidLayout layout;
   layout.height = height;
-  for (const auto& at : places) layout.items.push_back({0, int(layout.items.size()) + 1, at});
+  for (const auto& at : places) layout.items.push_back({0, int(layout.items.size()) + 1, 0, at});
   return layout;
 }
 
@@ -143,8 +156,8 @@ TEST(SolidVerify, BySurfacesAsByPhi) {
     solid.surface.faces.push_back({next, k, k + 6});
     solid.surface.faces.push_back({next, k + 6, next + 6});
   }
-  rounded.parts[0].surface = {solid};
-  rounded.parts[0].body.rounded = 1;
+  rounded.parts[0].forms[0].surface = {solid};
+  rounded.parts[0].forms[0].body.rounded = 1;
   int overlaps = 0;
   for (int x = -6; x <= 6; ++x)
     for (int z = -6; z <= 6; ++z) {
@@ -217,6 +230,59 @@ TEST(SolidSearch, SolvesConwaysPuzzle) {
   const SolidLayout layout = found(problem, 1, 200e6);
   EXPECT_EQ(layout.height, Fraction(3));
   EXPECT_TRUE(verify(problem, layout).is_feasible());
+}
+
+TEST(AxisRotations, AreTwentyFour) {
+  const std::vector<AxisRotation> all = axis_rotations(false);
+  EXPECT_EQ(all.size(), 24U);
+  EXPECT_EQ(std::count(all.begin(), all.end(), kAsGiven), 1);
+  for (const AxisRotation& r : all) {
+    const int determinant = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
+                            r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
+                            r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+    EXPECT_EQ(determinant, 1);
+    EXPECT_EQ(std::count(all.begin(), all.end(), r), 1);
+  }
+  const std::vector<AxisRotation> upright = axis_rotations(true);
+  EXPECT_EQ(upright.size(), 4U);
+  for (const AxisRotation& r : upright) EXPECT_EQ(r[2], (std::array<int, 3>{0, 0, 1}));
+}
+
+TEST(SolidTable, FormsThatLookTheSameAreOne) {
+  const SolidProblem problem = problem_of(9, 9,
+                                          {with_turns(box("cube", 1, 2, 2, 2)), with_turns(box("slab", 1, 2, 2, 1)),
+                                           with_turns(box("brick", 1, 1, 2, 3)), with_turns(corner("corner", 1, 2))});
+  const SolidTable table(problem);
+  EXPECT_EQ(table.variants_of(0).size(), 1U);
+  EXPECT_EQ(table.variants_of(1).size(), 3U);
+  EXPECT_EQ(table.variants_of(2).size(), 6U);
+  EXPECT_EQ(table.variants_of(3).size(), 8U);
+  // A form that is left out stands where the one that looks the same does.
+  for (std::size_t form = 0; form < 24; ++form) {
+    const SolidPlaced item{1, 1, form, {4, 4, 4}};
+    const SolidPose pose = table.pose_of(item);
+    const SolidBox box = box_of(problem, problem.parts[1].forms[form]);
+    EXPECT_EQ(pose.at.z + table.variants()[pose.variant].low.z, 4 + box.low[2].to_double());
+    EXPECT_EQ(pose.at.x + table.variants()[pose.variant].high.x, 4 + box.high[0].to_double());
+  }
+}
+
+/// Both boards lie down.
+TEST(SolidSearch, TurnsParts) {
+  const SolidProblem problem = problem_of(5, 3, {with_turns(box("board", 2, 1, 3, 5))});
+  EXPECT_EQ(lower_bound(problem), Fraction(2));
+  const SolidLayout layout = found(problem, 1, 40e6);
+  EXPECT_EQ(layout.height, Fraction(2));
+  EXPECT_TRUE(verify(problem, layout).is_feasible());
+}
+
+/// A part that fits the floor in some forms only, and one that is higher than the others make the container.
+TEST(SolidSearch, LeavesFormsThatAreTooHigh) {
+  const SolidProblem problem =
+      problem_of(4, 3, {with_turns(box("rod", 3, 1, 1, 4)), with_turns(angle(2)), box("cube", 2, 2, 1, 2)});
+  const SolidLayout layout = found(problem, 3, 40e6);
+  EXPECT_TRUE(verify(problem, layout).is_feasible());
+  EXPECT_LE(layout.height, Fraction(3));
 }
 
 TEST(SolidSearch, SameResultForAnyNumberOfThreads) {

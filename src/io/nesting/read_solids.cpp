@@ -77,6 +77,13 @@ class SolidReader : private NestingJson {
       packing::SolidPlaced& placed = result.items.emplace_back();
       placed.part = index_of(need(item, "part"), problem.parts, "part");
       if (const JsonValue* copy = item.find("copy")) placed.copy = whole(*copy);
+      const packing::AxisRotation stands =
+          item.find("rotation") != nullptr ? rotation(*item.find("rotation")) : packing::kAsGiven;
+      const std::vector<packing::SolidForm>& forms = problem.parts[placed.part].forms;
+      const auto same = [&](const packing::SolidForm& form) { return form.rotation == stands; };
+      placed.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
+      if (placed.form == forms.size())
+        fail(item, fmt::format("'{}' stands in an orientation that is not allowed", problem.parts[placed.part].name));
       const JsonValue& at = list(need(item, "at"));
       if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
       for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
@@ -180,6 +187,37 @@ class SolidReader : private NestingJson {
     if (id != nullptr) result.name = id->text;
     if (result.name.empty()) fail(item, "an item without a file needs an 'id'");
     places_.push_back(place(item));
+    const JsonValue* allowed = item.find("allowed_orientations");
+    if (allowed == nullptr) allowed = tree().find("allowed_orientations");
+    rotations_.push_back(allowed != nullptr ? rotations(*allowed) : std::vector{packing::kAsGiven});
+    return result;
+  }
+
+  /// "right-angles", "upright", or a list of matrices.
+  std::vector<packing::AxisRotation> rotations(const JsonValue& value) const {
+    if (value.is(Kind::kString) && value.text == "right-angles") return packing::axis_rotations(false);
+    if (value.is(Kind::kString) && value.text == "upright") return packing::axis_rotations(true);
+    if (!value.is(Kind::kArray) || value.size() == 0)
+      fail(value, "orientations are \"right-angles\", \"upright\" or a list of matrices");
+    std::vector<packing::AxisRotation> result;
+    for (const JsonValue& matrix : value.items) result.push_back(rotation(matrix));
+    return result;
+  }
+
+  packing::AxisRotation rotation(const JsonValue& value) const {
+    packing::AxisRotation result{};
+    if (list(value).size() != 3) fail(value, "a rotation is a list of three rows");
+    for (std::size_t r = 0; r < 3; ++r) {
+      if (list(value.items[r]).size() != 3) fail(value.items[r], "a row of a rotation is a list of three numbers");
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Fraction entry = number(value.items[r].items[c]);
+        if (entry.denominator() != 1 || entry < -1 || entry > 1) fail(value, "rotations take axes to axes: 0, 1, -1");
+        result[r][c] = int(entry.numerator());
+      }
+    }
+    const std::vector<packing::AxisRotation> all = packing::axis_rotations(false);
+    if (std::find(all.begin(), all.end(), result) == all.end())
+      fail(value, "this matrix is no rotation: its rows are perpendicular, and its determinant is 1");
     return result;
   }
 
@@ -230,15 +268,18 @@ class SolidReader : private NestingJson {
     const std::string& at = places_[next_];
     ++next_;
     try {
-      part.body = space::body(shape);
+      packing::SolidForm form;
+      form.body = space::body(shape);
       const auto is_solid = [](const space::BodyPart& piece) { return piece.core && piece.radius.sign() == 0; };
-      if (part.body.outside || !std::all_of(part.body.parts.begin(), part.body.parts.end(), is_solid))
+      if (form.body.outside || !std::all_of(form.body.parts.begin(), form.body.parts.end(), is_solid))
         throw Error(ErrorCode::kUnsupported,
                     "pack takes bounded solids with flat faces; this one is round or unbounded");
-      part.disjoint = part.body.parts.size() == 1 || shape.solid != nullptr;
-      if (shape.solid != nullptr && part.body.parts.size() > 1) part.surface = space::ray_solids(shape);
-      if (!part.is_exact() && part.surface.empty())
+      part.disjoint = form.body.parts.size() == 1 || shape.solid != nullptr;
+      if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
+      if (!form.is_exact() && form.surface.empty())
         throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
+      for (const packing::AxisRotation& rotation : rotations_[next_ - 1])
+        part.forms.push_back(packing::turned(form, rotation));
     } catch (const Error& e) {
       throw e.within(fmt::format("item '{}' ({})", part.name, at));
     }
@@ -250,6 +291,7 @@ class SolidReader : private NestingJson {
   std::map<std::string, File> files_;
   std::vector<plane::ShapePtr> shapes_;
   std::vector<std::string> places_;
+  std::vector<std::vector<packing::AxisRotation>> rotations_;  // of each item
   std::size_t next_ = 0;
 };
 

@@ -17,6 +17,14 @@ namespace {
 
 std::string quoted_name(const std::string& text) { return nlohmann::json(text).dump(); }
 
+/// Nothing where it turns nothing.
+std::string rotation_json(const packing::AxisRotation& r) {
+  if (r == packing::kAsGiven) return "";
+  std::string rows;
+  for (const auto& row : r) rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", row[0], row[1], row[2]);
+  return fmt::format("\"rotation\": [{}], ", rows);
+}
+
 std::array<double, 3> placed(const packing::SolidPlaced& item, const space::Point& p, double steps) {
   return {item.at[0].to_double() + double(p.x) / steps, item.at[1].to_double() + double(p.y) / steps,
           item.at[2].to_double() + double(p.z) / steps};
@@ -24,8 +32,8 @@ std::array<double, 3> placed(const packing::SolidPlaced& item, const space::Poin
 
 /// Adds its surface, or its convex parts.
 void add_item(const packing::SolidProblem& problem, const packing::SolidPlaced& item, Surface& surface) {
-  const packing::SolidPart& part = problem.parts[item.part];
-  const std::string label = fmt::format("{}#{}", part.name, item.copy);
+  const packing::SolidForm& form = form_of(problem, item);
+  const std::string label = fmt::format("{}#{}", problem.parts[item.part].name, item.copy);
   const auto add = [&](const auto& points, double steps) {
     const int first = int(surface.vertices.size());
     for (const space::Point& p : points) surface.vertices.push_back(placed(item, p, steps));
@@ -36,13 +44,13 @@ void add_item(const packing::SolidProblem& problem, const packing::SolidPlaced& 
     surface.faces.push_back(std::move(face));
     surface.labels.push_back(label);
   };
-  for (const space::RaySolid& solid : part.surface) {
+  for (const space::RaySolid& solid : form.surface) {
     const int first = add(solid.surface.points, double(problem.steps()));
     for (const auto& face : solid.surface.faces) add_face({face[0], face[1], face[2]}, first);
   }
-  if (!part.surface.empty()) return;
-  for (const space::BodyPart& piece : part.body.parts) {
-    const int first = add(piece.core->vertices(), double(problem.steps()) * double(part.body.scale));
+  if (!form.surface.empty()) return;
+  for (const space::BodyPart& piece : form.body.parts) {
+    const int first = add(piece.core->vertices(), double(problem.steps()) * double(form.body.scale));
     for (int f = 0; f < piece.core->facet_count(); ++f) add_face(piece.core->circuit(f), first);
   }
 }
@@ -135,9 +143,10 @@ std::string layout_json(const packing::SolidProblem& problem, const packing::Sol
                         const LayoutFacts& facts) {
   std::string items;
   for (const packing::SolidPlaced& item : layout.items)
-    items += fmt::format("{}    {{\"part\": {}, \"copy\": {}, \"at\": [\"{}\", \"{}\", \"{}\"]}}",
+    items += fmt::format("{}    {{\"part\": {}, \"copy\": {}, {}\"at\": [\"{}\", \"{}\", \"{}\"]}}",
                          items.empty() ? "\n" : ",\n", quoted_name(problem.parts[item.part].name), item.copy,
-                         item.at[0].text(), item.at[1].text(), item.at[2].text());
+                         rotation_json(form_of(problem, item).rotation), item.at[0].text(), item.at[1].text(),
+                         item.at[2].text());
   return fmt::format(
       "{{\"findspace\": 1, \"layout\": {{\n"
       "  \"instance\": {}, \"container\": {{\"size-x\": \"{}\", \"size-y\": \"{}\"}}, \"gap\": \"{}\", \"edge\": "

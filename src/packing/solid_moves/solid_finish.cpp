@@ -25,7 +25,8 @@ class SolidFinisher {
   SolidFinisher(const SolidProblem& problem, const SolidTable& table) : problem_(problem), table_(table) {
     while (double(power_of_ten(digits_)) * table.size() * margin::kLayoutGrid < 1) ++digits_;
     digits_ = std::max(digits_, std::min(problem.digits, digits_ + 2));
-    for (const SolidPart& part : problem.parts) boxes_.push_back(box_of(problem, part));
+    for (const SolidVariant& v : table.variants())
+      boxes_.push_back(box_of(problem, problem.parts[v.part].forms[v.form]));
   }
 
   double step() const { return 1 / double(power_of_ten(digits_)); }
@@ -34,9 +35,9 @@ class SolidFinisher {
     SolidLayout layout;
     std::vector<int> copies(problem_.parts.size());
     for (const SolidPose& pose : poses) {
-      const std::size_t part = table_.variants()[pose.variant].part;
-      SolidPlaced& item = layout.items.emplace_back(SolidPlaced{part, ++copies[part], {}});
-      const SolidBox& box = boxes_[part];
+      const SolidVariant& v = table_.variants()[pose.variant];
+      SolidPlaced& item = layout.items.emplace_back(SolidPlaced{v.part, ++copies[v.part], v.form, {}});
+      const SolidBox& box = boxes_[pose.variant];
       const double edge = table_.edge(), at[] = {pose.at.x + edge, pose.at.y + edge, pose.at.z + edge};
       for (std::size_t k = 0; k < 3; ++k) {
         int128 place = nearest(at[k], snap);
@@ -65,7 +66,7 @@ class SolidFinisher {
 
   const SolidProblem& problem_;
   const SolidTable& table_;
-  std::vector<SolidBox> boxes_;
+  std::vector<SolidBox> boxes_;  // of variants
   int digits_ = 0;
 };
 
@@ -84,13 +85,16 @@ std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTabl
   return std::nullopt;
 }
 
-SolidLayout tower_of(const SolidProblem& problem) {
+SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table) {
   SolidLayout layout;
   Fraction z = problem.edge;
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
-    const SolidBox box = box_of(problem, problem.parts[part]);
+    if (problem.parts[part].demand == 0) continue;
+    const std::size_t form = table.variants()[table.variants_of(part)[0]].form;
+    const SolidBox box = box_of(problem, problem.parts[part].forms[form]);
     for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
-      layout.items.push_back({part, copy, {problem.edge - box.low[0], problem.edge - box.low[1], z - box.low[2]}});
+      layout.items.push_back(
+          {part, copy, form, {problem.edge - box.low[0], problem.edge - box.low[1], z - box.low[2]}});
       const Fraction top = z + box.high[2] - box.low[2];
       layout.height = top + problem.edge;
       z = top + problem.gap;
@@ -101,10 +105,7 @@ SolidLayout tower_of(const SolidProblem& problem) {
 
 std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout) {
   std::vector<SolidPose> poses;
-  const double edge = table.edge();
-  for (const SolidPlaced& item : layout.items)
-    poses.push_back(
-        {item.part, {item.at[0].to_double() - edge, item.at[1].to_double() - edge, item.at[2].to_double() - edge}});
+  for (const SolidPlaced& item : layout.items) poses.push_back(table.pose_of(item));
   return poses;
 }
 

@@ -19,7 +19,7 @@ std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTabl
                                     const std::vector<SolidPose>& poses, double height);
 
 /// The boxes of the parts upon each other: always feasible.
-SolidLayout tower_of(const SolidProblem& problem);
+SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table);
 
 /// The poses of a layout, in its order.
 std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout);

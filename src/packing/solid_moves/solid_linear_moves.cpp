@@ -23,6 +23,12 @@ constexpr double kGapsOfTrust = 1000;
 
 int solid_column(std::size_t item, int axis) { return int(3 * item) + axis; }
 
+/// Fewer where programs are large, none where they would be slower than the search.
+int most_steps(std::size_t items, int most) {
+  constexpr std::size_t kItemsOfSteps = 4000, kMostInProgram = 1500;
+  return items > kMostInProgram ? 0 : std::min(most, int(kItemsOfSteps / std::max<std::size_t>(items, 1)));
+}
+
 bool is_along_axis(const Vector& n) { return int(n.x != 0) + int(n.y != 0) + int(n.z != 0) == 1; }
 
 }  // namespace
@@ -111,7 +117,7 @@ bool SolidLinearMoves::solve(std::vector<SolidPose>& poses, double& height, doub
 
 double SolidLinearMoves::shorten(std::vector<SolidPose>& poses, double height) {
   const double trust = kSolidTrust * table_.size();
-  for (int step = 0; step < kMostSolidSteps; ++step) {
+  for (int step = 0; step < most_steps(poses.size(), kMostSolidSteps); ++step) {
     const double before = height;
     collect(poses, trust, Goal::kShorten, 0, false);
     if (!solve(poses, height, height, trust, Goal::kShorten)) break;
@@ -123,7 +129,7 @@ double SolidLinearMoves::shorten(std::vector<SolidPose>& poses, double height) {
 bool SolidLinearMoves::separate(std::vector<SolidPose>& poses, double& height, double most) {
   const double trust = kSolidTrust * table_.size(), enough = table_.size() * margin::kNoOverlap;
   double last = 0;
-  for (int step = 0; step < kMostSolidSeparations; ++step) {
+  for (int step = 0; step < most_steps(poses.size(), kMostSolidSeparations); ++step) {
     collect(poses, trust, Goal::kSeparate, 0, false);
     if (!solve(poses, height, most, trust, Goal::kSeparate)) return false;
     if (left_ <= enough) return true;

@@ -5,6 +5,7 @@
 #include "packing/solid_phi/solid_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -83,6 +84,21 @@ CommonParts common_parts(const space::Body& a, const space::Body& b, double step
   return {rounded_parts(a, scale / double(a.scale)), rounded_parts(b, scale / double(b.scale)), steps * scale};
 }
 
+/// All corners of its convex parts from the low corner of its box, sorted: equal where two bodies are, moved.
+std::vector<space::Point> look_of(const space::Body& body) {
+  std::vector<space::Point> corners;
+  space::Point low{space::kCoordinateLimit, space::kCoordinateLimit, space::kCoordinateLimit};
+  for (const space::BodyPart& part : body.parts)
+    for (const space::Point& p : part.vertices()) {
+      corners.push_back(p);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    }
+  for (space::Point& p : corners) p = p - low;
+  const auto key = [](const space::Point& p) { return std::array{p.x, p.y, p.z}; };
+  std::sort(corners.begin(), corners.end(), [&](const auto& p, const auto& q) { return key(p) < key(q); });
+  return corners;
+}
+
 }  // namespace
 
 double ConvexOverlap::depth(const Vector& u) const {
@@ -92,7 +108,9 @@ double ConvexOverlap::depth(const Vector& u) const {
 }
 
 space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
-  return space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
+  const space::LineStretch deep = space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
+  if (!(deep.from < deep.to)) return deep;
+  return space::scan_line(planes.data(), planes.size(), u, way, 0, margin::kAlongPlane);
 }
 
 double SolidPair::depth(const Vector& u, double shallow) const {
@@ -109,19 +127,46 @@ SolidTable::SolidTable(const SolidProblem& problem)
       depth_((problem.depth - problem.edge - problem.edge).to_double()),
       gap_(problem.gap.to_double()),
       edge_(problem.edge.to_double()) {
-  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
-    const SolidBox box = box_of(problem, problem.parts[p]);
-    const auto vector = [](const std::array<Fraction, 3>& v) {
-      return Vector{v[0].to_double(), v[1].to_double(), v[2].to_double()};
-    };
-    variants_.push_back({p, vector(box.low), vector(box.high)});
-    if (problem.parts[p].demand > 0) tallest_ = std::max(tallest_, variants_[p].high.z - variants_[p].low.z);
-  }
+  of_part_.resize(problem.parts.size());
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) add_variants(p);
   pairs_ = std::vector<std::atomic<const SolidPair*>>(variants_.size() * variants_.size());
 }
 
+void SolidTable::add_variants(std::size_t part) {
+  const std::vector<SolidForm>& forms = problem_.parts[part].forms;
+  const auto vector = [](const std::array<Fraction, 3>& v) {
+    return Vector{v[0].to_double(), v[1].to_double(), v[2].to_double()};
+  };
+  std::vector<std::vector<space::Point>> looks;
+  double lowest = kFar;
+  for (std::size_t f = 0; f < forms.size(); ++f) {
+    const SolidBox box = box_of(problem_, forms[f]);
+    if (!fits(problem_, box)) continue;
+    std::vector<space::Point> look = look_of(forms[f].body);
+    if (std::find(looks.begin(), looks.end(), look) != looks.end()) continue;
+    looks.push_back(std::move(look));
+    of_part_[part].push_back(variants_.size());
+    variants_.push_back({part, f, vector(box.low), vector(box.high)});
+    lowest = std::min(lowest, variants_.back().high.z - variants_.back().low.z);
+  }
+  if (problem_.parts[part].demand > 0) tallest_ = std::max(tallest_, lowest);
+}
+
+SolidPose SolidTable::pose_of(const SolidPlaced& item) const {
+  const Vector at{item.at[0].to_double() - edge_, item.at[1].to_double() - edge_, item.at[2].to_double() - edge_};
+  const SolidForm& mine = packing::form_of(problem_, item);
+  const std::vector<space::Point> look = look_of(mine.body);
+  for (const std::size_t v : of_part_[item.part]) {
+    if (look_of(form_of(variants_[v]).body) != look) continue;
+    const SolidBox box = box_of(problem_, mine);
+    const Vector low{box.low[0].to_double(), box.low[1].to_double(), box.low[2].to_double()};
+    return {v, at + (low - variants_[v].low)};
+  }
+  return {of_part_[item.part][0], at};
+}
+
 const SolidPair& SolidTable::make(std::size_t a, std::size_t b) const {
-  const space::Body &first = problem_.parts[variants_[a].part].body, &second = problem_.parts[variants_[b].part].body;
+  const space::Body &first = form_of(variants_[a]).body, &second = form_of(variants_[b]).body;
   auto pair = std::make_unique<SolidPair>();
   const CommonParts common = common_parts(first, second, double(problem_.steps()));
   std::vector<std::size_t> begins;

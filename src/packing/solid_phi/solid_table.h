@@ -37,7 +37,7 @@ struct ConvexOverlap {
   }
   /// 0 where there is none.
   double depth(const Vector& u) const;
-  /// t with u + t way in the set, and deeper than `shallow`.
+  /// t with u + t way in the set, where the line comes deeper than `shallow`; crossed elsewhere.
   space::LineStretch stretch(const Vector& u, const Vector& way, double shallow) const;
   space::Highest highest(const Vector& u) const { return space::scan_planes(planes.data(), planes.size(), u); }
   Vector normal(int plane) const {
@@ -64,12 +64,13 @@ class SolidPair {
 
 /// A part where it stands, relative to the corner within the edges.
 struct SolidPose {
-  std::size_t variant = 0;  // the part
+  std::size_t variant = 0;
   Vector at;
 };
 
+/// A form of a part that fits the floor; of forms that look the same, moved, only the first.
 struct SolidVariant {
-  std::size_t part = 0;
+  std::size_t part = 0, form = 0;
   Vector low, high;  // the box about its origin
 };
 
@@ -79,6 +80,9 @@ class SolidTable {
   explicit SolidTable(const SolidProblem& problem);
 
   const std::vector<SolidVariant>& variants() const { return variants_; }
+  const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
+  /// The pose of a placed part.
+  SolidPose pose_of(const SolidPlaced& item) const;
   /// Of the floor within the edges.
   double width() const { return width_; }
   double depth() const { return depth_; }
@@ -86,7 +90,7 @@ class SolidTable {
   double size() const { return std::max(width_, depth_); }
   double gap() const { return gap_; }
   double edge() const { return edge_; }
-  /// The highest part; no layout is lower.
+  /// The highest part in its lowest form; no layout is lower.
   double tallest() const { return tallest_; }
 
   /// How a copy of b overlaps one of a at the origin, or the other way round with all positions reflected: sign -1.
@@ -103,11 +107,14 @@ class SolidTable {
   }
 
  private:
+  const SolidForm& form_of(const SolidVariant& v) const { return problem_.parts[v.part].forms[v.form]; }
+  void add_variants(std::size_t part);
   const SolidPair& make(std::size_t a, std::size_t b) const;
 
   const SolidProblem& problem_;
   double width_, depth_, gap_, edge_, tallest_ = 0;
   std::vector<SolidVariant> variants_;
+  std::vector<std::vector<std::size_t>> of_part_;
   mutable std::vector<std::atomic<const SolidPair*>> pairs_;
   mutable std::vector<std::unique_ptr<const SolidPair>> made_;
   mutable std::mutex guard_;

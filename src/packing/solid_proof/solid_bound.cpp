@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace findspace::packing {
 namespace {
@@ -32,8 +33,9 @@ exact::Real six_volumes_of(const space::Polytope& polytope) {
 /// Of a part, in cubic units.
 exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
   exact::Real sum, most, steps(problem.steps());
-  if (!part.is_exact()) {
-    for (const space::RaySolid& solid : part.surface)
+  const SolidForm& form = part.forms[0];
+  if (!form.is_exact()) {
+    for (const space::RaySolid& solid : form.surface)
       for (const auto& face : solid.surface.faces) {
         const auto& points = solid.surface.points;
         sum += six_volumes_of({points[std::size_t(face[0])] - points[0], points[std::size_t(face[1])] - points[0],
@@ -41,13 +43,23 @@ exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
       }
     return sum / (exact::Real(6) * steps * steps * steps);
   }
-  steps = steps * exact::Real(part.body.scale);
-  for (const space::BodyPart& piece : part.body.parts) {
+  steps = steps * exact::Real(form.body.scale);
+  for (const space::BodyPart& piece : form.body.parts) {
     const exact::Real volume = six_volumes_of(*piece.core);
     sum += volume;
     if (most < volume) most = volume;
   }
   return (part.disjoint ? sum : most) / (exact::Real(6) * steps * steps * steps);
+}
+
+/// Of the forms that fit the floor.
+Fraction least_height(const SolidProblem& problem, const SolidPart& part) {
+  std::optional<Fraction> least;
+  for (const SolidForm& form : part.forms) {
+    const SolidBox box = box_of(problem, form);
+    if (fits(problem, box)) least = std::min(least.value_or(box.high[2] - box.low[2]), box.high[2] - box.low[2]);
+  }
+  return least.value_or(0);
 }
 
 /// The greatest decimal of nine digits that is not above the value, or the one below it.
@@ -65,8 +77,7 @@ Fraction lower_bound(const SolidProblem& problem) {
   exact::Real sum;
   for (const SolidPart& part : problem.parts) {
     if (part.demand == 0) continue;
-    const SolidBox box = box_of(problem, part);
-    tallest = std::max(tallest, box.high[2] - box.low[2]);
+    tallest = std::max(tallest, least_height(problem, part));
     sum += exact::Real(part.demand) * least_volume(problem, part);
   }
   const Fraction width = problem.width - problem.edge - problem.edge,

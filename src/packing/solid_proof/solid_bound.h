@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A height below which no layout in space can be. It is the greater of two: all volumes over the floor, and the highest
-// part. Guarantee: certain: volumes are exact, and of convex parts that may overlap only the largest counts; the
-// quotient is rounded down to nine decimals. Cost: linear.
+// part in its lowest form. Guarantee: certain: volumes are exact, and of convex parts that may overlap only the largest
+// counts; the quotient is rounded down to nine decimals. Cost: linear.
 #pragma once
 
 #include "packing/solid_problem/solid_problem.h"

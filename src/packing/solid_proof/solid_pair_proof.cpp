@@ -5,7 +5,6 @@
 #include "packing/solid_proof/solid_pair_proof.h"
 
 #include <findspace/error.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
@@ -19,24 +18,23 @@ std::vector<space::Polytope> polytopes_of(const space::Body& body, std::int64_t 
   return result;
 }
 
-std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidPart& part, std::int64_t scale) {
+std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidForm& form, std::int64_t scale) {
   auto set = std::make_shared<space::SurfaceSet>();
-  const bool in_range = part.surface.empty() ? set->add(part.body, scale) : set->add(part.surface, scale);
-  if (!in_range)
-    throw Error(ErrorCode::kOutOfRange, fmt::format("'{}' has too many digits to be proved exactly", part.name));
+  const bool in_range = form.surface.empty() ? set->add(form.body, scale) : set->add(form.surface, scale);
+  if (!in_range) throw Error(ErrorCode::kOutOfRange, "a part has too many digits for an exact proof");
   return set;
 }
 
 }  // namespace
 
-SolidPairProof::SolidPairProof(const SolidProblem& problem, const SolidPart& a, const SolidPart& b) {
+SolidPairProof::SolidPairProof(const SolidProblem& problem, const SolidForm& a, const SolidForm& b) {
   const std::optional<std::int64_t> common = common_scale(a.body, b.body);
   if (a.is_exact() && b.is_exact() && common) {
     steps_ = bounded_product(problem.steps(), *common);
     phi_.emplace(polytopes_of(a.body, *common), polytopes_of(b.body, *common));
     return;
   }
-  const auto scale_of = [](const SolidPart& part) { return part.surface.empty() ? part.body.scale : 1; };
+  const auto scale_of = [](const SolidForm& form) { return form.surface.empty() ? form.body.scale : 1; };
   const std::int64_t scale = std::lcm(scale_of(a), scale_of(b));
   steps_ = bounded_product(problem.steps(), scale);
   gaps_.emplace(surfaces_of(a, scale), surfaces_of(b, scale));

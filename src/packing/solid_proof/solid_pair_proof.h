@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Two kinds of parts at any rational position: whether their interiors meet, and whether they are nearer than a gap. By
+// Two forms of parts at any rational position: whether their interiors meet, and whether they are nearer than a gap. By
 // the Phi-functions of their convex parts; by their surfaces where one of them had to be rounded. Guarantee: exact.
-// Cost: made once for two kinds; then a filter in doubles, and exact arithmetic for the few facets that compete.
+// Cost: made once for two forms; then a filter in doubles, and exact arithmetic for the few facets that compete.
 // Keywords: collision predicate.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace findspace::packing {
 
 class SolidPairProof {
  public:
-  SolidPairProof(const SolidProblem& problem, const SolidPart& a, const SolidPart& b);
+  SolidPairProof(const SolidProblem& problem, const SolidForm& a, const SolidForm& b);
 
   /// B moved by u, in units.
   bool interiors_meet(const std::array<Fraction, 3>& u) const;

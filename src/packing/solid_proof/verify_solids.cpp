@@ -17,27 +17,45 @@ namespace findspace::packing {
 namespace {
 
 using Position = std::array<Fraction, 3>;
+using FormPair = std::array<std::size_t, 4>;
 
 class SolidCheck {
+  struct Box {
+    std::array<int128, 3> low{}, high{};
+  };
+
  public:
   SolidCheck(const SolidProblem& problem, const SolidLayout& layout) : problem_(problem), layout_(layout) {
-    std::vector<SolidBox> of_part;
-    for (const SolidPart& part : problem.parts) of_part.push_back(box_of(problem, part));
+    common_ = common_multiple(common_multiple(problem.width.denominator(), problem.depth.denominator()),
+                              common_multiple(problem.gap.denominator(), problem.edge.denominator()));
+    common_ = common_multiple(common_, layout.height.denominator());
+    std::map<std::array<std::size_t, 2>, SolidBox> of_form;
     for (const SolidPlaced& item : layout.items) {
-      SolidBox& box = boxes_.emplace_back(of_part[item.part]);
+      const auto [known, is_new] = of_form.try_emplace({item.part, item.form});
+      if (is_new) known->second = box_of(problem, form_of(problem, item));
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const Fraction& f : {item.at[k], known->second.low[k], known->second.high[k]})
+          common_ = common_multiple(common_, f.denominator());
+    }
+    for (const SolidPlaced& item : layout.items) {
+      const SolidBox& form = of_form.at({item.part, item.form});
+      Box& box = boxes_.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = box.low[k] + item.at[k];
-        box.high[k] = box.high[k] + item.at[k];
+        box.low[k] = form.low[k].over(common_) + item.at[k].over(common_);
+        box.high[k] = form.high[k].over(common_) + item.at[k].over(common_);
       }
     }
+    gap_ = problem.gap.over(common_);
   }
 
   SolidVerdict verdict() {
     count_copies();
+    int128 used = 0;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       check_inside(i);
-      result_.used = std::max(result_.used, boxes_[i].high[2]);
+      used = std::max(used, boxes_[i].high[2]);
     }
+    result_.used = Fraction(used, common_);
     check_pairs();
     double volume = 0;
     for (const SolidPlaced& item : layout_.items) volume += volume_of(problem_, problem_.parts[item.part]);
@@ -59,14 +77,16 @@ class SolidCheck {
   }
 
   void check_inside(std::size_t i) {
-    const SolidBox& box = boxes_[i];
-    const Position most{problem_.width, problem_.depth, layout_.height};
-    Fraction out = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      out = std::max({out, problem_.edge - box.low[k], box.high[k] + problem_.edge - most[k]});
+    const Box& box = boxes_[i];
+    const int128 edge = problem_.edge.over(common_);
+    const int128 most[] = {problem_.width.over(common_), problem_.depth.over(common_), layout_.height.over(common_)};
+    int128 out = 0;
+    for (std::size_t k = 0; k < 3; ++k) out = std::max({out, edge - box.low[k], box.high[k] + edge - most[k]});
     if (out > 0)
-      result_.faults.push_back(
-          {.kind = SolidFault::Kind::kOutside, .first = i, .depth = out.to_double(), .at = middle(box, box)});
+      result_.faults.push_back({.kind = SolidFault::Kind::kOutside,
+                                .first = i,
+                                .depth = double(out) / double(common_),
+                                .at = middle(box, box)});
   }
 
   void check_pairs() {
@@ -80,15 +100,14 @@ class SolidCheck {
 
   bool boxes_meet(std::size_t i, std::size_t j) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (boxes_[i].high[k] + problem_.gap <= boxes_[j].low[k] || boxes_[j].high[k] + problem_.gap <= boxes_[i].low[k])
-        return false;
+      if (boxes_[i].high[k] + gap_ <= boxes_[j].low[k] || boxes_[j].high[k] + gap_ <= boxes_[i].low[k]) return false;
     return true;
   }
 
   std::optional<SolidFault> pair_fault(std::size_t i, std::size_t j) const {
     if (!boxes_meet(i, j)) return std::nullopt;
     const SolidPlaced &a = layout_.items[i], &b = layout_.items[j];
-    const SolidPairProof& proof = proof_of(a.part, b.part);
+    const SolidPairProof& proof = proof_of(a, b);
     const Position u{b.at[0] - a.at[0], b.at[1] - a.at[1], b.at[2] - a.at[2]};
     SolidFault fault{.first = i, .second = j, .at = middle(boxes_[i], boxes_[j])};
     if (proof.interiors_meet(u)) {
@@ -100,28 +119,30 @@ class SolidCheck {
     return fault;
   }
 
-  const SolidPairProof& proof_of(std::size_t a, std::size_t b) const {
+  const SolidPairProof& proof_of(const SolidPlaced& a, const SolidPlaced& b) const {
+    const FormPair key{a.part, a.form, b.part, b.form};
     {
       const std::lock_guard lock(guard_);
-      if (const auto known = proofs_.find({a, b}); known != proofs_.end()) return *known->second;
+      if (const auto known = proofs_.find(key); known != proofs_.end()) return *known->second;
     }
-    auto made = std::make_unique<const SolidPairProof>(problem_, problem_.parts[a], problem_.parts[b]);
+    auto made = std::make_unique<const SolidPairProof>(problem_, form_of(problem_, a), form_of(problem_, b));
     const std::lock_guard lock(guard_);
-    return *proofs_.emplace(std::pair(a, b), std::move(made)).first->second;
+    return *proofs_.emplace(key, std::move(made)).first->second;
   }
 
   /// Of what the boxes have in common, or of what is between them.
-  static std::array<double, 3> middle(const SolidBox& a, const SolidBox& b) {
+  std::array<double, 3> middle(const Box& a, const Box& b) const {
     std::array<double, 3> at{};
     for (std::size_t k = 0; k < 3; ++k)
-      at[k] = (std::max(a.low[k], b.low[k]).to_double() + std::min(a.high[k], b.high[k]).to_double()) / 2;
+      at[k] = (double(std::max(a.low[k], b.low[k])) + double(std::min(a.high[k], b.high[k]))) / 2 / double(common_);
     return at;
   }
 
   const SolidProblem& problem_;
   const SolidLayout& layout_;
-  std::vector<SolidBox> boxes_;
-  mutable std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<const SolidPairProof>> proofs_;
+  int128 common_ = 1, gap_ = 0;  // boxes are integers over it, and so is the gap
+  std::vector<Box> boxes_;
+  mutable std::map<FormPair, std::unique_ptr<const SolidPairProof>> proofs_;
   mutable std::mutex guard_;
   SolidVerdict result_;
 };

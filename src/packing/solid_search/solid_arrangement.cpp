@@ -27,6 +27,36 @@ SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn&, 
   set_length(height);
 }
 
+void SolidArrangement::reset_weights() {
+  weights_.assign(size(), {});
+  row_.assign(size(), 1);
+  row_of_ = size();
+  height_weights_.assign(size(), 1);
+}
+
+const std::vector<double>& SolidArrangement::weights_of(std::size_t i) const {
+  if (row_of_ == i) return row_;
+  if (row_of_ < size())
+    for (const auto& [j, weight] : weights_[row_of_]) row_[j] = 1;
+  for (const auto& [j, weight] : weights_[i]) row_[j] = weight;
+  row_of_ = i;
+  return row_;
+}
+
+void SolidArrangement::grow_weight(std::size_t i, std::size_t j, double factor) {
+  const auto known = std::find_if(weights_[i].begin(), weights_[i].end(), [&](const auto& e) { return e.first == j; });
+  if (known != weights_[i].end())
+    known->second *= factor;
+  else
+    weights_[i].emplace_back(std::uint32_t(j), factor);
+}
+
+double SolidArrangement::excess(std::size_t variant) const {
+  const SolidVariant& v = table_.variants()[variant];
+  const double out = v.high.z - v.low.z - height_;
+  return out > shallow_ ? out : 0;
+}
+
 Vector SolidArrangement::inside(std::size_t variant, const Vector& at) const {
   const SolidVariant& v = table_.variants()[variant];
   return {std::max(-v.low.x, std::min(at.x, table_.width() - v.high.x)),
@@ -38,7 +68,7 @@ Vector SolidArrangement::random_position(std::size_t variant, Random& random) co
   const SolidVariant& v = table_.variants()[variant];
   const double x = random.between(-v.low.x, table_.width() - v.high.x);
   const double y = random.between(-v.low.y, table_.depth() - v.high.y);
-  return {x, y, random.between(-v.low.z, height_ - v.high.z)};
+  return {x, y, random.between(-v.low.z, std::max(-v.low.z, height_ - v.high.z))};
 }
 
 void SolidArrangement::set_length(double height) {
@@ -63,8 +93,8 @@ void SolidArrangement::move(std::size_t i, const SolidPose& pose) {
 }
 
 double SolidArrangement::cost(std::size_t i, const SolidPose& pose, double bound) const {
-  const double* weights = &weights_[i * size()];
-  double sum = 0;
+  const std::vector<double>& weights = weights_of(i);
+  double sum = excess(pose.variant) * height_weights_[i];
   boxes_.for_each_meeting(box_at(pose, table_.gap()), looked_at_, [&](std::size_t j) {
     if (j == i) return true;
     const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
@@ -77,6 +107,7 @@ double SolidArrangement::cost(std::size_t i, const SolidPose& pose, double bound
 
 void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector<Touch>& result) const {
   const double near = table_.size() * margin::kSolidContact;
+  const std::vector<double>& weights = weights_of(i);
   result.clear();
   boxes_.for_each_meeting(box_at(pose, table_.gap() + near), looked_at_, [&](std::size_t j) {
     if (j == i) return true;
@@ -87,7 +118,7 @@ void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector
       const space::Highest highest = overlap.highest(u);
       if (highest.value > near) continue;
       const double depth = -highest.value;
-      result.push_back({depth > shallow_ ? depth * weights_[i * size() + j] : 0, sign * overlap.normal(highest.plane)});
+      result.push_back({depth > shallow_ ? depth * weights[j] : 0, sign * overlap.normal(highest.plane)});
     }
     return true;
   });
@@ -111,6 +142,7 @@ space::LineStretch SolidArrangement::within(const SolidPose& pose, const Vector&
 
 void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
                                          const space::LineStretch& room) const {
+  const std::vector<double>& weights = weights_of(i);
   stretches_.clear();
   const BoxList<3>::Box first = box_at({pose.variant, pose.at + room.from * way}, table_.gap()),
                         last = box_at({pose.variant, pose.at + room.to * way}, table_.gap());
@@ -131,7 +163,7 @@ void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, c
       ++looked_at_;
       const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
       if (t.from < t.to && t.to > room.from && t.from < room.to)
-        stretches_.push_back({t.from, t.to, weights_[i * size() + j], &overlap, u, along});
+        stretches_.push_back({t.from, t.to, weights[j], &overlap, u, along});
     }
     return true;
   });
@@ -152,6 +184,7 @@ double SolidArrangement::cost_at(double t, double bound) const {
 SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const SolidPose& pose, const Vector& way,
                                                            double bound, bool from_end) const {
   LinePlace best{0, bound};
+  if (excess(pose.variant) > 0) return best;
   const space::LineStretch room = within(pose, way);
   if (!(room.from <= room.to)) return best;
   collect_stretches(i, pose, way, room);
@@ -189,7 +222,7 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
 double SolidArrangement::loss() {
   double sum = 0;
   overlaps_.clear();
-  std::fill(depths_.begin(), depths_.end(), 0.0);
+  for (std::size_t i = 0; i < size(); ++i) sum += depths_[i] = excess(poses_[i].variant);
   for (std::size_t i = 0; i < size(); ++i)
     boxes_.for_each_meeting(box_at(poses_[i], table_.gap()), looked_at_, [&](std::size_t j) {
       if (j <= i) return true;
@@ -210,11 +243,17 @@ void SolidArrangement::update_weights() {
   double deepest = 0;
   for (const Overlap& o : overlaps_) deepest = std::max(deepest, o.depth);
   for (const Overlap& o : overlaps_) {
-    const double weight = weights_[o.i * size() + o.j] * grown_weight(o.depth / deepest);
-    weights_[o.i * size() + o.j] = weight;
-    weights_[o.j * size() + o.i] = weight;
+    grow_weight(o.i, o.j, grown_weight(o.depth / deepest));
+    grow_weight(o.j, o.i, grown_weight(o.depth / deepest));
   }
-  for (double& w : weights_) w = decayed_weight(w);
+  for (auto& row : weights_) {
+    for (auto& [j, weight] : row) weight = decayed_weight(weight);
+    std::erase_if(row, [](const auto& entry) { return entry.second <= 1; });
+  }
+  row_.assign(size(), 1);
+  row_of_ = size();
+  for (std::size_t i = 0; i < size(); ++i)
+    if (excess(poses_[i].variant) > 0) height_weights_[i] *= kMostGrowth;
 }
 
 }  // namespace findspace::packing

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "packing/search/box_list.h"
@@ -26,7 +27,7 @@ class SolidArrangement {
   const std::vector<SolidPose>& poses() const { return poses_; }
   const SolidPose& pose(std::size_t i) const { return poses_[i]; }
   double length() const { return height_; }
-  /// Parts that stick out are moved in.
+  /// Parts that stick out are moved in. Where one is higher at its form, the excess counts as an overlap.
   void set_length(double height);
   void set_poses(const std::vector<SolidPose>& poses);
   void move(std::size_t i, const SolidPose& pose);
@@ -56,7 +57,7 @@ class SolidArrangement {
   double depth_of(std::size_t i) const { return depths_[i]; }
   /// After loss(): weights of overlaps grow, by more the deeper they are; others decay.
   void update_weights();
-  void reset_weights() { weights_.assign(size() * size(), 1); }
+  void reset_weights();
   /// Boxes, and planes in blocks, looked at since the beginning.
   std::uint64_t looked_at() const { return looked_at_; }
 
@@ -82,12 +83,20 @@ class SolidArrangement {
   space::LineStretch within(const SolidPose& pose, const Vector& way) const;
   void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way, const space::LineStretch& room) const;
   double cost_at(double t, double bound) const;
+  const std::vector<double>& weights_of(std::size_t i) const;
+  void grow_weight(std::size_t i, std::size_t j, double factor);
+  /// How much higher the variant is than the container.
+  double excess(std::size_t variant) const;
 
   const SolidTable& table_;
   std::vector<SolidPose> poses_;
   double height_, shallow_, slack_;
   BoxList<3> boxes_;
-  std::vector<double> weights_, depths_;
+  /// Of pairs whose weight is not 1, by the first item.
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> weights_;
+  std::vector<double> height_weights_, depths_;
+  mutable std::vector<double> row_;  // the weights of one item with all others
+  mutable std::size_t row_of_ = 0;
   std::vector<Overlap> overlaps_;
   mutable std::vector<Stretch> stretches_;
   mutable std::vector<Event> events_;

@@ -36,14 +36,24 @@ void SolidMover::sample(std::size_t item, const Candidate& here) {
   kept_[0] = here;
   count_ = 1;
   const SolidPose now = here.pose;
-  for (int k = 0; k < kSolidSpread; ++k) offer(item, {now.variant, a_.random_position(now.variant, random_)});
-  const SolidVariant& v = a_.table().variants()[now.variant];
-  const Vector reach = kAboutReach * (v.high - v.low);
+  for (int k = 0; k < kSolidSpread; ++k) {
+    const std::size_t v = random_variant(item);
+    offer(item, {v, a_.random_position(v, random_)});
+  }
+  const SolidVariant& shape = a_.table().variants()[now.variant];
+  const Vector middle = now.at + 0.5 * (shape.low + shape.high), reach = kAboutReach * (shape.high - shape.low);
   for (int k = 0; k < kSolidAbout; ++k) {
+    const std::size_t v = random_variant(item);
+    const SolidVariant& w = a_.table().variants()[v];
     const double x = random_.between(-reach.x, reach.x), y = random_.between(-reach.y, reach.y);
     const Vector off{x, y, random_.between(-reach.z, reach.z)};
-    offer(item, {now.variant, a_.inside(now.variant, now.at + off)});
+    offer(item, {v, a_.inside(v, middle - 0.5 * (w.low + w.high) + off)});
   }
+}
+
+std::size_t SolidMover::random_variant(std::size_t item) {
+  const auto& variants = a_.table().variants_of(a_.table().variants()[a_.pose(item).variant].part);
+  return variants[variants.size() == 1 ? 0 : random_.below(variants.size())];
 }
 
 bool SolidMover::go_along(std::size_t item, Candidate& c, const Vector& way) {

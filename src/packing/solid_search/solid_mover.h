@@ -31,6 +31,7 @@ class SolidMover {
 
   void sample(std::size_t item, const Candidate& here);
   void offer(std::size_t item, const SolidPose& pose);
+  std::size_t random_variant(std::size_t item);
   bool go_along(std::size_t item, Candidate& c, const Vector& way);
   void descend(std::size_t item, Candidate& c);
   bool slide(std::size_t item, Candidate& c);

@@ -38,7 +38,7 @@ class SolidSearch {
       first = {poses_of(table_, *options_.start), (options_.start->height - problem_.edge - problem_.edge).to_double()};
     }
     offer(first);
-    if (!best_) keep(tower_of(problem_));
+    if (!best_) keep(tower_of(problem_, table_));
     team_.settle(table_, column_, first, options_.seed, kIslands);
     for (std::uint64_t work = kSolidRound; !is_over(); work += kSolidRound) round(work);
     return std::move(best_);
