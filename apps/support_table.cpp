@@ -61,7 +61,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `margin`, `cover` below 0 | exact · quick | exact · quick | enclosed 2^-40 · quick | exact · slow | enclosed 2^-36 · long | enclosed · slow | exact · fast
 `reach` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
-`protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed up to 0 · fast | enclosed 1e-12 · fast
+`protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
 `diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
 along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact · fast | `gap` enclosed, others refused · slow | exact · slow
 # Truth at a position
@@ -78,7 +78,7 @@ formulas of [commands](commands.md#exact-maps) | exact · quick | exact, one dis
 `eta2`, `delta2` | exact · quick | exact · quick | enclosed 2^-30 · quick | exact · fast | enclosed 2^-30 · slow | enclosed 2^-30 · quick | exact · quick
 `reach` | exact · quick | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · quick | exact · quick
 `protrusion` up to 0 | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · fast | exact · quick | exact · quick
-`protrusion` above 0, `h` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | refused: not computed | enclosed 2^-30 · slow
+`protrusion` above 0, `h` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · long | enclosed 2^-30 · slow
 `hausdorff` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · slow | exact · quick
 along a direction, lines that way | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · quick | enclosed 2^-30 · slow | exact · fast
 along a direction, other lines | exact · quick | exact · quick | exact or enclosed 2^-30 · quick | exact · slow | enclosed 2^-30 · quick | refused: no convex parts | exact · slow

@@ -84,7 +84,7 @@ class CsgPair : public PairDistances {
   /// Of B + p out of A, where it is not in A.
   Answer protrusion_out(const space::RealVector& p) const;
   /// Less the level; as near as tells about how far it is from that.
-  Between nearly_protrudes(const space::RealVector& p, double level) const;
+  TriedBetween nearly_protrudes(const space::RealVector& p, double level) const;
   /// Of A out of B + p.
   exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
   TriedAnswer covered(const space::RealVector& p) const;

@@ -231,16 +231,20 @@ Answer CsgPair::protrusion_out(const RealVector& p) const {
   return v;
 }
 
-Between CsgPair::nearly_protrudes(const RealVector& p, double level) const {
+TriedBetween CsgPair::nearly_protrudes(const RealVector& p, double level) const {
   const Solids solids = solids_of(*b_, p);
   const double error = margin::kFoundError * size_;
   for (double near = size_ / 16;; near /= 8) {
     const SolidMaxMin found = csg_protrusion(solids, parts_, size_, near).found;
     const Between out{std::max(0.0, found.value) - error - level, found.bound + error - level};
-    const bool told = out.low > 0 || out.high < 0;
-    if ((told && out.high - out.low <= std::max(out.low, -out.high)) || !found.complete ||
-        near < margin::kProtrudesTo * size_)
-      return out;
+    const double told = std::max(out.low, -out.high);
+    if ((told > 0 && out.high - out.low <= told) || (found.complete && near < margin::kMostFoundError * size_))
+      return std::optional(out);
+    if (!found.complete) {
+      if (told > 0) return std::optional(out);
+      return exact::Refusal(
+          "the protrusion from a shape that round ones are cut out of was not found within the limit of the search");
+    }
   }
 }
 

@@ -29,6 +29,10 @@ constexpr double kProvenShare = 0.875;
 /// Stretches that a line is cut into, at most; kCertain is reached long before.
 constexpr int kMostCuts = 4000;
 
+/// Places that are remembered, and what share of a stretch one is to cut away.
+constexpr std::size_t kMostSeen = 16;
+constexpr double kMuch = 0.25;
+
 double size_of(const Body& body) {
   const space::Bounds3 box = bounds(body);
   return space::length(space::rounded(space::minus(box.high, box.low)));
@@ -167,10 +171,27 @@ ProtrusionRays::Stretch ProtrusionRays::outside(const Side& side, const Line& li
   return {held.from - far(-1), held.to + far(1)};
 }
 
+std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_again(const Side& side, const Line& line,
+                                                                 const Stretch& stretch, Places& seen) const {
+  const auto common = [&](const Stretch& s) { return std::min(s.to, stretch.to) - std::max(s.from, stretch.from); };
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const Stretch held = chord(line, seen[k], stretch);
+    if (!(common(held) > 0)) continue;
+    const Stretch cut = outside(side, line, seen[k], stretch);
+    if (!(cut.from < held.from && held.to < cut.to)) continue;  // it is too near to A
+    if (!(common(cut) > kMuch * (stretch.to - stretch.from))) continue;
+    std::rotate(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(k),
+                seen.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    return cut;
+  }
+  return std::nullopt;
+}
+
 /// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place. None in `known`.
 exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Side& side, const Line& line,
                                                                         const Stretch& whole,
-                                                                        std::span<const Stretch> known) const {
+                                                                        std::span<const Stretch> known,
+                                                                        Places& seen) const {
   std::vector<Stretch> left, out;
   double from = whole.from;
   for (const Stretch& k : known) {
@@ -183,13 +204,17 @@ exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Si
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
-    if (!max_min.complete || ++count > kMostCuts)
-      return exact::Refusal("the protrusion of the shape was not found within the limit of the search");
-    if (max_min.value <= side.enough) continue;
-    Stretch cut = outside(side, line, max_min.place, s);
-    cut.from = std::max(cut.from, s.from);
-    cut.to = std::min(cut.to, s.to);
+    std::optional<Stretch> again = cut_again(side, line, s, seen);
+    if (!again) {
+      const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
+      if (!max_min.complete || ++count > kMostCuts)
+        return exact::Refusal("the protrusion of the shape was not found within the limit of the search");
+      if (max_min.value <= side.enough) continue;
+      again = outside(side, line, max_min.place, s);
+      seen.insert(seen.begin(), max_min.place);
+      if (seen.size() > kMostSeen) seen.pop_back();
+    }
+    const Stretch cut{std::max(again->from, s.from), std::min(again->to, s.to)};
     if (s.from == s.to) return std::vector{s};  // the whole is a single place
     if (!(cut.from < cut.to)) continue;
     out.push_back(cut);
@@ -249,22 +274,25 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::stretches(const RayRow& row
 }
 
 /// `inner`: what is certainly kept.
-exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow* inner) const {
+exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow* inner,
+                                          std::vector<Places>& seen) const {
   const exact::Tried<RayRow> found = side.vertices->try_row(j);
   if (!found) return found;
   const RayRow& all = *found;
   RayRow out;
+  seen.resize(static_cast<std::size_t>(grid_.nu));
   for (int i = 0; i < grid_.nu; ++i) {
     const auto column = static_cast<std::size_t>(i);
     const std::vector<Stretch> known = inner ? stretches(*inner, i) : std::vector<Stretch>{};
     out.before.push_back(1);
+    if (!inner && i > 0) seen[column] = seen[column - 1];
     for (int e = all.first[column]; e < all.first[column + 1]; ++e) {
       const RayEvent& first = all.events[static_cast<std::size_t>(e)];
       if (first.here > 0) continue;
       // Places where a vertex touches from inside are no ends.
       while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
       const RayEvent& last = all.events[static_cast<std::size_t>(e)];
-      const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known);
+      const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known, seen[column]);
       if (!gone) return gone.refusal();
       keep(*gone, first, last, out.events);
     }
@@ -274,9 +302,10 @@ exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow*
 }
 
 exact::Tried<RayRow> ProtrusionRays::try_row(int j) const {
-  const exact::Tried<RayRow> inner = kept(sides_[1], j, nullptr);
+  std::vector<Places> seen;
+  const exact::Tried<RayRow> inner = kept(sides_[1], j, nullptr, seen);
   if (!inner) return inner;
-  const exact::Tried<RayRow> outer = kept(sides_[0], j, &*inner);
+  const exact::Tried<RayRow> outer = kept(sides_[0], j, &*inner, seen);
   if (!outer) return outer;
   const std::array<RayRow, 2> rows{*outer, *inner};
   return space::combined(rows, [](std::span<const std::int8_t> s) {

@@ -6,10 +6,10 @@
 // between vertices that are all in V. On each line the places that all vertices allow are found exactly. A
 // branch-and-bound search (solid_max_min.h) through what B sweeps over a stretch of them then proves that nothing
 // protrudes, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
-// goes on with the rest. Guarantee: the sign is - or + only where that is certain; 0 where the distance is within
-// kCertain of the shapes' size and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a
-// search a stretch, and some for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes,
-// certified bounds.
+// goes on with the rest. The places of these points are tried on the next line of the row before it is searched.
+// Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
+// and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some
+// for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes, certified bounds.
 #pragma once
 
 #include <array>
@@ -46,6 +46,8 @@ class ProtrusionRays : public space::RaySource {
   struct Stretch {
     double from, to;
   };
+  /// Places outside V that B reached on lines before, the last one first.
+  using Places = std::vector<space::Vector>;
   /// A side of the region: what is kept certainly holds it, or lies in it.
   struct Side {
     space::RaySourcePointer vertices;
@@ -65,12 +67,16 @@ class ProtrusionRays : public space::RaySource {
 
   Line line(int i, int j) const;
   std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
-  exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow* inner) const;
+  /// `seen`: of each line.
+  exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow* inner,
+                                   std::vector<Places>& seen) const;
   Stretch whole(const space::RayEvent& first, const space::RayEvent& last) const;
   void keep(std::span<const Stretch> gone, const space::RayEvent& first, const space::RayEvent& last,
             std::vector<space::RayEvent>& out) const;
   exact::Tried<std::vector<Stretch>> cuts(const Side& side, const Line& line, const Stretch& whole,
-                                          std::span<const Stretch> known) const;
+                                          std::span<const Stretch> known, Places& seen) const;
+  /// What a place that was outside before cuts away of the stretch, if that is much of it.
+  std::optional<Stretch> cut_again(const Side& side, const Line& line, const Stretch& stretch, Places& seen) const;
   std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
   std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;

@@ -63,7 +63,8 @@ Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, 
   TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, end.enough, 1 - end.share, end.blur));
   for (const Tetrahedron& t : domain) search.add(t, nullptr, exact::kInfinity, {});
   const SolidMaxMin found = search.run(kMostSlackCells);
-  return {found.value, found.bound, found.place, target.looks() / 2};
+  const int cells = (target.looks() - static_cast<int>(domain.size())) / 2;  // each is looked at by halves
+  return {found.value, found.bound, found.place, cells};
 }
 
 }  // namespace findspace::distance
