@@ -19,9 +19,19 @@ namespace {
 constexpr const char *kPlane = "In the plane", *kSpace = "In space", *kBoard = "On a board", *kDrawing = "Of drawings",
                      *kLimits = "Limits";
 
+CLI::Option* add_orientation(CLI::App& command, Options& o) {
+  return command
+      .add_option("--orientation", o.orientation,
+                  "rotate the moving shape: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or a "
+                  "matrix of nine numbers (default: as drawn)")
+      ->type_name("ROTATION")
+      ->group(kSpace);
+}
+
 /// Of maps on lines in space.
 void add_lines(CLI::App& command, std::string_view verb, Options& o) {
   const bool place = verb == "place";
+  if (verb == "map") add_orientation(command, o);
   if (!place && verb != "map" && verb != "describe") return;
   auto* resolution = command.add_option("--resolution", o.resolution,
                                         place ? "seek positions on N x N lines, 1 to 16384 (default 128)"
@@ -142,15 +152,6 @@ void add_files(CLI::App& command, std::string_view verb, Options& o) {
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
 }
 
-CLI::Option* add_orientation(CLI::App& command, Options& o) {
-  return command
-      .add_option("--orientation", o.orientation,
-                  "rotate the moving shape: a quaternion w,x,y,z, an axis and degrees such as z:90 or 1,1,0:45, or a "
-                  "matrix of nine numbers (default: as drawn)")
-      ->type_name("ROTATION")
-      ->group(kSpace);
-}
-
 /// The position, the angle and the instant that are asked about.
 void add_question(CLI::App& command, std::string_view verb, Options& o) {
   const bool phi = verb == "phi", values = verb == "check" || verb == "measure";
@@ -175,7 +176,6 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
         ->type_name("D")
         ->group(kCommon);
   }
-  if (verb == "map") add_orientation(command, o);
   if (values) {
     auto* angle = command.add_option(
         "--angle", o.angle,
