@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
@@ -117,7 +116,7 @@ void PlaceSearch::walk_boundary() {
   auto push = [&](const Entry& e) {
     if (e.bound > best_ + slack_) todo.push(e);
   };
-  todo.push({std::numeric_limits<double>::infinity(), 0, start(), true});
+  todo.push({sets_.most(sets_.placed(0), start()), 0, start(), true});
   const auto look = [&](const Entry& e) {
     const FeatureTree::Node& n = sets_.b.nodes()[e.node];
     if (!e.sharp) {
@@ -197,7 +196,7 @@ void PlaceSearch::search_inside() {
   const auto push = [&](double bound, const MaxMinBoxes::Part& part, Index guess) {
     todo.push({bound, part, guess, box_of(part)});
   };
-  push(std::numeric_limits<double>::infinity(), {}, kNone);
+  push(sets_.most(box_of({}), start()), {}, kNone);
   todo.run([&](const Square& e) { return settled(e.bound); },
            [&](const Square& e) {
              const auto nearest = look_inside(e);
