@@ -212,7 +212,7 @@ class PlanesDistance {
     const exact::Real far(kFarCoordinate);
     space::ConvexRegion region({-far, -far, -far}, {far, far, far});
     for (const HalfSpace& h : exact_) region.cut(h);
-    const auto bounded = [](const auto& v) { return space::size_of(v.near) < static_cast<double>(kFarCoordinate / 2); };
+    const auto bounded = [](const auto& v) { return space::size_of(v.near) < static_cast<double>(kFarCoordinate) / 2; };
     if (region.dimension() < 3 || !std::all_of(region.vertices().begin(), region.vertices().end(), bounded)) return;
     for (const int f : region.facets()) facets_.emplace_back(region, f);
   }

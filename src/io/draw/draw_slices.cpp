@@ -96,10 +96,8 @@ struct Page {
   double below(double top) const { return top + down * below_one(); }
   /// Of layer k; the first row of layers begins at `top`.
   Frame frame(int k, double top) const {
-    return {{{x0, y0}, {x1, y1}},
-            per_unit,
-            kPanelGap + kTicksLeft + (k % across) * across_one(),
-            top + (k / across) * below_one()};
+    const int column = k % across, row = k / across;
+    return {{{x0, y0}, {x1, y1}}, per_unit, kPanelGap + kTicksLeft + column * across_one(), top + row * below_one()};
   }
 
   double x0, x1, y0, y1;
