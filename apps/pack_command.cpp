@@ -5,8 +5,6 @@
 #include <findspace/error.h>
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "commands.h"
 #include "io/nesting/read_nesting.h"
 #include "io/nesting/read_solids.h"
@@ -33,11 +31,7 @@ class Packing {
   }
 
   Outcome run() {
-    packing::SearchOptions search;
-    search.seed = options_.seed;
-    search.threads = options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-    search.seconds = options_.time_limit;
-    search.work = options_.work * 1000000;
+    auto search = search_options<packing::Layout>(options_);
     facts_.seed = search.seed;
     facts_.threads = search.threads;
     packing::Layout start;
@@ -65,15 +59,10 @@ class Packing {
     facts_.lower_bound = bound_;
     facts_.proven = packing::verify(problem_, layout).feasible();
     write(layout);
-    if (!options_.quiet)
-      reporter_.note(fmt::format("{:8.2f} s  processor {:8.2f} s  length {:.6g}  density {:.3f} %", state.seconds,
-                                 state.processor, state.length, 100 * state.density));
+    if (!options_.quiet) reporter_.note(better_text(state, "length"));
   }
 
-  void show(const packing::SearchState& state) {
-    reporter_.stage(fmt::format("{:.0f} s  length {:.6g}  density {:.3f} %  overlap left {:.3g}  better {:.0f} s ago",
-                                state.seconds, state.length, 100 * state.density, state.overlap, state.since_better));
-  }
+  void show(const packing::SearchState& state) { reporter_.stage(progress_text(state, "length")); }
 
   void write(const packing::Layout& layout) const {
     write_outputs(options_, {{".json", [&] { return json(layout); }},

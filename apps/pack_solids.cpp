@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_solids.h"
@@ -42,11 +41,7 @@ class SolidPacking {
   }
 
   Outcome run() {
-    packing::SolidSearchOptions search;
-    search.seed = options_.seed;
-    search.threads = options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-    search.seconds = options_.time_limit;
-    search.work = options_.work * 1000000;
+    auto search = search_options<packing::SolidLayout>(options_);
     facts_.seed = search.seed;
     facts_.threads = search.threads;
     packing::SolidLayout start;
@@ -85,15 +80,10 @@ class SolidPacking {
     facts_.density = state.density;
     facts_.proven = packing::verify(problem_, layout).is_feasible();
     write(layout);
-    if (!options_.quiet)
-      reporter_.note(fmt::format("{:8.2f} s  processor {:8.2f} s  height {:.8g}  density {:.3f} %", state.seconds,
-                                 state.processor, state.length, 100 * state.density));
+    if (!options_.quiet) reporter_.note(better_text(state, "height"));
   }
 
-  void show(const packing::SearchState& state) {
-    reporter_.stage(fmt::format("{:.0f} s  height {:.6g}  density {:.3f} %  overlap left {:.3g}  better {:.0f} s ago",
-                                state.seconds, state.length, 100 * state.density, state.overlap, state.since_better));
-  }
+  void show(const packing::SearchState& state) { reporter_.stage(progress_text(state, "height")); }
 
   void write(const packing::SolidLayout& layout) const {
     Writers writers{{".json", [&] { return io::layout_json(problem_, layout, facts_); }},

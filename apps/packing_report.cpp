@@ -61,6 +61,16 @@ io::NestingWishes nesting_wishes(const Options& options) {
   return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge)};
 }
 
+std::string better_text(const packing::SearchState& state, std::string_view size) {
+  return fmt::format("{:8.2f} s  processor {:8.2f} s  {} {:.8g}  density {:.3f} %", state.seconds, state.processor,
+                     size, state.length, 100 * state.density);
+}
+
+std::string progress_text(const packing::SearchState& state, std::string_view size) {
+  return fmt::format("{:.0f} s  {} {:.6g}  density {:.3f} %  overlap left {:.3g}  better {:.0f} s ago", state.seconds,
+                     size, state.length, 100 * state.density, state.overlap, state.since_better);
+}
+
 std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
                          const packing::Verdict& verdict) {
   std::string text =

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact/margins/packing.h"
+#include "packing/compaction/decimal_steps.h"
 #include "packing/proof/verify.h"
 
 namespace findspace::packing {
@@ -23,12 +23,10 @@ constexpr int kSearchGridDigits = 7;  // to these the search's shapes are those 
 class Finisher {
  public:
   Finisher(const Problem& problem, const FieldTable& table, const Row& row)
-      : problem_(problem), table_(table), row_(row) {
-    while (double(power_of_ten(digits_)) * table.height() * margin::kLayoutGrid < 1) ++digits_;
-  }
+      : problem_(problem), table_(table), row_(row), steps_(problem.digits, table.height()) {}
 
-  double step() const { return 1 / double(power_of_ten(digits_)); }
-  bool on_grid() const { return problem_.digits <= std::min(digits_, kSearchGridDigits); }
+  double step() const { return steps_.step(); }
+  bool on_grid() const { return problem_.digits <= std::min(steps_.digits(), kSearchGridDigits); }
 
   Layout rounded(const std::vector<Pose>& poses, double snap) const {
     Layout layout;
@@ -57,20 +55,6 @@ class Finisher {
   }
 
  private:
-  /// A coordinate on the fine grid; next to the problem's own grid it goes there, where stacks without clearance stand.
-  int128 nearest(double value, double snap) const {
-    const int128 fine = int128(std::llround(value * double(power_of_ten(digits_))));
-    if (snap == 0 || problem_.digits > digits_) return fine;
-    const double steps = double(problem_.steps()), own = std::round(value * steps) / steps;
-    return std::abs(own - value) <= snap * step() ? nearest(own, 0) : fine;
-  }
-  /// The least step that is not below a number of grid steps of the problem, and the greatest not above one.
-  int128 above(const Fraction& value) const { return -below(0 - value); }
-  int128 below(const Fraction& value) const {
-    const int128 scaled = bounded_product(value.numerator(), power_of_ten(digits_)), d = value.denominator();
-    return scaled >= 0 ? scaled / d : -((-scaled + d - 1) / d);
-  }
-
   void put_fixed(Layout& layout, Placed item, std::size_t sheet, std::vector<int>& copies) const {
     item.copy = ++copies[item.part];
     item.sheet = sheet;
@@ -88,17 +72,18 @@ class Finisher {
   void put(Layout& layout, Vec at, double snap) const {
     Placed& item = layout.items.back();
     const auto [low, high] = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
-    const int128 steps = problem_.steps(), grid = power_of_ten(digits_);
+    const int128 steps = problem_.steps(), grid = steps_.in_one();
     const Fraction& edge = problem_.edge;
-    const int128 left = above(edge - Fraction(low.x, steps)), bottom = above(edge - Fraction(low.y, steps));
-    int128 x = nearest(at.x + table_.edge(), snap), y = nearest(at.y + table_.edge(), snap);
+    const int128 left = steps_.above(edge - Fraction(low.x, steps)),
+                 bottom = steps_.above(edge - Fraction(low.y, steps));
+    int128 x = steps_.nearest(at.x + table_.edge(), snap), y = steps_.nearest(at.y + table_.edge(), snap);
     Fraction height = problem_.height;
     if (problem_.on_sheets()) {
       const LatticeBox box = box_of(problem_.sheets[layout.sheets[item.sheet]].shape);
       height = Fraction(box.high.y, steps);
-      x = std::min(x, below(Fraction(box.high.x - high.x, steps) - edge));
+      x = std::min(x, steps_.below(Fraction(box.high.x - high.x, steps) - edge));
     }
-    y = std::min(y, below(height - edge - Fraction(high.y, steps)));
+    y = std::min(y, steps_.below(height - edge - Fraction(high.y, steps)));
     item.x = Fraction(std::max(x, left), grid);
     item.y = Fraction(std::max(y, bottom), grid);
     lengthen(layout, item, high.x);
@@ -116,7 +101,7 @@ class Finisher {
   const Problem& problem_;
   const FieldTable& table_;
   const Row& row_;
-  int digits_ = 0;
+  DecimalSteps steps_;
 };
 
 }  // namespace

@@ -5,10 +5,9 @@
 #include "packing/solid_moves/solid_finish.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "exact/margins/packing.h"
+#include "packing/compaction/decimal_steps.h"
 #include "packing/solid_moves/solid_linear_moves.h"
 #include "packing/solid_proof/verify_solids.h"
 
@@ -22,14 +21,13 @@ constexpr std::pair<double, bool> kSolidLoosenings[] = {{0, true},   {4, true}, 
 
 class SolidFinisher {
  public:
-  SolidFinisher(const SolidProblem& problem, const SolidTable& table) : problem_(problem), table_(table) {
-    while (double(power_of_ten(digits_)) * table.size() * margin::kLayoutGrid < 1) ++digits_;
-    digits_ = std::max(digits_, std::min(problem.digits, digits_ + 2));
+  SolidFinisher(const SolidProblem& problem, const SolidTable& table)
+      : problem_(problem), table_(table), steps_(problem.digits, table.size(), problem.digits) {
     for (const SolidVariant& v : table.variants())
       boxes_.push_back(box_of(problem, problem.parts[v.part].forms[v.form]));
   }
 
-  double step() const { return 1 / double(power_of_ten(digits_)); }
+  double step() const { return steps_.step(); }
 
   SolidLayout rounded(const std::vector<SolidPose>& poses, double snap) const {
     SolidLayout layout;
@@ -40,10 +38,11 @@ class SolidFinisher {
       const SolidBox& box = boxes_[pose.variant];
       const double edge = table_.edge(), at[] = {pose.at.x + edge, pose.at.y + edge, pose.at.z + edge};
       for (std::size_t k = 0; k < 3; ++k) {
-        int128 place = nearest(at[k], snap);
+        int128 place = steps_.nearest(at[k], snap);
         if (k < 2)
-          place = std::min(place, below((k == 0 ? problem_.width : problem_.depth) - problem_.edge - box.high[k]));
-        item.at[k] = Fraction(std::max(place, -below(box.low[k] - problem_.edge)), power_of_ten(digits_));
+          place =
+              std::min(place, steps_.below((k == 0 ? problem_.width : problem_.depth) - problem_.edge - box.high[k]));
+        item.at[k] = Fraction(std::max(place, steps_.above(problem_.edge - box.low[k])), steps_.in_one());
       }
       layout.height = std::max(layout.height, item.at[2] + box.high[2] + problem_.edge);
     }
@@ -51,23 +50,10 @@ class SolidFinisher {
   }
 
  private:
-  /// A coordinate on the fine grid; next to a coarse one it goes there, where stacks without clearance stand.
-  int128 nearest(double value, double snap) const {
-    const int128 fine = int128(std::llround(value * double(power_of_ten(digits_))));
-    if (snap == 0 || problem_.digits > digits_) return fine;
-    const double steps = double(problem_.steps()), own = std::round(value * steps) / steps;
-    return std::abs(own - value) <= snap * step() ? nearest(own, 0) : fine;
-  }
-  /// The greatest step that is not above the value.
-  int128 below(const Fraction& value) const {
-    const int128 scaled = bounded_product(value.numerator(), power_of_ten(digits_)), d = value.denominator();
-    return scaled >= 0 ? scaled / d : -((-scaled + d - 1) / d);
-  }
-
   const SolidProblem& problem_;
   const SolidTable& table_;
   std::vector<SolidBox> boxes_;  // of variants
-  int digits_ = 0;
+  DecimalSteps steps_;
 };
 
 }  // namespace
