@@ -113,7 +113,7 @@ TEST(Search, IsRepeated) {
   const Polygon triangle = make_polygon({{{0, 0}, {5, 0}, {1, 4}}}, "triangle");
   const Problem problem = problem_of(9, {{"triangle", 7, triangle, {0, 180}}, {"box", 3, box(3, 2), {0, 90}}});
   for (const unsigned threads : {1u, 2u}) {
-    const Layout once = found(problem, 7, threads, 2e7), again = found(problem, 7, threads, 2e7);
+    const Layout once = found(problem, 7, threads, 7e6), again = found(problem, 7, threads, 7e6);
     EXPECT_EQ(once.length, again.length);
     for (std::size_t i = 0; i < once.items.size(); ++i) EXPECT_EQ(once.items[i].x, again.items[i].x);
   }

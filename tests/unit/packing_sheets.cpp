@@ -117,7 +117,7 @@ TEST(Box, OfTheLeastArea) {
   problem.parts = {{"domino", 8, box(1, 2), {0, 90}}, {"square", 2, box(2, 2), {0}}};
   const std::atomic<bool> stop = false;
   SearchOptions options;
-  options.work = 6e7;
+  options.work = 2e7;
   const auto layout = search_box(problem, options, {}, stop);
   ASSERT_TRUE(layout.has_value());
   EXPECT_TRUE(verify(problem, *layout).feasible());

@@ -280,7 +280,7 @@ TEST(SolidSearch, TurnsParts) {
 TEST(SolidSearch, LeavesFormsThatAreTooHigh) {
   const SolidProblem problem =
       problem_of(4, 3, {with_turns(box("rod", 3, 1, 1, 4)), with_turns(angle(2)), box("cube", 2, 2, 1, 2)});
-  const SolidLayout layout = found(problem, 3, 40e6);
+  const SolidLayout layout = found(problem, 3, 10e6);
   EXPECT_TRUE(verify(problem, layout).is_feasible());
   EXPECT_LE(layout.height, Fraction(3));
 }
@@ -290,7 +290,7 @@ TEST(SolidSearch, SameResultForAnyNumberOfThreads) {
   std::vector<SolidLayout> layouts;
   for (const unsigned threads : {1U, 2U, 3U}) {
     const plane::ThreadLimit limit(threads);
-    layouts.push_back(found(problem, 5, 12e6));
+    layouts.push_back(found(problem, 5, 4e6));
   }
   for (const SolidLayout& layout : layouts) {
     EXPECT_EQ(layout.height, layouts[0].height);
