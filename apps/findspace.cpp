@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "command_line.h"
+#include "command_line/command_line.h"
 
 namespace {
 

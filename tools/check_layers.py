@@ -5,8 +5,9 @@
 
 usage: check_layers.py [ROOT]
 
-1. A file of src/<layer>/<street>/ includes only its own layer and lower ones, always as "layer/street/file.h". Within
-   a layer no streets include each other in a circle. A street has at most 40 files, and its layer's README names it.
+1. A file of src/<layer>/<street>/ includes only its own layer and lower ones, always as "layer/street/file.h". The
+   program, apps/<street>/, stands above all layers; its own files are "street/file.h". Within a layer no streets
+   include each other in a circle. A street has at most 40 files, and its layer's README names it.
 2. A header of include/findspace/ includes only the standard library and its neighbours.
 3. Every source file opens with the two SPDX lines.
 4. Outside src/exact no small constant (1e-9) and no power of two (0x1p-40) stands in the code: only src/exact decides
@@ -19,10 +20,10 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "packing", "api", "io"]
+LAYERS = ["exact", "plane", "space", "distance", "formula", "planning", "packing", "api", "io", "apps"]
 CODE = (".h", ".cpp")
 MOST_FILES = 40  # of a street
-MOST_LINES = 11  # of the README of a layer
+MOST_LINES = 10  # of the README of a layer
 OWN = ("src", "include", "apps", "tests", "bench", "python", "tools")
 SPDX = ("SPDX-License-Identifier: Apache-2.0", "SPDX-FileCopyrightText: findspace contributors")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -56,26 +57,44 @@ def includes(text):
             yield number, found.group(1), found.group(2)
 
 
+def folder_of(layer):
+    return "apps" if layer == "apps" else os.path.join("src", layer)
+
+
 def street_files(root):
     """(layer, street, path) of every source file, and what stands elsewhere as (None, None, path)."""
     for path in files(root, "src"):
         parts = path.split(os.sep)
         if path.endswith(CODE):
-            yield (parts[1], parts[2], path) if len(parts) == 4 and parts[1] in LAYERS else (None, None, path)
+            known = len(parts) == 4 and parts[1] in LAYERS[:-1]
+            yield (parts[1], parts[2], path) if known else (None, None, path)
+    for path in files(root, "apps"):
+        parts = path.split(os.sep)
+        if path.endswith(CODE) and parts[1:] != ["findspace.cpp"]:  # main
+            yield ("apps", parts[1], path) if len(parts) == 3 else (None, None, path)
+
+
+def included_streets(root, layer, path):
+    """(line, name, layer, street) of each include of the project; layer and street are None where it names none."""
+    for number, kind, name in includes(read(root, path)):
+        parts = name.split("/")
+        if kind == "<" or parts[0] == "findspace":
+            continue
+        if layer == "apps" and len(parts) == 2:
+            parts.insert(0, "apps")
+        known = len(parts) == 3 and parts[0] in LAYERS
+        yield number, name, *(parts[:2] if known else (None, None))
 
 
 def check_layer_includes(root):
     for layer, _, path in street_files(root):
         if layer is None:
-            yield path, 1, "is in no street src/<layer>/<street>/"
+            yield path, 1, "is in no street src/<layer>/<street>/ or apps/<street>/"
             continue
-        for number, kind, name in includes(read(root, path)):
-            top = name.split("/")[0]
-            if kind == "<" or top == "findspace":
-                continue
-            if name.count("/") != 2 or top not in LAYERS:
+        for number, name, other, _ in included_streets(root, layer, path):
+            if other is None:
                 yield path, number, f'include "{name}" names no layer and street'
-            elif LAYERS.index(top) > LAYERS.index(layer):
+            elif LAYERS.index(other) > LAYERS.index(layer):
                 yield path, number, f'{layer} includes "{name}" from a higher layer'
 
 
@@ -86,10 +105,9 @@ def street_graph(root):
         if layer is None:
             continue
         below = graph.setdefault((layer, street), {})
-        for number, kind, name in includes(read(root, path)):
-            parts = name.split("/")
-            if kind == '"' and len(parts) == 3 and parts[0] == layer and parts[1] != street:
-                below.setdefault(parts[1], (path, number))
+        for number, _, other, there in included_streets(root, layer, path):
+            if other == layer and there != street:
+                below.setdefault(there, (path, number))
     return graph
 
 
@@ -115,11 +133,11 @@ def check_streets(root):
             for other in sorted(set(graph[layer, street]) & set(circle)):
                 path, number = graph[layer, street][other]
                 yield path, number, f"street {layer}/{street} stands in a circle with {layer}/{other}"
-        readme = os.path.join("src", layer, "README.md")
+        readme = os.path.join(folder_of(layer), "README.md")
         text = read(root, readme) if os.path.exists(os.path.join(root, readme)) else ""
         if not text or len(text.splitlines()) > MOST_LINES:
             yield readme, 1, f"a layer has a README of at most {MOST_LINES} lines that says what each street holds"
-        named = re.findall(r"(?:^\* |\. )`(\w+)/`", text, re.M)  # a line may name two
+        named = re.findall(r"(?:^\* |\. |, )`(\w+)/`", text, re.M)  # a line may name two
         if sorted(named) != sorted(order + list(circle)):
             yield readme, 1, f"names the streets {named}, and there are {order}"
         below = {street: number for number, street in enumerate(named)}
@@ -132,7 +150,7 @@ def check_streets(root):
         count[layer, street] = count.get((layer, street), 0) + 1
     for (layer, street), number in sorted(count.items(), key=str):
         if number > MOST_FILES:
-            yield os.path.join("src", layer, street), 1, f"has {number} files; a street has at most {MOST_FILES}"
+            yield os.path.join(folder_of(layer), street), 1, f"has {number} files; a street has at most {MOST_FILES}"
 
 
 def check_public_headers(root):

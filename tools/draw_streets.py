@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""Draws docs/pictures/streets.svg: the layers and streets of src/, and the includes between them.
+"""Draws docs/pictures/streets.svg: the layers and streets of src/ and apps/, and the includes between them.
 
 usage: draw_streets.py            writes the picture
        draw_streets.py --check    ends with status 1 where the committed picture is another one
@@ -49,9 +49,8 @@ def counts_of_layers(root):
     """{layer: {lower layer: includes}}"""
     counts = {layer: {} for layer in check_layers.LAYERS}
     for layer, _, path in check_layers.street_files(root):
-        for _, kind, name in check_layers.includes(check_layers.read(root, path)) if layer else ():
-            other = name.split("/")[0]
-            if kind == '"' and other in check_layers.LAYERS and other != layer:
+        for _, _, other, _ in check_layers.included_streets(root, layer, path) if layer else ():
+            if other is not None and other != layer:
                 counts[layer][other] = counts[layer].get(other, 0) + 1
     return counts
 

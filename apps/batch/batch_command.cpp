@@ -18,10 +18,10 @@
 #include "batch/job_journal.h"
 #include "batch/job_list.h"
 #include "batch/job_workers.h"
-#include "commands.h"
+#include "common/commands.h"
+#include "common/row_team.h"
+#include "common/run_limits.h"
 #include "io/write/json_text.h"
-#include "row_team.h"
-#include "run_limits.h"
 
 namespace findspace::app {
 namespace {

@@ -10,10 +10,10 @@
 #include <chrono>
 
 #include "batch/job_journal.h"
-#include "command_line.h"
+#include "command_line/command_line.h"
+#include "common/run_limits.h"
 #include "io/write/json_text.h"
 #include "plane/base/parallel.h"
-#include "run_limits.h"
 
 namespace findspace::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "batch/job_list.h"
-#include "options.h"
+#include "common/options.h"
 
 namespace findspace::app {
 

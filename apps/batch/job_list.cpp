@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "command_line.h"
+#include "command_line/command_line.h"
+#include "command_line/option_checks.h"
 #include "findspace/error.h"
 #include "io/text/json_tree.h"
 #include "io/text/read_text.h"
 #include "io/write/json_text.h"
-#include "option_checks.h"
 
 namespace findspace::app {
 namespace {

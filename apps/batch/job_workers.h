@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "batch/job_list.h"
-#include "options.h"
+#include "common/options.h"
 
 namespace findspace::app {
 

@@ -7,7 +7,7 @@
 #include <mpi.h>
 #include <unistd.h>
 
-#include "command_line.h"
+#include "command_line/command_line.h"
 #include "mpi/mpi_team.h"
 
 namespace {

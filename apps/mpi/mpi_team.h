@@ -10,7 +10,7 @@
 
 #include <mpi.h>
 
-#include "row_team.h"
+#include "common/row_team.h"
 
 namespace findspace::app {
 

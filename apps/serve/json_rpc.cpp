@@ -10,8 +10,8 @@
 #include <charconv>
 #include <exception>
 
+#include "common/run_limits.h"
 #include "io/write/json_text.h"
-#include "run_limits.h"
 
 namespace findspace::app {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "findspace/error.h"
 #include "formula/language/names.h"
+#include "in_space/space_commands.h"
 #include "io/write/json_text.h"
 #include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
 #include "serve/loaded_space.h"
-#include "space_commands.h"
 
 namespace findspace::app {
 namespace {

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
+#include "common/session.h"
 #include "formula/language/formula.h"
 #include "formula/language/position_answers.h"
 #include "io/scene/scene.h"
-#include "session.h"
 
 namespace findspace::app {
 

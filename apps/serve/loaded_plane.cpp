@@ -12,16 +12,16 @@
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/rotation_bounds.h"
 #include "formula/planar/solve_rotation.h"
+#include "in_plane/planar_map.h"
 #include "io/draw/draw_region.h"
 #include "io/write/json_text.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
 #include "io/write/write_witness.h"
-#include "planar_map.h"
 #include "plane/complex/extent.h"
 #include "plane/query/in_order.h"
-#include "report.h"
+#include "report/report.h"
 #include "serve/features.h"
 
 namespace findspace::app {

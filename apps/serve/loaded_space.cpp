@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "findspace/error.h"
+#include "in_space/ray_outcome.h"
+#include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/json_text.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
-#include "ray_outcome.h"
-#include "space_commands.h"
 
 namespace findspace::app {
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "formula/solid/solve_space.h"
+#include "in_space/space_map.h"
 #include "serve/loaded.h"
 #include "serve/space_drawing.h"
-#include "space_map.h"
 
 namespace findspace::app {
 

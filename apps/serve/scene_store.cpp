@@ -9,7 +9,7 @@
 #include "findspace/error.h"
 #include "io/text/json_tree.h"
 #include "io/text/read_text.h"
-#include "packing_report.h"
+#include "placing/packing_report.h"
 #include "serve/methods.h"
 #include "serve/scene_source.h"
 

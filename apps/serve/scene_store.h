@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "common/options.h"
 #include "io/text/read_limits.h"
-#include "options.h"
 #include "serve/loaded.h"
 #include "serve/packing_job.h"
 

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <string>
 
-#include "commands.h"
+#include "common/commands.h"
 #include "serve/json_rpc.h"
 
 namespace findspace::app {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "in_space/space_map.h"
 #include "io/mesh/write_mesh.h"
 #include "plane/query/locate_line.h"
-#include "space_map.h"
 
 namespace findspace::app {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdio>
 
-#include "commands.h"
+#include "common/commands.h"
 #include "serve/json_rpc.h"
 #include "serve/page_server.h"
 

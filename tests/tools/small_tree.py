@@ -32,11 +32,12 @@ class TreeTest(unittest.TestCase):
             return file.read()
 
     def source(self, path, *included):
-        """A source file of src/ that includes these."""
-        return self.write(os.path.join("src", path), SPDX + "".join(f'#include "{name}"\n' for name in included))
+        """A source file of src/, or of apps/, that includes these."""
+        return self.write(path if path.startswith("apps/") else os.path.join("src", path), SPDX + "".join(f'#include "{name}"\n' for name in included))
 
     def readme(self, layer, *streets):
-        self.write(f"src/{layer}/README.md", f"# {layer}\n" + "".join(f"* `{street}/`: it.\n" for street in streets))
+        folder = "apps" if layer == "apps" else f"src/{layer}"
+        self.write(f"{folder}/README.md", f"# {layer}\n" + "".join(f"* `{street}/`: it.\n" for street in streets))
 
 
 def said(tool, *arguments):

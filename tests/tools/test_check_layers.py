@@ -53,7 +53,19 @@ class CheckLayers(TreeTest):
 
     def test_file_outside_of_a_street(self):
         self.source("plane/lonely.cpp")
-        self.assertIn("src/plane/lonely.cpp:1: is in no street src/<layer>/<street>/", self.faults())
+        self.assertIn("src/plane/lonely.cpp:1: is in no street src/<layer>/<street>/ or apps/<street>/", self.faults())
+
+    def test_the_program_stands_above_all_layers(self):
+        self.readme("apps", "common", "verbs")
+        self.source("apps/common/session.h", "plane/sum/minkowski.h")
+        self.source("apps/verbs/map.cpp", "common/session.h")
+        self.source("apps/findspace.cpp", "verbs/map.h")
+        self.assertEqual(self.faults(), [])
+        self.source("apps/common/back.cpp", "verbs/map.h")
+        self.source("apps/lonely.cpp")
+        faults = self.faults()
+        self.assertIn("apps/common/back.cpp:3: street apps/common stands in a circle with apps/verbs", faults)
+        self.assertIn("apps/lonely.cpp:1: is in no street src/<layer>/<street>/ or apps/<street>/", faults)
 
     def test_readme_in_another_order(self):
         self.readme("plane", "sum", "base", "offset")

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "packing/solid_phi/solid_table.h"
+#include "packing/solid_depth/solid_table.h"
 
 namespace findspace::packing {
 

@@ -12,8 +12,8 @@
 
 #include "packing/search/box_list.h"
 #include "packing/search/random.h"
+#include "packing/solid_depth/solid_table.h"
 #include "packing/solid_moves/solid_linear_moves.h"
-#include "packing/solid_phi/solid_table.h"
 
 namespace findspace::packing {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "packing/search/separation.h"
-#include "packing/solid_phi/solid_table.h"
+#include "packing/solid_depth/solid_table.h"
 
 namespace findspace::packing {
 

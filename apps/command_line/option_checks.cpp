@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "command_line/option_checks.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "formula/language/names.h"
+#include "io/mesh/write_mesh.h"
+
+namespace findspace::app {
+
+std::string seconds(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 1e9) return "";
+  return fmt::format("a number of seconds from 0 to 1e9 is meant, not '{}'", text);
+}
+
+std::string thread_count(const std::string& text) {
+  int value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size() && value >= 0 && value <= 4096) return "";
+  return fmt::format("a whole number from 0 to 4096 is meant, not '{}'", text);
+}
+
+std::optional<std::uint64_t> size_of(const std::string& text) {
+  static constexpr std::string_view kLetters = "KMGT";
+  std::uint64_t value = 0;
+  const char* const stop = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), stop, value);
+  if (error != std::errc{} || value == 0) return std::nullopt;
+  unsigned shift = 0;
+  if (end != stop) {
+    const std::size_t letter = kLetters.find(*end);
+    if (letter == std::string_view::npos || end + 1 != stop) return std::nullopt;
+    shift = 10 * (static_cast<unsigned>(letter) + 1);
+  }
+  if (value > (UINT64_MAX >> 1 >> shift)) return std::nullopt;
+  return value << shift;
+}
+
+std::string size_text(const std::string& text) {
+  if (size_of(text)) return "";
+  return fmt::format("a whole number above 0 is meant, such as 500M or 2G, not '{}'", text);
+}
+
+/// "; did you mean 'map'?", or "" where no name is near.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const std::string near = formula::nearest(word, names);
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::vector<std::string> endings_of(std::string_view verb) {
+  if (verb == "batch") return {".jsonl"};
+  if (verb == "check" || verb == "measure") return {".svg", ".json"};
+  if (verb == "pack") {
+    std::vector<std::string> all{".json", ".dxf"};
+    all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+    return all;
+  }
+  std::vector<std::string> all{".json"};
+  if (verb == "phi") all.emplace_back(".txt");
+  if (verb == "map") all.emplace_back(".html");
+  if (verb == "place") all.emplace_back(".kicad_pcb");
+  if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
+  if (verb == "map" || verb == "convert" || verb == "place") all.emplace_back(".dxf");
+  if (verb == "convert") all.emplace_back(".geojson");
+  all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
+  return all;
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The programs `findspace` and `findspace-mpi`: runs the verb of a command line, and turns whatever happens into an
+// exit status and a line that says what was wrong. docs/commands.md is the manual.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "command_line/command_line.h"
+#include "command_line/option_checks.h"
+#include "command_line/verbs.h"
+#include "common/row_team.h"
+#include "common/run_limits.h"
+#include "common/session.h"
+#include "common/stage_dump.h"
+#include "plane/base/parallel.h"
+
+namespace findspace::app {
+namespace {
+
+Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
+  check_outputs(options, endings_of(verb.name));  // before anything is read
+  const plane::ThreadLimit threads(options.threads);
+  const auto dump = StageDump::from_environment();
+  const plane::ObserveStages observe(dump.get());
+  Outcome outcome = verb.run(options, reporter);
+  if (dump) dump->finish(reporter);
+  return outcome;
+}
+
+/// What went wrong, as an exit status; said on standard error.
+int report(Reporter& reporter) {
+  try {
+    throw;
+  } catch (const Error& e) {
+    reporter.error(e);
+    return status_of(e);
+  } catch (const std::bad_alloc&) {
+    end_out_of_memory();
+  } catch (const std::exception& e) {
+    reporter.error(
+        fmt::format("internal error: {}\nThis is a bug of findspace. Please report it with the scene.", e.what()));
+  } catch (...) {
+    reporter.error("internal error\nThis is a bug of findspace. Please report it with the scene.");
+  }
+  return kInternal;
+}
+
+int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
+  reporter.stage("");
+  const bool wanted = options.json || !options.quiet || options.outputs.empty();
+  const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
+  begin_printing();
+  if (wanted && outcome.stream) outcome.stream(put);
+  if (wanted) put(outcome.text);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    reporter.error("standard output cannot be written");
+    return kBadInput;
+  }
+  end_limits();
+  return outcome.status;
+}
+
+int program(int argc, char** argv, RowTeam* team) {
+  CommandLine line = read_command_line(argc, argv);
+  if (line.verb.empty()) return line.answered;
+  const VerbEntry& verb = *find_verb(line.verb);
+  Options& options = line.options;
+  options.team = team;
+  Reporter reporter(options.quiet);
+  try {
+    const bool batch = verb.is("batch");
+    // A server and a batch have a limit for each request.
+    Options limited = options;
+    if (verb.is_service() || batch) limited.time_limit = 0;
+    if (batch) limited.memory_limit = 0;  // of each question
+    set_limits(limited, ends_in_time(line.verb));
+    const bool writes = team == nullptr || team->leads() || batch;
+    if (!writes) limited.outputs.clear();
+    return finish(run(verb, writes ? options : limited, reporter), options, reporter);
+  } catch (...) {
+    return report(reporter);
+  }
+}
+
+}  // namespace
+
+Outcome run_question(std::string_view verb, const Options& options, Reporter& reporter) {
+  return run(*find_verb(verb), options, reporter);
+}
+
+int run_program(int argc, char** argv, RowTeam* team) {
+  end_on_signals();
+  try {
+    return program(argc, argv, team);
+  } catch (...) {
+    Reporter reporter;
+    return report(reporter);
+  }
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The numbers of the command line: --at, --time and --angle, as exact as they are written. A number that is none, or
+// not one of the scene, is an Error(kUsage).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "common/session.h"
+
+namespace findspace::app {
+
+/// --at, or (0, 0), in the scene's unit.
+exact::RealPoint asked_position(const Session& session);
+std::array<exact::Real, 3> asked_position_in_space(const Session& session);
+/// `count` numbers of --at, zeros without it; not held to the grid's range.
+std::vector<exact::Real> asked_anywhere(const Session& session, std::size_t count);
+/// --orientation, or --angle about the z axis, of a scene in space: about the scene's "about".
+std::optional<io::Orientation> asked_orientation(const Session& session);
+/// --angle, or 0, in degrees.
+exact::Real asked_angle(const Session& session);
+/// --time, an instant of the scene's motion; nothing without it.
+std::optional<exact::Real> asked_instant(const Session& session);
+
+}  // namespace findspace::app

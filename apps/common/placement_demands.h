@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The scene's "place" as bodies, conditions and objectives of the planning layer, the same in the plane and in space,
+// and which shapes have to be rotated for it. Mistakes are reported at their place in the scene.
+#pragma once
+
+#include "common/session.h"
+#include "planning/order/demands.h"
+
+namespace findspace::app {
+
+planning::AskedDemands placement_demands(const Session& session);
+
+}  // namespace findspace::app

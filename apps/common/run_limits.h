@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The ways in which a run ends early: a signal, the time limit, the memory limit. An exact map is whole or not at all.
+// So the process ends at once, wherever it is, with its status and a line that says what was written. Temporary files
+// are removed. Guarantee: no allocation and no lock on the way out. Keywords: SIGINT, SIGTERM, setitimer, RLIMIT_AS.
+#pragma once
+
+#include <string>
+
+#include "common/options.h"
+#include "findspace/error.h"
+
+namespace findspace::app {
+
+/// From now on SIGINT, SIGTERM and SIGHUP end the process with 128 plus their number, unless they are ignored.
+void end_on_signals();
+
+/// Sets the time and memory limits of the options; reaching one ends the process with status 4. A verb that ends in
+/// time by itself is stopped only where it is late by more than kLate of its time.
+void set_limits(const Options& options, bool ends_in_time);
+inline constexpr double kLate = 0.05;
+/// Of its time, what such a verb may spend before it writes.
+inline constexpr double kSearching = 0.85;
+
+/// While it lives, a time limit of one request: the process ends with status 4 when it is over, after `last_words` on
+/// standard output for the program that waits for an answer there. No seconds, no limit.
+class RequestTime {
+ public:
+  RequestTime(double seconds, std::string last_words);
+  ~RequestTime();
+  RequestTime(const RequestTime&) = delete;
+  RequestTime& operator=(const RequestTime&) = delete;
+
+ private:
+  std::string last_words_;
+};
+
+/// What an end by a signal says instead of "nothing was written"; the text lives as long as the process.
+void say_at_the_end(const char* text);
+/// The result is being printed: from now on a part of it may stand there.
+void begin_printing();
+/// All is done: no limit ends the process any more.
+void end_limits();
+
+/// The end by want of memory.
+[[noreturn]] void end_out_of_memory();
+
+/// The status for an error of the input.
+ExitStatus status_of(const Error& error);
+
+}  // namespace findspace::app

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "common/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+#include "common/asked_numbers.h"
+#include "io/board/board_scene.h"
+#include "io/board/read_board.h"
+#include "io/text/read_text.h"
+#include "io/write/write_file.h"
+#include "io/write/write_json.h"
+#include "plane/base/parallel.h"
+#include "plane/build/build.h"
+
+namespace findspace::app {
+namespace {
+
+using exact::Real;
+
+constexpr std::array<std::string_view, 9> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl",
+                                                    ".obj", ".off", ".ply", ".3mf"};
+
+/// A scene that holds the one shape of a drawing.
+std::string scene_around(const std::filesystem::path& drawing, const Options& o) {
+  std::string text =
+      fmt::format("{{\"findspace\": 1, \"shapes\": {{{}: {{\"file\": {}", io::json_string(drawing.stem().string()),
+                  io::json_string(drawing.filename().string()));
+  auto add = [&](const char* key, const std::optional<std::string>& value) {
+    if (value) text += fmt::format(", \"{}\": {}", key, io::json_string(*value));
+  };
+  add("unit", o.unit);
+  add("id", o.id);
+  add("layer", o.layer);
+  if (o.index) text += fmt::format(", \"index\": {}", *o.index);
+  return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
+}
+
+/// What the command line asks of a board.
+io::BoardQuestion question_of_board(const Options& o) {
+  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, o.place, {}};
+  for (const std::string& angle : o.free) {
+    try {
+      question.angles.push_back(Real::parse_decimal(angle));
+    } catch (const Error& e) {
+      throw Error(ErrorCode::kUsage, fmt::format("--free {}: angles in degrees are meant, such as 0,90", angle));
+    }
+  }
+  return question;
+}
+
+io::Scene read(const Options& o) {
+  const std::filesystem::path path(o.scene);
+  if (o.scene_text) {
+    io::ReadOptions limits = reading(o);
+    if (limits.root.empty()) limits.root = std::filesystem::current_path();
+    return io::read_scene_text(*o.scene_text, limits.root, o.scene, limits);
+  }
+  if (is_board(path))
+    return io::board_scene(
+        std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),
+        question_of_board(o));
+  if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
+    throw Error(ErrorCode::kUsage,
+                "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
+  const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
+  if (!drawing && (o.unit || o.id || o.layer || o.index))
+    throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
+  io::ReadOptions limits = reading(o);
+  if (o.scene == "-") {
+    const std::filesystem::path folder = std::filesystem::current_path();
+    if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
+    return io::read_scene_text(io::read_standard_input(o.input_limit), folder, "standard input", limits);
+  }
+  if (!drawing) return io::read_scene(path, limits);
+  limits.files = true;  // the one that is named
+  limits.root.clear();
+  return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string(), limits);
+}
+
+/// "LINE:COLUMN" within the formula, as a place in the scene file.
+Error placed(const Error& e, const io::FormulaText& formula) {
+  int line = 1, column = 1;
+  const char* end = e.place().data() + e.place().size();
+  const char* colon = std::from_chars(e.place().data(), end, line).ptr;
+  if (colon != end) std::from_chars(colon + 1, end, column);
+  if (line != 1)
+    return Error(e.code(), e.message(), fmt::format("{}:{}: formula {}", formula.file, formula.line, e.place()));
+  return Error(e.code(), e.message(), fmt::format("{}:{}:{}", formula.file, formula.line, formula.column + column - 1));
+}
+
+void add_names(const formula::Distance& distance, std::set<std::string>& names) {
+  names.insert(distance.first.begin(), distance.first.end());
+  names.insert(distance.second.begin(), distance.second.end());
+}
+
+}  // namespace
+
+bool is_board(const std::filesystem::path& path) { return path.extension() == ".kicad_pcb"; }
+
+Session::Session(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {
+  reporter.stage("reading the scene");
+  scene_ = read(options);
+  for (const std::string& note : scene_.notes) reporter.note(note);
+}
+
+Session::Session(const Options& options, Reporter& reporter, io::Scene scene)
+    : options_(options), reporter_(reporter), scene_(std::move(scene)) {}
+
+std::string Session::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+
+plane::Region Session::region(std::string_view name) const {
+  reporter_.stage(fmt::format("shape {}", name));
+  return std::move(regions({scene_.shape(name)})[0]);
+}
+
+std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
+  if (scene_.dimension != 2) throw Error(ErrorCode::kUnsupported, "the scene has 3D shapes", scene_.file);
+  std::vector<plane::BuildResult> built(shapes.size());
+  plane::parallel_for(shapes.size(), [&](std::size_t k) {
+    built[k] = plane::build(*shapes[k], scene_.grid.step_size(), scene_.work_limit);
+  });
+  std::vector<plane::Region> out;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const plane::Rounding& moved = built[k].rounding;
+    if (moved.points > 0) {
+      reporter_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}",
+                                 shapes[k]->name, moved.points, moved.largest * scene_.grid.step_size(), unit()));
+    }
+    out.push_back(std::move(built[k].region));
+  }
+  return out;
+}
+
+void Session::require_positions(bool line) const {
+  using Kind = io::Free::Kind;
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
+  };
+  if (scene_.dimension != 2) refuse("a map of a 3D scene");
+  if (scene_.free.kind != Kind::kPosition &&
+      !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
+    refuse("this kind of \"free\"");
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
+void Session::require_positions_in_space(bool line, bool poses) const {
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
+  };
+  if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  asked_instant(*this);  // refuses --time: there is no motion
+  using Kind = io::Free::Kind;
+  if (scene_.free.kind != Kind::kPosition && !(poses && scene_.free.kind == Kind::kPose) &&
+      !(line && scene_.free.kind == Kind::kLine))
+    refuse("this kind of \"free\"");
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
+formula::Context Session::context() const {
+  formula::Context context;
+  for (const plane::ShapePtr& s : scene_.shapes) context.shapes.push_back(s->name);
+  context.moving = scene_.moving;
+  context.motion = scene_.motion.given();
+  context.unit = scene_.unit;
+  context.dimension = scene_.dimension;
+  context.empty = scene_.empty_lists;
+  context.groups = scene_.groups;
+  context.work_limit = scene_.work_limit;
+  return context;
+}
+
+formula::Formula Session::formula(const io::FormulaText& text, const formula::Context& context) const {
+  if (text.empty()) return {};
+  try {
+    return formula::parse_formula(text.text, context);
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+formula::Goal Session::goal(const io::FormulaText& text, const formula::Context& context) const {
+  try {
+    return formula::parse_goal(text.text, context);
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+formula::Formula Session::where() const {
+  const formula::Context known = context();
+  if (scene_.conditions.empty()) return formula(scene_.where, known);
+  std::vector<formula::Formula> all;
+  for (const io::FormulaText& text : scene_.conditions) all.push_back(formula(text, known));
+  return formula::conjunction(all);
+}
+
+std::optional<Session::Goal> Session::goal() const {
+  const bool least = !scene_.minimize.empty();
+  const io::FormulaText& text = least ? scene_.minimize : scene_.maximize;
+  if (text.empty()) return std::nullopt;
+  if (least && !scene_.maximize.empty()) {
+    throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_.file);
+  }
+  try {
+    return Goal{formula::parse_objective(text.text, context()),
+                least ? distance::Sense::kMinimum : distance::Sense::kMaximum, text.text};
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+namespace {
+
+formula::Motion motion_of(const io::Scene& scene) {
+  formula::Motion out{scene.motion.start, scene.motion.end, {}};
+  for (const io::Movement& m : scene.motion.movements) {
+    formula::Trajectory t{m.times, {}, m.angles};
+    for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
+    out.of.emplace(m.shape, std::move(t));
+  }
+  return out;
+}
+
+}  // namespace
+
+formula::World Session::world() const { return scene_.named_only ? world_of(where()) : world_with(scene_.shapes); }
+
+formula::World Session::world_of(const formula::Formula& formula) const {
+  std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
+  const std::optional<Goal> goal = this->goal();
+  named.merge(formula.shapes());
+  if (goal)
+    for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
+  for (const io::Movement& m : scene_.motion.movements) named.insert(m.shape);
+  std::set<const plane::Shape*> of_others;
+  std::vector<const plane::Shape*> todo;
+  for (const plane::ShapePtr& s : scene_.shapes) todo.push_back(s.get());
+  while (!todo.empty()) {
+    const plane::Shape* shape = todo.back();
+    todo.pop_back();
+    for (const plane::ShapePtr& child : shape->children)
+      if (of_others.insert(child.get()).second) todo.push_back(child.get());
+  }
+  std::vector<plane::ShapePtr> wanted;
+  for (const plane::ShapePtr& s : scene_.shapes)
+    if (named.count(s->name) != 0 || (!scene_.named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
+  return world_with(wanted);
+}
+
+formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes) const {
+  reporter_.stage("building the shapes");
+  formula::World world;
+  std::vector<plane::Region> built = regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
+  world.moving = scene_.moving;
+  world.step = step();
+  world.motion = motion_of(scene_);
+  world.instant = asked_instant(*this);
+  for (const plane::ShapePtr& s : shapes) {
+    if (!s->collection) continue;
+    std::vector<plane::Region> parts = regions(s->children);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::string& name = s->children[k]->name;
+      world.parts[s->name].emplace_back(name.empty() ? std::to_string(k) : name, std::move(parts[k]));
+    }
+  }
+  return world;
+}
+
+void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+  for (const auto& path : options.outputs) {
+    if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
+    throw Error(ErrorCode::kUsage,
+                fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));
+  }
+}
+
+void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
+  std::vector<io::FileText> files;
+  for (const auto& path : options.outputs) {
+    const auto stream = streams.find(path.extension().string());
+    if (stream != streams.end())
+      files.push_back({path, {}, stream->second});
+    else
+      files.push_back({path, writers.at(path.extension().string())(), {}});
+  }
+  io::write_files(files);
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The map of a scene of the plane: the region of its formula, on the scene's line where it has one, the best positions
+// where it has an objective, made into what --apply asks for; and the instants of a motion. Guarantee: exact, or
+// between bounds where shapes rotate in time (docs/results.md). Keywords: feasible region, answer.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/session.h"
+#include "formula/planar/solve.h"
+#include "io/write/write_json.h"
+#include "plane/query/locate_line.h"
+
+namespace findspace::app {
+
+/// The answer to a scene's question.
+struct PlanarMap {
+  plane::Region region;
+  std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
+  std::optional<io::ExtremeValue> extreme;
+  std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
+};
+
+/// `known`: the region of the formula where it has been made already, with `outer` where it is known between bounds.
+PlanarMap planar_map(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
+                     const formula::RegionBounds* known = nullptr);
+/// As `map --json` prints it.
+std::string planar_map_json(const Session& session, const PlanarMap& map);
+/// The part of a region on the scene's line.
+plane::Region on_line(const plane::Region& region, const io::Free& free);
+/// The lengths along the scene's line that belong to a region.
+std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const io::Free& free);
+
+/// The instants at which a formula holds at a position.
+struct Instants {
+  std::vector<plane::LineInterval> intervals;
+  std::optional<std::vector<plane::LineInterval>> outer;  // where the intervals are certain, and these possible
+
+  std::string json() const;
+};
+/// `at` in the scene's unit.
+Instants planar_instants(const formula::Solver& solver, const formula::Formula& formula, const exact::RealPoint& at);
+
+}  // namespace findspace::app

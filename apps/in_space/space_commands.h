@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The verbs map, check, measure, describe, convert and place for 3D scenes: the same options and the same results as in
+// the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
+#pragma once
+
+#include "common/line_choice.h"
+#include "common/session.h"
+#include "formula/solid/solve_region.h"
+#include "formula/solid/solve_space.h"
+#include "io/mesh/write_mesh.h"
+#include "io/write/write_json.h"
+#include "plane/query/locate_line.h"
+#include "planning/order/problem.h"
+
+namespace findspace::app {
+
+/// Shapes of the scene, and such made of them, as sets and bodies, by name; what had to be rounded is said.
+std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
+                                                        const std::vector<plane::ShapePtr>& shapes);
+formula::SpaceWorld space_world(const Session& session);
+
+Outcome map_space(const Session& session);
+Outcome map_rays(const Session& session, const LineChoice& lines);
+/// The positions on the scene's line.
+Outcome map_space_line(const Session& session);
+struct SpaceLineMap {
+  std::vector<plane::LineInterval> intervals;  // lengths from where the line goes through, in grid steps
+  formula::Side side = formula::Side::kExact;  // of the true set
+  std::optional<io::ExtremeValue> extreme;
+};
+SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& solver,
+                            const formula::Formula& formula);
+/// As `map --json` prints it.
+std::string space_line_json(const Session& session, const SpaceLineMap& map);
+Outcome check_space(const Session& session);
+Outcome measure_space(const Session& session);
+Outcome describe_space(const Session& session, const std::string& shape);
+Outcome convert_space(const Session& session, const std::string& shape);
+/// The placement of a scene in the plane or in space.
+Outcome place_scene(const Session& session, const planning::Limit& limit);
+Outcome place_space(const Session& session, const planning::Limit& limit);
+
+/// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.
+io::Surface boundary_of(const Session& session, const plane::Shape& shape);
+
+}  // namespace findspace::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "in_space/space_outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/mesh/space_surface.h"
+#include "io/write/write_json_space.h"
+#include "report/space_report.h"
+
+namespace findspace::app {
+
+using exact::Real;
+
+std::vector<std::string> space_formats() {
+  std::vector<std::string> out{".json"};
+  out.insert(out.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  return out;
+}
+
+/// JSON, and the surface in every format.
+Writers space_writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
+                      const std::string& unit) {
+  Writers out{{".json", std::move(json)}};
+  for (const char* ending : io::kSurfaceEndings)
+    out.emplace(ending, [=] { return io::surface_text(surface(), title, ending, unit); });
+  return out;
+}
+
+void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape) {
+  if (!shape.body.made() || shape.body->rounded == 0) return;
+  session.reporter().note(
+      fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
+                  shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
+}
+
+Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
+                         const std::string& title, const io::ExtremeValue* extreme) {
+  const Options& options = session.options();
+  const space::SpaceSummary summary = space::summarize(set, step);
+  const auto json = [&] { return io::space_json(set, summary, step, session.unit(), extreme); };
+  const auto surface = [&] { return io::convex_surface(set, step); };
+  write_outputs(options, space_writers(json, surface, title, session.unit()));
+  return {options.json ? json() : space_summary_text(title, summary, session.unit(), extreme),
+          summary.empty ? kEmpty : kDone};
+}
+
+/// What the facets of a grown polytope do not give.
+bool wants_surface(const Session& session) {
+  const auto& outputs = session.options().outputs;
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const std::filesystem::path& name) { return name.extension() != ".json"; });
+}
+
+LineChoice lines_unasked(const Session& session, const char* what) {
+  constexpr int kLines = 128;
+  session.reporter().note(fmt::format(
+      "the {0} is taken on {1} x {1} lines of each axis, exact on each (--resolution N for others)", what, kLines));
+  LineChoice out;
+  out.count = kLines;
+  out.axes = true;
+  return out;
+}
+
+}  // namespace findspace::app

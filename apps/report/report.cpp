@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+#include "plane/query/measure_cells_twofold.h"
+#include "report/report_text.h"
+
+namespace findspace::app {
+namespace {
+
+using io::shown;
+using plane::Place;
+using plane::Twofold;
+
+std::string point(const Place& p) { return fmt::format("({}, {})", shown(p[0]), shown(p[1])); }
+std::string box(const plane::Bounds& b) { return fmt::format("{} to {}", point(b.low), point(b.high)); }
+
+std::string count(std::size_t n, const char* one, const char* many) {
+  return n == 0 ? fmt::format("no {}", many) : n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", n, many);
+}
+
+std::string component_text(const plane::Component& c, std::string_view unit) {
+  if (c.dimension == 0) return "point " + point(c.sample);
+  std::string out;
+  if (c.dimension == 1)
+    put(out, "curve of length {}", size_text(c.dangling_length, unit));
+  else if (c.area)
+    put(out, "area {}", size_text(*c.area, unit, "²"));
+  else
+    out += "unbounded";
+  if (c.dimension == 2 && c.dangling_length > 0)
+    put(out, ", with curves of length {}", size_text(c.dangling_length, unit));
+  if (c.holes > 0) put(out, ", {}", count(std::size_t(c.holes), "hole", "holes"));
+  if (c.bbox) put(out, ", {}", box(*c.bbox));
+  put(out, ", e.g. {}", point(c.sample));
+  return out;
+}
+
+}  // namespace
+
+std::string size_text(double value, std::string_view unit, const char* power) {
+  return unit.empty() ? shown(value) : fmt::format("{} {}{}", shown(value), unit, power);
+}
+
+std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
+  const char* name = e.maximum ? "maximum" : "minimum";
+  if (e.unbounded) return fmt::format("{}: there is none, the values have no bound\n", name);
+  if (!e.value) return "";
+  return fmt::format("{} {}{}\n", name, size_text(*e.value, unit),
+                     e.attained ? "" : ", not attained: these are the positions on the closure");
+}
+
+std::string summary_text(std::string_view title, const plane::Summary& s, std::string_view unit,
+                         const io::ExtremeValue* extreme) {
+  std::string out = fmt::format("{}\n", title);
+  if (extreme != nullptr) out += extreme_text(*extreme, unit);
+  if (s.empty) return out + "empty: there is none\n";
+  if (s.whole) return out + "the whole plane\n";
+  put(out, "{}, {}, {}, {}; {}, {}\n", s.bounded ? "bounded" : "unbounded", s.open ? "open" : "not open",
+      s.closed ? "closed" : "not closed", s.regular ? "regular" : "not regular",
+      count(s.components.size(), "component", "components"), count(std::size_t(s.holes), "hole", "holes"));
+  if (s.area && *s.area > 0) put(out, "area    {}\n", size_text(*s.area, unit, "²"));
+  if (s.dangling_length > 0) put(out, "curves  {} of length without area\n", size_text(s.dangling_length, unit));
+  if (s.crack_length > 0) put(out, "cracks  {} of length missing inside\n", size_text(s.crack_length, unit));
+  if (!s.isolated.empty()) put(out, "points  {}\n", count(s.isolated.size(), "isolated point", "isolated points"));
+  if (s.bbox) put(out, "box     {}\n", box(*s.bbox));
+  put_components(out, s.components, [&](const plane::Component& c) { return component_text(c, unit); });
+  return out;
+}
+
+std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
+                           const exact::Real& step, std::string_view unit) {
+  std::string out = fmt::format("{}\n", title);
+  if (intervals.empty()) return out + "empty: there is none on the line\n";
+  const Twofold factor(step);
+  for (const plane::LineInterval& i : intervals) {
+    auto end = [&](const std::optional<exact::Real>& t, const char* none) {
+      return t ? shown((Twofold(*t) * factor).value()) : std::string(none);
+    };
+    put(out, "  {}{}, {}{}\n", i.from_in ? '[' : '(', end(i.from, "-∞"), end(i.to, "∞"), i.to_in ? ']' : ')');
+  }
+  if (!unit.empty()) put(out, "in {} along the line from the point it goes through\n", unit);
+  return out;
+}
+
+std::string bounded_json(std::string inner, const std::string& outer) {
+  inner.erase(inner.rfind('}'));
+  return inner + ",\n  \"side\": \"inner\",\n  \"outer\": " + outer + "}\n";
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "report/scenery.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "io/board/board.h"
+#include "plane/base/parallel.h"
+#include "plane/build/build.h"
+#include "report/motion_arrows.h"
+
+namespace findspace::app {
+
+namespace {
+
+/// Pads of the parts that stand still, tracks and vias; `moving`: names of shapes.
+std::vector<plane::Region> copper_of(const io::Board& board, const std::vector<std::string>& moving, double step) {
+  std::vector<plane::ShapePtr> shapes;
+  for (const io::Part& part : board.parts) {
+    if (std::find(moving.begin(), moving.end(), part.name) != moving.end()) continue;
+    for (const io::Pad& pad : part.pads) shapes.push_back(pad.copper);
+  }
+  for (const auto* kind : {&board.tracks, &board.vias})
+    for (const io::Copper& c : *kind) shapes.push_back(c.shape);
+  std::vector<plane::Region> out(shapes.size());
+  plane::parallel_for(shapes.size(), [&](std::size_t k) { out[k] = plane::build(*shapes[k], step).region; });
+  return out;
+}
+
+}  // namespace
+
+void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
+                 const formula::Formula* formula) {
+  picture.step = world.step;
+  picture.unit = session.unit();
+  picture.y_down = session.scene().y_down;
+  for (int c : {0, 1})
+    picture.home[c] = static_cast<double>(session.scene().drawn_at[c]) * session.scene().grid.step_size();
+  picture.arrows = motion_arrows(session.scene(), world, formula);
+  if (session.scene().board)
+    picture.copper = copper_of(*session.scene().board, world.moving, session.scene().grid.step_size());
+  const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
+  const bool named_only = session.scene().named_only;
+  // The parts of a collection carry their own names; one whose parts have none carries its own.
+  const auto all_of = [&](const std::string& name) {
+    const auto parts = world.parts.find(name);
+    const auto has_name = [](const auto& part) { return !std::isdigit(static_cast<unsigned char>(part.first[0])); };
+    const bool by_parts =
+        parts != world.parts.end() && std::all_of(parts->second.begin(), parts->second.end(), has_name);
+    if (!named_only && !by_parts) return picture.fixed.push_back({name, &*world.shapes.at(name)});
+    if (parts == world.parts.end()) return picture.fixed.push_back({name, &*world.shapes.at(name)});
+    for (const auto& [part, region] : parts->second) picture.fixed.push_back({part, &region});
+  };
+  // The names of a board's pads are said where the formula speaks of them.
+  const auto shown_name = [&](const std::string& name) {
+    return named_only && name.find('.') != std::string::npos && named.count(name) == 0 ? std::string() : name;
+  };
+  for (const plane::ShapePtr& s : session.scene().shapes) {
+    const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
+    if (moves)
+      picture.moving.push_back({shown_name(s->name), &*world.shapes.at(s->name)});
+    else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
+      all_of(s->name);
+  }
+}
+
+}  // namespace findspace::app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <fmt/format.h>
+
+#include "common/asked_numbers.h"
+#include "common/commands.h"
+#include "common/session.h"
+#include "in_plane/board_check.h"
+#include "in_plane/orientation_command.h"
+#include "in_plane/rotation_command.h"
+#include "in_space/space_commands.h"
+#include "io/write/write_position.h"
+#include "io/write/write_witness.h"
+#include "report/measured_rows.h"
+#include "report/position_picture.h"
+#include "report/position_report.h"
+
+namespace findspace::app {
+namespace {
+
+/// Nothing also where the region is not computed, as of shapes that rotate in time.
+std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
+                                                         const exact::RealPoint& at, Reporter& reporter) {
+  reporter.stage("looking for the nearest feasible position");
+  auto found = solver.nearest_feasible(formula, at);
+  return found ? *std::move(found) : std::nullopt;
+}
+
+}  // namespace
+
+Outcome run_check(const Options& options, Reporter& reporter) {
+  if (is_board(options.scene)) refuse_orientation(options);
+  if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
+  if (!options.at && !options.angle && !options.orientation)
+    throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
+  const Session session(options, reporter);
+  if (session.in_space()) {
+    session.require_positions_in_space(true, true);
+    return at_orientations(session, check_space);
+  }
+  refuse_orientation(options);
+  check_outputs(options, {".svg", ".json"});
+  if (asks_for_angle(session)) return check_at_angle(session);
+  session.require_positions(true);
+  const exact::RealPoint at = asked_position(session);
+  if (session.scene().free.kind == io::Free::Kind::kTime && !options.time)
+    throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
+  const formula::Formula formula = session.where();
+  const formula::Solver solver(session.world_of(formula));
+  reporter.stage("checking");
+  const formula::Check check = solver.check(formula, at);
+  const std::optional<formula::NearestFeasible> nearest =
+      check.holds ? std::nullopt : nearest_feasible(solver, formula, at, reporter);
+  const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  const auto json = [&] {
+    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, near, options.explain);
+  };
+  const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
+  return {options.json ? json()
+                       : check_text(check, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
+                                    session.unit(), near, options.explain),
+          check.holds ? kDone : kEmpty};
+}
+
+Outcome run_measure(const Options& options, Reporter& reporter) {
+  const Session session(options, reporter);
+  if (session.in_space()) {
+    session.require_positions_in_space(true, true);
+    return at_orientations(session, measure_space);
+  }
+  refuse_orientation(options);
+  check_outputs(options, {".svg", ".json"});
+  if (asks_for_angle(session)) return measure_at_angle(session);
+  session.require_positions(true);
+  const exact::RealPoint at = asked_position(session);
+  const formula::Formula formula = session.where();
+  const formula::Solver solver(session.world());
+  reporter.stage("measuring");
+  const std::vector<formula::DistanceAt> distances = only_wanted(solver.measure(at, formula), options);
+  const auto json = [&] { return io::measure_json(distances, distance::coordinates(at), session.unit()); };
+  const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
+  write_outputs(options, {{".json", json}, {".svg", svg}});
+  return {options.json ? json()
+                       : measure_text(distances, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
+                                      session.unit(), shows_all(options)),
+          kDone};
+}
+
+}  // namespace findspace::app
