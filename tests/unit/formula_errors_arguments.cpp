@@ -131,6 +131,18 @@ TEST(FormulaErrors, Numbers) {
          "1:23: a number too long or too large for any coordinate\n"
          "  gamma1(chip, board) > 1e999\n"
          "                        ^~~~~");
+  expect("gamma1(chip, board) > 1/(2 - 2)",
+         "1:25: a division by 0\n"
+         "  gamma1(chip, board) > 1/(2 - 2)\n"
+         "                          ^~~~~~~");
+  expect("gamma1(chip, board) > (1mm + 2)",
+         "1:25: a unit stands behind the parentheses: (1 + 2)mm, found 'mm'\n"
+         "  gamma1(chip, board) > (1mm + 2)\n"
+         "                          ^~");
+  expect("gamma1(chip, board) > 2/",
+         "1:25: a number is meant here, found the end\n"
+         "  gamma1(chip, board) > 2/\n"
+         "                          ^");
 }
 }  // namespace formula_errors_arguments
 }  // namespace findspace::formula

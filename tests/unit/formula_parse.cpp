@@ -188,6 +188,32 @@ TEST(Parse, NumbersWithoutFiniteDecimalKeepTheirUnit) {
   EXPECT_EQ(parse_formula("gap(B, A) > 10mm or gap(B, A) <= 1cm", inches).sign_maps().size(), 1u);
 }
 
+/// Exact: a third is a third. What is printed is read as the same number.
+TEST(Parse, NumbersAreCalculated) {
+  const auto level = [](const std::string& number) {
+    const Formula formula = parse_formula("gap(B, A) >= " + number, scene());
+    const std::string printed = text(formula);
+    EXPECT_EQ(parse_formula(printed, scene()).atoms()[0].level, formula.atoms()[0].level) << printed;
+    return formula.atoms()[0].level;
+  };
+  EXPECT_EQ(level("2*0.25"), Real::ratio(1, 2));
+  EXPECT_EQ(level("2 * 0.25mm"), Real::ratio(1, 2));
+  EXPECT_EQ(level("1/3"), Real::ratio(1, 3));
+  EXPECT_EQ(level("-1/3in"), Real::ratio(-127, 15));
+  EXPECT_EQ(level("7/2/2*4"), Real(7));
+  EXPECT_EQ(level("(1 + 2)/8 mm"), Real::ratio(3, 8));
+  EXPECT_EQ(level("-(2 - (1 - 4))*1/2"), Real::ratio(-5, 2));
+  EXPECT_EQ(canonical("clear(B, A, 1/3 + 2*0.5)"), "gamma1(B, A) >= 4/3");
+  EXPECT_EQ(canonical("clear(B, A, 0.25 + 2*0.1in)"), "gamma1(B, A) >= 5.33");
+  EXPECT_EQ(canonical("inside(B, A, 1/4)"), "eta1(B, A) <= -0.25");
+  EXPECT_EQ(canonical("1/2 <= gap(B, A) <= 1/2 + 1cm"), "gamma1(B, A) >= 0.5 and gamma1(B, A) <= 10.5");
+  EXPECT_EQ(canonical("gap(B, A, along=(1/2, -(1+1))) > 1/3"), "gamma1(B, A, along=(0.5, -2)) > 1/3");
+  Context still = scene();
+  still.motion = false;
+  EXPECT_EQ(canonical("2*3*gap(B, A) - 2*gap(B, C) <= 2", still), "gamma1(B, A) - 1/3 * gamma1(B, C) <= 1/3");
+  EXPECT_EQ(canonical("gap(B, A) - 1/3*gap(B, C) <= 1/3", still), "gamma1(B, A) - 1/3 * gamma1(B, C) <= 1/3");
+}
+
 TEST(Parse, Shapes) {
   EXPECT_EQ(canonical("gamma1(B, \"my part\") > 0"), "gamma1(B, \"my part\") > 0");
   EXPECT_EQ(canonical("gamma1(B, 'my part') > 0"), "gamma1(B, \"my part\") > 0");

@@ -145,9 +145,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kForeign
 
 /// The mark that is always a token of its own; kFault if it is none.
 K mark(char c) {
-  constexpr std::string_view kMarks = "()[],+*";
-  constexpr std::array kKinds{K::kOpen,  K::kClose, K::kOpenBracket, K::kCloseBracket,
-                              K::kComma, K::kPlus,  K::kTimes,       K::kFault};
+  constexpr std::string_view kMarks = "()[],+*/";
+  constexpr std::array kKinds{K::kOpen, K::kClose, K::kOpenBracket, K::kCloseBracket, K::kComma,
+                              K::kPlus, K::kTimes, K::kOver,        K::kFault};
   return kKinds[std::min(kMarks.find(c), kMarks.size())];
 }
 

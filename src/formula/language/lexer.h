@@ -58,6 +58,7 @@ struct Token {
     kPlus,
     kMinus,
     kTimes,
+    kOver,
     kFault,  // `text` is the message
     kEnd
   };

@@ -119,7 +119,7 @@ class Grammar {
   Atom comparison(Term term, Relation relation, Number number) {
     if (term.negated) {
       relation = mirrored(relation);
-      number.negative = !number.negative;
+      number = negated(std::move(number));
     }
     Level level = level_of(cursor_, context_, number, quantity(term.distance));
     return compare(std::move(term.distance), relation, std::move(level.value), std::move(level.written));
@@ -166,7 +166,7 @@ class Grammar {
                    example);
     }
     const Relation relation = cursor_.take().relation;
-    if (!at_number(cursor_) && !calls_.at_distance())
+    if (!at_arithmetic(cursor_) && !calls_.at_distance())
       cursor_.fail_syntax("a number is meant here, found {}", cursor_.found());
     Node node = relate(left, relation, read_sum(cursor_, context_, calls_));
     if (cursor_.at(K::kRelation)) {
@@ -188,7 +188,7 @@ class Grammar {
   /// The number on the right side of a relation.
   Number level_number() {
     if (calls_.at_distance()) cursor_.fail_syntax("a number is meant at the end of a chain, found a distance");
-    return read_number(cursor_);
+    return read_total(cursor_);
   }
 
   Node minimum(const Term& term) {

@@ -186,7 +186,7 @@ Atom CallReader::predicate() {
   }
   Level bound{exact::Real(0), {}};
   if (arguments.level) {
-    if (row.negated) arguments.level->negative = !arguments.level->negative;
+    if (row.negated) *arguments.level = negated(*std::move(arguments.level));
     bound = level_of(cursor_, context_, *arguments.level, Quantity::kLength);
   }
   Distance distance;
@@ -239,8 +239,8 @@ void CallReader::last_argument(Call& call, std::string_view word, const Usage& u
   if (cursor_.at(K::kName) && cursor_.peek(1).kind == K::kRelation && cursor_.peek(1).relation == Relation::kEqual) {
     return direction(call, word, is_predicate);
   }
-  if (is_predicate && at_number(cursor_)) {
-    call.level = read_number(cursor_);
+  if (is_predicate && at_arithmetic(cursor_)) {
+    call.level = read_total(cursor_);
     return;
   }
   if (at_number(cursor_)) cursor_.fail_syntax("'{}' takes no number; compare it with one: {} >= 1", word, usage());

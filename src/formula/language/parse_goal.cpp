@@ -31,11 +31,7 @@ void add_term(Cursor& cursor, const Context& context, std::array<exact::Real, 3>
   exact::Real factor(1);
   if (at_sign(cursor) && cursor.take().kind == K::kMinus) factor = -factor;
   if (cursor.at(K::kNumber)) {
-    const Token digits = cursor.take();
-    Number number;
-    number.digits = digits.text;
-    number.span = digits.span;
-    factor = factor * level_of(cursor, context, number, Quantity::kPure).value;
+    factor = factor * read_decimal(cursor);
   }
   const int k = coordinate_at(cursor, 0);
   const bool plane = context.dimension == 2;
@@ -59,7 +55,7 @@ Goal linear(std::string_view text, const Context& context) {
     if (cursor.peek().relation != Relation::kEqual)
       cursor.fail_syntax("a condition on coordinates is written with '=', found {}", cursor.found());
     cursor.take();
-    goal.equals = level_of(cursor, context, read_number(cursor), Quantity::kLength).value;
+    goal.equals = level_of(cursor, context, read_total(cursor), Quantity::kLength).value;
   }
   if (!cursor.at(K::kEnd)) cursor.fail_syntax("the end, '+', '-' or '=' is meant here, found {}", cursor.found());
   return goal;

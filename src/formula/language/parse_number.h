@@ -14,11 +14,13 @@
 
 namespace findspace::formula {
 
-/// A number as written: what it measures is known only when its distance has been read.
+/// A number as written, such as -2 * 0.25mm: what it measures is known only when its distance has been read.
 struct Number {
   bool negative = false;
-  std::string digits, unit;  // unit: "" if it carries none
+  exact::Real value;          // without sign and unit
+  std::string written, unit;  // unit: "" if it carries none
   Span span, unit_span;
+  std::vector<Number> more;  // further summands, of a total
 };
 
 enum class Quantity : std::uint8_t { kLength, kAngle, kPure };
@@ -29,10 +31,19 @@ struct Level {
   std::string written;
 };
 
-/// Whether a number begins here.
+/// Whether a number begins here, without parentheses around it.
 bool at_number(const Cursor& cursor);
-/// A sign, digits and a unit, as far as they are there; fails where no digits stand.
+/// Whether a number begins here, or one in parentheses.
+bool at_arithmetic(const Cursor& cursor);
+/// The decimal that stands here, without sign and unit.
+exact::Real read_decimal(Cursor& cursor);
+/// A sign, a product or quotient of decimals and totals in parentheses, and a unit, as far as they are there. What
+/// follows a last `*` may be a distance: that `*` is left.
 Number read_number(Cursor& cursor);
+/// Numbers joined by + and -, each with its unit.
+Number read_total(Cursor& cursor);
+/// Minus the number.
+Number negated(Number number);
 /// What the number says in the scene's unit; fails where the unit or the size does not suit.
 Level level_of(const Cursor& cursor, const Context& context, const Number& number, Quantity quantity);
 /// Numbers up to `close`, as many as the scene has dimensions, and their text without brackets: "1, 2".

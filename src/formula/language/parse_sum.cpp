@@ -47,7 +47,8 @@ class SumReader {
  private:
   void summand() {
     const bool after_sign = cursor_.at(K::kPlus) || cursor_.at(K::kMinus);
-    if (cursor_.peek(after_sign ? 1 : 0).kind == K::kNumber) return number(read_number(cursor_));
+    const K next = cursor_.peek(after_sign ? 1 : 0).kind;
+    if (next == K::kNumber || next == K::kOpen) return number(read_number(cursor_));
     Real weight(1);
     if (after_sign && cursor_.take().kind == K::kMinus) weight = -weight;
     distance(weight, !after_sign);
@@ -111,8 +112,7 @@ Sum difference(const Sum& left, const Sum& right) {
   out.term.reset();
   for (const SumTerm& t : right.terms) add(out.terms, {-t.weight, t.distance});
   for (Number number : right.numbers) {
-    number.negative = !number.negative;
-    out.numbers.push_back(std::move(number));
+    out.numbers.push_back(negated(std::move(number)));
   }
   out.span = {std::min(left.span.begin, right.span.begin), std::max(left.span.end, right.span.end)};
   return out;

@@ -93,7 +93,7 @@ std::string level_text(const Atom& atom, bool minus) {
   const exact::Real level = minus ? -atom.level : atom.level;
   const std::string decimal = decimal_text(level);
   if (!decimal.empty()) return decimal;
-  if (atom.written.empty()) return level.text();
+  if (atom.written.empty()) return number_text(level);
   if (!minus) return atom.written;
   return atom.written.starts_with('-') ? atom.written.substr(1) : "-" + atom.written;
 }
@@ -112,8 +112,7 @@ std::string sum_text(std::span<const SumTerm> terms, const Word& word, bool nega
   std::string out;
   for (const SumTerm& t : terms) {
     const bool minus = (t.weight.sign() < 0) != (negated_words && negated(t.distance));
-    const exact::Real size = exact::abs(t.weight);
-    const std::string decimal = decimal_text(size), factor = decimal.empty() ? size.text() : decimal;
+    const std::string factor = number_text(exact::abs(t.weight));
     out += out.empty() ? (minus ? "-" : "") : (minus ? " - " : " + ");
     out += (factor == "1" ? "" : factor + " * ") + word(t.distance);
   }
@@ -237,6 +236,13 @@ std::string decimal_text(const exact::Real& value) {
   }
   if (places > 0) digits.insert(digits.end() - places, '.');
   return negative ? "-" + digits : digits;
+}
+
+std::string number_text(const exact::Real& value) {
+  if (std::string decimal = decimal_text(value); !decimal.empty()) return decimal;
+  const auto fraction = value.fraction();
+  if (!fraction) return value.text();
+  return decimal_text(exact::Real((*fraction)[0])) + "/" + decimal_text(exact::Real((*fraction)[1]));
 }
 
 }  // namespace findspace::formula

@@ -47,5 +47,7 @@ std::string question(std::string_view word, std::span<const std::string> candida
 
 /// The exact decimal spelling of a number, e.g. "-0.508"; "" if it has none of at most 30 places.
 std::string decimal_text(const exact::Real& value);
+/// A number as a formula reads it: a decimal, else "p/q"; rounded where it is no such fraction.
+std::string number_text(const exact::Real& value);
 
 }  // namespace findspace::formula
