@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -246,7 +248,8 @@ void add_conversions(CLI::App& command, Options& o) {
 
 /// What is asked of a board, which says no question itself.
 void add_board(CLI::App& command, std::string_view verb, Options& o) {
-  if (verb == "describe" || verb == "convert" || verb == "phi" || verb == "batch") return;
+  constexpr std::array<std::string_view, 6> kOthers{"describe", "convert", "phi", "batch", "pack", "verify"};
+  if (std::find(kOthers.begin(), kOthers.end(), verb) != kOthers.end()) return;
   const auto text = [&](const char* name, auto& value, const char* about, const char* type) {
     return command.add_option(name, value, about)->type_name(type)->group(kBoard);
   };

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "formula/language/parse.h"
+#include "formula/language/text.h"
 #include "io/write/write_position.h"
 
 namespace findspace::io {
@@ -49,6 +51,20 @@ TEST(WritePosition, UndefinedAndRefusedValuesAreNull) {
   const json out =
       json::parse(measure_json({formula::distance_at("gamma1(B, A)", std::nullopt)}, {Real(), Real()}, ""));
   EXPECT_TRUE(out.at("distances").at("gamma1(B, A)").is_null());
+}
+
+/// The value of a sum stands under the sum alone, in the words and the sense in which it was written.
+TEST(WritePosition, ASumIsNoDistanceOfItsOwn) {
+  const formula::Context scene{.shapes = {"A", "B", "C"}, .moving = {"B"}, .dimension = 2};
+  const formula::Formula formula = formula::parse_formula("margin(B, A) + 2 * gap(B, C) <= 5", scene);
+  const formula::Atom& atom = formula.atoms().front();
+  formula::Check check;
+  check.atoms.push_back(
+      formula::atom_at(atom, formula::distance_at(formula::written_sum(atom), answer(Real(-9))), -1));
+  const json out = json::parse(check_json(check, {Real(), Real()}, "", {}));
+  EXPECT_EQ(out.at("atoms")[0].at("text"), "margin(B, A) + 2 * gap(B, C) <= 5");
+  EXPECT_EQ(out.at("atoms")[0].at("value"), 9);
+  EXPECT_EQ(out.at("distances"), (json{{"margin(B, A) + 2 * gap(B, C)", 9}}));
 }
 
 }  // namespace io_write_position

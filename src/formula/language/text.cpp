@@ -150,13 +150,19 @@ std::string written(const Distance& distance) {
 }
 
 std::string written_sum(const Atom& atom) {
+  std::vector<SumTerm> terms = all_terms(atom);
+  if (negated(atom.distance))
+    for (SumTerm& t : terms) t.weight = -t.weight;
   const auto word = [](const Distance& d) { return written(d); };
-  return sum_text(all_terms(atom), word, true);
+  return sum_text(terms, word, true);
 }
 
 std::string written(const Atom& atom) {
-  if (!atom.more.empty())
-    return fmt::format("{} {} {}", written_sum(atom), text(atom.relation), level_text(atom, false));
+  if (!atom.more.empty()) {
+    const bool minus = negated(atom.distance);
+    return fmt::format("{} {} {}", written_sum(atom), text(minus ? mirrored(atom.relation) : atom.relation),
+                       level_text(atom, minus));
+  }
   const bool from_word = atom.predicate != nullptr && atom.predicate->level != PredicateName::Level::kNone;
   const bool mirrors = atom.predicate != nullptr ? atom.predicate->negated : negated(atom.distance);
   const std::string level = level_text(atom, mirrors);

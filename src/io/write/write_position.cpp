@@ -76,7 +76,8 @@ void put_atoms(std::string& out, const std::vector<formula::AtomAt>& atoms, cons
         const formula::Distance& of = a.atom.distance;
         const DistanceAt said = formula::negated(of) ? formula::minus(a.distance) : a.distance;
         distances[a.distance.text] = a.distance.value();
-        distances[formula::written(of)] = said.value();
+        // Of a sum that text is the written one, and no distance is said alone.
+        distances[a.atom.more.empty() ? formula::written(of) : a.distance.text] = said.value();
         return fmt::format(R"({{"text": {}, "value": {},{} "true": {},{} {}"witness": {{{}}}}})",
                            json_string(formula::written(a.atom)), number(said.value()), ends_text(said), truth(a.holds),
                            lacks_text(a), explain ? explanation(a) : "", witness_members(a.distance, at));
