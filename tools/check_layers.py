@@ -10,7 +10,8 @@ usage: check_layers.py [ROOT]
    include each other in a circle. A street has at most 40 files, and its layer's README names it.
 2. A header of include/findspace/ includes only the standard library and its neighbours.
 3. Every source file opens with the two SPDX lines.
-4. Outside src/exact no small constant (1e-9) and no power of two (0x1p-40) stands in the code: only src/exact decides
+4. Outside src/exact no small constant (1e-9, ratio(1, 1000000)) and no power of two (0x1p-40, 1 / (1 << 40)) stands
+   in the code: only src/exact decides
    signs, and margins stand in src/exact/margins with their derivation. One that is no margin says so on its
    line: `// no sign: why`.
 
@@ -28,7 +29,8 @@ OWN = ("src", "include", "apps", "tests", "bench", "python", "tools")
 SPDX = ("SPDX-License-Identifier: Apache-2.0", "SPDX-FileCopyrightText: findspace contributors")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 SMALL = re.compile(r"(?<![\w.])\d*\.?\d*[eE]-\d+")
-POWER = re.compile(r"(?<![\w.])0[xX][\da-fA-F.']+[pP][+-]?\d+")
+POWER = re.compile(r"(?<![\w.])0[xX][\da-fA-F.']+[pP][+-]?\d+|/ *\(1 *<< *[2-6]\d\)")
+PART = re.compile(r"\bconst\w* [^;]*\bratio\(1, *1(?:'?000){2,}\)")
 NOT_YET = ()
 
 
@@ -183,7 +185,7 @@ def check_small_constants(root):
             for number, (line, whole) in enumerate(zip(code, text.splitlines()), 1):
                 if "// no sign: " in whole:
                     continue
-                if SMALL.search(line) or (POWER.search(line) and not path.startswith(NOT_YET)):
+                if SMALL.search(line) or PART.search(line) or (POWER.search(line) and not path.startswith(NOT_YET)):
                     yield path, number, "a small constant outside src/exact; margins stand in exact/margins"
 
 

@@ -182,7 +182,7 @@ Some cells need more words:
 | kind | the message says |
 |---|---|
 | not computed | that this distance or question is not computed |
-| no convex parts | that the shape is no union of convex parts |
+| no convex parts | that the shape is not a union of convex parts |
 | no least value | that a distance to a complement has no least value |
 | not convex | that it is computed for convex polyhedra only, and along an axis for axis-parallel faces |
 | slanted faces | that all faces must be parallel to the axes |

@@ -55,7 +55,9 @@ void add_lines(CLI::App& command, std::string_view verb, Options& o) {
       ->group(kSpaceGroup);
   command
       .add_option("--side", o.side,
-                  "inner or outer: cells about the lines that lie in the set, or that hold all of it; not with --axes")
+                  "inner or outer: cells about the lines that lie in the set, or that hold all of it; not with --axes "
+                  "(default: "
+                  "the lines alone)")
       ->type_name("SIDE")
       ->check(CLI::IsMember({"inner", "outer"}).description(""))
       ->excludes(axes)
@@ -76,7 +78,7 @@ void add_strip(CLI::App& command, Options& o) {
 }
 
 void add_start(CLI::App& command, Options& o) {
-  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow")
+  command.add_option("--start", o.start, "a layout to begin with: JSON, or an SVG of sparrow (default: none)")
       ->type_name("FILE")
       ->group(kPlaneGroup);
 }
@@ -105,8 +107,10 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
   add_start(command, o);
   command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlaneGroup);
   command
-      .add_option("--work", o.work,
-                  "end after N million evaluations a thread (of solids, an island): the same result every time")
+      .add_option(
+          "--work", o.work,
+          "end after N million evaluations a thread (of solids, an island): the same result every time (default: "
+          "none)")
       ->type_name("N")
       ->group(kPlaneGroup);
 }
@@ -193,11 +197,11 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
       command.add_flag("--explain", o.explain, "which way decided each condition, and how many milliseconds it took")
           ->group(kCommon);
     if (verb == "measure") {
-      auto* all =
-          command.add_flag("--all", o.all, "all distances, not only gap, margin, reach, protrusion and hausdorff");
+      auto* all = command.add_flag("--all", o.all,
+                                   "all distances, not only gap, margin, reach, protrusion (both ways) and hausdorff");
       all->group(kCommon);
-      auto* only =
-          command.add_option("--only", o.only, "this distance alone, such as gap; no other is computed in space");
+      auto* only = command.add_option(
+          "--only", o.only, "this distance alone, such as gap; no other is computed in space (default: those five)");
       only->type_name("NAME")->excludes(all)->group(kCommon);
     }
   }
@@ -253,11 +257,13 @@ void add_board(CLI::App& command, std::string_view verb, Options& o) {
   const auto text = [&](const char* name, auto& value, const char* about, const char* type) {
     return command.add_option(name, value, about)->type_name(type)->group(kBoard);
   };
-  text("--move", o.move, "the parts that move together, by reference", "PART[,PART]")->delimiter(',');
-  text("--where", o.where, "the formula that must hold", "FORMULA");
-  if (verb == "map" || verb == "place") text("--minimize", o.minimize, "the objective to make least", "OBJECTIVE");
+  text("--move", o.move, "the parts that move together, by reference (default: the file's)", "PART[,PART]")
+      ->delimiter(',');
+  text("--where", o.where, "the formula that must hold (default: the file's)", "FORMULA");
+  if (verb == "map" || verb == "place")
+    text("--minimize", o.minimize, "the objective to make least (default: none)", "OBJECTIVE");
   if (verb == "map") {
-    text("--maximize", o.maximize, "the objective to make greatest", "OBJECTIVE");
+    text("--maximize", o.maximize, "the objective to make greatest (default: none)", "OBJECTIVE");
   }
   if (verb == "map" || verb == "place") {
     text("--free", o.free, "angles to add to the part's own, in degrees (default: none)", "DEG[,DEG]")->delimiter(',');
@@ -322,7 +328,8 @@ void add_limits(CLI::App& command, Options& o) {
   size("--work-limit", o.work_limit, "refuse input that costs more than N units of work (default 20M)", "N");
   auto* none = command.add_flag("--no-files", o.no_files, "take no shapes from files that the scene names");
   none->group(kLimits);
-  command.add_option("--root", o.root, "take shapes only from files in the folder DIR, wherever links lead")
+  command
+      .add_option("--root", o.root, "take shapes only from files in the folder DIR, wherever links lead (default: any)")
       ->type_name("DIR")
       ->excludes(none)
       ->group(kLimits);

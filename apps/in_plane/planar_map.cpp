@@ -54,13 +54,14 @@ std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, 
 namespace {
 
 constexpr const char* kNoRoots =
-    "the optimum is no number that square roots express: given to 13 digits, with one position each";
+    "the optimum is not a number that square roots express: given to 13 digits, with one position each";
 constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
 
 constexpr const char* kRotating =
     "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones";
 constexpr const char* kCompared =
-    "distances are equal along a curve that is no line and no circle: certainly feasible positions, and in \"outer\" "
+    "distances are equal along a curve that is neither a line nor a circle: certainly feasible positions, and in "
+    "\"outer\" "
     "the possible ones";
 
 /// `bounded`: where shapes rotate, or distances are summed.
@@ -165,11 +166,10 @@ std::string Instants::json() const {
 
 Instants planar_instants(const formula::Solver& solver, const formula::Formula& formula, const exact::RealPoint& at) {
   const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
-  const bool rotating = solver.known_between_bounds(formula);
-  const std::optional<plane::Section> swing = rotating ? solver.swing(formula, at) : std::nullopt;
-  if (!rotating || swing) return {in_time(swing ? *swing : solver.instants(formula, at)), std::nullopt};
-  const formula::InstantBounds bounds = solver.instant_bounds(formula, at);
-  return {in_time(bounds.inner), in_time(bounds.outer)};
+  const formula::SolvedInstants found = solver.solve_instants(formula, at);
+  Instants out{in_time(found.instants), std::nullopt};
+  if (found.outer) out.outer = in_time(*found.outer);
+  return out;
 }
 
 }  // namespace findspace::app

@@ -198,54 +198,28 @@ formula::Formula question_over_angles(const Session& session) {
 
 namespace {
 
-/// The best angles of the set take its place.
-std::optional<io::ExtremeValue> optimum(const Session& session, const formula::RotationMaps& maps,
-                                        plane::RotationMap& set) {
-  const auto goal = session.goal();
-  if (!goal) return std::nullopt;
-  const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
-  const formula::Distance& d = goal->objective.distance;
-  plane::RotationLeast best = maximum != negated ? maps.greatest(d, set) : maps.least(d, set);
-  set = std::move(best.at);
-  if (!best.exists) return io::ExtremeValue{maximum, std::nullopt, false, false, true};
-  const double value = best.value.to_double();
-  return io::ExtremeValue{maximum, negated ? -value : value, false, best.attained, best.proven};
-}
-
 struct AngleMap {
-  plane::RotationMap set;
-  std::optional<plane::RotationMap> outer;  // where the set is certain, and only this possible
+  formula::SolvedAngles set;
   std::optional<io::ExtremeValue> best;
 };
 
-/// The best angles of a set that is known between bounds, or of a distance that is.
-AngleMap solve_between_bounds(const Session& session, const formula::RotationMaps& maps,
-                              const formula::Formula& formula) {
-  session.reporter().note(
-      "rotations about two points: angles that certainly belong, and in \"outer\" the possible ones");
-  formula::RotationBounds bounds = formula::rotation_bounds(maps, formula);
-  const auto goal = session.goal();
-  if (!goal) return {std::move(bounds.inner), std::move(bounds.outer), std::nullopt};
-  const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
-  formula::BestRotation best =
-      formula::best_rotation(maps, goal->objective.distance, bounds,
-                             maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
-  const double rotation = negated ? -1 : 1;
-  io::ExtremeValue extreme{maximum, std::nullopt, false, false, false};
-  if (best.value) extreme.value = rotation * *best.value;
-  if (best.none)
-    extreme.proven = true;
-  else
-    extreme.bound = rotation * best.bound;
-  return {plane::RotationMap::uniform(0), std::move(best.possible), extreme};
-}
-
+/// The angles at which the formula holds, or the best of them.
 AngleMap solve(const Session& session, const formula::RotationMaps& maps, const formula::Formula& formula) {
-  const auto goal = session.goal();
-  if (maps.rotations_twice(formula) || (goal && maps.rotations_twice(goal->objective.distance)))
-    return solve_between_bounds(session, maps, formula);
-  AngleMap map{maps.feasible(formula), std::nullopt, std::nullopt};
-  map.best = optimum(session, maps, map.set);
+  AngleMap map{formula::solve_angles(maps, formula), std::nullopt};
+  if (const auto goal = session.goal()) {
+    const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
+    formula::BestAngles best =
+        formula::best_angles(maps, goal->objective.distance, map.set,
+                             maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
+    const double sense = negated ? -1 : 1;
+    map.best = io::ExtremeValue{maximum, std::nullopt, false, best.attained, best.proven};
+    if (best.value) map.best->value = sense * *best.value;
+    if (best.bound) map.best->bound = sense * *best.bound;
+    map.set = std::move(best.at);
+  }
+  if (map.set.outer)
+    session.reporter().note(
+        "rotations about two points: angles that certainly belong, and in \"outer\" the possible ones");
   return map;
 }
 
@@ -261,16 +235,16 @@ Outcome map_of_angles(const Session& session) {
   AngleMap map = solve(session, rotated.maps(formula), formula);
   const io::ExtremeValue* extreme = map.best ? &*map.best : nullptr;
   const auto json = [&] {
-    std::string text = io::rotations_json(map.set, extreme);
-    return map.outer ? bounded_json(std::move(text), io::rotations_json(*map.outer)) : text;
+    std::string text = io::rotations_json(map.set.angles, extreme);
+    return map.set.outer ? bounded_json(std::move(text), io::rotations_json(*map.set.outer)) : text;
   };
-  const auto angles = io::degree_intervals(map.set);
+  const auto angles = io::degree_intervals(map.set.angles);
   const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  std::string text = rotations_text(session, angles, map.outer ? &*map.outer : nullptr);
+  std::string text = rotations_text(session, angles, map.set.outer ? &*map.set.outer : nullptr);
   if (map.best && map.best->value)
     text += fmt::format("{} {}\n", map.best->maximum ? "maximum" : "minimum", io::shown(*map.best->value));
-  const bool possible = map.outer && !io::degree_intervals(*map.outer).empty();
+  const bool possible = map.set.outer && !io::degree_intervals(*map.set.outer).empty();
   return {session.options().json ? json() : text, !angles.empty() ? kDone : possible ? kLimit : kEmpty};
 }
 

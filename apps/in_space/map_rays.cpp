@@ -255,20 +255,6 @@ formula::Formula for_cells(const RaySet& set, const formula::Formula& formula, c
   return set.side == formula::Side::kOuter ? widened(formula, radius) : narrowed(formula, radius);
 }
 
-exact::Tried<formula::RegionOnLines> region_rays(const formula::RayWorld& world, const formula::Formula& formula,
-                                                 const space::RayGrid& grid) {
-  if (formula.sign_maps().empty())
-    return formula::RegionOnLines{space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1)};
-  return formula::try_ray_region(world, formula, grid);
-}
-
-void take_minima(const formula::MinimaAsLevels& levels, RaySet& set) {
-  set.on_lines = levels.side;
-  if (levels.minima.empty()) return;
-  set.least = least_of(levels.minima[0]);
-  set.somewhere = levels.formula.atoms().size() == 1 && set.least->value;
-}
-
 /// The shapes of a formula that stay where they are.
 std::vector<plane::ShapePtr> fixed_shapes(const Session& session, const formula::Formula& formula) {
   std::set<std::string> names = formula.shapes();
@@ -282,7 +268,8 @@ std::vector<plane::ShapePtr> fixed_shapes(const Session& session, const formula:
 struct AskedRays {
   std::optional<formula::SpaceSolver> solver;
   formula::RayWorld world;
-  formula::Formula formula;
+  formula::QuestionOnLines question;
+  formula::Formula formula;  // the question's, or for its cells
   RaySet set;
 };
 
@@ -290,42 +277,37 @@ std::unique_ptr<const AskedRays> asked_rays(const Session& session, const LineCh
                                             const formula::Formula& where) {
   auto out = std::make_unique<AskedRays>();
   AskedRays& asked = *out;
-  formula::MinimaAsLevels levels{where, {}, formula::Side::kExact};
   const auto goal = session.goal();
-  const bool by_distance = goal && goal->objective.kind == formula::Objective::Kind::kDistance;
-  if (by_distance || formula::has_minima(levels.formula)) asked.solver.emplace(space_world(session));
-  if (formula::has_minima(levels.formula)) {
-    session.reporter().stage("looking for least values");
-    levels = formula::minima_as_levels(*asked.solver, levels.formula);
-  }
-  asked.formula = levels.formula;
   session.reporter().stage("building the shapes");
   asked.world = ray_world(session);
-  const formula::RayWindow window = formula::window(asked.world, asked.formula);
+  const auto solver = [&]() -> const formula::SpaceSolver& {
+    session.reporter().stage("looking for least values");
+    return asked.solver.emplace(space_world(session));
+  };
+  asked.question = formula::question_on_lines(asked.world, solver, where);
+  const formula::QuestionOnLines& question = asked.question;
+  asked.formula = question.levels.formula;
   RaySet& set = asked.set;
   set.title = fmt::format("Positions of {}", fmt::join(session.scene().moving, ", "));
   set.subtitle = session.scene().where.text;
   set.meaning = "positions";
   set.fixed = fixed_shapes(session, where);
   set.lines = lines;
-  set.low = window.low;
-  set.high = window.high;
-  set.unbounded = formula::holds_far_away(asked.world, asked.formula);
-  take_minima(levels, set);
+  set.low = question.window.low;
+  set.high = question.window.high;
+  set.unbounded = question.unbounded;
+  set.on_lines = question.levels.side;
+  set.somewhere = question.somewhere;
+  if (!question.levels.minima.empty()) set.least = least_of(question.levels.minima[0]);
   take_side(session, set);
   if (set.side != formula::Side::kNone) asked.formula = for_cells(set, asked.formula, session.step());
-  if (by_distance)
+  if (goal && goal->objective.kind == formula::Objective::Kind::kDistance) {
+    if (!asked.solver) asked.solver.emplace(space_world(session));
     set.objective = objective_of(*asked.solver, *goal);
-  else if (goal)
+  } else if (goal)
     set.aim = aim_of(session, *goal);
-  set.source = [&asked](const space::RayGrid& grid) {
-    return region_rays(asked.world, asked.formula, grid).or_throw();
-  };
-  if (set.somewhere && !region_rays(asked.world, asked.formula, {2, 1, set.low.x, set.low.y, 1, 1, 1, 1})) {
-    session.reporter().note("the minimisers have no map on lines: one of them is given");
-    set.on_lines = formula::Side::kInner;
-    set.source = [](const space::RayGrid& grid) { return formula::RegionOnLines{space::constant_rays(grid, 1)}; };
-  }
+  set.source = [&asked](const space::RayGrid& grid) { return asked.question.on(asked.world, asked.formula, grid); };
+  if (question.one_position) session.reporter().note("the minimisers have no map on lines: one of them is given");
   return out;
 }
 

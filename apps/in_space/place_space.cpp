@@ -86,7 +86,7 @@ std::vector<std::string> placed_lines(const io::PlacementResult& result, const S
     std::vector<std::string> at;
     for (const Real& x : p.at) at.push_back(io::shown((x * session.step()).to_double()));
     line += fmt::format(" at ({})", fmt::join(at, ", "));
-    if (p.angle && !p.angle->none()) line += fmt::format(", rotated by {}", io::turn_text(*p.angle));
+    if (p.angle && !p.angle->none()) line += fmt::format(", rotated by {}", io::orientation_text(*p.angle));
     lines.push_back(std::move(line));
   }
   return lines;

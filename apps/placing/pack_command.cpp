@@ -26,7 +26,7 @@ class Packing {
   Packing(const Options& options, const std::string& text, Reporter& reporter)
       : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg", ".dxf"});
-    problem_ = io::read_nesting(text, options.scene, nesting_wishes(options));
+    problem_ = io::read_nesting(text, options.scene, nesting_options(options));
     if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 

@@ -26,7 +26,7 @@ constexpr std::size_t kFaultsNamed = 8;
 io::SolidProblemRead read_problem(const Options& options, const std::string& text, const std::string& name) {
   if (options.height)
     throw Error(ErrorCode::kUsage, "--height is of strips in the plane; in space the height is sought", name);
-  return io::read_solids(text, name, nesting_wishes(options), reading(options));
+  return io::read_solids(text, name, nesting_options(options), reading(options));
 }
 
 class SolidPacking {

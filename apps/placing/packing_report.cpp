@@ -56,7 +56,7 @@ packing::Layout start_layout(const packing::Problem& problem, const std::filesys
   return layout;
 }
 
-io::NestingWishes nesting_wishes(const Options& options) {
+io::NestingOptions nesting_options(const Options& options) {
   const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
   return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge)};
 }

@@ -20,7 +20,7 @@
 namespace findspace::app {
 
 /// The height, gap and edge of the command line.
-io::NestingWishes nesting_wishes(const Options& options);
+io::NestingOptions nesting_options(const Options& options);
 
 /// A layout of the problem to begin with: JSON, or an SVG of sparrow; `most` bytes. Throws Error.
 packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path, std::uint64_t most);

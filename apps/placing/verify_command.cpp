@@ -16,7 +16,7 @@ namespace findspace::app {
 namespace {
 
 io::ProblemAndLayout read_in_plane(const Options& options, const std::string& text, const std::string& of_problem) {
-  packing::Problem problem = io::read_nesting(of_problem, options.shapes[0], nesting_wishes(options));
+  packing::Problem problem = io::read_nesting(of_problem, options.shapes[0], nesting_options(options));
   packing::Layout layout = io::read_layout(text, options.scene, problem);
   return {std::move(problem), std::move(layout)};
 }

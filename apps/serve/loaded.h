@@ -26,7 +26,7 @@ struct Spot {
 };
 
 /// Which region is wanted, and how.
-struct RegionWish {
+struct RegionQuery {
   bool drawing = false;
   bool brief = false;                // only whether it is empty, a position of it, and how it looks
   std::optional<std::string> where;  // of this formula; the scene keeps its own
@@ -35,7 +35,7 @@ struct RegionWish {
   int resolution = 0;                // in space: lines each way where the region is not exact; 0: kLines
 };
 
-struct CheckWish {
+struct CheckQuery {
   bool nearest = false;  // the nearest feasible position too
   exact::Real snap;      // go to a corner, an edge or the nearest feasible position within this
 };
@@ -55,8 +55,8 @@ class Loaded {
   /// What it is: dimension, unit, shapes, what moves, the formula, what is free; with `drawing` how the shapes look.
   std::string summary_json(bool drawing) const;
   /// The region, as `map --json` gives it; with `drawing` how it looks too.
-  virtual std::string map_json(const RegionWish& wish) const = 0;
-  virtual std::string check_json(const Spot& spot, const CheckWish& wish) const = 0;
+  virtual std::string map_json(const RegionQuery& query) const = 0;
+  virtual std::string check_json(const Spot& spot, const CheckQuery& query) const = 0;
   std::string nearest_json(const Spot& spot) const;
   virtual std::string measure_json(const Spot& spot) const = 0;
   virtual std::string explain_json(const std::optional<Spot>& spot) const = 0;

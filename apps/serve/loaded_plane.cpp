@@ -101,10 +101,9 @@ std::shared_ptr<const RegionAnswers> LoadedPlane::solved(const formula::Solver& 
   const bool line = scene().free.kind == Kind::kLine;
   const auto kept = [&](plane::Region region) { return line ? on_line(region, scene().free) : std::move(region); };
   const Real& step = solver.world().step;
-  if (!solver.known_between_bounds(formula))
-    return std::make_shared<const RegionAnswers>(kept(formula::feasible_near(solver, formula)), std::nullopt, step);
-  formula::RegionBounds bounds = solver.feasible_bounds(formula);
-  return std::make_shared<const RegionAnswers>(kept(std::move(bounds.inner)), kept(std::move(bounds.outer)), step);
+  formula::SolvedRegion found = formula::solve_region(solver, formula);
+  if (found.outer) found.outer = kept(*std::move(found.outer));
+  return std::make_shared<const RegionAnswers>(kept(std::move(found.region)), std::move(found.outer), step);
 }
 
 const RegionAnswers& LoadedPlane::answers(const Rotated& rotated) const {
@@ -147,27 +146,27 @@ std::string LoadedPlane::brief_json(const RegionAnswers& answers) const {
   return out + "}";
 }
 
-std::string LoadedPlane::map_json(const RegionWish& wish) const {
+std::string LoadedPlane::map_json(const RegionQuery& query) const {
   require_moving();
-  const Rotated& world = rotated(wish.angle);
-  const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
-  const formula::Formula& wanted = wish.where ? other : formula();
-  const bool plain = scene().minimize.empty() && scene().maximize.empty() && wish.apply.empty();
-  if (wish.brief && plain) return brief_json(wish.where ? *solved(*world.solver, wanted) : answers(world));
+  const Rotated& world = rotated(query.angle);
+  const formula::Formula other = query.where ? parsed(*query.where) : formula::Formula{};
+  const formula::Formula& wanted = query.where ? other : formula();
+  const bool plain = scene().minimize.empty() && scene().maximize.empty() && query.apply.empty();
+  if (query.brief && plain) return brief_json(query.where ? *solved(*world.solver, wanted) : answers(world));
   Options options;
-  options.apply = wish.apply;
+  options.apply = query.apply;
   return with_session(options, [&](const Session& session) {
     std::optional<formula::RegionBounds> known;
-    if (!wish.where) {
+    if (!query.where) {
       const RegionAnswers& all = answers(world);
       known = {all.in_order(), all.outer() ? plane::in_order(*all.outer()) : plane::Region{}};
     }
     PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
-    if (wish.brief) {
+    if (query.brief) {
       return brief_json(RegionAnswers(std::move(map.region), std::move(map.outer), solver().world().step));
     }
     std::string out = planar_map_json(session, map);
-    if (!wish.drawing) return out;
+    if (!query.drawing) return out;
     out = with_member(std::move(out), "drawing", drawing_json(map.region));
     return map.outer ? with_member(std::move(out), "outer_drawing", drawing_json(*map.outer)) : out;
   });
@@ -198,17 +197,17 @@ formula::Check LoadedPlane::check(const Spot& spot, const RealPoint& at) const {
   return formula::RotationSolver(solver(), pose).check(formula());
 }
 
-std::string LoadedPlane::check_json(const Spot& spot, const CheckWish& wish) const {
+std::string LoadedPlane::check_json(const Spot& spot, const CheckQuery& query) const {
   require_moving();
   RealPoint at = point_of(spot);
   const Rotated& world = rotated(spot.angle);
-  if (wish.snap.sign() > 0) {
+  if (query.snap.sign() > 0) {
     const Real& step = solver().world().step;
-    const auto near = answers(world).snapped({at.x / step, at.y / step}, wish.snap / step);
+    const auto near = answers(world).snapped({at.x / step, at.y / step}, query.snap / step);
     if (near) at = distance::times(step, *near);
   }
   const formula::Check found = check(spot, at);
-  const auto near = wish.nearest && !found.holds && !spot.time ? nearest(world, at) : std::nullopt;
+  const auto near = query.nearest && !found.holds && !spot.time ? nearest(world, at) : std::nullopt;
   const bool turns = spot.angle || scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose;
   return io::check_json(found, distance::coordinates(at), unit(),
                         turns ? std::optional(spot.angle.value_or(Real()).to_double()) : std::nullopt,
@@ -244,9 +243,9 @@ std::string LoadedPlane::angles_json(const Spot& spot) const {
   const Real& step = solver().world().step;
   const formula::RotationSolver rotation(solver(), {point_of(spot), {}, distance::times(step, about())});
   const formula::RotationMaps maps = rotation.maps(formula());
-  if (!maps.rotations_twice(formula())) return io::rotations_json(maps.feasible(formula()));
-  const formula::RotationBounds bounds = formula::rotation_bounds(maps, formula());
-  return bounded_json(io::rotations_json(bounds.inner), io::rotations_json(bounds.outer));
+  const formula::SolvedAngles found = formula::solve_angles(maps, formula());
+  std::string text = io::rotations_json(found.angles);
+  return found.outer ? bounded_json(std::move(text), io::rotations_json(*found.outer)) : text;
 }
 
 std::string LoadedPlane::instants_json(const Spot& spot) const {

@@ -22,8 +22,8 @@ class LoadedPlane final : public Loaded {
  public:
   explicit LoadedPlane(io::Scene scene);
 
-  std::string map_json(const RegionWish& wish) const override;
-  std::string check_json(const Spot& spot, const CheckWish& wish) const override;
+  std::string map_json(const RegionQuery& query) const override;
+  std::string check_json(const Spot& spot, const CheckQuery& query) const override;
   std::string measure_json(const Spot& spot) const override;
   std::string explain_json(const std::optional<Spot>& spot) const override;
   std::string angles_json(const Spot& spot) const override;

@@ -52,11 +52,11 @@ SpaceMap LoadedSpace::solved(const formula::Formula& formula, const std::string&
   return with_session(options, [&](const Session& session) { return space_map(session, *solver_, formula, true); });
 }
 
-std::string LoadedSpace::map_of_line(const RegionWish& wish, const formula::Formula& wanted) const {
+std::string LoadedSpace::map_of_line(const RegionQuery& query, const formula::Formula& wanted) const {
   return with_session([&](const Session& session) {
     const SpaceLineMap map = space_line_map(session, *solver_, wanted);
     std::string out = space_line_json(session, map);
-    if (!wish.drawing) return out;
+    if (!query.drawing) return out;
     SpacePlace through{}, direction{};
     for (std::size_t k = 0; k < 3; ++k) {
       through[k] = double(scene().free.through[k]) * step();
@@ -85,32 +85,32 @@ SpaceWindow LoadedSpace::window() const {
   return *window_;
 }
 
-std::string LoadedSpace::map_json(const RegionWish& asked) const {
+std::string LoadedSpace::map_json(const RegionQuery& asked) const {
   require_moving();
-  RegionWish wish = asked;
-  wish.drawing = wish.drawing || wish.brief;
-  if (wish.angle) refuse("an angle in space");
-  const formula::Formula other = wish.where ? parsed(*wish.where) : formula::Formula{};
-  const formula::Formula& wanted = wish.where ? other : formula();
-  if (scene().free.kind == io::Free::Kind::kLine) return map_of_line(wish, wanted);
+  RegionQuery query = asked;
+  query.drawing = query.drawing || query.brief;
+  if (query.angle) refuse("an angle in space");
+  const formula::Formula other = query.where ? parsed(*query.where) : formula::Formula{};
+  const formula::Formula& wanted = query.where ? other : formula();
+  if (scene().free.kind == io::Free::Kind::kLine) return map_of_line(query, wanted);
   SpaceMap made;
   const SpaceMap* map = &made;
-  if (wish.where || !wish.apply.empty())
-    made = solved(wanted, wish.apply);
+  if (query.where || !query.apply.empty())
+    made = solved(wanted, query.apply);
   else
     map = &region();
   return with_session([&](const Session& session) {
     if (map->way == distance::Way::kLines) {
-      if (!wish.apply.empty()) refuse("an operation on a region that only lines give");
+      if (!query.apply.empty()) refuse("an operation on a region that only lines give");
       LineChoice lines;
-      lines.count = wish.resolution > 0 ? wish.resolution : kLines;
+      lines.count = query.resolution > 0 ? query.resolution : kLines;
       lines.axes = true;
       RaysDrawn drawn = draw_rays(session, lines, wanted);
-      if (!wish.drawing) return drawn.json;
+      if (!query.drawing) return drawn.json;
       return with_member(std::move(drawn.json), "drawing", SpaceDrawing{std::move(drawn.surface), {}, {}, {}}.json());
     }
     std::string out = space_map_json(session, *map);
-    if (!wish.drawing) return out;
+    if (!query.drawing) return out;
     const SpaceDrawing drawing = map->way == distance::Way::kConvex
                                      ? drawing_of_convex(*map->convex, map->step)
                                      : drawing_of_boxes(map->boxes, session.step(), window());
@@ -128,20 +128,20 @@ std::optional<formula::NearestFeasible> LoadedSpace::nearest(const RealVector& a
   return formula::nearest_feasible(*solver_, formula(), at);
 }
 
-std::string LoadedSpace::check_json(const Spot& spot, const CheckWish& wish) const {
+std::string LoadedSpace::check_json(const Spot& spot, const CheckQuery& query) const {
   require_moving();
   if (spot.angle || spot.time) refuse("an angle or an instant in space");
   RealVector at = vector_of(spot);
   formula::Check check = solver_->check(formula(), at);
   std::optional<formula::NearestFeasible> near;
-  if (!check.holds && (wish.nearest || wish.snap.sign() > 0)) near = nearest(at);
-  if (near && near->attained && near->distance <= wish.snap) {
+  if (!check.holds && (query.nearest || query.snap.sign() > 0)) near = nearest(at);
+  if (near && near->attained && near->distance <= query.snap) {
     at = {near->at[0], near->at[1], near->at[2]};
     check = solver_->check(formula(), at);
     near.reset();
   }
   return io::check_json(check, distance::coordinates(at), unit(), std::nullopt,
-                        near && wish.nearest ? &*near : nullptr);
+                        near && query.nearest ? &*near : nullptr);
 }
 
 std::optional<formula::NearestFeasible> LoadedSpace::nearest(const Spot& spot) const {

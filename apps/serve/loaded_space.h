@@ -21,8 +21,8 @@ class LoadedSpace final : public Loaded {
  public:
   explicit LoadedSpace(io::Scene scene);
 
-  std::string map_json(const RegionWish& wish) const override;
-  std::string check_json(const Spot& spot, const CheckWish& wish) const override;
+  std::string map_json(const RegionQuery& query) const override;
+  std::string check_json(const Spot& spot, const CheckQuery& query) const override;
   std::string measure_json(const Spot& spot) const override;
   std::string explain_json(const std::optional<Spot>& spot) const override;
   std::string angles_json(const Spot& spot) const override;
@@ -37,7 +37,7 @@ class LoadedSpace final : public Loaded {
   SpaceWindow window() const;
   SpaceMap solved(const formula::Formula& formula, const std::string& apply) const;
   std::optional<formula::NearestFeasible> nearest(const space::RealVector& at) const;
-  std::string map_of_line(const RegionWish& wish, const formula::Formula& formula) const;
+  std::string map_of_line(const RegionQuery& query, const formula::Formula& formula) const;
 
   std::shared_ptr<const formula::SpaceSolver> solver_;
   mutable std::optional<SpaceWindow> window_;  // of drawings

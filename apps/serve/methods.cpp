@@ -208,19 +208,19 @@ std::string set(SceneStore& store, const JsonValue& parameters) {
 }
 
 std::string map(SceneStore& store, const JsonValue& parameters) {
-  RegionWish wish;
-  wish.drawing = flag(parameters, "drawing");
-  wish.brief = flag(parameters, "brief");
-  wish.where = text(parameters, "where");
-  wish.apply = text(parameters, "apply").value_or("");
+  RegionQuery query;
+  query.drawing = flag(parameters, "drawing");
+  query.brief = flag(parameters, "brief");
+  query.where = text(parameters, "where");
+  query.apply = text(parameters, "apply").value_or("");
   constexpr std::array<std::string_view, 6> kOperations{"",         "interior",   "closure",
                                                         "boundary", "regularize", "complement"};
-  if (std::find(kOperations.begin(), kOperations.end(), wish.apply) == kOperations.end())
+  if (std::find(kOperations.begin(), kOperations.end(), query.apply) == kOperations.end())
     refuse("\"apply\" is one of interior, closure, boundary, regularize, complement");
-  wish.angle = number(parameters, "angle");
+  query.angle = number(parameters, "angle");
   constexpr std::uint64_t kMostLines = 1024;
-  wish.resolution = static_cast<int>(std::min(whole(parameters, "resolution", 0), kMostLines));
-  return store.scene(name_of(parameters)).map_json(wish);
+  query.resolution = static_cast<int>(std::min(whole(parameters, "resolution", 0), kMostLines));
+  return store.scene(name_of(parameters)).map_json(query);
 }
 
 std::string check(SceneStore& store, const JsonValue& parameters) {
@@ -270,9 +270,9 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
   if (path && content) refuse("pack takes either \"path\" or \"text\"");
   const std::string name = name_of(parameters);
   if (path || content) {
-    const PackingWishes wishes{text(parameters, "height"), text(parameters, "gap").value_or("0"),
+    const PackingOptions asked{text(parameters, "height"), text(parameters, "gap").value_or("0"),
                                text(parameters, "edge").value_or("0")};
-    store.keep_problem(name, path ? store.read_text_of(*path) : *content, path.value_or(name), wishes);
+    store.keep_problem(name, path ? store.read_text_of(*path) : *content, path.value_or(name), asked);
   }
   PackingJob& job = store.packing(name);
   const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");

@@ -21,9 +21,9 @@ namespace {
 
 packing::Fraction fraction(const std::string& text) { return packing::Fraction::parse(text); }
 
-packing::Problem read(const std::string& problem, const std::string& file, const PackingWishes& wishes) {
-  io::NestingWishes read{std::nullopt, fraction(wishes.gap), fraction(wishes.edge)};
-  if (wishes.height) read.height = fraction(*wishes.height);
+packing::Problem read(const std::string& problem, const std::string& file, const PackingOptions& asked) {
+  io::NestingOptions read{std::nullopt, fraction(asked.gap), fraction(asked.edge)};
+  if (asked.height) read.height = fraction(*asked.height);
   packing::Problem result = io::read_nesting(problem, file, read);
   if (result.on_sheets() || result.box)
     throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
@@ -86,8 +86,8 @@ std::optional<packing::Layout> set_aside(const packing::Problem& problem, const 
 
 }  // namespace
 
-PackingJob::PackingJob(const std::string& problem, const std::string& file, const PackingWishes& wishes)
-    : problem_(read(problem, file, wishes)), bound_(packing::lower_bound(problem_)) {}
+PackingJob::PackingJob(const std::string& problem, const std::string& file, const PackingOptions& asked)
+    : problem_(read(problem, file, asked)), bound_(packing::lower_bound(problem_)) {}
 
 PackingJob::~PackingJob() { stop(); }
 

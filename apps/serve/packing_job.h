@@ -21,7 +21,7 @@
 namespace findspace::app {
 
 /// Decimals, as the options of the verb `pack`.
-struct PackingWishes {
+struct PackingOptions {
   std::optional<std::string> height;
   std::string gap = "0", edge = "0";
 };
@@ -36,7 +36,7 @@ struct PackingStart {
 class PackingJob {
  public:
   /// Throws Error.
-  PackingJob(const std::string& problem, const std::string& file, const PackingWishes& wishes);
+  PackingJob(const std::string& problem, const std::string& file, const PackingOptions& asked);
   ~PackingJob();
   PackingJob(const PackingJob&) = delete;
   PackingJob& operator=(const PackingJob&) = delete;

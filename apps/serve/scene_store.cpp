@@ -86,8 +86,8 @@ std::string SceneStore::source(const std::string& name) {
 }
 
 void SceneStore::keep_problem(const std::string& name, const std::string& text, const std::string& file,
-                              const PackingWishes& wishes) {
-  auto job = std::make_unique<PackingJob>(text, file, wishes);
+                              const PackingOptions& asked) {
+  auto job = std::make_unique<PackingJob>(text, file, asked);
   scenes_.erase(name);
   packings_[name] = std::move(job);
 }

@@ -34,7 +34,7 @@ class SceneStore {
   PackingJob& packing(const std::string& name);
   bool has_packing() const { return !packings_.empty(); }
   void keep_problem(const std::string& name, const std::string& text, const std::string& file,
-                    const PackingWishes& wishes);
+                    const PackingOptions& asked);
   void forget(const std::string& name);
 
   /// A scene, drawing or board below the folder. Throws Error where the path leads out of it.

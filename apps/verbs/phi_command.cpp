@@ -44,7 +44,8 @@ void note_parts(const Session& session, const std::string& name, const space::Bo
 space::Body body_of(const Session& session, const std::string& name) {
   space::Body body = space::body(*session.scene().shape(name));
   if (body.outside)
-    throw Error(ErrorCode::kUnsupported, "a complement is no union of convex parts", fmt::format("shape '{}'", name));
+    throw Error(ErrorCode::kUnsupported, "a complement is not a union of convex parts",
+                fmt::format("shape '{}'", name));
   note_parts(session, name, body);
   return body;
 }

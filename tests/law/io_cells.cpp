@@ -3,7 +3,7 @@
 //
 // Sets of the plane written as exact cells and as constructive shapes read back as the same sets: random shapes of
 // every kind of node, with open edges, cracks, whiskers, single points, arcs of offset radius and rotated vertices;
-// also on another grid. What is no set of cells is refused.
+// also on another grid. What is not a set of cells is refused.
 #include <findspace/error.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -107,7 +107,7 @@ class Reading(SafetyTest):
 
     def test_unknown_type_of_geojson(self):
         self.file("part.geojson", {"type": "Poligon", "coordinates": []})
-        self.expect(3, "'Poligon' is no type of GeoJSON", "describe", self.of_file("part.geojson"))
+        self.expect(3, "'Poligon' is not a type of GeoJSON", "describe", self.of_file("part.geojson"))
 
 
 class Costs(SafetyTest):

@@ -33,7 +33,7 @@ EXACT = {"exact", "exact, one distance", "exact along an axis", "exact both ways
 UNMARKED = "nothing says that the lines have an error"
 KINDS = {
     "not computed": "(is|are) not computed|rotation is about",
-    "no convex parts": "is no union of convex parts",
+    "no convex parts": "is not a union of convex parts",
     "no least value": "has no least value",
     "not convex": "are computed in 3D for convex polyhedra",
     "slanted faces": "faces are all parallel to the axes",

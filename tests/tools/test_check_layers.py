@@ -82,9 +82,10 @@ class CheckLayers(TreeTest):
 
     def test_a_power_of_two_is_a_small_constant_but_for_one_that_is_no_margin(self):
         code = "const double e = 0x1p-40;\nconst double most = 0x1p40;  // no sign: a limit\nconst double f = 0x1.8P-3;\n"
+        code += "const Real g = Real::ratio(1, 1000000);\nconst double h = 1.0 / (1 << 20);\n"
         self.write("src/plane/base/powers.cpp", SPDX + code)
         self.write("src/exact/number/margins.h", SPDX + "const double e = 0x1p-40;\n")
-        self.assertEqual(self.faults(), [f"src/plane/base/powers.cpp:{line}: {SMALL}" for line in (3, 5)])
+        self.assertEqual(self.faults(), [f"src/plane/base/powers.cpp:{line}: {SMALL}" for line in (3, 5, 6, 7)])
 
 
 if __name__ == "__main__":

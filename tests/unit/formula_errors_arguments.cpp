@@ -78,7 +78,7 @@ TEST(FormulaErrors, Arguments) {
          "  gamma1(chip, board, along=1) >= 1\n"
          "                            ^");
   expect("gamma1(chip, board, along=(0,0)) >= 1",
-         "1:27: the zero vector is no direction\n"
+         "1:27: the zero vector is not a direction\n"
          "  gamma1(chip, board, along=(0,0)) >= 1\n"
          "                            ^~~~~");
   expect("gamma1(chip, board, along=(1,0,0)) >= 1",

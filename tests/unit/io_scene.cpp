@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
     Shapes, SceneRefuses,
     ::testing::Values(
         Refused{SHAPE("7"), "shape 'a' (s.json:1:34): a shape is an object, a name or a list, not a number"},
-        Refused{SHAPE("{}"), "an empty object is no shape"}, Refused{SHAPE("[]"), "an empty list of shapes"},
+        Refused{SHAPE("{}"), "an empty object is not a shape"}, Refused{SHAPE("[]"), "an empty list of shapes"},
         Refused{SHAPE("{\"polygn\": []}"), "did you mean 'polygon'?"},
         Refused{SHAPE("{\"xyzzy\": []}"), "the kinds are polygon, disc"},
         Refused{SHAPE("{\"polygon\": [[0,0],[1,0],[0,1]], \"hols\": []}"), "unknown key 'hols', did you mean 'holes'?"},

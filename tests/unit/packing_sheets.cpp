@@ -35,7 +35,7 @@ TEST(Sheets, BoxesThatFillThem) {
   const Layout layout = found(problem, 3e7);  // 72 units of area on plates of 24
   EXPECT_EQ(layout.sheets.size(), 3u);
   EXPECT_TRUE(layout.left_out.empty());
-  EXPECT_DOUBLE_EQ(room(problem, layout), area(problem));
+  EXPECT_DOUBLE_EQ(container_area(problem, layout), area(problem));
 }
 
 TEST(Sheets, NoPartLiesAcrossAWall) {
@@ -55,7 +55,7 @@ TEST(Sheets, OutlineHoleAndZone) {
   Layout cut;
   cut.sheets = {0};
   cut.length = Fraction(6);
-  EXPECT_DOUBLE_EQ(room(problem, cut), 4 * 8 + 2 * 4 - 2 * 2);  // what lies left of x = 6
+  EXPECT_DOUBLE_EQ(container_area(problem, cut), 4 * 8 + 2 * 4 - 2 * 2);  // what lies left of x = 6
   problem.parts = {{"square", 2, box(4, 4), {0}}, {"dot", 1, box(1, 1), {0}}};
   const Layout layout = found(problem, 4e6);
   EXPECT_TRUE(layout.left_out.empty());
@@ -121,7 +121,7 @@ TEST(Box, OfTheLeastArea) {
   const auto layout = search_box(problem, options, {}, stop);
   ASSERT_TRUE(layout.has_value());
   EXPECT_TRUE(verify(problem, *layout).feasible());
-  EXPECT_DOUBLE_EQ(room(problem, *layout), 24);
+  EXPECT_DOUBLE_EQ(container_area(problem, *layout), 24);
 }
 
 TEST(FieldTable, PairsThatShareAField) {

@@ -24,25 +24,19 @@ namespace {
 /// A formula over a world of space, ready to be taken on lines.
 struct AskedOnLines {
   const formula::RayWorld& world;
-  formula::MinimaAsLevels levels;
-  formula::RayWindow window;
+  formula::QuestionOnLines question;
   double step;
 
   AskedOnLines(const World::Data& data, const Formula& text)
       : world(*data.space("a map on lines").world().rays),
-        levels{data.formula(text.text()), {}, formula::Side::kExact},
-        step(data.grid.step_size()) {
-    if (formula::has_minima(levels.formula)) levels = formula::minima_as_levels(*data.solid, levels.formula);
-    window = formula::window(world, levels.formula);
-  }
-  bool unbounded() const { return formula::holds_far_away(world, levels.formula); }
+        question(formula::question_on_lines(
+            world, [&]() -> const formula::SpaceSolver& { return *data.solid; }, data.formula(text.text()))),
+        step(data.grid.step_size()) {}
   space::RayGrid grid(const Lines& lines) const {
-    return space::ray_grid(window.low, window.high, static_cast<int>(lines.axis), lines.count);
+    return space::ray_grid(question.window.low, question.window.high, static_cast<int>(lines.axis), lines.count);
   }
   formula::RegionOnLines on(const formula::Formula& formula, const space::RayGrid& grid) const {
-    if (formula.sign_maps().empty())
-      return {space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1), formula::Side::kExact};
-    return formula::try_ray_region(world, formula, grid).or_throw();
+    return question.on(world, formula, grid);
   }
 };
 
@@ -77,7 +71,7 @@ LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
     const AskedOnLines asked(*data_, formula);
     const space::RayGrid grid = asked.grid(lines);
-    const formula::RegionOnLines source = asked.on(asked.levels.formula, grid);
+    const formula::RegionOnLines source = asked.on(asked.question.levels.formula, grid);
     space::RaySummarizer summarizer(grid);
     LineMap out;
     space::each_row(*source.rays, [&](int j, space::RayRow&& row) {
@@ -85,8 +79,8 @@ LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
       add_row(grid, j, row, asked.step, out);
     });
     const space::RaySummary summary = summarizer.finish();
-    out.exact = formula::both(asked.levels.side, source.side) == formula::Side::kExact;
-    out.unbounded = asked.unbounded();
+    out.exact = formula::both(asked.question.levels.side, source.side) == formula::Side::kExact;
+    out.unbounded = asked.question.unbounded;
     out.volume = summary.volume * asked.step * asked.step * asked.step;
     out.components = summary.components.size();
     if (!summary.empty)
@@ -99,19 +93,19 @@ VolumeBounds World::volume(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
     const AskedOnLines asked(*data_, formula);
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    if (asked.unbounded()) return VolumeBounds{kInfinite, kInfinite};
+    if (asked.question.unbounded) return VolumeBounds{kInfinite, kInfinite};
     const space::RayGrid grid = asked.grid(lines);
     const exact::Real radius = space::cell_radius(grid) * data_->grid.step();
-    return VolumeBounds{volume_on(asked, formula::narrowed(asked.levels.formula, radius), grid),
-                        volume_on(asked, formula::widened(asked.levels.formula, radius), grid)};
+    return VolumeBounds{volume_on(asked, formula::narrowed(asked.question.levels.formula, radius), grid),
+                        volume_on(asked, formula::widened(asked.question.levels.formula, radius), grid)};
   });
 }
 
 Surface World::surface(const Formula& formula, int count) const {
   return api::limited(data_->options, [&] {
     const AskedOnLines asked(*data_, formula);
-    const space::RayLattice lattice = space::ray_lattice(asked.window.low, asked.window.high, count);
-    const auto source = [&](int axis) { return asked.on(asked.levels.formula, lattice.grid(axis)).rays; };
+    const space::RayLattice lattice = space::ray_lattice(asked.question.window.low, asked.question.window.high, count);
+    const auto source = [&](int axis) { return asked.on(asked.question.levels.formula, lattice.grid(axis)).rays; };
     const space::RaySurface found = space::ray_surface(lattice, source, [](std::int8_t sign) { return sign <= 0; });
     Surface out;
     for (const auto& v : found.vertices) out.vertices.push_back(scaled(v, asked.step));

@@ -45,7 +45,7 @@ planning::AskedBody asked_body(const Body& body, const formula::Context& all, st
   }
   for (const Number& angle : body.angles) {
     Real degrees = within_a_turn(api::real_of(angle));
-    const auto same = [&](const planning::Turn& t) { return t.degrees == degrees; };
+    const auto same = [&](const planning::Orientation& t) { return t.degrees == degrees; };
     if (std::none_of(out.angles.begin(), out.angles.end(), same)) out.angles.emplace_back(std::move(degrees));
   }
   if (out.angles.empty()) throw Error(ErrorCode::kBadValue, "no angles: nothing is allowed", place);

@@ -40,12 +40,9 @@ RegionBounds World::solve_bounds(const Formula& formula) const {
   const formula::Solver& solver = data_->plane("the region of a formula");
   return api::limited(data_->options, [&] {
     const formula::Formula asked = data_->formula(formula.text());
-    if (!solver.known_between_bounds(asked)) {
-      const Region exact = data_->region(formula::feasible_near(solver, asked));
-      return RegionBounds{exact, exact};
-    }
-    formula::RegionBounds found = solver.feasible_bounds(asked);
-    return RegionBounds{data_->region(std::move(found.inner)), data_->region(std::move(found.outer))};
+    formula::SolvedRegion found = formula::solve_region(solver, asked);
+    const Region inner = data_->region(std::move(found.region));
+    return RegionBounds{inner, found.outer ? data_->region(*std::move(found.outer)) : inner};
   });
 }
 
@@ -95,14 +92,9 @@ Instants World::instants(const Formula& formula, const Point& p) const {
   const exact::RealPoint at{place[0], place[1]};
   return api::limited(data_->options, [&] {
     const formula::Formula asked = data_->formula(formula.text());
-    const bool rotating = solver.known_between_bounds(asked);
-    const auto swing = rotating ? solver.swing(asked, at) : std::nullopt;
-    if (rotating && !swing) {
-      const formula::InstantBounds found = solver.instant_bounds(asked, at);
-      return Instants{in_time(found.inner), in_time(found.outer), false};
-    }
-    const std::vector<Interval> all = in_time(swing ? *swing : solver.instants(asked, at));
-    return Instants{all, all, true};
+    const formula::SolvedInstants found = solver.solve_instants(asked, at);
+    const std::vector<Interval> certain = in_time(found.instants);
+    return Instants{certain, found.outer ? in_time(*found.outer) : certain, !found.outer};
   });
 }
 

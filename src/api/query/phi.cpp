@@ -49,7 +49,7 @@ std::int64_t common_scale(std::int64_t a, std::int64_t b) {
 void make_planar(const plane::Shape& a, const plane::Shape& b, double step, Phi::Data& data) {
   const auto p = space::planar_parts(a, step), q = space::planar_parts(b, step);
   if (!p || !q)
-    throw Error(ErrorCode::kUnsupported, "a Phi-function of shapes that are no unions of polygons and discs");
+    throw Error(ErrorCode::kUnsupported, "a Phi-function of shapes that are not unions of polygons and discs");
   const std::int64_t scale = common_scale(p->scale, q->scale);
   const auto ps = space::at_scale(*p, scale), qs = space::at_scale(*q, scale);
   if (!ps || !qs) throw Error(ErrorCode::kOutOfRange, "the corners of the two have no common grid");
@@ -62,7 +62,7 @@ void make_planar(const plane::Shape& a, const plane::Shape& b, double step, Phi:
 void make_solid(const plane::Shape& a, const plane::Shape& b, Phi::Data& data) {
   const space::Body p = space::body(a), q = space::body(b);
   if (p.outside || q.outside)
-    throw Error(ErrorCode::kUnsupported, "a Phi-function of a complement, which is no union of convex parts");
+    throw Error(ErrorCode::kUnsupported, "a Phi-function of a complement, which is not a union of convex parts");
   const std::int64_t scale = common_scale(p.scale, q.scale);
   data.solid.emplace(space::at_scale(p, scale).parts, space::at_scale(q, scale).parts);
   data.a = p.parts.size();

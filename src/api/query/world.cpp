@@ -116,7 +116,7 @@ const Shape& World::Data::shape(const std::string& name) const {
 formula::Objective World::Data::distance(std::string_view text) const {
   formula::Objective wanted = formula::parse_objective(text, context);
   if (wanted.kind != formula::Objective::Kind::kDistance)
-    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is no distance of shapes", text));
+    throw Error(ErrorCode::kBadValue, fmt::format("'{}' is not a distance of shapes", text));
   return wanted;
 }
 

@@ -310,7 +310,7 @@ Shape::Rounded Shape::rounded() const {
 }
 
 const Region& Shape::region() const {
-  if (dimension() == 3) throw Error(ErrorCode::kUnsupported, "a shape of space is no region of the plane");
+  if (dimension() == 3) throw Error(ErrorCode::kUnsupported, "a shape of space is not a region of the plane");
   std::call_once(data_->made, [&] {
     data_->region = api::make_region(plane::build(*data_->tree, data_->grid.step_size()).region, data_->grid);
   });

@@ -114,7 +114,7 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
       if (distance(box, {part.low(), part.high()}) > 0) continue;
-      most = std::max(most, part.places.also_in(keep_in(s, by)).deepest({enough * size_}).value);
+      most = std::max(most, part.places.also_in(convex(s, by)).deepest({enough * size_}).value);
     }
   }
   return most > enough * size_ ? most : 0;
@@ -178,7 +178,7 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
         "the protrusion of a shape that round ones are cut out of is computed "
         "where that is convex");
   const Vector by = space::rounded(p);
-  const ConvexDistance beyond = keep_out(b_->parts[0], by);
+  const ConvexDistance beyond = reverse_convex(b_->parts[0], by);
   std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
     const BoundaryPlace found = part.places.farthest_from(beyond);
@@ -237,11 +237,11 @@ TriedBetween CsgPair::nearly_protrudes(const RealVector& p, double level) const 
   for (double near = size_ / 16;; near /= 8) {
     const SolidMaxMin found = csg_protrusion(solids, parts_, size_, near).found;
     const Between out{std::max(0.0, found.value) - error - level, found.bound + error - level};
-    const double told = std::max(out.low, -out.high);
-    if ((told > 0 && out.high - out.low <= told) || (found.complete && near < margin::kMostFoundError * size_))
+    const double decided = std::max(out.low, -out.high);
+    if ((decided > 0 && out.high - out.low <= decided) || (found.complete && near < margin::kMostFoundError * size_))
       return std::optional(out);
     if (!found.complete) {
-      if (told > 0) return std::optional(out);
+      if (decided > 0) return std::optional(out);
       return exact::Refusal(
           "the protrusion from a shape that round ones are cut out of was not found within the limit of the search");
     }

@@ -68,7 +68,7 @@ class CsgConstraints : public LazyConstraints {
       if (!all_->pairs[k].out.empty()) continue;
       const int number = static_cast<int>(cuts_.size());
       cuts_.push_back({k, {}, all_->pairs[k].part->low(), 0});
-      out.keep_out.push_back([this, number](const Vector& x) { return beyond(number, x); });
+      out.reverse_convex.push_back([this, number](const Vector& x) { return beyond(number, x); });
     }
     return out;
   }
@@ -278,7 +278,7 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
         pair.fixed.insert(pair.fixed.end(), fixed->begin(), fixed->end());
       }
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
-      pair.in = keep_in(s, {});
+      pair.in = convex(s, {});
       pair.part = &part;
       const Vector from = part.low() - pair.high, to = part.high() - pair.low;
       low = {std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};

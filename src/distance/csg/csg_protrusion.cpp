@@ -82,7 +82,7 @@ struct Sides {
   std::optional<NearestPlace> nearest(const Vector& x, double size) const {
     const Constraints& rules = part->places.rules();
     Projection most{0, x};
-    for (const TouchingRule& rule : rules.keep_in) {
+    for (const TouchingRule& rule : rules.convex) {
       const Touching at = rule(x);
       if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
     }
@@ -97,9 +97,9 @@ struct Sides {
       }
     }
     const double noise = margin::kDistanceNoise * size;
-    const bool belongs = std::all_of(rules.keep_in.begin(), rules.keep_in.end(),
+    const bool belongs = std::all_of(rules.convex.begin(), rules.convex.end(),
                                      [&](const TouchingRule& f) { return f(most.at).value <= noise; }) &&
-                         std::all_of(rules.keep_out.begin(), rules.keep_out.end(),
+                         std::all_of(rules.reverse_convex.begin(), rules.reverse_convex.end(),
                                      [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
     if (!belongs) return std::nullopt;
     return NearestPlace{most.least, most.at, part};

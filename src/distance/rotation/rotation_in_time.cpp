@@ -11,6 +11,7 @@
 
 #include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotational_distance.h"
+#include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
 #include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
@@ -27,8 +28,6 @@ using plane::RotationMap;
 namespace {
 
 constexpr int kFirstPartsOfDisc = 4, kPartsOfDisc = 8;
-constexpr double kCloseEnough = 1e-6;       // no sign: degrees between the bounds of an extremum
-constexpr double kRoundingOfAngle = 1e-11;  // no sign: degrees, more than values on the circle are off
 using exact::kInfinity;
 
 double length(const RealPoint& from, const RealPoint& to) {
@@ -105,7 +104,7 @@ ValueRange RotationInTime::values(const PartOfLeg& part) const {
     v = is_met(c.high) ? ValueRange{farthest_rotation(c.high, Angle{}), farthest_rotation(c.low, Angle{})}
                        : ValueRange{std::max(0.0, v.low), kInfinity};
   }
-  return {v.low - kRoundingOfAngle, v.high + kRoundingOfAngle};
+  return {v.low - margin::kRoundingOfAngle, v.high + margin::kRoundingOfAngle};
 }
 
 ValueRange RotationInTime::instant(std::size_t leg, const Real& s) const { return values({leg, s, s}); }
@@ -145,7 +144,7 @@ ValueRange RotationInTime::extremum(Sense sense) const {
     look(leg, Real(1));
     for (int k = 0; k < first_parts_; ++k) add({leg, Real::ratio(k, first_parts_), Real::ratio(k + 1, first_parts_)});
   }
-  queue.run((most_parts_ + 1) / 2, [&](const Part& top) { return !(best - top.low > kCloseEnough); },
+  queue.run((most_parts_ + 1) / 2, [&](const Part& top) { return !(best - top.low > margin::kCloseExtremum); },
             [&](const Part& top) {
               const PartOfLeg& part = top.part;
               const Real mid = Real::ratio(1, 2) * (part.from + part.to);

@@ -45,8 +45,8 @@ class BoundarySearch {
 
   BoundaryPlace run(std::span<const Tetrahedron> domain, double floor, const Until* until = nullptr) {
     BoundaryCell all;
-    all.out.resize(rules_.keep_out.size());
-    all.in.resize(rules_.keep_in.size());
+    all.out.resize(rules_.reverse_convex.size());
+    all.in.resize(rules_.convex.size());
     std::iota(all.out.begin(), all.out.end(), 0);
     std::iota(all.in.begin(), all.in.end(), 0);
     domain_ = domain;
@@ -110,13 +110,13 @@ class BoundarySearch {
     const auto out = [&](const ConvexDistance& f) { return f(x) >= tolerance; };
     const auto in = [&](const TouchingRule& f) { return f(x).value <= -tolerance; };
     if (!cell)
-      return std::all_of(rules_.keep_out.begin(), rules_.keep_out.end(), out) &&
-             std::all_of(rules_.keep_in.begin(), rules_.keep_in.end(), in) &&
+      return std::all_of(rules_.reverse_convex.begin(), rules_.reverse_convex.end(), out) &&
+             std::all_of(rules_.convex.begin(), rules_.convex.end(), in) &&
              (!rules_.more || rules_.more->allows(x, {}));
     return std::all_of(cell->out.begin(), cell->out.end(),
-                       [&](int i) { return out(rules_.keep_out[static_cast<std::size_t>(i)]); }) &&
+                       [&](int i) { return out(rules_.reverse_convex[static_cast<std::size_t>(i)]); }) &&
            std::all_of(cell->in.begin(), cell->in.end(),
-                       [&](int i) { return in(rules_.keep_in[static_cast<std::size_t>(i)]); }) &&
+                       [&](int i) { return in(rules_.convex[static_cast<std::size_t>(i)]); }) &&
            std::all_of(cell->more.begin(), cell->more.end(),
                        [&](int i) { return rules_.more->beyond(i, x) >= tolerance; }) &&
            (!rules_.more || rules_.more->allows(x, cell->more));
@@ -174,7 +174,7 @@ class BoundarySearch {
                  BoundaryCell& cell, std::vector<Column>& columns) const {
     const Vector middle = centre(corner);
     for (const int i : out) {
-      const ConvexDistance& f = rules_.keep_out[static_cast<std::size_t>(i)];
+      const ConvexDistance& f = rules_.reverse_convex[static_cast<std::size_t>(i)];
       Column c{};
       for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
       if (most(c) < -margin::kDistanceNoise * size_) return false;
@@ -183,7 +183,7 @@ class BoundarySearch {
       columns.push_back(c);
     }
     for (const int i : in) {
-      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](middle);
+      const Touching at = rules_.convex[static_cast<std::size_t>(i)](middle);
       if (at.value < -edge - margin::kDistanceNoise * size_) continue;
       const Column c = less(0, tangent(at, middle, corner));
       if (most(c) < -margin::kDistanceNoise * size_) return false;
@@ -265,7 +265,7 @@ class BoundarySearch {
       if (at.value > target + tolerance) columns.push_back(less(target, tangent(at, x, corner)));
     }
     for (const int i : cell.in) {
-      const Touching at = rules_.keep_in[static_cast<std::size_t>(i)](x);
+      const Touching at = rules_.convex[static_cast<std::size_t>(i)](x);
       if (at.value > tolerance) columns.push_back(less(0, tangent(at, x, corner)));
     }
     return columns.size() > before;

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The place of a domain nearest to a convex set, or farthest from one, among those that convex functions allow: each
-// of `keep_out` is to be at least 0 there (the place is outside a grown set), each of `keep_in` at most 0 (inside one).
-// So distances to and from round boundaries are found, of which planes alone are not enough. Branch and bound over
-// tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what its
-// tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
+// of `reverse_convex` is to be at least 0 there (the place is outside a grown set), each of `convex` at most 0 (inside
+// one). So distances to and from round boundaries are found, of which planes alone are not enough. Branch and bound
+// over tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what
+// its tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
 // linear program, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth
 // boundaries cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed
 // place is better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed ones, make
@@ -52,8 +52,8 @@ class LazyConstraints {
 };
 
 struct Constraints {
-  std::vector<ConvexDistance> keep_out;
-  std::vector<TouchingRule> keep_in;
+  std::vector<ConvexDistance> reverse_convex;
+  std::vector<TouchingRule> convex;
   LazyConstraints* more = nullptr;
 };
 

@@ -25,7 +25,7 @@ class SlackTarget : public MaxMinTarget {
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& /*best*/) const override {
     ++looks_;
-    for (const ConvexDistance& f : rules_.keep_out) {
+    for (const ConvexDistance& f : rules_.reverse_convex) {
       Column& c = cell.distances.emplace_back();
       for (std::size_t v = 0; v < 4; ++v) c[v] = f(cell.corner[v]);
     }
@@ -36,20 +36,22 @@ class SlackTarget : public MaxMinTarget {
 
   void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
     double least = exact::kInfinity;
-    for (const ConvexDistance& f : rules_.keep_out) least = std::min(least, f(x));
-    for (const TouchingRule& g : rules_.keep_in) least = std::min(least, -g(x).value);
+    for (const ConvexDistance& f : rules_.reverse_convex) least = std::min(least, f(x));
+    for (const TouchingRule& g : rules_.convex) least = std::min(least, -g(x).value);
     best.offer(x, least);
     if (!(least > kNear * cell.bound && least > 0)) touch(x, cell);
   }
 
-  double distance(int set, const Vector& x) const override { return rules_.keep_out[static_cast<std::size_t>(set)](x); }
+  double distance(int set, const Vector& x) const override {
+    return rules_.reverse_convex[static_cast<std::size_t>(set)](x);
+  }
   double shortest_share() const override { return 1; }
   int rounds() const override { return kSlackRounds; }
   int looks() const { return looks_; }
 
  private:
   void touch(const Vector& x, MaxMinCell& cell) const {
-    for (const TouchingRule& g : rules_.keep_in) cell.distances.push_back(less(0, tangent(g(x), x, cell.corner)));
+    for (const TouchingRule& g : rules_.convex) cell.distances.push_back(less(0, tangent(g(x), x, cell.corner)));
   }
 
   const Constraints& rules_;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The place of a domain that has the most slack among those that convex functions allow (boundary_search.h): the
-// greatest t with each of `keep_out` at least t there and each of `keep_in` at most -t. More than 0 says that the
+// greatest t with each of `reverse_convex` at least t there and each of `convex` at most -t. More than 0 says that the
 // allowed places have interior; it changes by no more than the functions do. The search is tetrahedral_max_min.h; the
 // slack in a cell is at most a linear program of what the functions are at most and of their tangents. Guarantee:
 // doubles; `value` is that at `place`, no place of the domain has more than `bound`. Cost: tens of cells. Keywords:

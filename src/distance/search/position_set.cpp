@@ -58,10 +58,10 @@ PositionSet::PositionSet(const RealVector& low, const RealVector& high)
 PositionSet PositionSet::outside(std::vector<GrownSet> sets, const RealVector& low, const RealVector& high) {
   PositionSet out(low, high);
   out.size_ = std::max(space::length(out.box_.low), space::length(out.box_.high)) + 1;
-  for (const GrownSet& set : sets) out.rules_.keep_out.push_back(grown_distance(set));
+  for (const GrownSet& set : sets) out.rules_.reverse_convex.push_back(grown_distance(set));
   out.sharp_ = sharp_cover(sets);
   out.sets_ = std::move(sets);
-  out.holds_ = [sets = out.sets_, rules = out.rules_.keep_out, size = out.size_](const RealVector& p) {
+  out.holds_ = [sets = out.sets_, rules = out.rules_.reverse_convex, size = out.size_](const RealVector& p) {
     const Vector near = space::rounded(p);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       if (rules[k](near) > margin::kOutOfSet * size) continue;
@@ -81,8 +81,8 @@ PositionSet PositionSet::inside(const space::Body& b, const space::BodyPart& a, 
     for (const space::Point& v : part.vertices()) {
       out.size_ = std::max(out.size_, space::length(exact::approx(v)));
       const bool round = a.point() || tolerance > 0;  // else planes say how deep a place is, distances do not
-      out.rules_.keep_in.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
-                                         : highest_plane(a.planes(), exact::approx(-v), -tolerance));
+      out.rules_.convex.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
+                                        : highest_plane(a.planes(), exact::approx(-v), -tolerance));
     }
   }
   out.holds_ = [b, a](const RealVector& p) { return protrusion_of_convex(b, a, p).value.sign() <= 0; };
@@ -95,8 +95,9 @@ PositionSet PositionSet::common(std::span<const PositionSet> sets, const RealVec
   std::vector<Holds> all;
   for (const PositionSet& one : sets) {
     out.size_ = std::max(out.size_, one.size_);
-    out.rules_.keep_out.insert(out.rules_.keep_out.end(), one.rules_.keep_out.begin(), one.rules_.keep_out.end());
-    out.rules_.keep_in.insert(out.rules_.keep_in.end(), one.rules_.keep_in.begin(), one.rules_.keep_in.end());
+    out.rules_.reverse_convex.insert(out.rules_.reverse_convex.end(), one.rules_.reverse_convex.begin(),
+                                     one.rules_.reverse_convex.end());
+    out.rules_.convex.insert(out.rules_.convex.end(), one.rules_.convex.begin(), one.rules_.convex.end());
     out.sets_.insert(out.sets_.end(), one.sets_.begin(), one.sets_.end());
     all.push_back(one.holds_);
   }
@@ -134,7 +135,7 @@ PositionSet PositionSet::within(const Box& box) const {
 
 PositionSet PositionSet::also_in(TouchingRule set) const {
   PositionSet out = *this;
-  out.rules_.keep_in.push_back(std::move(set));
+  out.rules_.convex.push_back(std::move(set));
   return out;
 }
 
@@ -229,14 +230,14 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
 
 double PositionSet::deepest_at(const Vector& p) const {
   double deepest = 0;
-  for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, rules_.keep_out[k](p));
+  for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, rules_.reverse_convex[k](p));
   return deepest;
 }
 
 double PositionSet::beyond(const Vector& p) const {
   double most = -exact::kInfinity;
-  for (const ConvexDistance& f : rules_.keep_out) most = std::max(most, -f(p));
-  for (const TouchingRule& f : rules_.keep_in) most = std::max(most, f(p).value);
+  for (const ConvexDistance& f : rules_.reverse_convex) most = std::max(most, -f(p));
+  for (const TouchingRule& f : rules_.convex) most = std::max(most, f(p).value);
   return most;
 }
 
@@ -246,23 +247,23 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (rules_.keep_out[k](near) > deepest + margin::kDeepestSets * size_) continue;
+    if (rules_.reverse_convex[k](near) > deepest + margin::kDeepestSets * size_) continue;
     Answer v = sets_[k].to_boundary(p);
     if (!v.nearest || !holds(*v.nearest)) continue;
     v.value = -v.value;
     return v;
   }
   const Known ask = known ? known : sharp_ ? sharp_place([&] { return sharp_->nearest_in_complement(p); }, p) : Known();
-  std::optional<Answer> told;
+  std::optional<Answer> decided;
   Query query{-deepest};
   if (ask) {
     query.known = [&]() -> std::optional<double> {
-      told = ask();
-      return told ? std::optional(told->value.to_double()) : std::nullopt;
+      decided = ask();
+      return decided ? std::optional(decided->value.to_double()) : std::nullopt;
     };
   }
   if (open) query.box = around(near);
-  return settled(nearest_to(distance_to_point(near), query), p, told);
+  return settled(nearest_to(distance_to_point(near), query), p, decided);
 }
 
 exact::Tried<Answer> PositionSet::least(const TouchingRule& of) const {
@@ -274,17 +275,17 @@ exact::Tried<Answer> PositionSet::least(const TouchingRule& of) const {
 }
 
 TriedAnswer PositionSet::farthest(const RealVector& p) const {
-  std::optional<Answer> told;
+  std::optional<Answer> decided;
   Incumbent ask;
   if (sharp_) {
     ask = [&, known = sharp_place([&] { return space::farthest_in_complement(*sharp_, low_, high_, p); },
                                   p)]() -> std::optional<double> {
-      told = known();
-      return told ? std::optional(-told->value.to_double()) : std::nullopt;
+      decided = known();
+      return decided ? std::optional(-decided->value.to_double()) : std::nullopt;
     };
   }
   const auto away = [from = space::rounded(p)](const Vector& x) { return space::length(x - from); };
-  return settled(farthest_from(away, ask), p, told);
+  return settled(farthest_from(away, ask), p, decided);
 }
 
 }  // namespace findspace::distance

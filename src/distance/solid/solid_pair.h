@@ -50,7 +50,7 @@ class SolidPair : public PairDistances {
     std::optional<space::BallMeet> balls;
     bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
-    mutable std::once_flag front_made;
+    mutable std::once_flag level_made;
     mutable std::shared_ptr<const PositionSet> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };

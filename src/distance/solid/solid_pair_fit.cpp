@@ -42,7 +42,7 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
 }  // namespace
 
 const PositionSet& SolidPair::boundary_of(const Side& side, const Fit& fit) {
-  std::call_once(fit.front_made, [&] {
+  std::call_once(fit.level_made, [&] {
     const Body &b = *side.moving, &a = *side.fixed;
     const space::Bounds3 box = *fit_box(b, a);
     std::vector<GrownSet> sets;

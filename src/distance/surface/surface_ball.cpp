@@ -124,7 +124,7 @@ class BallSearch {
   void search(const BallBox& box, const std::vector<int>& triangles) {
     Constraints rules;
     for (const int t : triangles)
-      rules.keep_out.push_back([this, t](const Vector& y) { return field_.distance(t, y) - radius_; });
+      rules.reverse_convex.push_back([this, t](const Vector& y) { return field_.distance(t, y) - radius_; });
     const TouchingRule away = [&](const Vector& y) {
       const double d = space::length(y - near_);
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
@@ -133,14 +133,14 @@ class BallSearch {
     const auto domain = tetrahedra_of_box(box.of.low, box.of.high);
     BoundaryPlace found;
     if (farthest_) {
-      if (found_) rules.keep_out.push_back([&](const Vector& y) { return away(y).value + most; });
+      if (found_) rules.reverse_convex.push_back([&](const Vector& y) { return away(y).value + most; });
       found = farthest_allowed(
           domain, rules, [&](const Vector& y) { return away(y).value; }, size_);
       found.value = -found.value;
       found.bound = -found.bound;
     } else {
       if (found_)
-        rules.keep_in.push_back([&](const Vector& y) {
+        rules.convex.push_back([&](const Vector& y) {
           const Touching at = away(y);
           return Touching{at.value - most, at.slope};
         });

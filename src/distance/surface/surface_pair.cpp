@@ -84,12 +84,12 @@ TriedAnswer SurfacePair::fit(Inner inner, const RealVector& p) const {
   const RealVector q = seen(inner, p);
   if (too_large(of)) return std::nullopt;
   if (of.fixed->convex && of.moving->outline)
-    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta1, q), p);
+    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta1, q), p);
   if (!of.gaps || !of.fixed->surface->one_sheet()) return untold();
   std::optional<Answer> gap;
   const auto found = relation(of, q, gap);
   if (!found) return untold();
-  return told(inner, *found == Relation::kInside ? TriedAnswer(gap) : to_fit(of, false, q), p);
+  return decided(inner, *found == Relation::kInside ? TriedAnswer(gap) : to_fit(of, false, q), p);
 }
 
 TriedAnswer SurfacePair::farthest_fit(Inner inner, const RealVector& p) const {
@@ -97,8 +97,8 @@ TriedAnswer SurfacePair::farthest_fit(Inner inner, const RealVector& p) const {
   const RealVector q = seen(inner, p);
   if (too_large(of)) return std::nullopt;
   if (of.fixed->convex && of.moving->outline)
-    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta2, q), p);
-  return told(inner, to_fit(of, true, q), p);
+    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta2, q), p);
+  return decided(inner, to_fit(of, true, q), p);
 }
 
 /// Where the one lies in the other it is the fit.
@@ -106,17 +106,17 @@ TriedAnswer SurfacePair::protrusion(Inner inner, const RealVector& p, Depth /*de
   const Side& of = side(inner);
   const RealVector q = seen(inner, p);
   if (of.fixed->convex && of.moving->outline)
-    return told(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kMu, q), p);
+    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kMu, q), p);
   std::optional<Answer> gap;
   const auto found = relation(of, q, gap);
   if (!found) return untold();
-  if (*found == Relation::kInside) return told(inner, gap, p);
+  if (*found == Relation::kInside) return decided(inner, gap, p);
   Answer out = protrusion(of, q);
   // Whether it lies inside a union of several, and how deep, is not known.
-  const bool decided =
+  const bool is_known =
       of.fixed->surface->one_sheet() || *found == Relation::kApart || out.value > Real::from_double(out.error);
-  if (!decided) return untold();
-  return told(inner, std::optional(std::move(out)), p);
+  if (!is_known) return untold();
+  return decided(inner, std::optional(std::move(out)), p);
 }
 
 TriedAnswer SurfacePair::clearance(Inner inner, const RealVector& p) const {
@@ -127,7 +127,7 @@ TriedAnswer SurfacePair::clearance(Inner inner, const RealVector& p) const {
   const auto found = relation(of, seen(inner, p), gap);
   if (!found) return untold();
   if (*found != Relation::kInside) return std::optional(Answer{});
-  TriedAnswer v = told(inner, gap, p);
+  TriedAnswer v = decided(inner, gap, p);
   return cut_off(*std::move(v), true);
 }
 

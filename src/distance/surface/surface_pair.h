@@ -59,7 +59,7 @@ class SurfacePair : public PairDistances {
   static space::RealVector seen(Inner inner, const space::RealVector& p) {
     return inner == Inner::kB ? p : space::negated(p);
   }
-  static TriedAnswer told(Inner inner, TriedAnswer v, const space::RealVector& p) {
+  static TriedAnswer decided(Inner inner, TriedAnswer v, const space::RealVector& p) {
     return inner == Inner::kB ? v : exchanged_back(std::move(v), p);
   }
   /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest

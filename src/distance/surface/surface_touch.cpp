@@ -78,7 +78,7 @@ TriedAnswer SurfacePair::depth(const RealVector& p) const {
     out = of_contact(contacts(of, TouchSide::kOutside).nearest(at), at, -1);
   }
   if (!out || !*out) return not_touching();
-  return told(inner, std::move(out), p);
+  return decided(inner, std::move(out), p);
 }
 
 TriedAnswer SurfacePair::to_fit(const Side& side, bool farthest, const RealVector& p) {

@@ -22,12 +22,16 @@ inline constexpr double kOutOfReach = 0x1p-40;
 /// Of a leg of a motion: a piece of time this short is not halved. Bounds: it stays between the certain and the
 /// possible instants.
 inline constexpr double kNarrowestTime = 0x1p-40;
-/// Degrees, and of the size: a search of the best position ends this near to it. Searches: the bound is stated.
+/// Degrees: a search of the best position ends this near to it. Searches: the bound is stated.
 inline constexpr double kBestDegrees = 1e-7;
+/// Of the size: the same for lengths. Searches.
 inline constexpr double kBestPart = 1e-9;
 /// Of a value over angles, absolute or of the value and one: some 2^23 roundings, more than values of rotated shapes
 /// are off. Bounds: angles with such a value are possible best ones; whether a pose is one of them is refused.
 inline constexpr double kBestOfAngles = 1e-9;
+/// Degrees: two places about the end of an interval of angles between which the end lies, as its angle in doubles is
+/// off by some 360 * 2^-50; 2^11 times that and more. Bounds: what is found between counts for the end.
+inline constexpr double kAboutAnEnd = 1e-9;
 /// Of a number of degrees, relative to it and 1: some thousand roundings of degrees up to 360, more than the angle of a
 /// contact loses (rotational_distance.h says 1e-13). Bounds: it is the stated error.
 inline constexpr double kAngleValue = 0x1p-40;

@@ -7,22 +7,28 @@
 
 namespace findspace::margin {
 
-/// A shallower overlap counts as none; a linear program moves the parts out of it before the proof.
+/// A shallower overlap counts as none: 2^20 times what the depth of an overlap in doubles is off. A linear program
+/// moves the parts out of it before the proof. Searches.
 inline constexpr double kNoOverlap = 1e-9;
 /// Boxes in single precision are this much larger on each side: four roundings of 2^-24 of the longer side.
 inline constexpr double kBoxRounding = 0x1p-22;
-/// What a linear program may leave of a violated row.
+/// What a linear program may leave of a violated row; as near to Clp's own tolerance for primal values, 1e-9, as it can
+/// be. Searches: what is left is taken back on the grid of the layout.
 inline constexpr double kProgramTolerance = 1e-9;
-/// The grid on which finished layouts stand is no coarser than this.
+/// The grid on which finished layouts stand is no coarser than this: what the program above may leave. Searches.
 inline constexpr double kLayoutGrid = 1e-9;
-/// A part of an edge this short or this near behind a half-plane needs no half-plane of its own.
+/// A part of an edge this short or this near behind a half-plane needs no half-plane of its own: a tenth of the overlap
+/// that counts as none. Searches.
 inline constexpr double kPieceLeft = 1e-10;
-/// A compaction ends where it gains less than this.
+/// A compaction ends where it gains less than this: a thousandth of a percent, far below what one more round of search
+/// finds. Searches.
 inline constexpr double kCompactionGain = 1e-5;
 
-/// Solids this near count as touching where directions along contacts are chosen; of the floor.
+/// Solids this near count as touching where directions along contacts are chosen; of the floor. A thousand times what
+/// programs leave. Searches.
 inline constexpr double kSolidContact = 1e-6;
-/// A plane whose unit normal has less than this along a line does not end what lies on the line.
+/// A plane whose unit normal has less than this along a line does not end what lies on the line: 2^12 roundings.
+/// Searches.
 inline constexpr double kAlongPlane = 0x1p-40;
 
 }  // namespace findspace::margin

@@ -137,4 +137,12 @@ inline constexpr double kMotionGap = 0x1p-46;
 /// Of the length of a path: an extremum along it is bracketed to this, before the exact search begins. Searches.
 inline constexpr double kPathEnough = 0x1p-24;
 
+// -- rotation: shapes that rotate, over angles and time
+
+/// Degrees: an extremum over time is searched until its bounds are this near. Searches: the bounds are stated.
+inline constexpr double kCloseExtremum = 1e-6;
+/// Degrees: the angle of a place of the circle takes an arc tangent and a product, some 360 * 2^-50 off; the margin is
+/// 2^5 times that. Bounds: values over angles are widened by it.
+inline constexpr double kRoundingOfAngle = 1e-11;
+
 }  // namespace findspace::margin

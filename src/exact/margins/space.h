@@ -45,6 +45,7 @@ inline constexpr double kWiderCone = 0x1p-20;
 /// and a cosine. Filters: a wider box only tests more lines.
 inline constexpr double kWiderPatchBox = 0x1p-20;
 /// Into how many parts of the radius a direction is rounded, so that its components are whole numbers below 2^41.
+/// Searches: what the rounded direction gives is a place of the ball, exactly.
 inline constexpr double kDirectionParts = 0x1p40;
 /// Of the radius: what a direction rounded to those parts is off, 2^-40 a component, times 2^2. Filters: nearer to the
 /// plane of an edge the line is computed exactly.

@@ -287,7 +287,7 @@ void read_distances(Cursor& cursor, const Context& context, Objective& objective
     cursor.fail(ErrorCode::kBadValue, sum.span, "these distances cancel: nothing is left of the sum");
   for (const SumTerm& t : sum.terms)
     if (t.distance.first.empty() || t.distance.second.empty())
-      cursor.fail(ErrorCode::kBadValue, sum.span, "a distance to an empty list is no objective");
+      cursor.fail(ErrorCode::kBadValue, sum.span, "a distance to an empty list is not an objective");
   const exact::Real& first = sum.terms.front().weight;
   if (sum.terms.size() == 1 && exact::abs(first) == exact::Real(1)) {
     objective.distance = std::move(sum.terms.front().distance);

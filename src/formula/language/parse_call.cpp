@@ -277,7 +277,7 @@ void CallReader::direction(Call& call, std::string_view word, bool is_predicate)
       read_coordinates(cursor_, context_, centre ? Quantity::kLength : Quantity::kPure, K::kClose, call.vector_text);
   call.vector_text = "(" + call.vector_text + ")";
   const bool zero = std::all_of(call.vector.begin(), call.vector.end(), [](const auto& c) { return c.sign() == 0; });
-  if (zero && !centre) cursor_.fail(ErrorCode::kBadValue, {begin, cursor_.end()}, "the zero vector is no direction");
+  if (zero && !centre) cursor_.fail(ErrorCode::kBadValue, {begin, cursor_.end()}, "the zero vector is not a direction");
 }
 
 std::vector<std::string> CallReader::shapes(std::string_view word) {

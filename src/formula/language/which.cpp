@@ -78,7 +78,7 @@ distance::TranslationDirection direction(const Distance& d) {
   const auto direction = plane::primitive_direction({d.vector.at(0), d.vector.at(1)});
   if (!direction) {
     throw Error(ErrorCode::kUnsupported,
-                written(d) + ": the direction is no ratio of integers below 2^53; use fewer digits");
+                written(d) + ": the direction is not a ratio of integers below 2^53; use fewer digits");
   }
   return {direction->x, direction->y, d.mode == Mode::kAlong};
 }

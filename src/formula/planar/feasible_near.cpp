@@ -269,4 +269,10 @@ std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, co
   return std::nullopt;
 }
 
+SolvedRegion solve_region(const Solver& solver, const Formula& formula) {
+  if (!solver.known_between_bounds(formula)) return {feasible_near(solver, formula), std::nullopt};
+  RegionBounds bounds = solver.feasible_bounds(formula);
+  return {std::move(bounds.inner), std::move(bounds.outer)};
+}
+
 }  // namespace findspace::formula

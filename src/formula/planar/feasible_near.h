@@ -19,6 +19,9 @@ namespace findspace::formula {
 /// {p : the formula holds at p}, over the time of a motion where there is one.
 plane::Region feasible_near(const Solver& solver, const Formula& formula);
 
+/// The same as far as it is known: between bounds where shapes rotate, or distances are compared with each other.
+SolvedRegion solve_region(const Solver& solver, const Formula& formula);
+
 /// A point of the closure of a region, and whether it is one of the region itself.
 struct NearestInWindow {
   plane::Nearest nearest;

@@ -89,7 +89,7 @@ TDistancePointer searched_distance(const PreparedWorld& world, const Roles& r) {
 }
 
 TDistancePointer objective_distance(const PreparedWorld& world, const Distance& wanted) {
-  if (wanted.mode != Mode::kPlain) refuse(wanted, "distances along a direction or in rotation are no objectives");
+  if (wanted.mode != Mode::kPlain) refuse(wanted, "distances along a direction or in rotation are not objectives");
   if (world.motion().given())
     refuse(wanted, "the least and greatest values over positions are not computed with a motion");
   return searched_distance(world, world.roles(wanted));

@@ -4,6 +4,8 @@
 // Regions and instants that are known between bounds. Values only. Keywords: inner and outer approximation.
 #pragma once
 
+#include <optional>
+
 #include "plane/complex/cell_complex.h"
 #include "plane/query/section.h"
 
@@ -14,9 +16,21 @@ struct RegionBounds {
   plane::Region inner, outer;
 };
 
+/// A region as far as it is known: exactly, or what certainly belongs and, in `outer`, what may.
+struct SolvedRegion {
+  plane::Region region;
+  std::optional<plane::Region> outer;
+};
+
 /// Instants that certainly and that possibly belong.
 struct InstantBounds {
   plane::Section inner, outer;
+};
+
+/// Instants as far as they are known, likewise.
+struct SolvedInstants {
+  plane::Section instants;
+  std::optional<plane::Section> outer;
 };
 
 }  // namespace findspace::formula

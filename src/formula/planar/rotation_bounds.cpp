@@ -26,8 +26,6 @@ using plane::RotationMap;
 
 namespace {
 
-const Real kAboutAnEnd = Real::ratio(1, 1000000000);  // degrees: more than an angle in doubles is off
-
 double way_of(const plane::RotationInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
   return d < 0 ? d + 360 : d;
@@ -48,7 +46,8 @@ ValueRange values_over(const RotationMaps& maps, const Distance& wanted, const p
   const double first = angles.from.degrees(), way = angles.round ? 360 : way_of(angles);
   const Real from = Real::from_double(first), to = Real::from_double(first + way);
   // The ends are known to rounding: a little of the circle about each stands for it.
-  const std::vector<Real> stops{from - kAboutAnEnd, from + kAboutAnEnd, to - kAboutAnEnd, to + kAboutAnEnd};
+  const Real about_an_end = Real::from_double(margin::kAboutAnEnd);
+  const std::vector<Real> stops{from - about_an_end, from + about_an_end, to - about_an_end, to + about_an_end};
   const auto over = [&](std::size_t first_stop, std::size_t last_stop) {
     std::vector<distance::RotatingPose> poses(2);
     poses[0].moving = stops[first_stop];
@@ -138,6 +137,31 @@ RotationBounds rotation_bounds(const RotationMaps& rotation, const Formula& form
       plane::overlay(operands, [&](std::span<const Mark> marks) { return certainty(formula, marks); });
   return {plane::remark(both, [](Mark m) { return Mark(m == 2); }),
           plane::remark(both, [](Mark m) { return Mark(m > 0); })};
+}
+
+SolvedAngles solve_angles(const RotationMaps& maps, const Formula& formula) {
+  if (!maps.rotations_twice(formula)) return {maps.feasible(formula), std::nullopt};
+  RotationBounds bounds = rotation_bounds(maps, formula);
+  return {std::move(bounds.inner), std::move(bounds.outer)};
+}
+
+BestAngles best_angles(const RotationMaps& maps, const Distance& d, const SolvedAngles& within, Sense sense) {
+  BestAngles out;
+  if (!within.outer && !maps.rotations_twice(d)) {
+    plane::RotationLeast best =
+        sense == Sense::kMinimum ? maps.least(d, within.angles) : maps.greatest(d, within.angles);
+    out.at.angles = std::move(best.at);
+    out.proven = !best.exists || best.proven;
+    out.attained = best.exists && best.attained;
+    if (best.exists) out.value = best.value.to_double();
+    return out;
+  }
+  BestRotation best = best_rotation(maps, d, {within.angles, within.outer ? *within.outer : within.angles}, sense);
+  out.value = best.value;
+  out.proven = best.none;
+  if (!best.none) out.bound = best.bound;
+  out.at = {RotationMap::uniform(0), std::move(best.possible)};
+  return out;
 }
 
 }  // namespace findspace::formula

@@ -18,6 +18,13 @@ struct RotationBounds {
 };
 RotationBounds rotation_bounds(const RotationMaps& maps, const Formula& formula);
 
+/// Angles as far as they are known: exactly, or those that certainly belong and, in `outer`, the possible ones.
+struct SolvedAngles {
+  plane::RotationMap angles;
+  std::optional<plane::RotationMap> outer;
+};
+SolvedAngles solve_angles(const RotationMaps& maps, const Formula& formula);
+
 /// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
 struct BestRotation {
   std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
@@ -27,5 +34,16 @@ struct BestRotation {
 };
 BestRotation best_rotation(const RotationMaps& maps, const Distance& distance, const RotationBounds& within,
                            distance::Sense sense);
+
+/// The least or greatest value over solved angles, and the angles that take it.
+struct BestAngles {
+  std::optional<double> value;  // in the scene's unit, or in degrees; nothing where there is none
+  bool attained = false;        // by an angle of the set
+  bool proven = false;
+  std::optional<double> bound;  // no angle has a better value; where that is not proven
+  SolvedAngles at;
+};
+BestAngles best_angles(const RotationMaps& maps, const Distance& distance, const SolvedAngles& within,
+                       distance::Sense sense);
 
 }  // namespace findspace::formula

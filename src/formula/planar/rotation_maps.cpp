@@ -49,7 +49,7 @@ PairAndDistance rotated_pair(const RotationMaps& maps, const Distance& wanted) {
 
 /// The least step of values that a search of extrema tells apart.
 Real step_of_values(const PreparedWorld& world, const Distance& d) {
-  return d.mode == Mode::kRotation ? Real::ratio(1, 1000000) : world.step();
+  return d.mode == Mode::kRotation ? Real::ratio(1, 1000000) : world.step();  // no sign: values are tried on it
 }
 
 }  // namespace

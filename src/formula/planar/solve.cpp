@@ -59,4 +59,11 @@ std::optional<plane::Section> Solver::swing(const Formula& formula, const RealPo
   return swing_at(prepared_, formula, prepared_.steps(p));
 }
 
+SolvedInstants Solver::solve_instants(const Formula& formula, const RealPoint& p) const {
+  if (!known_between_bounds(formula)) return {instants(formula, p), std::nullopt};
+  if (std::optional<plane::Section> exact = swing(formula, p)) return {*std::move(exact), std::nullopt};
+  InstantBounds bounds = instant_bounds(formula, p);
+  return {std::move(bounds.inner), std::move(bounds.outer)};
+}
+
 }  // namespace findspace::formula

@@ -45,6 +45,8 @@ class Solver {
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
   InstantBounds instant_bounds(const Formula& formula, const exact::RealPoint& p) const;
   std::optional<plane::Section> swing(const Formula& formula, const exact::RealPoint& p) const;
+  /// By whichever of the three can: exactly, else between bounds.
+  SolvedInstants solve_instants(const Formula& formula, const exact::RealPoint& p) const;
 
  private:
   PreparedWorld prepared_;

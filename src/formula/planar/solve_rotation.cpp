@@ -158,7 +158,8 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
   }
   const auto value = out.distance.value();
   if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
-    refuse(d, "its least value over the angles is no whole number of steps; whether it is taken here is not decided");
+    refuse(d,
+           "its least value over the angles is not a whole number of steps; whether it is taken here is not decided");
   return out;
 }
 

@@ -125,9 +125,10 @@ plane::Region exact_region(const Solver& solver, const Formula& formula) {
   if (!has_sums(formula)) return feasible_near(solver, formula);
   RegionBounds bounds = sum_region_bounds(solver, formula);
   if (!same_sets(bounds))
-    throw Error(ErrorCode::kUnsupported,
-                "distances are compared along a curve that is no line with a direction in integers and no circle: the "
-                "region is known between two sets only");
+    throw Error(
+        ErrorCode::kUnsupported,
+        "distances are compared along a curve that is neither a line with a direction in integers nor a circle: the "
+        "region is known between two sets only");
   return std::move(bounds.inner);
 }
 

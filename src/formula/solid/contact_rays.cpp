@@ -44,9 +44,9 @@ space::RaySourcePointer contact_rays(distance::Which which, const space::RaySoli
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
   const auto pair = std::make_shared<const SurfacePair>(of_b, of_a);
   const distance::RayRule rule = [pair, which, level](const RealVector& p) -> distance::TriedBetween {
-    const distance::TriedAnswer told = pair->try_value(which, p);
-    if (!told) return exact::Refusal("where two surfaces touch was not found within the limit");
-    const std::optional<Answer>& found = *told;
+    const distance::TriedAnswer decided = pair->try_value(which, p);
+    if (!decided) return exact::Refusal("where two surfaces touch was not found within the limit");
+    const std::optional<Answer>& found = *decided;
     if (!found) return std::nullopt;
     const double gap = (found->value - level).to_double(), error = found->error;
     return Between{gap - error, gap + error, ball(which, *found, level)};

@@ -28,4 +28,25 @@ MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formul
   return out;
 }
 
+RegionOnLines QuestionOnLines::on(const RayWorld& world, const Formula& asked, const space::RayGrid& grid) const {
+  if (one_position) return {space::constant_rays(grid, 1), Side::kInner};
+  return ray_region(world, asked, grid);
+}
+
+QuestionOnLines question_on_lines(const RayWorld& world, const std::function<const SpaceSolver&()>& solver,
+                                  const Formula& formula) {
+  QuestionOnLines out{{formula, {}, Side::kExact}, {}};
+  if (has_minima(formula)) out.levels = minima_as_levels(solver(), formula);
+  const Formula& asked = out.levels.formula;
+  out.window = window(world, asked);
+  out.unbounded = holds_far_away(world, asked);
+  out.somewhere = asked.atoms().size() == 1 && !out.levels.minima.empty() && out.levels.minima[0].least;
+  const space::Point low = out.window.low;
+  if (out.somewhere && !try_ray_region(world, asked, {2, 1, low.x, low.y, 1, 1, 1, 1})) {
+    out.one_position = true;
+    out.levels.side = Side::kInner;
+  }
+  return out;
+}
+
 }  // namespace findspace::formula

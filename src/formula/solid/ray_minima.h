@@ -7,10 +7,12 @@
 // Keywords: argmin, level set.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "formula/solid/side.h"
+#include "formula/solid/solve_rays.h"
 #include "formula/solid/solve_space.h"
 
 namespace findspace::formula {
@@ -29,5 +31,22 @@ struct MinimaAsLevels {
 bool has_minima(const Formula& formula);
 /// Throws Error(kUnsupported) where a least value is not computed.
 MinimaAsLevels minima_as_levels(const SpaceSolver& solver, const Formula& formula);
+
+/// A formula ready to be taken on lines.
+struct QuestionOnLines {
+  MinimaAsLevels levels;
+  RayWindow window;        // a box that holds the frontier
+  bool unbounded = false;  // the set goes on beyond it
+  /// The formula is one `-> min` with a least value: some position is known, whatever the lines meet.
+  bool somewhere = false;
+  /// And that is all that is known: its set has no map on lines.
+  bool one_position = false;
+
+  /// The formula, or another one of the same atoms at other levels, on these lines.
+  RegionOnLines on(const RayWorld& world, const Formula& asked, const space::RayGrid& grid) const;
+};
+/// `solver` is called where there are least values.
+QuestionOnLines question_on_lines(const RayWorld& world, const std::function<const SpaceSolver&()>& solver,
+                                  const Formula& formula);
 
 }  // namespace findspace::formula

@@ -244,7 +244,8 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
 }
 
 Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
-  if (formula.sign_maps().empty()) return Refusal("a constant formula has no ray map");
+  if (formula.sign_maps().empty())
+    return RegionOnLines{space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1), Side::kExact};
   std::vector<SurfaceRays> maps;
   std::vector<bool> searched;
   for (const SignMap& map : formula.sign_maps()) {

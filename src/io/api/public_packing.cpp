@@ -119,7 +119,7 @@ PackLayout public_layout(const packing::Problem& problem, const packing::Layout&
   for (const packing::LeftOut& out : layout.left_out)
     result.left_out.push_back({problem.parts[out.part].name, out.copies, out.why});
   for (const std::size_t kind : layout.sheets) result.sheets.push_back(problem.sheets[kind].name);
-  const double room = packing::room(problem, layout);
+  const double room = packing::container_area(problem, layout);
   result.density = room > 0 ? packing::area(problem, layout) / room : 0;
   return result;
 }

@@ -61,7 +61,7 @@ class SolidText {
  private:
   std::string length(const Real& steps) const {
     std::string text = formula::decimal_text(steps * step_);
-    if (text.empty()) throw Error(ErrorCode::kUnsupported, "a length that is no decimal cannot be written");
+    if (text.empty()) throw Error(ErrorCode::kUnsupported, "a length that is not a decimal cannot be written");
     return text;
   }
 

@@ -23,7 +23,7 @@ class Reader : private NestingJson {
  public:
   using NestingJson::NestingJson;
 
-  packing::Problem problem(const NestingWishes& wishes) const {
+  packing::Problem problem(const NestingOptions& asked) const {
     UnscaledProblem result;
     if (const JsonValue* named = tree().find("name")) result.name = named->text;
     if (tree().find("findspace") != nullptr && tree().find("items") == nullptr)
@@ -34,14 +34,14 @@ class Reader : private NestingJson {
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
-    if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !wishes.height)
+    if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
       for (const JsonValue& value : list(*sheets).items) result.sheets.push_back(sheet(value, result.parts));
     check_costs(result);
-    if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !wishes.height;
+    if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !asked.height;
     if (result.sheets.empty() && !result.box)
-      result.height = wishes.height ? *wishes.height : number(need(tree(), "strip_height"));
-    result.gap = wishes.gap;
-    result.edge = wishes.edge;
+      result.height = asked.height ? *asked.height : number(need(tree(), "strip_height"));
+    result.gap = asked.gap;
+    result.edge = asked.edge;
     if (const JsonValue* gaps = tree().find("gaps"))
       for (const JsonValue& value : list(*gaps).items) result.pair_gaps.push_back(pair_gap(value, result.parts));
     read_conditions(result);
@@ -223,8 +223,8 @@ class Reader : private NestingJson {
 
 }  // namespace
 
-packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingWishes& wishes) {
-  return Reader(text, name).problem(wishes);
+packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingOptions& asked) {
+  return Reader(text, name).problem(asked);
 }
 
 packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem) {

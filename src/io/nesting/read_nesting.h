@@ -16,13 +16,13 @@ namespace findspace::io {
 
 /// What a command line adds: a height instead of the file's, the least distance of parts, and of parts to the strip's
 /// sides.
-struct NestingWishes {
+struct NestingOptions {
   std::optional<packing::Fraction> height;
   packing::Fraction gap, edge;
 };
 
 /// Throws Error. Without `allowed_orientations` a part is not turned.
-packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingWishes& wishes = {});
+packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingOptions& asked = {});
 
 /// A layout of this problem.
 packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem);

@@ -56,13 +56,13 @@ class SolidReader : private NestingJson {
   SolidReader(const std::string& text, const std::string& name, const ReadOptions& options)
       : NestingJson(text, name), options_(options), size_(text.size()) {}
 
-  SolidProblemRead problem(const NestingWishes& wishes) {
+  SolidProblemRead problem(const NestingOptions& asked) {
     ReadContext context(options_);
     context.folder = std::filesystem::path(name()).parent_path();
     context.take_bytes(size_, name());
     const int digits = digits_needed(context);
     context.grid = grid_of(digits);
-    SolidProblemRead result = read(context, wishes);
+    SolidProblemRead result = read(context, asked);
     result.problem.digits = digits;
     for (packing::SolidPart& part : result.problem.parts) part = body_of(std::move(part));
     packing::check(result.problem, name());
@@ -146,15 +146,15 @@ class SolidReader : private NestingJson {
     }
   }
 
-  SolidProblemRead read(ReadContext& context, const NestingWishes& wishes) {
+  SolidProblemRead read(ReadContext& context, const NestingOptions& asked) {
     SolidProblemRead result;
     packing::SolidProblem& problem = result.problem;
     if (const JsonValue* named = tree().find("name")) problem.name = named->text;
     const JsonValue& container = need(tree(), "container");
     problem.width = number(need(container, "size-x"));
     problem.depth = number(need(container, "size-y"));
-    problem.gap = wishes.gap;
-    problem.edge = wishes.edge;
+    problem.gap = asked.gap;
+    problem.edge = asked.edge;
     const SceneReader json(name(), context);
     JsonValue none;
     none.kind = Kind::kObject;
@@ -217,7 +217,7 @@ class SolidReader : private NestingJson {
     }
     const std::vector<packing::AxisRotation> all = packing::axis_rotations(false);
     if (std::find(all.begin(), all.end(), result) == all.end())
-      fail(value, "this matrix is no rotation: its rows are perpendicular, and its determinant is 1");
+      fail(value, "this matrix is not a rotation: its rows are perpendicular, and its determinant is 1");
     return result;
   }
 
@@ -302,9 +302,9 @@ bool is_solid_problem(const std::string& text, const std::string& name) {
   return json.tree().find("container") != nullptr && json.tree().find("item-types") != nullptr;
 }
 
-SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingWishes& wishes,
+SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingOptions& asked,
                              const ReadOptions& options) {
-  return SolidReader(text, name, options).problem(wishes);
+  return SolidReader(text, name, options).problem(asked);
 }
 
 packing::SolidLayout read_solid_layout(const std::string& text, const std::string& name,

@@ -24,7 +24,7 @@ struct SolidProblemRead {
 };
 
 /// Of the text of the file `name`; paths begin at its folder. Throws Error.
-SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingWishes& wishes,
+SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingOptions& asked,
                              const ReadOptions& options);
 
 /// A layout of this problem.

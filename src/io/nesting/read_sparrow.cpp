@@ -77,7 +77,7 @@ ProblemAndLayout read_sparrow_svg(const std::string& text, const std::string& na
   const pugi::xml_node older = svg.find_child_by_attribute("id", "bin_0");
   const pugi::xml_node container = older ? older : child_with_id(svg, "container_0", name);
   const auto strip = rings_of(container.child("path").attribute("d").as_string(), name);
-  if (strip.size() != 1 || strip[0].size() != 4) throw Error(ErrorCode::kSyntax, "the strip is no rectangle", name);
+  if (strip.size() != 1 || strip[0].size() != 4) throw Error(ErrorCode::kSyntax, "the strip is not a rectangle", name);
   const pugi::xml_node items = child_with_id(svg, "items", name);
   UnscaledProblem problem;
   problem.height = strip[0][2].second;

@@ -50,9 +50,10 @@ std::optional<Real> millimetres(const DxfDocument& document) {
     case 14:
       return Real(100);
     default:
-      throw Error(ErrorCode::kUnsupported,
-                  fmt::format("$INSUNITS {} is no unit that is read; state \"unit\" beside the file", *document.units),
-                  document.name);
+      throw Error(
+          ErrorCode::kUnsupported,
+          fmt::format("$INSUNITS {} is not a unit that is read; state \"unit\" beside the file", *document.units),
+          document.name);
   }
 }
 

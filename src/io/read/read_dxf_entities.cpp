@@ -196,7 +196,7 @@ class HatchDrawer {
   Real number(int code) { return document_.number(next(code)); }
   std::size_t count(int code) {
     const auto n = number(code).integer();
-    if (!n || *n < 0 || *n > 1 << 20) throw Error(ErrorCode::kBadValue, fmt::format("group {} is no count", code));
+    if (!n || *n < 0 || *n > 1 << 20) throw Error(ErrorCode::kBadValue, fmt::format("group {} is not a count", code));
     return static_cast<std::size_t>(*n);
   }
   plane::CurvePoint point(int code) {

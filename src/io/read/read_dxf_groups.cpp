@@ -128,7 +128,7 @@ class DxfParser {
       int value = 0;
       const char* end = now_.value.data() + now_.value.size();
       if (const auto read = std::from_chars(now_.value.data(), end, value); read.ec != std::errc{} || read.ptr != end)
-        fail(fmt::format("'{}' is no code of $INSUNITS", now_.value));
+        fail(fmt::format("'{}' is not a code of $INSUNITS", now_.value));
       document_.units = value;
     }
   }
@@ -206,7 +206,7 @@ exact::Real DxfDocument::number(const DxfEntity& entity, int code) const {
 int DxfDocument::flags(const DxfEntity& entity, int code) const {
   auto value = number(entity, code, 0).integer();
   if (!value || *value < 0 || *value > 1 << 20)
-    throw Error(ErrorCode::kBadValue, fmt::format("group {} is no set of flags", code), place(entity));
+    throw Error(ErrorCode::kBadValue, fmt::format("group {} is not a set of flags", code), place(entity));
   return static_cast<int>(*value);
 }
 

@@ -105,8 +105,8 @@ class GeoJsonReader {
     } else if (kind == "MultiLineString") {
       for (const JsonValue& item : list(coordinates, "\"coordinates\"")) line(item, outline);
     } else {
-      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no type of GeoJSON; the types are {}", kind, kTypes), {},
-                 value);
+      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a type of GeoJSON; the types are {}", kind, kTypes),
+                 {}, value);
     }
     return json_.placed({}, value, [&] { return lines_of(outline.take(), context_, place(value)); });
   }

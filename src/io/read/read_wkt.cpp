@@ -174,7 +174,7 @@ class WktReader {
       from_.need(')');
     } else {
       from_.go_to(start);
-      from_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is no geometry that is read", name));
+      from_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a geometry that is read", name));
     }
     return lines_of(outline.take(), context_, place);
   }

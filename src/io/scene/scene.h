@@ -20,7 +20,7 @@
 #include "io/text/read_limits.h"
 #include "io/text/units.h"
 #include "plane/contour/shape.h"
-#include "planning/order/turn.h"
+#include "planning/order/orientation.h"
 #include "space/shape/rotation.h"
 
 namespace findspace::io {
@@ -62,8 +62,8 @@ struct Motion {
 struct PlacedBody {
   std::string name;  // the shape's, or "A1+A2"
   std::vector<std::string> shapes;
-  std::vector<planning::Turn> angles{planning::Turn{}};  // allowed, about the pole, in the order given
-  int count = 1;                                         // how many of it are placed
+  std::vector<planning::Orientation> angles{planning::Orientation{}};  // allowed, about the pole, in the order given
+  int count = 1;                                                       // how many of it are placed
 };
 
 /// The placement of several shapes (docs/scene.md, "place").

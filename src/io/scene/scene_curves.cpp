@@ -174,7 +174,7 @@ void Pen::step(const JsonValue& value, const Label& label) {
   }
   static constexpr std::array<std::string_view, 7> kKeys{"to",    "through", "center", "ccw",
                                                          "bulge", "bezier",  "weights"};
-  json.expect(value, JsonValue::Kind::kObject, "a step of an outline (if it is no point)", label);
+  json.expect(value, JsonValue::Kind::kObject, "a step of an outline (if it is not a point)", label);
   json.check_keys(value, kKeys, label);
   if (const JsonValue* bezier = value.find("bezier")) {
     const std::vector<CurvePoint> points = read_places(json, *bezier, label.part("bezier"));

@@ -80,13 +80,13 @@ void for_bodies(const JsonValue* value, Placement& place, const SceneReader& jso
 
 void add_angle(PlacedBody& body, Real angle) {
   angle = angle - Real(360) * Real(exact::floor(angle / Real(360)));
-  const auto same = [&](const planning::Turn& t) { return !t.rotation && t.degrees == angle; };
+  const auto same = [&](const planning::Orientation& t) { return !t.rotation && t.degrees == angle; };
   if (std::none_of(body.angles.begin(), body.angles.end(), same)) body.angles.emplace_back(std::move(angle));
 }
 
 void add_orientation(PlacedBody& body, const JsonValue& value, const SceneReader& json, const Label& label) {
   Orientation o = read_orientation(value, nullptr, {}, json, label);
-  const auto same = [&](const planning::Turn& t) { return t.rotation && t.rotation->rows == o.rotation.rows; };
+  const auto same = [&](const planning::Orientation& t) { return t.rotation && t.rotation->rows == o.rotation.rows; };
   if (std::none_of(body.angles.begin(), body.angles.end(), same))
     body.angles.emplace_back(std::move(o.rotation), std::move(o.text));
 }

@@ -136,7 +136,7 @@ void ShapeReader::fail_unknown_kind(const JsonValue& value, const Label& label) 
       json_.fail(ErrorCode::kUnknownName, fmt::format("unknown kind of shape '{}'{}", key, hint), label, value);
   }
   std::string what =
-      value.keys.empty() ? "an empty object is no shape" : fmt::format("unknown kind of shape '{}'", value.keys[0]);
+      value.keys.empty() ? "an empty object is not a shape" : fmt::format("unknown kind of shape '{}'", value.keys[0]);
   json_.fail(ErrorCode::kUnknownName, fmt::format("{}; the kinds are {}", what, fmt::join(known, ", ")), label, value);
 }
 

@@ -32,7 +32,7 @@ std::string_view name(CurveRule rule) { return kCurveRules[static_cast<std::size
 
 exact::Real parse_length(std::string_view text, std::optional<formula::Unit> unit) {
   const std::size_t digits = scan_number(text);
-  if (digits == 0) throw Error(ErrorCode::kSyntax, fmt::format("'{}' is no length, such as 0.01mm", text));
+  if (digits == 0) throw Error(ErrorCode::kSyntax, fmt::format("'{}' is not a length, such as 0.01mm", text));
   exact::Real value = exact::Real::parse_decimal(text.substr(0, digits));
   if (value.sign() < 0) throw Error(ErrorCode::kBadValue, fmt::format("the length '{}' is negative", text));
   std::string_view unit_name = text.substr(digits);

@@ -78,7 +78,7 @@ class PathReader {
     bool relative = command != upper;
     if (std::string_view("MLHVACSQTZ").find(upper) == std::string_view::npos) {
       at_ = command_at_;
-      fail(ErrorCode::kSyntax, fmt::format("'{}' is no path command", command));
+      fail(ErrorCode::kSyntax, fmt::format("'{}' is not a path command", command));
     }
     if (upper == 'Z') return close();
     do {

@@ -186,7 +186,7 @@ Surface phi_surface(const PhiReport& r) {
     const RoundedPair& pair = r.phi->pair(k);
     if (pair.radius.sign() > 0) {
       throw Error(ErrorCode::kUnsupported,
-                  "the contact surface of a round body is no polyhedron, and mesh formats have nothing else");
+                  "the contact surface of a round body is not a polyhedron, and mesh formats have nothing else");
     }
     const ContactSurface& s = pair.phi->surface();
     const int base = static_cast<int>(surface.vertices.size());

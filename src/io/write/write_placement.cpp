@@ -22,7 +22,7 @@ std::string scaled(const Real& steps, const Real& step) {
 }
 
 /// The key and the value that say how a body is rotated.
-std::string turn_json(const planning::Turn& turn) {
+std::string orientation_json(const planning::Orientation& turn) {
   if (!turn.rotation) return fmt::format("\"angle\": {}", json_number(turn.degrees.to_double()));
   return fmt::format("\"orientation\": {}", matrix_json(*turn.rotation));
 }
@@ -34,7 +34,7 @@ std::string placed_json(const planning::BodyOutcome& p, const Real& step) {
     std::vector<std::string> at;
     for (const Real& c : p.at) at.push_back(scaled(c, step));
     put(out, ", \"at\": [{}]", fmt::join(at, ", "));
-    if (p.angle) put(out, ", {}", turn_json(*p.angle));
+    if (p.angle) put(out, ", {}", orientation_json(*p.angle));
     return out + "}";
   }
   out += ", \"at\": null";
@@ -65,7 +65,8 @@ std::string regions_json(const PlacementResult& result) {
     }
     out += "[";
     for (std::size_t first = k; k < all.size() && all[k].shape == all[first].shape; ++k)
-      put(out, "{}{{{}, \"positions\": {}}}", k > first ? ",\n" : "", turn_json(*all[k].angle), region_text(all[k]));
+      put(out, "{}{{{}, \"positions\": {}}}", k > first ? ",\n" : "", orientation_json(*all[k].angle),
+          region_text(all[k]));
     out += "]";
   }
   return out + "}";
@@ -82,7 +83,7 @@ std::string matrix_json(const space::Rotation& rotation) {
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-std::string turn_text(const planning::Turn& turn) {
+std::string orientation_text(const planning::Orientation& turn) {
   return turn.rotation ? turn.text : fmt::format("{} deg", shown(turn.degrees.to_double()));
 }
 
@@ -109,7 +110,7 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
       std::vector<std::string> at;
       for (const Real& c : p.at) at.push_back(shown((Twofold(c) * Twofold(step)).value()));
       put(out, "({}){}", fmt::join(at, ", "), suffix);
-      if (p.angle) put(out, ", rotated by {}", turn_text(*p.angle));
+      if (p.angle) put(out, ", rotated by {}", orientation_text(*p.angle));
     } else {
       out += p.attained ? "no free position" : "no best position: the least value is not taken";
     }

@@ -17,7 +17,7 @@ namespace findspace::io {
 /// All positions of a body (at one angle, if it may turn), as `map` writes them.
 struct PositionsResult {
   std::string shape;
-  std::optional<planning::Turn> angle;
+  std::optional<planning::Orientation> angle;
   std::string region;
 };
 
@@ -33,7 +33,7 @@ PlacementResult placement_result(const planning::SpaceProblem& problem, const pl
 
 /// The rows of a rotation's matrix as JSON; a turn in words.
 std::string matrix_json(const space::Rotation& rotation);
-std::string turn_text(const planning::Turn& turn);
+std::string orientation_text(const planning::Orientation& turn);
 
 std::string placement_json(const PlacementResult& result, const exact::Real& step, std::string_view unit);
 std::string placement_text(const PlacementResult& result, const exact::Real& step, std::string_view unit);

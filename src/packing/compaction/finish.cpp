@@ -30,25 +30,25 @@ class Finisher {
 
   Layout rounded(const std::vector<Pose>& poses, double snap) const {
     Layout layout;
-    std::vector<std::size_t> rooms;
-    for (const Pose& pose : poses) rooms.push_back(row_.room_of(table_.variants()[pose.variant], pose.at));
-    std::vector<std::size_t> used(rooms);
-    used.insert(used.end(), row_.fixed_rooms().begin(), row_.fixed_rooms().end());
+    std::vector<std::size_t> containers;
+    for (const Pose& pose : poses) containers.push_back(row_.container_of(table_.variants()[pose.variant], pose.at));
+    std::vector<std::size_t> used(containers);
+    used.insert(used.end(), row_.fixed_containers().begin(), row_.fixed_containers().end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     if (problem_.on_sheets())
-      for (const std::size_t room : used) layout.sheets.push_back(row_.rooms()[room].kind);
-    const auto sheet_of = [&](std::size_t room) {
-      return std::size_t(std::lower_bound(used.begin(), used.end(), room) - used.begin());
+      for (const std::size_t container : used) layout.sheets.push_back(row_.containers()[container].kind);
+    const auto sheet_of = [&](std::size_t container) {
+      return std::size_t(std::lower_bound(used.begin(), used.end(), container) - used.begin());
     };
     std::vector<int> copies(problem_.parts.size());
     for (std::size_t k = 0; k < problem_.fixed.size(); ++k)
-      put_fixed(layout, problem_.fixed[k].placed, sheet_of(row_.fixed_rooms()[k]), copies);
+      put_fixed(layout, problem_.fixed[k].placed, sheet_of(row_.fixed_containers()[k]), copies);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const Variant& v = table_.variants()[poses[i].variant];
-      const std::size_t sheet = sheet_of(rooms[i]);
+      const std::size_t sheet = sheet_of(containers[i]);
       layout.items.push_back({v.part, ++copies[v.part], v.angle, v.mirrored, 0, 0, sheet});
-      put(layout, poses[i].at - Vec{row_.rooms()[rooms[i]].x, 0}, snap);
+      put(layout, poses[i].at - Vec{row_.containers()[containers[i]].x, 0}, snap);
     }
     leave_out(layout, copies);
     return layout;
@@ -94,7 +94,8 @@ class Finisher {
       const int missing = problem_.parts[part].demand - copies[part];
       if (missing <= 0) continue;
       const bool fits = !table_.variants_of(part).empty();
-      layout.left_out.push_back({part, missing, fits ? "no room was found for it" : "it is larger than every sheet"});
+      layout.left_out.push_back(
+          {part, missing, fits ? "no container was found for it" : "it is larger than every sheet"});
     }
   }
 
@@ -165,7 +166,7 @@ std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, cons
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(shape, problem.digits);
     Pose pose{table.variants_of(item.part)[0],
-              {(item.x - problem.edge).to_double() + row.rooms()[problem.on_sheets() ? item.sheet : 0].x,
+              {(item.x - problem.edge).to_double() + row.containers()[problem.on_sheets() ? item.sheet : 0].x,
                (item.y - problem.edge).to_double()}};
     for (const std::size_t v : table.variants_of(item.part)) {
       const auto off = table.offset_to(v, mine);

@@ -67,9 +67,9 @@ HalfPlane shut_out(const std::vector<Piece>& pieces, Vec at, double slack) {
     farthest_line = line;
   }
   if (farthest_line >= 0.3 * nearest - slack) return best->beside;
-  const Vec foot = best->nearest(at);
-  const Vec normal = (1 / nearest) * (at - foot);
-  return {normal, dot(normal, foot)};
+  const Vec projection = best->nearest(at);
+  const Vec normal = (1 / nearest) * (at - projection);
+  return {normal, dot(normal, projection)};
 }
 
 /// In a slit there is no way but along it.

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The square of the distance to a segment and its foot.
-double square_to(const Vec from, const Vec to, const Vec way, double inverse_square, Vec t, Vec& foot) {
+/// The square of the distance to a segment and its projection.
+double square_to(const Vec from, const Vec to, const Vec way, double inverse_square, Vec t, Vec& projection) {
   const double along = dot(t - from, way) * inverse_square;
-  foot = along <= 0 ? from : along >= 1 ? to : from + along * way;
-  const Vec off = t - foot;
+  projection = along <= 0 ? from : along >= 1 ? to : from + along * way;
+  const Vec off = t - projection;
   return dot(off, off);
 }
 
@@ -62,8 +62,8 @@ Nearest DepthField::nearest(Vec t) const {
   Nearest result;
   for (std::uint32_t k = cell.begin; k < cell.begin + cell.count; ++k) {
     const Segment& s = segments_[lists_[k]];
-    Vec foot;
-    const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, foot);
+    Vec projection;
+    const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, projection);
     if (square > best) continue;
     // Of two edges that share the nearest vertex, the one whose line is farther knows the side.
     const double height = cross(s.way, t - s.from) * s.inverse_length;
@@ -71,7 +71,7 @@ Nearest DepthField::nearest(Vec t) const {
     best = square;
     side = height;
     result.edge = lists_[k];
-    result.foot = foot;
+    result.projection = projection;
   }
   if (cell.mixed && side < 0) return {};
   result.depth = std::sqrt(best);
@@ -86,8 +86,8 @@ double DepthField::depth(int index, Vec t) const {
   const std::uint16_t* list = &lists_[cell.begin];
   for (std::uint32_t k = 0; k < cell.count; ++k) {
     const Segment& s = segments_[list[k]];
-    Vec foot;
-    const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, foot);
+    Vec projection;
+    const double square = square_to(s.from, s.to, s.way, s.inverse_square, t, projection);
     if (square > best) continue;
     const double height = cross(s.way, t - s.from) * s.inverse_length;
     if (square == best && std::abs(height) <= std::abs(side)) continue;
@@ -101,10 +101,10 @@ void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& 
   squares_.clear();
   double least = kFar;
   choice.side = 0;
-  Vec foot;
+  Vec projection;
   for (const std::uint32_t e : from) {
     const Segment& s = segments_[e];
-    const double square = square_to(s.from, s.to, s.way, s.inverse_square, middle, foot);
+    const double square = square_to(s.from, s.to, s.way, s.inverse_square, middle, projection);
     squares_.push_back(square);
     if (square > least) continue;
     const double height = cross(s.way, middle - s.from) * s.inverse_length;
@@ -121,7 +121,7 @@ void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& 
     const Segment& s = segments_[from[k]];
     double greatest = 0;
     for (const Vec c : {half, Vec{-half.x, half.y}, Vec{half.x, -half.y}, Vec{-half.x, -half.y}})
-      greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, middle + c, foot));
+      greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, middle + c, projection));
     least_greatest = std::min(least_greatest, greatest);
   }
   const double keep = std::sqrt(least_greatest) + radius;

@@ -17,7 +17,7 @@ namespace findspace::packing {
 struct Nearest {
   double depth = 0;  // 0 where there is no overlap
   int edge = -1;     // of the no-fit polygon
-  Vec foot;          // the point of the boundary
+  Vec projection;    // the point of the boundary
 };
 
 class DepthField {

@@ -54,7 +54,7 @@ class FieldTable {
   /// Whether there is a condition between the parts of two variants: then they are never too far apart to be looked at.
   bool are_tied(std::size_t a, std::size_t b) const { return !ties_.empty() && ties_[a * variants_.size() + b] != 0; }
   bool has_ties() const { return !ties_.empty(); }
-  /// Parts of different rooms are farther apart than any condition asks.
+  /// Parts of different containers are farther apart than any condition asks.
   double greatest_level() const { return greatest_level_; }
 
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.

@@ -11,15 +11,15 @@
 namespace findspace::packing {
 
 Row::Row(const Problem& problem, const FieldTable& table, const std::vector<std::size_t>& kinds) {
-  if (kinds.empty()) rooms_.push_back({0, std::numeric_limits<double>::infinity(), table.height(), 0});
+  if (kinds.empty()) containers_.push_back({0, std::numeric_limits<double>::infinity(), table.height(), 0});
   const double steps = double(problem.steps()), edge = table.edge();
   double x = 0;
   for (const std::size_t kind : kinds) {
     const LatticeBox box = box_of(problem.sheets[kind].shape);
-    rooms_.push_back({x, double(box.high.x) / steps - 2 * edge, double(box.high.y) / steps - 2 * edge, kind});
+    containers_.push_back({x, double(box.high.x) / steps - 2 * edge, double(box.high.y) / steps - 2 * edge, kind});
     for (const std::size_t v : table.obstacles_of(kind)) obstacles_.push_back({v, {x - edge, -edge}});
     // Obstacles reach beyond their sheet, but not into the next one.
-    x += rooms_.back().width + 2 * (edge + 1.02 * table.gap() + 2) + table.greatest_level();
+    x += containers_.back().width + 2 * (edge + 1.02 * table.gap() + 2) + table.greatest_level();
   }
   add_fixed(problem, table);
 }
@@ -27,22 +27,22 @@ Row::Row(const Problem& problem, const FieldTable& table, const std::vector<std:
 void Row::add_fixed(const Problem& problem, const FieldTable& table) {
   for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
     const auto& [placed, kind] = problem.fixed[k];
-    std::size_t room = 0;
-    for (std::size_t before = placed.sheet; problem.on_sheets(); ++room)
-      if (rooms_[room].kind == kind && before-- == 0) break;
-    const Vec at{placed.x.to_double() - table.edge() + rooms_[room].x, placed.y.to_double() - table.edge()};
+    std::size_t container = 0;
+    for (std::size_t before = placed.sheet; problem.on_sheets(); ++container)
+      if (containers_[container].kind == kind && before-- == 0) break;
+    const Vec at{placed.x.to_double() - table.edge() + containers_[container].x, placed.y.to_double() - table.edge()};
     const std::size_t variant = table.fixed_variants()[k];
     obstacles_.push_back({variant, at});
-    fixed_rooms_.push_back(room);
+    fixed_containers_.push_back(container);
     fixed_end_ = std::max(fixed_end_, at.x + table.variants()[variant].high.x);
   }
 }
 
-std::size_t Row::room_of(const Variant& variant, Vec at) const {
+std::size_t Row::container_of(const Variant& variant, Vec at) const {
   const double middle = at.x + 0.5 * (variant.low.x + variant.high.x);
-  const auto behind = [](double x, const Room& room) { return x < room.x; };
-  const auto next = std::upper_bound(rooms_.begin(), rooms_.end(), middle, behind);
-  return next == rooms_.begin() ? 0 : std::size_t(next - rooms_.begin()) - 1;
+  const auto behind = [](double x, const Container& container) { return x < container.x; };
+  const auto next = std::upper_bound(containers_.begin(), containers_.end(), middle, behind);
+  return next == containers_.begin() ? 0 : std::size_t(next - containers_.begin()) - 1;
 }
 
 std::vector<std::size_t> cheapest_sheets(const Problem& problem) {

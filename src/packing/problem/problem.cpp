@@ -241,7 +241,7 @@ double area(const Problem& problem, const Layout& layout) {
   return sum;
 }
 
-double room(const Problem& problem, const Layout& layout) {
+double container_area(const Problem& problem, const Layout& layout) {
   if (!problem.on_sheets()) return height_of(problem, layout).to_double() * layout.length.to_double();
   const double steps = double(problem.steps());
   double sum = 0;

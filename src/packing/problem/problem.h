@@ -156,6 +156,6 @@ inline const Fraction& height_of(const Problem& problem, const Layout& layout) {
   return problem.box ? layout.height : problem.height;
 }
 /// What a layout's container holds: the strip up to its length; its sheets, the last up to what is used of it.
-double room(const Problem& problem, const Layout& layout);
+double container_area(const Problem& problem, const Layout& layout);
 
 }  // namespace findspace::packing

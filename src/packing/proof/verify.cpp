@@ -22,7 +22,7 @@ bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
 }
 
 /// A sheet in the common steps.
-struct Room {
+struct Container {
   LatticeBox box;
   std::vector<Polygon> obstacles;
   std::vector<std::vector<Polygon>> zones;  // the walls of each
@@ -51,8 +51,8 @@ class Check {
     }
     check_pairs();
     result_.used = Fraction(used, common_);
-    const double room = packing::room(problem_, layout_);
-    result_.density = room > 0 ? area(problem_, layout_) / room : 0;
+    const double all = packing::container_area(problem_, layout_);
+    result_.density = all > 0 ? area(problem_, layout_) / all : 0;
     std::stable_sort(result_.faults.begin(), result_.faults.end(),
                      [](const Fault& f, const Fault& g) { return f.depth > g.depth; });
     return std::move(result_);
@@ -83,12 +83,12 @@ class Check {
       if (left[kind] < 0)
         result_.faults.push_back({.kind = Fault::Kind::kSheets, .first = kind, .depth = -double(left[kind])});
     for (const std::size_t kind : layout_.sheets) {
-      Room& room = rooms_.emplace_back();
+      Container& container = containers_.emplace_back();
       const Sheet& sheet = problem_.sheets[kind];
-      room.box = box_of(scaled(sheet.shape, {}));
-      for (const Polygon& obstacle : obstacles_of(problem_, sheet)) room.obstacles.push_back(scaled(obstacle, {}));
+      container.box = box_of(scaled(sheet.shape, {}));
+      for (const Polygon& obstacle : obstacles_of(problem_, sheet)) container.obstacles.push_back(scaled(obstacle, {}));
       for (const Zone& zone : sheet.zones) {
-        std::vector<Polygon>& walls = room.zones.emplace_back();
+        std::vector<Polygon>& walls = container.zones.emplace_back();
         for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(scaled(wall, {}));
       }
     }
@@ -134,14 +134,14 @@ class Check {
 
   void check_inside(std::size_t i) {
     const bool on_sheets = problem_.on_sheets();
-    if (on_sheets && sheet_of(i) >= rooms_.size()) return outside(i, 0);
+    if (on_sheets && sheet_of(i) >= containers_.size()) return outside(i, 0);
     const LatticeBox& box = boxes_[i];
-    const int128 right = on_sheets ? rooms_[sheet_of(i)].box.high.x : layout_.length.over(common_);
-    const int128 top = on_sheets ? rooms_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
+    const int128 right = on_sheets ? containers_[sheet_of(i)].box.high.x : layout_.length.over(common_);
+    const int128 top = on_sheets ? containers_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
     const int128 out =
         problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
     if (out > 0) return outside(i, double(out) / double(common_));
-    if (on_sheets) check_sheet(i, rooms_[sheet_of(i)]);
+    if (on_sheets) check_sheet(i, containers_[sheet_of(i)]);
   }
 
   void outside(std::size_t i, double depth) {
@@ -152,9 +152,9 @@ class Check {
                               .y = layout_.items[i].y.to_double()});
   }
 
-  void check_sheet(std::size_t i, const Room& room) {
+  void check_sheet(std::size_t i, const Container& container) {
     const int128 edge = problem_.edge.over(common_);
-    for (const Polygon& obstacle : room.obstacles) {
+    for (const Polygon& obstacle : container.obstacles) {
       if (!meet(boxes_[i], box_of(obstacle), edge)) continue;
       if (interiors_meet(shapes_[i], obstacle) || (edge > 0 && are_nearer(shapes_[i], obstacle, edge)))
         return outside(i, 0);
@@ -164,7 +164,7 @@ class Check {
       const auto& kept_out = zones[z].parts;
       if (std::count(kept_out.begin(), kept_out.end(), layout_.items[i].part) == 0) continue;
       const auto enters = [&](const Polygon& wall) { return interiors_meet(shapes_[i], wall); };
-      if (std::none_of(room.zones[z].begin(), room.zones[z].end(), enters)) continue;
+      if (std::none_of(container.zones[z].begin(), container.zones[z].end(), enters)) continue;
       result_.faults.push_back({.kind = Fault::Kind::kZone,
                                 .first = i,
                                 .x = layout_.items[i].x.to_double(),
@@ -246,7 +246,7 @@ class Check {
   int128 common_ = 1;  // all coordinates are integers over this
   std::vector<Polygon> shapes_;
   std::vector<LatticeBox> boxes_;
-  std::vector<Room> rooms_;
+  std::vector<Container> containers_;
   Verdict result_;
 };
 

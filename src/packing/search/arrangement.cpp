@@ -53,9 +53,9 @@ void Arrangement::find_ranges() {
   for (const Variant& v : table_->variants()) {
     Range tightest;
     double least_excess = std::numeric_limits<double>::infinity();
-    for (const Room& room : row_->rooms()) {
-      const double end = std::min(room.x + room.width, length_);
-      const Range range{{room.x - v.low.x, -v.low.y}, {end - v.high.x, room.height - v.high.y}};
+    for (const Container& container : row_->containers()) {
+      const double end = std::min(container.x + container.width, length_);
+      const Range range{{container.x - v.low.x, -v.low.y}, {end - v.high.x, container.height - v.high.y}};
       if (range.low.y > range.high.y) continue;
       if (range.low.x <= range.high.x)
         ranges_.push_back(range);
@@ -159,7 +159,7 @@ Arrangement::Exit Arrangement::exit(const Pose& pose, std::size_t j) const {
   const Nearest nearest = link.field().nearest(t);
   if (nearest.depth <= shallow_) return {};
   const NoFitEdge& edge = link.field().polygon().edges[std::size_t(nearest.edge)];
-  return {nearest.depth, link.rotated(nearest.foot - t), link.rotated(edge.to - edge.from)};
+  return {nearest.depth, link.rotated(nearest.projection - t), link.rotated(edge.to - edge.from)};
 }
 
 double Arrangement::loss() {

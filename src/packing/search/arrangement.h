@@ -28,11 +28,11 @@ class Arrangement {
   std::vector<Pose> poses() const { return {poses_.begin(), poses_.begin() + std::ptrdiff_t(size_)}; }
   const Pose& pose(std::size_t i) const { return poses_[i]; }
   double length() const { return length_; }
-  /// Parts that stick out are moved in.
+  /// Parts that protrude are moved in.
   void set_length(double length);
   void set_poses(const std::vector<Pose>& poses);
   void move(std::size_t i, const Pose& pose);
-  /// The nearest position of the variant within a room.
+  /// The nearest position of the variant within a container.
   Vec inside(std::size_t variant, Vec at) const;
   Vec random_position(std::size_t variant, Random& random) const;
 
@@ -76,7 +76,7 @@ class Arrangement {
   /// farther away, until it says false.
   template <class Meet>
   void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
-  /// Where a variant may stand in a room: from the first corner to the second; crossed where it fits none.
+  /// Where a variant may stand in a container: from the first corner to the second; crossed where it fits none.
   struct Range {
     Vec low, high;
   };

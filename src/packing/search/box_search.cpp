@@ -76,10 +76,10 @@ class BoxSearch {
       const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
       layout.height = std::max(layout.height, item.y + Fraction(box.high.y, problem_.steps()) + problem_.edge);
     }
-    if (best_ && room(problem_, layout) >= room(problem_, *best_)) return;
+    if (best_ && container_area(problem_, layout) >= container_area(problem_, *best_)) return;
     best_ = std::move(layout);
     SearchState of_box = state;
-    of_box.density = area(problem_) / room(problem_, *best_);
+    of_box.density = area(problem_) / container_area(problem_, *best_);
     if (events_.better) events_.better(*best_, of_box);
   }
 

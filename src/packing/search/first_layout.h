@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A first layout without overlaps: the largest part first, or the most valuable one for its area where all cannot fit,
-// each as far left as a corner of the no-fit polygons of those before it, or of a room, allows. Guarantee: no overlaps,
-// in doubles, unless it says so. Cost: corners times parts near each. Keywords: bottom-left, constructive heuristic.
+// each as far left as a corner of the no-fit polygons of those before it, or of a container, allows. Guarantee: no
+// overlaps, in doubles, unless it says so. Cost: corners times parts near each. Keywords: bottom-left, constructive
+// heuristic.
 #pragma once
 
 #include <vector>

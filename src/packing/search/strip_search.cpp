@@ -157,7 +157,7 @@ class Search {
     s.since_better = s.seconds - better_at_;
     if (best_) {
       s.length = best_->length.to_double();
-      s.density = area(problem_, *best_) / room(problem_, *best_);
+      s.density = area(problem_, *best_) / container_area(problem_, *best_);
     }
     s.overlap = team_.overlap();
     return s;

@@ -127,25 +127,25 @@ void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector
 space::LineStretch SolidArrangement::within(const SolidPose& pose, const Vector& way) const {
   const SolidVariant& v = table_.variants()[pose.variant];
   const Vector low = pose.at + v.low, high = pose.at + v.high;
-  space::LineStretch room{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  space::LineStretch within_box{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   const auto clip = [&](double slope, double before, double behind) {
     if (slope == 0) return;
     const double first = before / slope, second = behind / slope;
-    room.from = std::max(room.from, std::min(first, second));
-    room.to = std::min(room.to, std::max(first, second));
+    within_box.from = std::max(within_box.from, std::min(first, second));
+    within_box.to = std::min(within_box.to, std::max(first, second));
   };
   clip(way.x, -low.x, table_.width() - high.x);
   clip(way.y, -low.y, table_.depth() - high.y);
   clip(way.z, -low.z, height_ - high.z);
-  return room;
+  return within_box;
 }
 
 void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
-                                         const space::LineStretch& room) const {
+                                         const space::LineStretch& within_box) const {
   const std::vector<double>& weights = weights_of(i);
   stretches_.clear();
-  const BoxList<3>::Box first = box_at({pose.variant, pose.at + room.from * way}, table_.gap()),
-                        last = box_at({pose.variant, pose.at + room.to * way}, table_.gap());
+  const BoxList<3>::Box first = box_at({pose.variant, pose.at + within_box.from * way}, table_.gap()),
+                        last = box_at({pose.variant, pose.at + within_box.to * way}, table_.gap());
   BoxList<3>::Box swept;
   for (std::size_t k = 0; k < 3; ++k) {
     swept.low[k] = std::min(first.low[k], last.low[k]);
@@ -162,7 +162,7 @@ void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, c
       if (way.z == 0 && !(u.z > overlap.low.z && u.z < overlap.high.z)) continue;
       ++looked_at_;
       const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
-      if (t.from < t.to && t.to > room.from && t.from < room.to)
+      if (t.from < t.to && t.to > within_box.from && t.from < within_box.to)
         stretches_.push_back({t.from, t.to, weights[j], &overlap, u, along});
     }
     return true;
@@ -185,11 +185,11 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
                                                            double bound, bool from_end) const {
   LinePlace best{0, bound};
   if (excess(pose.variant) > 0) return best;
-  const space::LineStretch room = within(pose, way);
-  if (!(room.from <= room.to)) return best;
-  collect_stretches(i, pose, way, room);
+  const space::LineStretch within_box = within(pose, way);
+  if (!(within_box.from <= within_box.to)) return best;
+  collect_stretches(i, pose, way, within_box);
   const double sense = from_end ? -1 : 1;  // the line is walked from one side
-  const double start = from_end ? -room.to : room.from, end = from_end ? -room.from : room.to;
+  const double start = from_end ? -within_box.to : within_box.from, end = from_end ? -within_box.from : within_box.to;
   events_.clear();
   active_.clear();
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {

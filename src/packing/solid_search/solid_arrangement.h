@@ -27,7 +27,7 @@ class SolidArrangement {
   const std::vector<SolidPose>& poses() const { return poses_; }
   const SolidPose& pose(std::size_t i) const { return poses_[i]; }
   double length() const { return height_; }
-  /// Parts that stick out are moved in. Where one is higher at its form, the excess counts as an overlap.
+  /// Parts that protrude are moved in. Where one is higher at its form, the excess counts as an overlap.
   void set_length(double height);
   void set_poses(const std::vector<SolidPose>& poses);
   void move(std::size_t i, const SolidPose& pose);
@@ -81,7 +81,8 @@ class SolidArrangement {
   BoxList<3>::Box box_at(const SolidPose& pose, double wider) const;
   /// The stretch of the line within the container.
   space::LineStretch within(const SolidPose& pose, const Vector& way) const;
-  void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way, const space::LineStretch& room) const;
+  void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
+                         const space::LineStretch& within_box) const;
   double cost_at(double t, double bound) const;
   const std::vector<double>& weights_of(std::size_t i) const;
   void grow_weight(std::size_t i, std::size_t j, double factor);

@@ -157,7 +157,7 @@ Window window_between(const RealVector& from, const RealVector& to) {
   const auto d = primitive_direction(to - from);
   if (d) return {from, to, d->x, d->y};
   throw Error(ErrorCode::kOutOfRange,
-              "a leg of a motion has a direction that is no ratio of integers below 2^53: use fewer digits");
+              "a leg of a motion has a direction that is not a ratio of integers below 2^53: use fewer digits");
 }
 
 Window window_along(std::int64_t dx, std::int64_t dy, const Real& from, const Real& to) {

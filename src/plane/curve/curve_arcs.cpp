@@ -68,7 +68,7 @@ class Chainer {
     if (!(length > 0)) return {0, 0};
     return {dx / length, dy / length};
   }
-  static constexpr double kStep = 1.0 / (1 << 20);
+  static constexpr double kStep = 1.0 / (1 << 20);  // no sign: only where arcs are tried; the bound is proved
 
   double towards() const { return double(static_cast<int>(side_)); }
 

@@ -195,7 +195,8 @@ std::pair<std::int64_t, std::int64_t> as_fraction(Real x) {
     const bool fits = whole < kLargest && -whole < kLargest;
     const int128 n = fits ? whole * n1 + n0 : kLargest, d = fits ? whole * d1 + d0 : kLargest;
     if (n >= kLargest || -n >= kLargest || d >= kLargest)
-      throw Error(ErrorCode::kUnsupported, "a region's edge has a direction that is no ratio of integers below 2^62");
+      throw Error(ErrorCode::kUnsupported,
+                  "a region's edge has a direction that is not a ratio of integers below 2^62");
     n0 = n1;
     d0 = d1;
     n1 = n;

@@ -32,7 +32,7 @@ class DemandMaker {
     taken_.insert(all_.shapes.begin(), all_.shapes.end());
     for (const AskedBody& placed : asked_.bodies) {
       Body body{placed.name, 0, placed.shapes, placed.angles, {}};
-      for (const Turn& angle : placed.angles) body.variants.push_back(variant(placed, angle));
+      for (const Orientation& angle : placed.angles) body.variants.push_back(variant(placed, angle));
       for (int copy = 1; copy <= placed.count; ++copy) {
         body.copy = placed.count > 1 ? copy : 0;
         demands_.bodies.push_back(body);
@@ -41,7 +41,7 @@ class DemandMaker {
     }
   }
 
-  std::vector<std::string> variant(const AskedBody& body, const Turn& angle) {
+  std::vector<std::string> variant(const AskedBody& body, const Orientation& angle) {
     std::vector<std::string> names;
     for (const std::string& shape : body.shapes) {
       names.push_back(shape);

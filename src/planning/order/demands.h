@@ -25,9 +25,9 @@ struct Unread {
 };
 
 struct AskedBody {
-  std::string name;                  // "A1", "A1+A2"
-  std::vector<std::string> shapes;   // that move together
-  std::vector<Turn> angles{Turn{}};  // about the pole; degrees from 0 to 360, each once
+  std::string name;                                // "A1", "A1+A2"
+  std::vector<std::string> shapes;                 // that move together
+  std::vector<Orientation> angles{Orientation{}};  // about the pole; degrees from 0 to 360, each once
   int count = 1;
 };
 
@@ -40,7 +40,7 @@ struct Asked {
 
 struct RotatedShape {
   std::string name, shape;  // a name of its own, and the shape that is rotated
-  Turn turn;
+  Orientation turn;
 };
 
 struct AskedDemands {

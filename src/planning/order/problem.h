@@ -19,7 +19,7 @@
 #include "formula/language/formula.h"
 #include "formula/language/parse_goal.h"
 #include "formula/planar/solve.h"
-#include "planning/order/turn.h"
+#include "planning/order/orientation.h"
 
 namespace findspace::planning {
 
@@ -28,7 +28,7 @@ struct Body {
   std::string name;                 // for reports: "A1", "A1+A2"
   int copy = 0;                     // from 1 where the same body is placed several times
   std::vector<std::string> shapes;  // as formulas name them
-  std::vector<Turn> angles;         // about the pole, at least one
+  std::vector<Orientation> angles;  // about the pole, at least one
   /// variants[a][k]: the name in the world of shapes[k] rotated by angles[a].
   std::vector<std::vector<std::string>> variants;
 };

@@ -19,9 +19,9 @@ namespace findspace::planning {
 /// Of one body, in the plane or in space; lengths in grid steps, values in the scene's unit.
 struct BodyOutcome {
   std::string shape;
-  int copy = 0;                 // 0: the only one
-  std::optional<Turn> angle;    // where other angles than 0 are allowed
-  std::vector<exact::Real> at;  // none: it has no position
+  int copy = 0;                      // 0: the only one
+  std::optional<Orientation> angle;  // where other angles than 0 are allowed
+  std::vector<exact::Real> at;       // none: it has no position
   bool attained = true;
   std::vector<std::optional<exact::Real>> infimum;  // of the objectives, where it is not attained
 };

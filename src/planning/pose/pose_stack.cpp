@@ -11,6 +11,7 @@
 #include "distance/planar/signed_distance.h"
 #include "exact/margins/rounding.h"
 #include "findspace/error.h"
+#include "formula/planar/feasible_near.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "planning/pose/pose_formula.h"
@@ -71,14 +72,9 @@ class Stand {
       plane::SharedRegion& shape = world_.shapes.at(name);
       shape = plane::rotated(shape, about, degrees, world_.step.to_double(), slice.rounding);
     }
-    const Solver solver(world_);
-    if (!solver.known_between_bounds(formula)) {
-      slice.region = solver.feasible(formula);
-      return;
-    }
-    formula::RegionBounds bounds = solver.feasible_bounds(formula);
-    slice.region = std::move(bounds.inner);
-    slice.outer = std::move(bounds.outer);
+    formula::SolvedRegion found = formula::solve_region(Solver(world_), formula);
+    slice.region = std::move(found.region);
+    slice.outer = std::move(found.outer);
   }
 
   /// Where the formula certainly holds, or may hold, for shapes within `bound` steps.

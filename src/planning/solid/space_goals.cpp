@@ -37,7 +37,7 @@ SpaceGoal goal_of(const Objective& objective, bool negated, const Real& step) {
   SpaceGoal out;
   if (objective.kind == Kind::kDistance) refuse("an objective that is a distance of shapes is not computed for 3D");
   if (objective.kind == Kind::kDistanceToPoint) {
-    if (negated) refuse("the greatest distance to a point is no objective in 3D");
+    if (negated) refuse("the greatest distance to a point is not an objective in 3D");
     out.point.emplace();
     for (std::size_t k = 0; k < 3; ++k) (*out.point)[k] = objective.point.at(k) / step;
     return out;

@@ -141,7 +141,7 @@ Tried<Body> mixed(const plane::Shape& shape) {
     default:
       break;
   }
-  return Refusal("this kind of shape with round parts is no union of convex parts; state it as one");
+  return Refusal("this kind of shape with round parts is not a union of convex parts; state it as one");
 }
 
 }  // namespace

@@ -128,7 +128,8 @@ namespace {
 Tried<std::vector<Polytope>> polytopes(const Body& body, std::int64_t scale) {
   std::vector<Polytope> out;
   for (const BodyPart& part : at_scale(body, scale).parts) {
-    if (part.radius.sign() > 0 || !part.core) return Refusal("what is left of this shape is no union of convex parts");
+    if (part.radius.sign() > 0 || !part.core)
+      return Refusal("what is left of this shape is not a union of convex parts");
     out.push_back(*part.core);
   }
   return out;

@@ -13,14 +13,14 @@
 
 namespace findspace::planning {
 
-struct Turn {
+struct Orientation {
   exact::Real degrees;
   std::optional<space::Rotation> rotation{};  // instead of degrees
   std::string text{};                         // of the rotation, for reports
 
-  Turn() = default;
-  Turn(exact::Real angle) : degrees(std::move(angle)) {}  // NOLINT: a number of degrees is a turn
-  Turn(space::Rotation r, std::string words) : rotation(std::move(r)), text(std::move(words)) {}
+  Orientation() = default;
+  Orientation(exact::Real angle) : degrees(std::move(angle)) {}  // NOLINT: a number of degrees is a turn
+  Orientation(space::Rotation r, std::string words) : rotation(std::move(r)), text(std::move(words)) {}
 
   /// Whether the body stands as it is drawn.
   bool none() const { return !rotation && degrees.sign() == 0; }

@@ -9,7 +9,7 @@
 #include "distance/search/lp_bound.h"
 
 namespace findspace::distance {
-namespace distance_matrix_game {
+namespace distance_lp_bound {
 
 using Column = std::array<double, 4>;
 
@@ -52,5 +52,5 @@ TEST(LpBound, ColumnsThatAreNearlyTheSame) {
   }
 }
 
-}  // namespace distance_matrix_game
+}  // namespace distance_lp_bound
 }  // namespace findspace::distance
