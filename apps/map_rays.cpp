@@ -17,8 +17,8 @@
 #include "io/draw/draw_slices.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json_rays.h"
+#include "process_team.h"
 #include "ray_optimum.h"
-#include "row_team.h"
 #include "space/rays/ray_axes.h"
 #include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"
@@ -206,7 +206,7 @@ struct RaysShown {
 };
 
 /// The set with rows that all processes of the team make.
-RaySet shared_by(RowTeam& team, const RaySet& set) {
+RaySet shared_by(ProcessTeam& team, const RaySet& set) {
   RaySet out = set;
   out.source = [&team, source = set.source](const space::RayGrid& grid) {
     formula::RegionOnLines region = source(grid);
@@ -232,6 +232,8 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
                                                    [](const auto& file) { return file.extension() == ".json"; });
   const auto cast =
       std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written));
+  if (options.team != nullptr)
+    if (const std::string account = options.team->account(); !account.empty()) session.reporter().note(account);
   if (set.objective) session.reporter().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, *cast, step)
                        : set.aim     ? std::optional(optimum_of(set, *cast, step))

@@ -16,6 +16,7 @@
 #include "options.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
+#include "process_team.h"
 
 namespace findspace::app {
 
@@ -33,6 +34,7 @@ packing::SearchOptionsOf<Layout> search_options(const Options& options) {
   out.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   out.seconds = options.time_limit;
   out.work = options.work * 1000000;
+  if (options.team != nullptr && options.team->count() > 1) out.peers = &options.team->peers();
   return out;
 }
 

@@ -13,22 +13,34 @@
 #include <string_view>
 
 #include "command_line.h"
+#include "io/text/read_text.h"
 #include "option_checks.h"
 #include "plane/base/parallel.h"
-#include "row_team.h"
+#include "process_team.h"
 #include "run_limits.h"
 #include "session.h"
 #include "stage_dump.h"
+#include "store/result_file.h"
 #include "verbs.h"
 
 namespace findspace::app {
 namespace {
+
+/// The one of --store; where there is none, or the thread has one, nothing. A batch leaves it to its workers.
+std::unique_ptr<ResultFile> open_store(const VerbEntry& verb, const Options& options) {
+  if (options.store.empty() || verb.is("batch") || plane::result_store() != nullptr) return nullptr;
+  return std::make_unique<ResultFile>(options.store, options.store_limit);
+}
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   check_outputs(options, endings_of(verb.name));  // before anything is read
   const plane::ThreadLimit threads(options.threads);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
+  const io::TextReader shared = [&](const auto& read) { return options.team->shared_text(read); };
+  const io::ReadTextBy reading(options.team == nullptr ? nullptr : &shared);
+  const auto store = open_store(verb, options);
+  const plane::ScopedResultStore kept(store ? store.get() : plane::result_store());
   Outcome outcome = verb.run(options, reporter);
   if (dump) dump->finish(reporter);
   return outcome;
@@ -67,12 +79,17 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   return outcome.status;
 }
 
-int program(int argc, char** argv, RowTeam* team) {
+int program(int argc, char** argv, ProcessTeam* team) {
   CommandLine line = read_command_line(argc, argv);
   if (line.verb.empty()) return line.answered;
   const VerbEntry& verb = *find_verb(line.verb);
   Options& options = line.options;
+  if (team != nullptr && !verb.is_shared()) {
+    if (!team->leads()) return kDone;
+    team = nullptr;
+  }
   options.team = team;
+  if (team != nullptr && options.threads == 0) options.threads = 1;  // a rank for each core
   Reporter reporter(options.quiet);
   try {
     const bool batch = verb.is("batch");
@@ -95,7 +112,7 @@ Outcome run_question(std::string_view verb, const Options& options, Reporter& re
   return run(*find_verb(verb), options, reporter);
 }
 
-int run_program(int argc, char** argv, RowTeam* team) {
+int run_program(int argc, char** argv, ProcessTeam* team) {
   end_on_signals();
   try {
     return program(argc, argv, team);

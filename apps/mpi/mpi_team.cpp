@@ -3,14 +3,19 @@
 
 #include "mpi/mpi_team.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "findspace/error.h"
 #include "plane/base/parallel.h"
 #include "space/rays/row_bytes.h"
 
@@ -35,9 +40,29 @@ struct MpiTeam::Made {
 namespace {
 
 enum Tag { kAsk = 1, kBlock, kRows, kFailed, kBye };
-constexpr int kInHand = 2;  // blocks that a rank has asked for: the one it makes, and the next
-constexpr int kAhead = 64;  // blocks beyond those handed on
+constexpr int kInHand = 2;                   // blocks that a rank has asked for: the one it makes, and the next
+constexpr int kAhead = 64, kAheadARank = 4;  // blocks beyond those handed on
 constexpr int kMostRows = 32, kBlocksARank = 32;
+
+/// Adds to a sum the seconds that it lives, of this thread's processor time or by the clock.
+class Spent {
+ public:
+  Spent(clockid_t clock, double& sum) : clock_(clock), sum_(sum), begun_(now()) {}
+  ~Spent() { sum_ += now() - begun_; }
+  Spent(const Spent&) = delete;
+  Spent& operator=(const Spent&) = delete;
+
+ private:
+  double now() const {
+    timespec time{};
+    clock_gettime(clock_, &time);
+    return std::chrono::duration<double>(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec))
+        .count();
+  }
+  clockid_t clock_;
+  double& sum_;
+  double begun_;
+};
 
 bool same(const space::RayGrid& a, const space::RayGrid& b) {
   return a.axis == b.axis && a.parts == b.parts && a.u == b.u && a.v == b.v && a.du == b.du && a.dv == b.dv &&
@@ -70,7 +95,8 @@ class SharedRows : public space::RaySource {
   };
   int begin_of(const Progress& p, int block) const { return block * p.rows; }
   int count_of(const Progress& p, int block) const { return std::min(p.rows, grid().nv - begin_of(p, block)); }
-  Rows own_rows(const Progress& p, int block) const { return rows_of(*own_, begin_of(p, block), count_of(p, block)); }
+  Rows own_rows(const Progress& p, int block) const;
+  bool may_begin(const Progress& p) const;
   void hear(Progress& p, bool wait) const;
   void give(Progress& p) const;
   void receive(Progress& p, const MPI_Status& message) const;
@@ -80,8 +106,26 @@ class SharedRows : public space::RaySource {
   mutable space::RowReader reader_;
 };
 
+SharedRows::Rows SharedRows::own_rows(const Progress& p, int block) const {
+  double seconds = 0;
+  Rows rows;
+  {
+    const Spent spent(CLOCK_THREAD_CPUTIME_ID, seconds);
+    rows = rows_of(*own_, begin_of(p, block), count_of(p, block));
+  }
+  MpiTeam::Account& account = team_.account_;
+  account.rows_made += int(rows.size());
+  account.making += seconds;
+  account.slowest_row = std::max(account.slowest_row, seconds / double(rows.size()));
+  return rows;
+}
+
+bool SharedRows::may_begin(const Progress& p) const {
+  return p.next < p.blocks && p.next - p.taken < std::max(kAhead, kAheadARank * team_.count_);
+}
+
 void SharedRows::give(Progress& p) const {
-  while (!team_.waiting_.empty() && p.next < p.blocks && p.next - p.taken < kAhead) {
+  while (!team_.waiting_.empty() && may_begin(p)) {
     const space::RayGrid& g = grid();
     const BlockRequest request{
         g.axis, g.parts, g.u, g.v, g.du, g.dv, g.nu, g.nv, begin_of(p, p.next), count_of(p, p.next)};
@@ -109,6 +153,7 @@ void SharedRows::receive(Progress& p, const MPI_Status& message) const {
     p.made.emplace(block, own_rows(p, block));
     return;
   }
+  const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
   std::string_view rest = std::string_view(bytes).substr(sizeof begin);
   Rows rows;
   for (int k = 0; k < count_of(p, block); ++k) rows.push_back(reader_.read(static_cast<int>(begin) + k, rest));
@@ -139,12 +184,15 @@ void SharedRows::each_row(const std::function<void(int, space::RayRow&&)>& take)
     if (const auto ready = p.made.find(p.taken); ready != p.made.end()) {
       Rows rows = std::move(ready->second);
       p.made.erase(ready);
+      const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
       for (int k = 0; k < int(rows.size()); ++k) take(begin_of(p, p.taken) + k, std::move(rows[k]));
+      team_.account_.rows_taken += int(rows.size());
       ++p.taken;
-    } else if (p.next < p.blocks && p.next - p.taken < kAhead) {
+    } else if (may_begin(p)) {
       const int block = p.next++;
       p.made.emplace(block, own_rows(p, block));
     } else {
+      const Spent spent(CLOCK_MONOTONIC, team_.account_.waiting);
       hear(p, true);
     }
   }
@@ -158,6 +206,59 @@ MpiTeam::MpiTeam(MPI_Comm ranks) : ranks_(ranks) {
 space::RaySourcePointer MpiTeam::shared(space::RaySourcePointer rows) {
   if (count_ == 1 || rows->grid().oblique) return rows;
   return std::make_unique<SharedRows>(*this, std::move(rows));
+}
+
+/// Of any size: MPI counts bytes in an int.
+void MpiTeam::broadcast(std::string& text, int from) {
+  std::uint64_t size = text.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, from, ranks_);
+  text.resize(size);
+  constexpr std::uint64_t kAtOnce = std::uint64_t{1} << 30;
+  for (std::uint64_t begin = 0; begin < size; begin += kAtOnce)
+    MPI_Bcast(text.data() + begin, static_cast<int>(std::min(kAtOnce, size - begin)), MPI_BYTE, from, ranks_);
+}
+
+std::string MpiTeam::shared_text(const std::function<std::string()>& make) {
+  std::string text, place;
+  int fault = -1;  // the code of the leader's Error
+  if (leads()) try {
+      text = make();
+    } catch (const Error& e) {
+      fault = static_cast<int>(e.code());
+      text = e.message();
+      place = e.place();
+    }
+  MPI_Bcast(&fault, 1, MPI_INT, 0, ranks_);
+  broadcast(text, 0);
+  if (fault < 0) return text;
+  broadcast(place, 0);
+  throw Error(static_cast<ErrorCode>(fault), text, place);
+}
+
+bool MpiTeam::any(bool own) {
+  int said = own ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &said, 1, MPI_INT, MPI_MAX, ranks_);
+  return said != 0;
+}
+
+std::string MpiTeam::best_of(std::span<const double> cost, std::string own) {
+  std::vector<double> all(cost.size() * count());
+  const int each = static_cast<int>(cost.size());
+  MPI_Allgather(cost.data(), each, MPI_DOUBLE, all.data(), each, MPI_DOUBLE, ranks_);
+  const auto of = [&](int rank) { return std::span(all).subspan(std::size_t(rank) * cost.size(), cost.size()); };
+  int best = 0;
+  for (int rank = 1; rank < count_; ++rank)
+    if (std::lexicographical_compare(of(rank).begin(), of(rank).end(), of(best).begin(), of(best).end())) best = rank;
+  broadcast(own, best);
+  return own;
+}
+
+std::string MpiTeam::account() const {
+  if (account_.rows_taken == 0) return "";
+  return fmt::format(
+      "{} ranks: rank 0 made {} rows in {:.3f} s (slowest {:.4f} s a row), took {} rows in {:.3f} s, waited {:.3f} s",
+      count_, account_.rows_made, account_.making, account_.slowest_row, account_.rows_taken, account_.taking,
+      account_.waiting);
 }
 
 void MpiTeam::serve_block(const Source& source, const BlockRequest& request) {
