@@ -10,6 +10,7 @@
 
 #include "formula/solid/solve_rays.h"
 #include "packing/search/island_peers.h"
+#include "row_digests.h"
 
 namespace findspace::app {
 
@@ -34,8 +35,11 @@ class ProcessTeam {
   virtual space::RaySourcePointer shared(space::RaySourcePointer rows) = 0;
   /// Of the leader: how it spent its time on rows; nothing where it has shared none.
   virtual std::string account() const = 0;
-  /// Of the others: gives rows on the grids that the leader names, until it has ended.
-  virtual void serve(const Source& source) = 0;
+  /// Of the leader: digests of all rows in order, made by all.
+  virtual void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
+                           const std::function<void(int, RowDigest&&)>& take) = 0;
+  /// Of the others: gives rows or digests on the grids that the leader names, until it has ended.
+  virtual void serve(const Source& source, const RowDigester& digester) = 0;
 };
 
 }  // namespace findspace::app

@@ -26,18 +26,23 @@ class MpiTeam : public ProcessTeam, private packing::IslandPeers {
   packing::IslandPeers& peers() override { return *this; }
   space::RaySourcePointer shared(space::RaySourcePointer rows) override;
   std::string account() const override;
-  void serve(const Source& source) override;
+  void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
+                   const std::function<void(int, RowDigest&&)>& take) override;
+  void serve(const Source& source, const RowDigester& digester) override;
 
   /// At the end of the program, of every rank: rank 0 releases the others and hears from them all.
   void finish();
 
  private:
-  friend class SharedRows;
+  template <class Item>
+  friend class SharedBlocks;
   std::size_t number() const override { return static_cast<std::size_t>(rank_); }
   bool any(bool own) override;
   std::string best_of(std::span<const double> cost, std::string own) override;
   void broadcast(std::string& text, int from);
-  void serve_block(const Source& source, const struct BlockRequest& request);
+  void make_source(const Source& source, const space::RayGrid& grid);
+  std::string answer(const struct BlockRequest& request, const RowDigester& digester) const;
+  void serve_block(const Source& source, const RowDigester& digester, const BlockRequest& request);
 
   /// How rank 0 spent its time on rows: processor seconds for the first two, seconds by the clock for the last.
   struct Account {

@@ -62,6 +62,12 @@ class ByteReader {
     bytes_.remove_prefix(count * sizeof(T));
     return values;
   }
+  std::string take_text() {
+    const std::uint64_t size = take_count(1);
+    std::string text(bytes_.substr(0, size));
+    bytes_.remove_prefix(size);
+    return text;
+  }
   /// How many items follow, each of at least so many bytes.
   std::uint64_t take_count(std::uint64_t least) {
     const auto count = take<std::uint64_t>();
@@ -73,7 +79,6 @@ class ByteReader {
   bool failed() const { return failed_; }
   /// Everything is read, and it was what was expected.
   bool is_whole() const { return !failed_ && bytes_.empty(); }
-  std::string_view rest() const { return bytes_; }
 
  private:
   bool has(std::uint64_t size) {
