@@ -140,7 +140,7 @@ class Batch(unittest.TestCase):
     def stop_one_that_works(self, running):
         """A worker that is stopped reacts to nothing, its own timer included."""
         def workers():
-            return subprocess.run(["ps", "-o", "pid=,time=", "--ppid", str(running.pid)], capture_output=True, text=True).stdout
+            return subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True).stdout
         end = time.monotonic() + 20
         while running.poll() is None and time.monotonic() < end:
             for line in workers().splitlines():
