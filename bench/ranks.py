@@ -5,7 +5,7 @@
 
 usage: ranks.py PROGRAM PROGRAM_MPI [--triangles N] [--resolution N] [--jobs N] [--units FILE] [--memory] [--store]
 
-The map is of a wavy torus and a box, the batch mixes all verbs. Seconds by the clock stand beside processor seconds of all ranks. A rank
+The maps are of a wavy torus, the batch mixes all verbs. Seconds by the clock stand beside processor seconds of all ranks. A rank
 that waits asks for messages all the time, so processor time holds the waiting as well: one rank's over two ranks' is an efficiency that
 other programs on the machine do not change."""
 import argparse
@@ -48,11 +48,14 @@ def wavy_torus(path, triangles):
     return 2 * around * about
 
 
-def mesh_scene(folder, triangles):
+def mesh_scenes(folder, triangles):
+    """Where a ball meets the torus, and where a box keeps a clearance to it, which costs a hundred times as much."""
     count = wavy_torus(folder / "torus.obj", triangles)
-    scene = {"findspace": 1, "grid": 0.0001, "shapes": {"torus": {"file": "torus.obj"}, "box": {"box": {"min": [-0.5, -0.4, -0.3], "max": [0.5, 0.4, 0.3]}}},
-             "moving": "box", "where": "gap(box, torus) <= 0"}
-    (folder / "mesh.json").write_text(json.dumps(scene))
+    torus = {"file": "torus.obj"}
+    ball, box = {"ball": {"center": [0, 0, 0], "radius": 1}}, {"box": {"min": [-0.5, -0.4, -0.3], "max": [0.5, 0.4, 0.3]}}
+    for name, tool, where in (("mesh", ball, "gap(tool, torus) <= 0"), ("level", box, "gap(tool, torus) <= 0.1")):
+        scene = {"findspace": 1, "grid": 0.0001, "shapes": {"torus": torus, "tool": tool}, "moving": "tool", "where": where}
+        (folder / f"{name}.json").write_text(json.dumps(scene))
     return count
 
 
@@ -109,16 +112,19 @@ def mixed_jobs(folder, count, seed=1):
 
 
 class Timed:
-    """Seconds by the clock and of the processor, of all processes that the command starts."""
+    """The least seconds by the clock and of the processor, of all processes that the command starts; `repeat` runs."""
 
-    def __init__(self, command, folder):
-        before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-        self.run = subprocess.run(command, cwd=folder, env=MPI, capture_output=True, text=True)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        self.clock = time.monotonic() - begun
-        self.processor = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        if self.run.returncode not in (0, 1):
-            sys.exit(f"{' '.join(map(str, command))}: {self.run.stderr}")
+    def __init__(self, command, folder, repeat=1, before_each=lambda: None):
+        self.clock = self.processor = math.inf
+        for _ in range(repeat):
+            before_each()
+            before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+            self.run = subprocess.run(command, cwd=folder, env=MPI, capture_output=True, text=True)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.clock = min(self.clock, time.monotonic() - begun)
+            self.processor = min(self.processor, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            if self.run.returncode not in (0, 1):
+                sys.exit(f"{' '.join(map(str, command))}: {self.run.stderr}")
 
 
 def ranked(count, program, *arguments):
@@ -134,19 +140,23 @@ def compare(name, one, two):
     print(f"| {name} | {one.clock:.2f} | {two.clock:.2f} | {one.clock / two.clock / 2:.3f} | {one.processor:.2f} | {two.processor:.2f} | {one.processor / two.processor:.3f} |", flush=True)
 
 
-def map_units(options, folder):
-    triangles = mesh_scene(folder, options.triangles)
-    command = ["map", "mesh.json", "--resolution", options.resolution, "-o", "map.json"]
-    runs = {n: Timed(ranked(n, options.program_mpi, *command), folder) for n in (1, 2)}
-    few = Timed(ranked(1, options.program_mpi, "map", "mesh.json", "--resolution", 8, "-o", "few.json"), folder)
-    compare(f"map, {triangles} triangles, {options.resolution}² lines", runs[1], runs[2])
-    made, making, slowest, rows, taking, _ = account_of(runs[2].run.stderr)
-    per_row = (runs[1].processor - few.processor - taking) / rows
+def map_units(options, folder, name, resolution, rows):
+    """Of the map on resolution² lines; the costs of its rows are those of a map on rows² lines."""
+    def command(n):
+        return ["map", f"{name}.json", "--resolution", n, "-o", "map.json"]
+    runs = {n: Timed(ranked(n, options.program_mpi, *command(resolution)), folder, options.repeat) for n in (1, 2)}
+    few = Timed(ranked(1, options.program_mpi, *command(8)), folder, options.repeat)
+    Timed(ranked(1, options.program_mpi, *command(resolution)), folder)
+    compare(f"map '{name}' of a mesh of {options.triangles} triangles, {resolution}² lines", runs[1], runs[2])
+    made, making, slowest, taken, taking, _ = account_of(runs[2].run.stderr)
+    longer = rows / resolution  # a row
+    per_row = (runs[1].processor - few.processor - taking) / taken
     size = (folder / "map.json").stat().st_size
-    return {"rows": options.resolution, "triangles": triangles, "row_samples": row_samples(per_row, slowest, 256), "take_seconds": taking / rows * 0.7,
-            "read_seconds": taking / rows * 0.3, "row_bytes": size / rows, "scene_bytes": (folder / "torus.obj").stat().st_size,
-            "start_seconds": few.processor, "end_seconds": 0.0, "leader_row_seconds": making / made,
-            "measured": {str(n): run.clock for n, run in runs.items()}, "processor": {str(n): run.processor for n, run in runs.items()}}
+    spread = slowest * made / making
+    return {"rows": rows, "triangles": options.triangles, "row_samples": row_samples(per_row * longer, per_row * longer * spread, 256),
+            "take_seconds": taking / taken * longer * 0.7, "read_seconds": taking / taken * longer * 0.3, "row_bytes": size / taken * longer,
+            "scene_bytes": (folder / "torus.obj").stat().st_size, "start_seconds": few.processor, "end_seconds": 0.0, "processor": {str(n): run.processor for n, run in runs.items()},
+            "measured": {str(n): run.clock for n, run in runs.items()} if longer == 1 else {}}
 
 
 def row_samples(mean, slowest, rows):
@@ -159,7 +169,7 @@ def row_samples(mean, slowest, rows):
 
 def batch_units(options, folder):
     mixed_jobs(folder, options.jobs)
-    runs = {n: Timed(ranked(n, options.program_mpi, "batch", "jobs.jsonl", "-o", f"r{n}.jsonl"), folder) for n in (1, 2)}
+    runs = {n: Timed(ranked(n, options.program_mpi, "batch", "jobs.jsonl", "-o", f"r{n}.jsonl"), folder, options.repeat) for n in (1, 2)}
     compare(f"batch of {options.jobs} mixed questions", runs[1], runs[2])
     results = [json.loads(line) for line in (folder / "r1.jsonl").read_text().splitlines()]
     ends = {r["status"] for r in results}
@@ -175,8 +185,8 @@ def batch_units(options, folder):
 
 
 def memory_table(options, folder):
-    mesh_scene(folder, options.triangles)
-    resolutions = [256, 512, 1024, 2048, 4096]
+    mesh_scenes(folder, options.triangles)
+    resolutions = [512, 1024, 2048, 4096]
     print("\n| ranks | " + " | ".join(f"{n}² lines: rank 0, largest other, MB" for n in resolutions) + " |\n|---|" + "---|" * len(resolutions))
     for count in (1, 2, 3, 4):
         cells = []
@@ -193,21 +203,39 @@ def memory_table(options, folder):
         print(f"| {count} | " + " | ".join(cells) + " |", flush=True)
 
 
+def rough_parts(folder, corners):
+    """Eight outlines as a scanner gives them."""
+    rng = random.Random(3)
+    items = []
+    for k in range(8):
+        size, a, b, c = rng.uniform(20, 40), rng.uniform(0, 7), rng.uniform(0, 7), rng.uniform(0, 7)
+        ring = []
+        for j in range(corners):
+            t = 2 * math.pi * j / corners
+            r = size * (1 + 0.25 * math.sin(3 * t + a) + 0.15 * math.sin(7 * t + b) + 0.03 * math.sin(40 * t + c))
+            ring.append([round(r * math.cos(t), 3), round(r * math.sin(t), 3)])
+        items.append({"id": k, "demand": 2, "allowed_orientations": [0.0, 90.0, 180.0, 270.0], "shape": {"type": "simple_polygon", "data": ring}})
+    path = folder / f"rough{corners}.json"
+    path.write_text(json.dumps({"name": path.stem, "strip_height": 200, "items": items}))
+    return path
+
+
 def store_gain(options, folder):
-    """Nesting again and again: the same problems with other seeds, without a store, with an empty and with a full one."""
-    lines = []
-    for seed in range(12):
-        for path in sorted(options.nesting.glob("*.json"))[:options.problems]:
-            lines.append(json.dumps({"verb": "pack", "path": str(path), "options": {"work": 0.1, "seed": seed, "threads": 1}}))
-    (folder / "nest.jsonl").write_text("\n".join(lines) + "\n")
-    print("\n| batch of nesting | s | processor, s |\n|---|---|---|")
-    for name, more in (("each question by a program of its own", None), ("a batch", []), ("a batch, store empty", ["--store", "kept"]), ("a batch, store full", ["--store", "kept"])):
-        if more is None:
-            script = "\n".join(f"{options.program} pack {json.loads(line)['path']} --work 0.1 --threads 1 --seed {json.loads(line)['options']['seed']} -q > /dev/null" for line in lines)
-            run = Timed(["sh", "-c", script], folder)
-        else:
-            run = Timed([options.program, "batch", "nest.jsonl", "-o", "n.jsonl", "--workers", "1", *more], folder)
-        print(f"| {name}, {len(lines)} questions | {run.clock:.2f} | {run.processor:.2f} |", flush=True)
+    """The same nesting problem with eight seeds: by programs of their own, in a batch, and in one whose store is full."""
+    problems = [(options.nesting / "swim.json", "0"), (rough_parts(folder, 100), "0"), (rough_parts(folder, 100), "1"), (rough_parts(folder, 300), "0"),
+                (rough_parts(folder, 300), "1")]
+    print("| problem | gap | own programs, processor s | batch | gain | batch, store full | gain |\n|---|---|---|---|---|---|---|")
+    for path, gap in problems:
+        seeds = range(1, 9)
+        script = "\n".join(f"{options.program} pack {path} --work 0.1 --threads 1 --gap {gap} --seed {seed} -q --json > /dev/null" for seed in seeds)
+        lines = [json.dumps({"verb": "pack", "path": str(path), "options": {"work": 0.1, "threads": 1, "gap": gap, "seed": seed}}) for seed in seeds]
+        (folder / "nest.jsonl").write_text("\n".join(lines) + "\n")
+        batch = [options.program, "batch", "nest.jsonl", "-o", "n.jsonl", "--workers", "1"]
+        own, fresh = Timed(["sh", "-c", script], folder, options.repeat), Timed(batch, folder, options.repeat)
+        Timed([*batch, "--store", "kept"], folder)
+        full = Timed([*batch, "--store", "kept"], folder, options.repeat)
+        print(f"| {path.stem} | {gap} | {own.processor:.2f} | {fresh.processor:.2f} | {own.processor / fresh.processor:.2f} | {full.processor:.2f} | "
+              f"{own.processor / full.processor:.2f} |", flush=True)
 
 
 def main(argv):
@@ -217,11 +245,11 @@ def main(argv):
     parser.add_argument("--triangles", type=int, default=100000)
     parser.add_argument("--resolution", type=int, default=2048)
     parser.add_argument("--jobs", type=int, default=2000)
+    parser.add_argument("--repeat", type=int, default=3, help="runs of each, of which the fastest counts (default 3)")
     parser.add_argument("--units", help="write the unit times there")
     parser.add_argument("--memory", action="store_true", help="the table of memory alone")
     parser.add_argument("--store", action="store_true", help="the gain of the store alone")
     parser.add_argument("--nesting", type=Path, default=ROOT / "tests" / "data" / "nesting")
-    parser.add_argument("--problems", type=int, default=6)
     options = parser.parse_args(argv)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -230,7 +258,9 @@ def main(argv):
         if options.store:
             return store_gain(options, folder)
         print("| job | 1 rank, s | 2 ranks, s | efficiency | 1 rank, processor s | 2 ranks, processor s | efficiency by processor |\n|---|---|---|---|---|---|---|")
-        units = {"map": map_units(options, folder), "batch": batch_units(options, folder)}
+        mesh_scenes(folder, options.triangles)
+        units = {"map": map_units(options, folder, "mesh", options.resolution, options.resolution),
+                 "level": map_units(options, folder, "level", options.resolution // 4, options.resolution), "batch": batch_units(options, folder)}
         if options.units:
             Path(options.units).write_text(json.dumps(units) + "\n")
 

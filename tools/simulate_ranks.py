@@ -4,7 +4,9 @@
 """Predicts how long many ranks take, from unit times that bench/ranks.py measured: a map in blocks of rows, and a batch.
 
 usage: simulate_ranks.py UNITS.json [--ranks N,N,...] [--stragglers SHARE:FACTOR] [--failures HOURS] [--latency S] [--bandwidth B]
-                         [--rows N] [--jobs N] [--price P] [--seed N] [--json]
+                         [--map NAME] [--rows N]
+                         [--jobs N] [--price P] [--seed N] [--json]
+       simulate_ranks.py UNITS.json --service QUESTIONS_AN_HOUR [--found SHARE:FACTOR] [--arrivals N]
 
 A map is played as apps/mpi/mpi_team.cpp has it, message by message: rank 0 makes blocks, hands rows on in order and answers the others,
 which have two blocks in hand each. A batch is played as apps/batch has it: each rank takes the next open question. `--stragglers 0.02:3`
@@ -13,12 +15,13 @@ taken by another rank and the rank comes back; a map begins again. Efficiency is
 import argparse
 import heapq
 import json
+import math
 import random
 import sys
 from dataclasses import dataclass, field
 
 # As in apps/mpi/mpi_team.cpp.
-IN_HAND, MOST_ROWS, BLOCKS_A_RANK, AHEAD, AHEAD_A_RANK = 2, 32, 32, 64, 4
+IN_HAND, MOST_ROWS, BLOCKS_A_RANK, AHEAD_ROWS, AHEAD_A_RANK = 2, 32, 32, 512, 4
 RESTART_SECONDS = 30  # until a failed rank is there again, or a map begins anew
 RANKS = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096]
 
@@ -61,7 +64,7 @@ class Leader:
         heapq.heappush(self.messages, (arrival, self.sent, rank, block))
 
     def is_ahead(self):
-        return self.next - self.taken < max(AHEAD, AHEAD_A_RANK * len(self.speeds))
+        return self.next - self.taken < max(AHEAD_ROWS // self.sizes[0], AHEAD_A_RANK * len(self.speeds))
 
     def give(self):
         while self.waiting and self.next < len(self.costs) and self.is_ahead():
@@ -161,8 +164,8 @@ def predicted(units, ranks, options):
     rng = random.Random(options.seed)
     network = Network(options.latency, options.bandwidth)
     speeds = speeds_of(ranks, options.stragglers, rng)
-    rows = options.rows or units["map"]["rows"]
-    of_map = with_failures(map_seconds(units["map"], ranks, rows, speeds, network, random.Random(options.seed)), ranks, options.failures, rng)
+    rows = options.rows or units[options.map]["rows"]
+    of_map = with_failures(map_seconds(units[options.map], ranks, rows, speeds, network, random.Random(options.seed)), ranks, options.failures, rng)
     jobs = options.jobs or len(units["batch"]["job_seconds"])
     of_batch, again = batch_seconds(units["batch"], ranks, jobs, speeds, options.failures * 3600, rng)
     return {"ranks": ranks, "map_seconds": of_map, "batch_seconds": of_batch, "begun_again": again}
@@ -176,7 +179,7 @@ def table(units, options):
         for kind in ("map", "batch"):
             row[f"{kind}_efficiency"] = alone[f"{kind}_seconds"] / (ranks * row[f"{kind}_seconds"])
             row[f"{kind}_price"] = options.price * ranks * row[f"{kind}_seconds"] / 3600
-            measured = units[kind].get("measured", {}).get(str(ranks))
+            measured = units[options.map if kind == "map" else kind].get("measured", {}).get(str(ranks))
             if measured:
                 row[f"{kind}_measured"] = measured
         rows.append(row)
@@ -189,6 +192,51 @@ def shown(rows):
         measured = ", ".join(f"{r[key]:.1f}" for key in ("map_measured", "batch_measured") if key in r) or "–"
         lines.append(f"| {r['ranks']} | {r['map_seconds']:.2f} | {r['map_efficiency']:.3f} | {r['map_price']:.4f} | {r['batch_seconds']:.2f} | "
                      f"{r['batch_efficiency']:.3f} | {r['batch_price']:.4f} | {r['begun_again']} | {measured} |")
+    return "\n".join(lines)
+
+
+def service(units, options):
+    """A service that gets questions at random times: each waits for the first rank that is free."""
+    rng = random.Random(options.seed)
+    samples, share, factor = units["batch"]["job_seconds"], *options.found
+    cost = [s + units["batch"]["job_overhead"] for s in samples]
+    mean = sum(cost) / len(cost) * (1 - share + share / factor)
+    rate = options.service / 3600
+    rows = []
+    for load in (0.5, 0.7, 0.8, 0.9, 0.95):
+        ranks = max(1, math.ceil(rate * mean / load))
+        speeds = speeds_of(ranks, options.stragglers, rng)
+        free = [(0.0, rank) for rank in range(ranks)]
+        heapq.heapify(free)
+        fails = [rng.expovariate(1 / (options.failures * 3600)) if options.failures else float("inf") for _ in range(ranks)]
+        now, waits, busy = 0.0, [], 0.0
+        for _ in range(options.arrivals):
+            now += rng.expovariate(rate)
+            need = rng.choice(cost) / (factor if rng.random() < share else 1)
+            begun_at = now
+            while True:
+                ready, rank = heapq.heappop(free)
+                begun = max(begun_at, ready)
+                done = begun + need / speeds[rank]
+                if fails[rank] >= done:
+                    break
+                begun_at = max(begun_at, fails[rank])  # another rank begins it again
+                back = max(fails[rank], ready) + RESTART_SECONDS
+                fails[rank] = back + rng.expovariate(1 / (options.failures * 3600))
+                heapq.heappush(free, (back, rank))
+            busy += done - begun
+            waits.append(done - now)
+            heapq.heappush(free, (done, rank))
+        waits.sort()
+        rows.append({"ranks": ranks, "load": busy / (ranks * now), "mean": sum(waits) / len(waits), "price_of_a_million": options.price * ranks * 1e6 / options.service,
+                     **{f"p{q}": waits[min(len(waits) - 1, int(len(waits) * q / 100))] for q in (50, 99, 99.9)}})
+    return rows
+
+
+def shown_service(rows):
+    lines = ["| ranks | load | mean, s | half within, s | 99 % within, s | 99.9 % within, s | price of a million |", "|---|---|---|---|---|---|---|"]
+    for r in rows:
+        lines.append(f"| {r['ranks']} | {r['load']:.2f} | {r['mean']:.3f} | {r['p50']:.3f} | {r['p99']:.2f} | {r['p99.9']:.2f} | {r['price_of_a_million']:.2f} |")
     return "\n".join(lines)
 
 
@@ -209,9 +257,13 @@ def main(argv):
     parser.add_argument("--failures", type=float, default=0, metavar="HOURS", help="mean time between failures of one rank; 0: none")
     parser.add_argument("--latency", type=float, default=20e-6, metavar="S")
     parser.add_argument("--bandwidth", type=float, default=1e9, metavar="BYTES")
+    parser.add_argument("--map", default="map", choices=["map", "level"], help="the measured map: of a ball that meets a mesh, or of a clearance")
     parser.add_argument("--rows", type=int, default=0, help="rows of the map (default: as measured)")
     parser.add_argument("--jobs", type=int, default=0, help="questions of the batch (default: as measured)")
     parser.add_argument("--price", type=float, default=0.04, help="of a rank and hour")
+    parser.add_argument("--service", type=float, default=0, metavar="N", help="instead: a service that gets N questions an hour")
+    parser.add_argument("--arrivals", type=int, default=100000, help="questions of the service that are played")
+    parser.add_argument("--found", type=pair, default=(0.0, 1.0), metavar="SHARE:FACTOR", help="questions whose sums the store has, and how much faster they are")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(argv)
@@ -219,6 +271,10 @@ def main(argv):
         parser.error("--ranks wants numbers from 1 on")
     with open(options.units, encoding="utf-8") as file:
         units = json.load(file)
+    if options.service:
+        rows = service(units, options)
+        print(json.dumps(rows, indent=1) if options.json else shown_service(rows))
+        return
     rows = table(units, options)
     print(json.dumps(rows, indent=1) if options.json else shown(rows))
 

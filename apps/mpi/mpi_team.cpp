@@ -43,8 +43,9 @@ struct MpiTeam::Made {
 namespace {
 
 enum Tag { kAsk = 1, kBlock, kRows, kFailed, kBye };
-constexpr int kInHand = 2;                   // blocks that a rank has asked for: the one it makes, and the next
-constexpr int kAhead = 64, kAheadARank = 4;  // blocks beyond those handed on
+constexpr int kInHand = 2;  // blocks that a rank has asked for: the one it makes, and the next
+// Beyond what is handed on, so that a slow rank does not stop the others: rows, or blocks for each rank.
+constexpr int kAheadRows = 512, kAheadARank = 4;
 constexpr int kMostRows = 32, kBlocksARank = 32;
 
 /// Adds to a sum the seconds that it lives, of this thread's processor time or by the clock.
@@ -101,7 +102,9 @@ class SharedBlocks {
  private:
   int begin_of(int block) const { return block * rows_; }
   int count_of(int block) const { return std::min(rows_, grid_.nv - begin_of(block)); }
-  bool may_begin() const { return next_ < blocks_ && next_ - taken_ < std::max(kAhead, kAheadARank * team_.count_); }
+  bool may_begin() const {
+    return next_ < blocks_ && next_ - taken_ < std::max(kAheadRows / rows_, kAheadARank * team_.count_);
+  }
   Items own_items(int block);
   void hear(bool wait);
   void give();

@@ -4,7 +4,7 @@
 // A team of MPI ranks; rank 0 leads. Rows go in blocks: whoever is free asks for the next one and has one more in hand
 // meanwhile, so ranks get blocks by what these cost. Rank 0 makes blocks too and hands rows on in order. Guarantee: the
 // rows are those of one process, in the same order, so results have the same bytes for any number of ranks. A block
-// that a rank cannot make is made by rank 0. Memory: kAhead blocks beyond the rows that are handed on, or kAheadARank
+// that a rank cannot make is made by rank 0. Memory: kAheadRows beyond those that are handed on, or kAheadARank
 // for each rank. Texts of files are read by rank 0 and broadcast. Searches exchange their best layouts by reductions.
 // Keywords: MPI, master and worker, dynamic load balancing.
 #pragma once
