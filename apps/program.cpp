@@ -79,6 +79,14 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   return outcome.status;
 }
 
+/// Processes that search together wait for one another after the limit, so the one that writes ends them all.
+Options for_timer(Options options, std::string_view verb, const ProcessTeam* team) {
+  constexpr double kForOthers = 10;  // seconds
+  if (team == nullptr || team->count() == 1 || !ends_in_time(verb) || options.time_limit == 0) return options;
+  options.time_limit = team->leads() ? options.time_limit + kForOthers : 0;
+  return options;
+}
+
 int program(int argc, char** argv, ProcessTeam* team) {
   CommandLine line = read_command_line(argc, argv);
   if (line.verb.empty()) return line.answered;
@@ -97,7 +105,7 @@ int program(int argc, char** argv, ProcessTeam* team) {
     Options limited = options;
     if (verb.is_service() || batch) limited.time_limit = 0;
     if (batch) limited.memory_limit = 0;  // of each question
-    set_limits(limited, ends_in_time(line.verb));
+    set_limits(for_timer(limited, line.verb, team), ends_in_time(line.verb));
     const bool writes = team == nullptr || team->leads() || batch;
     if (!writes) limited.outputs.clear();
     return finish(run(verb, writes ? options : limited, reporter), options, reporter);

@@ -21,7 +21,7 @@ import sys
 from dataclasses import dataclass, field
 
 # As in apps/mpi/mpi_team.cpp.
-IN_HAND, MOST_ROWS, BLOCKS_A_RANK, AHEAD_ROWS, AHEAD_A_RANK = 2, 32, 32, 512, 4
+IN_HAND, MOST_ROWS, BLOCKS_A_RANK, AHEAD_ROWS, AHEAD_A_RANK = 2, 8, 32, 512, 8
 RESTART_SECONDS = 30  # until a failed rank is there again, or a map begins anew
 RANKS = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096]
 
@@ -35,8 +35,14 @@ class Network:
         return at + self.latency + size / self.bandwidth
 
 
+def for_rows(unit, rows):
+    """The units of the map on rows² lines: a row has more lines."""
+    longer = rows / unit["rows"]
+    return {**unit, **{key: unit[key] * longer for key in ("take_seconds", "read_seconds", "row_bytes")}, "row_samples": [c * longer for c in unit["row_samples"]]}
+
+
 def row_costs(unit, rows, rng):
-    """Seconds of each row: measured samples, drawn again and again in the order of the lines."""
+    """Seconds of each row: measured samples, in the order of the lines."""
     samples = unit["row_samples"]
     shift = rng.randrange(len(samples))
     return [samples[(shift + j * len(samples) // rows) % len(samples)] for j in range(rows)]
@@ -165,7 +171,7 @@ def predicted(units, ranks, options):
     network = Network(options.latency, options.bandwidth)
     speeds = speeds_of(ranks, options.stragglers, rng)
     rows = options.rows or units[options.map]["rows"]
-    of_map = with_failures(map_seconds(units[options.map], ranks, rows, speeds, network, random.Random(options.seed)), ranks, options.failures, rng)
+    of_map = with_failures(map_seconds(for_rows(units[options.map], rows), ranks, rows, speeds, network, random.Random(options.seed)), ranks, options.failures, rng)
     jobs = options.jobs or len(units["batch"]["job_seconds"])
     of_batch, again = batch_seconds(units["batch"], ranks, jobs, speeds, options.failures * 3600, rng)
     return {"ranks": ranks, "map_seconds": of_map, "batch_seconds": of_batch, "begun_again": again}

@@ -45,8 +45,8 @@ namespace {
 enum Tag { kAsk = 1, kBlock, kRows, kFailed, kBye };
 constexpr int kInHand = 2;  // blocks that a rank has asked for: the one it makes, and the next
 // Beyond what is handed on, so that a slow rank does not stop the others: rows, or blocks for each rank.
-constexpr int kAheadRows = 512, kAheadARank = 4;
-constexpr int kMostRows = 32, kBlocksARank = 32;
+constexpr int kAheadRows = 512, kAheadARank = 8;
+constexpr int kMostRows = 8, kBlocksARank = 32;
 
 /// Adds to a sum the seconds that it lives, of this thread's processor time or by the clock.
 class Spent {
