@@ -19,7 +19,7 @@
 #include "batch/job_list.h"
 #include "batch/job_workers.h"
 #include "common/commands.h"
-#include "common/row_team.h"
+#include "common/process_team.h"
 #include "common/run_limits.h"
 #include "io/write/json_text.h"
 
@@ -38,7 +38,9 @@ class Batch {
         reporter_(reporter),
         jobs_(options.scene, options.input_limit),
         journal_(options.outputs.front(), jobs_.digest(), jobs_.size()),
-        before_(journal_.done()) {}
+        before_(journal_.done()) {
+    if (options_.store.empty()) options_.store = journal_.folder() / "store";
+  }
 
   void run() {
     JobWorkers workers(jobs_, options_, worker_count());
@@ -50,6 +52,7 @@ class Batch {
         continue;
       }
       for (const JobWorkers::Result& r : workers.wait(kLook)) take(r, workers);
+      look_at_others();
       say_progress();
     }
   }
@@ -85,6 +88,13 @@ class Batch {
     if (r.killed && killed_.insert(r.job).second) return workers.give(r.job);
     journal_.record(r.job, r.line);
     if (options_.as_they_come) print(result_line(r.job, r.line));
+  }
+
+  /// What they have answered needs no lock any more.
+  void look_at_others() {
+    if (Clock::now() - looked_ < kLook) return;
+    journal_.refresh();
+    looked_ = Clock::now();
   }
 
   void wait_for_others() {
@@ -130,13 +140,13 @@ class Batch {
                        before_ > 0 ? fmt::format(" ({} were answered before)", before_) : "", text);
   }
 
-  const Options& options_;
+  Options options_;
   Reporter& reporter_;
   JobList jobs_;
   JobJournal journal_;
   std::size_t before_, next_ = 0;
   std::set<std::size_t> killed_;
-  Clock::time_point begun_ = Clock::now();
+  Clock::time_point begun_ = Clock::now(), looked_ = begun_;
 };
 
 }  // namespace

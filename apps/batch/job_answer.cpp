@@ -37,6 +37,7 @@ Options options_of(const Job& job, const Options& batch) {
   Options options = parse_question(job.verb, job.arguments);
   options.json = true;
   options.scene_text = job.scene;
+  if (!options.store.empty()) throw Error(ErrorCode::kUsage, "--store is of the whole batch, not of a question");
   if (options.time_limit == 0) options.time_limit = batch.time_limit;
   if (options.memory_limit == 0) options.memory_limit = batch.memory_limit;
   if (options.threads == 0) options.threads = std::max(1U, batch.threads);

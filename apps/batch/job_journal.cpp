@@ -11,8 +11,10 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <fstream>
 #include <system_error>
+#include <thread>
 
 #include "findspace/error.h"
 #include "io/write/write_file.h"
@@ -22,6 +24,9 @@ namespace {
 
 constexpr std::string_view kHead = "{\"job\": ";
 constexpr mode_t kMode = 0644;
+constexpr char kOpen = 0, kTaken = 1, kAnswered = 2;  // the byte of a question
+constexpr int kRemovals = 20;
+constexpr std::chrono::milliseconds kBetweenRemovals{50};
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
   throw Error(ErrorCode::kFile, fmt::format("{}: {}", what, std::system_category().message(errno)), path.string());
@@ -121,10 +126,25 @@ void JobJournal::unlock(std::size_t byte) const {
   if (fcntl(lock_file_, F_SETLK, &range) != 0) fail(folder_ / "lock", "cannot be unlocked");
 }
 
+char JobJournal::state(std::size_t job) const {
+  char state = kOpen;
+  return pread(lock_file_, &state, 1, static_cast<off_t>(job)) == 1 ? state : kOpen;
+}
+
+/// Where the disk does not take it, the question looks as if its process had ended.
+void JobJournal::set_state(std::size_t job, char state) const {
+  if (pwrite(lock_file_, &state, 1, static_cast<off_t>(job)) != 1 && state == kTaken)
+    fail(folder_ / "lock", "cannot be written");
+}
+
 bool JobJournal::claim(std::size_t job) {
   if (done(job) || !lock(job, false)) return false;
-  refresh();  // whoever had the lock before may have answered
-  if (!done(job) && !over()) return true;
+  const char before = state(job);
+  if (before == kTaken) refresh();  // its process ended, perhaps with an answer
+  if (before != kAnswered && !done(job) && !over()) {
+    if (before == kOpen) set_state(job, kTaken);
+    return true;
+  }
   unlock(job);
   return false;
 }
@@ -136,6 +156,7 @@ void JobJournal::open_own() {
     if (own_file_ < 0 && errno != EEXIST) fail(path, "cannot be made");
     if (own_file_ < 0) continue;
     own_part_ = parts_.size();
+    part_of_[path.filename().string()] = own_part_;
     parts_.push_back({path, 0});
   }
 }
@@ -158,6 +179,7 @@ void JobJournal::record(std::size_t job, std::string_view line) {
   note(job, {static_cast<int>(own_part_), own_size_, line.size()});
   own_size_ += text.size();
   parts_[own_part_].read = own_size_;
+  set_state(job, kAnswered);
   unlock(job);
 }
 
@@ -186,10 +208,11 @@ void JobJournal::read_part(std::size_t k) {
 void JobJournal::refresh() {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
-    if (!entry.path().filename().string().starts_with("part-")) continue;
-    std::size_t k = 0;
-    while (k < parts_.size() && parts_[k].path != entry.path()) ++k;
-    if (k == parts_.size()) parts_.push_back({entry.path(), 0});
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("part-")) continue;
+    const auto [found, fresh] = part_of_.emplace(name, parts_.size());
+    if (fresh) parts_.push_back({entry.path(), 0});
+    const std::size_t k = found->second;
     if (own_file_ < 0 || k != own_part_) read_part(k);
   }
 }
@@ -212,8 +235,12 @@ void JobJournal::finish() {
                     }}});
   std::error_code error;
   std::filesystem::remove(folder_ / "lock", error);  // first: from now on it is over for the others
-  std::filesystem::remove_all(folder_, error);
-  if (error) throw Error(ErrorCode::kFile, error.message(), folder_.string());
+  for (int k = 0; k < kRemovals; ++k) {              // a worker of another process may just have made its store there
+    std::filesystem::remove_all(folder_, error);
+    if (!error) return;
+    std::this_thread::sleep_for(kBetweenRemovals);
+  }
+  throw Error(ErrorCode::kFile, error.message(), folder_.string());
 }
 
 }  // namespace findspace::app

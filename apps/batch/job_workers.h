@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ class JobWorkers {
 
   void start(Worker& worker);
   void stop(Worker& worker);
+  std::unique_ptr<class ResultFile> open_store() const;
   [[noreturn]] void serve(int questions, int answers, int errors);
   Result end_of(Worker& worker);
   void read(Worker& worker, std::vector<Result>& out);

@@ -38,8 +38,8 @@ struct CommandLine {
 /// Prints help and messages itself.
 CommandLine read_command_line(int argc, char** argv);
 
-class RowTeam;
+class ProcessTeam;
 /// The whole program; returns its exit status. `team`: of processes that run it together, or null.
-int run_program(int argc, char** argv, RowTeam* team);
+int run_program(int argc, char** argv, ProcessTeam* team);
 
 }  // namespace findspace::app

@@ -333,6 +333,12 @@ void add_limits(CLI::App& command, Options& o) {
       ->type_name("DIR")
       ->excludes(none)
       ->group(kLimits);
+  command
+      .add_option("--store", o.store,
+                  "keep sums of shapes and Phi-functions in the folder DIR, for further questions and processes")
+      ->type_name("DIR")
+      ->group(kCommon);
+  size("--store-limit", o.store_limit, "keep SIZE bytes there at most; the oldest go first (default 1G)", "SIZE");
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct VerbEntry {
   Outcome (*run)(const Options&, Reporter&);
 
   bool is(std::string_view other) const { return name == other; }
+  /// Under mpirun all ranks take part; of other questions rank 0 answers alone.
+  bool is_shared() const { return is("map") || is("describe") || is("pack") || is("batch"); }
   /// It answers requests until its client leaves.
   bool is_service() const { return is("serve") || is("view"); }
 };

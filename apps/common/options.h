@@ -16,7 +16,7 @@
 
 namespace findspace::app {
 
-class RowTeam;
+class ProcessTeam;
 
 struct Options {
   std::string scene;                           // a path, or "-": standard input
@@ -54,15 +54,17 @@ struct Options {
   bool no_files = false;           // shapes come from the scene alone, or
   std::filesystem::path root;      // from files in this folder
   std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWorkBudget;  // io/text/read_limits.h
-  io::DrawingRules drawings;                                                          // before those of the scene
-  std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
-  std::string gap = "0", edge = "0";           // of pack and verify: least distances
-  std::optional<std::filesystem::path> start;  // of pack: a layout
-  std::uint64_t seed = 1;                      // of pack
-  unsigned workers = 0;                        // of batch; 0: one for each core
-  bool as_they_come = false;                   // of batch: print results too
-  RowTeam* team = nullptr;                     // processes that make rows of maps together, or none
-  double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
+  std::filesystem::path store;                         // the folder of results that are kept; empty: none
+  std::uint64_t store_limit = std::uint64_t{1} << 30;  // bytes
+  io::DrawingRules drawings;                           // before those of the scene
+  std::optional<std::string> height;                   // of pack and verify: of the strip, instead of the file's
+  std::string gap = "0", edge = "0";                   // of pack and verify: least distances
+  std::optional<std::filesystem::path> start;          // of pack: a layout
+  std::uint64_t seed = 1;                              // of pack
+  unsigned workers = 0;                                // of batch; 0: one for each core
+  bool as_they_come = false;                           // of batch: print results too
+  ProcessTeam* team = nullptr;                         // processes that answer one question together, or none
+  double work = 0;                                     // of pack: millions of evaluations a thread; 0: no limit
 };
 
 /// What reading may open and cost, and how drawings are read.

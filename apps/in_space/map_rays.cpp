@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-#include "common/row_team.h"
+#include "common/process_team.h"
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
 #include "formula/solid/solve_rays.h"
@@ -71,22 +71,46 @@ void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const 
   });
 }
 
-Cast cast_lines(const RaySet& set, double step, bool written) {
+RowDigester digester_of(double step) {
+  return [step](const space::RayGrid& grid, int j, const space::RayRow& row, bool written) {
+    return RowDigest{space::intervals_of(row), written ? io::RayLines(grid, step).row_text(j, row) : std::string()};
+  };
+}
+
+/// Where positions on the lines are sought, their rows are handed on whole.
+void cast_rows(const RaySet& set, const space::RaySource& rays, space::RaySummarizer& summarizer, io::RayLines* lines,
+               Cast& out) {
+  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
+  space::each_row(rays, [&](int j, space::RayRow&& row) {
+    summarizer.add(j, row);
+    if (lines != nullptr) lines->add(j, row);
+    extreme.add(out.grid, j, row);
+    if (set.objective) keep_intervals(set, out.grid, j, row, out.intervals);
+  });
+  out.extreme = extreme.found();
+}
+
+Cast cast_lines(const RaySet& set, double step, bool written, ProcessTeam* team) {
   Cast out;
   out.grid = set.lines.grid(set.low, set.high);
   space::RaySummarizer summarizer(out.grid);
   io::RayLines lines(out.grid, step);
-  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
-  const formula::RegionOnLines source = set.source(out.grid);
+  formula::RegionOnLines source = set.source(out.grid);
   out.on_lines = formula::both(set.on_lines, source.side);
-  space::each_row(*source.rays, [&](int j, space::RayRow&& row) {
-    summarizer.add(j, row);
-    if (written) lines.add(j, row);
-    extreme.add(out.grid, j, row);
-    if (set.objective) keep_intervals(set, out.grid, j, row, out.intervals);
-  });
+  if (set.aim || set.objective) {
+    if (team != nullptr) source.rays = team->shared(std::move(source.rays));
+    cast_rows(set, *source.rays, summarizer, written ? &lines : nullptr, out);
+  } else {
+    const auto take = [&](int j, RowDigest&& digest) {
+      summarizer.add(j, digest.intervals);
+      lines.add(digest.text);
+    };
+    if (team == nullptr)
+      each_digest(*source.rays, digester_of(step), written, take);
+    else
+      team->each_digest(*source.rays, digester_of(step), written, take);
+  }
   out.summary = summarizer.finish();
-  out.extreme = extreme.found();
   out.lines = std::move(lines).text();
   return out;
 }
@@ -206,7 +230,7 @@ struct RaysShown {
 };
 
 /// The set with rows that all processes of the team make.
-RaySet shared_by(RowTeam& team, const RaySet& set) {
+RaySet shared_by(ProcessTeam& team, const RaySet& set) {
   RaySet out = set;
   out.source = [&team, source = set.source](const space::RayGrid& grid) {
     formula::RegionOnLines region = source(grid);
@@ -222,7 +246,7 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const Options& options = session.options();
   check_ray_outputs(options, asked);
   if (options.team != nullptr && !options.team->leads()) {
-    options.team->serve(asked.source);
+    options.team->serve(asked.source, digester_of(session.step().to_double()));
     return {};
   }
   const RaySet set = options.team == nullptr ? asked : shared_by(*options.team, asked);
@@ -230,8 +254,10 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
   session.reporter().stage("casting rays");
   const bool written = options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
                                                    [](const auto& file) { return file.extension() == ".json"; });
-  const auto cast =
-      std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written) : cast_lines(set, step, written));
+  const auto cast = std::make_shared<Cast>(set.lines.axes ? cast_axes(set, step, written)
+                                                          : cast_lines(asked, step, written, options.team));
+  if (options.team != nullptr)
+    if (const std::string account = options.team->account(); !account.empty()) session.reporter().note(account);
   if (set.objective) session.reporter().stage("looking for the best place");
   const auto optimum = set.objective ? best_of(set, *cast, step)
                        : set.aim     ? std::optional(optimum_of(set, *cast, step))

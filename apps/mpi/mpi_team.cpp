@@ -3,22 +3,30 @@
 
 #include "mpi/mpi_team.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "findspace/error.h"
 #include "plane/base/parallel.h"
 #include "space/rays/row_bytes.h"
 
 namespace findspace::app {
 
+/// What is made of rows: themselves, or digests without or with texts.
+enum RequestKind : std::int64_t { kWholeRows, kDigests, kWrittenDigests };
+
 /// Rows `begin` to `begin + count - 1` of the source on a grid; count 0: there are no more.
 struct BlockRequest {
-  std::int64_t axis, parts, u, v, du, dv, nu, nv, begin, count;
+  std::int64_t axis, parts, u, v, du, dv, nu, nv, begin, count, kind;
 
   space::RayGrid grid() const {
     return {static_cast<int>(axis), parts, u, v, du, dv, static_cast<int>(nu), static_cast<int>(nv)};
@@ -36,8 +44,29 @@ namespace {
 
 enum Tag { kAsk = 1, kBlock, kRows, kFailed, kBye };
 constexpr int kInHand = 2;  // blocks that a rank has asked for: the one it makes, and the next
-constexpr int kAhead = 64;  // blocks beyond those handed on
-constexpr int kMostRows = 32, kBlocksARank = 32;
+// Beyond what is handed on, so that a slow rank does not stop the others: rows, or blocks for each rank.
+constexpr int kAheadRows = 512, kAheadARank = 8;
+constexpr int kMostRows = 8, kBlocksARank = 32;
+
+/// Adds to a sum the seconds that it lives, of this thread's processor time or by the clock.
+class Spent {
+ public:
+  Spent(clockid_t clock, double& sum) : clock_(clock), sum_(sum), begun_(now()) {}
+  ~Spent() { sum_ += now() - begun_; }
+  Spent(const Spent&) = delete;
+  Spent& operator=(const Spent&) = delete;
+
+ private:
+  double now() const {
+    timespec time{};
+    clock_gettime(clock_, &time);
+    return std::chrono::duration<double>(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec))
+        .count();
+  }
+  clockid_t clock_;
+  double& sum_;
+  double begun_;
+};
 
 bool same(const space::RayGrid& a, const space::RayGrid& b) {
   return a.axis == b.axis && a.parts == b.parts && a.u == b.u && a.v == b.v && a.du == b.du && a.dv == b.dv &&
@@ -52,47 +81,72 @@ std::vector<space::RayRow> rows_of(const space::RaySource& source, int begin, in
 
 }  // namespace
 
-/// Rows of a source that all ranks make; this is rank 0's end.
-class SharedRows : public space::RaySource {
+/// Rank 0's end of what all ranks make of the rows of a source.
+template <class Item>
+class SharedBlocks {
  public:
-  SharedRows(MpiTeam& team, space::RaySourcePointer own) : team_(team), own_(std::move(own)), reader_(*own_) {}
-  const space::RayGrid& grid() const override { return own_->grid(); }
-  exact::Tried<space::RayRow> try_row(int j) const override { return own_->try_row(j); }
-  bool searched() const override { return own_->searched(); }
-  void each_row(const std::function<void(int, space::RayRow&&)>& take) const override;
+  using Items = std::vector<Item>;
+  struct Way {
+    RequestKind kind;
+    std::function<Items(int begin, int count)> make;
+    std::function<Items(int begin, int count, std::string_view bytes)> read;
+    std::function<void(int, Item&&)> take;
+  };
+
+  SharedBlocks(MpiTeam& team, const space::RayGrid& grid, Way way) : team_(team), grid_(grid), way_(std::move(way)) {
+    rows_ = std::clamp(grid.nv / (team.count_ * kBlocksARank), 1, kMostRows);
+    blocks_ = (grid.nv + rows_ - 1) / rows_;
+  }
+  void run();
 
  private:
-  using Rows = std::vector<space::RayRow>;
-  struct Progress {
-    int rows, blocks, next = 0, taken = 0;
-    std::map<int, Rows> made;
-    int away = 0;  // blocks that others make
-  };
-  int begin_of(const Progress& p, int block) const { return block * p.rows; }
-  int count_of(const Progress& p, int block) const { return std::min(p.rows, grid().nv - begin_of(p, block)); }
-  Rows own_rows(const Progress& p, int block) const { return rows_of(*own_, begin_of(p, block), count_of(p, block)); }
-  void hear(Progress& p, bool wait) const;
-  void give(Progress& p) const;
-  void receive(Progress& p, const MPI_Status& message) const;
+  int begin_of(int block) const { return block * rows_; }
+  int count_of(int block) const { return std::min(rows_, grid_.nv - begin_of(block)); }
+  bool may_begin() const {
+    return next_ < blocks_ && next_ - taken_ < std::max(kAheadRows / rows_, kAheadARank * team_.count_);
+  }
+  Items own_items(int block);
+  void hear(bool wait);
+  void give();
+  void receive(const MPI_Status& message);
+  void hand_on(Items items);
 
   MpiTeam& team_;
-  space::RaySourcePointer own_;
-  mutable space::RowReader reader_;
+  const space::RayGrid& grid_;
+  Way way_;
+  int rows_ = 1, blocks_ = 0, next_ = 0, taken_ = 0;
+  std::map<int, Items> made_;
 };
 
-void SharedRows::give(Progress& p) const {
-  while (!team_.waiting_.empty() && p.next < p.blocks && p.next - p.taken < kAhead) {
-    const space::RayGrid& g = grid();
-    const BlockRequest request{
-        g.axis, g.parts, g.u, g.v, g.du, g.dv, g.nu, g.nv, begin_of(p, p.next), count_of(p, p.next)};
+template <class Item>
+typename SharedBlocks<Item>::Items SharedBlocks<Item>::own_items(int block) {
+  double seconds = 0;
+  Items items;
+  {
+    const Spent spent(CLOCK_THREAD_CPUTIME_ID, seconds);
+    items = way_.make(begin_of(block), count_of(block));
+  }
+  MpiTeam::Account& account = team_.account_;
+  account.rows_made += int(items.size());
+  account.making += seconds;
+  account.slowest_row = std::max(account.slowest_row, seconds / double(items.size()));
+  return items;
+}
+
+template <class Item>
+void SharedBlocks<Item>::give() {
+  while (!team_.waiting_.empty() && may_begin()) {
+    const space::RayGrid& g = grid_;
+    const BlockRequest request{g.axis,          g.parts,         g.u,      g.v, g.du, g.dv, g.nu, g.nv,
+                               begin_of(next_), count_of(next_), way_.kind};
     MPI_Send(&request, sizeof request, MPI_BYTE, team_.waiting_.back(), kBlock, team_.ranks_);
     team_.waiting_.pop_back();
-    ++p.next;
-    ++p.away;
+    ++next_;
   }
 }
 
-void SharedRows::receive(Progress& p, const MPI_Status& message) const {
+template <class Item>
+void SharedBlocks<Item>::receive(const MPI_Status& message) {
   int size = 0;
   MPI_Get_count(&message, MPI_BYTE, &size);
   std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -103,19 +157,18 @@ void SharedRows::receive(Progress& p, const MPI_Status& message) const {
   }
   std::int64_t begin = 0;
   std::memcpy(&begin, bytes.data(), sizeof begin);
-  const int block = static_cast<int>(begin) / p.rows;
-  --p.away;
+  const int block = static_cast<int>(begin) / rows_;
   if (message.MPI_TAG == kFailed) {  // here it fails as well, with its message
-    p.made.emplace(block, own_rows(p, block));
+    made_.emplace(block, own_items(block));
     return;
   }
-  std::string_view rest = std::string_view(bytes).substr(sizeof begin);
-  Rows rows;
-  for (int k = 0; k < count_of(p, block); ++k) rows.push_back(reader_.read(static_cast<int>(begin) + k, rest));
-  p.made.emplace(block, std::move(rows));
+  const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
+  made_.emplace(block,
+                way_.read(static_cast<int>(begin), count_of(block), std::string_view(bytes).substr(sizeof begin)));
 }
 
-void SharedRows::hear(Progress& p, bool wait) const {
+template <class Item>
+void SharedBlocks<Item>::hear(bool wait) {
   for (bool first = true;; first = false) {
     int there = 1;
     MPI_Status message;
@@ -124,31 +177,60 @@ void SharedRows::hear(Progress& p, bool wait) const {
     else
       MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &there, &message);
     if (there == 0 || message.MPI_TAG == kBye) return;  // a rank that has ended is heard at the end
-    receive(p, message);
-    give(p);
+    receive(message);
+    give();
   }
 }
 
-void SharedRows::each_row(const std::function<void(int, space::RayRow&&)>& take) const {
-  Progress p{};
-  p.rows = std::clamp(grid().nv / (team_.count_ * kBlocksARank), 1, kMostRows);
-  p.blocks = (grid().nv + p.rows - 1) / p.rows;
-  while (p.taken < p.blocks) {
-    give(p);
-    hear(p, false);
-    if (const auto ready = p.made.find(p.taken); ready != p.made.end()) {
-      Rows rows = std::move(ready->second);
-      p.made.erase(ready);
-      for (int k = 0; k < int(rows.size()); ++k) take(begin_of(p, p.taken) + k, std::move(rows[k]));
-      ++p.taken;
-    } else if (p.next < p.blocks && p.next - p.taken < kAhead) {
-      const int block = p.next++;
-      p.made.emplace(block, own_rows(p, block));
+template <class Item>
+void SharedBlocks<Item>::hand_on(Items items) {
+  const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
+  for (int k = 0; k < int(items.size()); ++k) way_.take(begin_of(taken_) + k, std::move(items[k]));
+  team_.account_.rows_taken += int(items.size());
+  ++taken_;
+}
+
+template <class Item>
+void SharedBlocks<Item>::run() {
+  while (taken_ < blocks_) {
+    give();
+    hear(false);
+    if (const auto ready = made_.find(taken_); ready != made_.end()) {
+      Items items = std::move(ready->second);
+      made_.erase(ready);
+      hand_on(std::move(items));
+    } else if (may_begin()) {
+      const int block = next_++;
+      made_.emplace(block, own_items(block));
     } else {
-      hear(p, true);
+      const Spent spent(CLOCK_MONOTONIC, team_.account_.waiting);
+      hear(true);
     }
   }
 }
+
+/// Rows of a source that all ranks make.
+class SharedRows : public space::RaySource {
+ public:
+  SharedRows(MpiTeam& team, space::RaySourcePointer own) : team_(team), own_(std::move(own)), reader_(*own_) {}
+  const space::RayGrid& grid() const override { return own_->grid(); }
+  exact::Tried<space::RayRow> try_row(int j) const override { return own_->try_row(j); }
+  bool searched() const override { return own_->searched(); }
+  void each_row(const std::function<void(int, space::RayRow&&)>& take) const override {
+    const auto make = [&](int begin, int count) { return rows_of(*own_, begin, count); };
+    const auto read = [&](int begin, int count, std::string_view bytes) {
+      std::vector<space::RayRow> rows;
+      for (int k = 0; k < count; ++k) rows.push_back(reader_.read(begin + k, bytes));
+      return rows;
+    };
+    SharedBlocks<space::RayRow>(team_, grid(), {kWholeRows, make, read, take}).run();
+  }
+
+ private:
+  MpiTeam& team_;
+  space::RaySourcePointer own_;
+  mutable space::RowReader reader_;
+};
 
 MpiTeam::MpiTeam(MPI_Comm ranks) : ranks_(ranks) {
   MPI_Comm_rank(ranks, &rank_);
@@ -160,19 +242,99 @@ space::RaySourcePointer MpiTeam::shared(space::RaySourcePointer rows) {
   return std::make_unique<SharedRows>(*this, std::move(rows));
 }
 
-void MpiTeam::serve_block(const Source& source, const BlockRequest& request) {
+/// Of any size: MPI counts bytes in an int.
+void MpiTeam::broadcast(std::string& text, int from) {
+  std::uint64_t size = text.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, from, ranks_);
+  text.resize(size);
+  constexpr std::uint64_t kAtOnce = std::uint64_t{1} << 30;
+  for (std::uint64_t begin = 0; begin < size; begin += kAtOnce)
+    MPI_Bcast(text.data() + begin, static_cast<int>(std::min(kAtOnce, size - begin)), MPI_BYTE, from, ranks_);
+}
+
+std::string MpiTeam::shared_text(const std::function<std::string()>& make) {
+  std::string text, place;
+  int fault = -1;  // the code of the leader's Error
+  if (leads()) try {
+      text = make();
+    } catch (const Error& e) {
+      fault = static_cast<int>(e.code());
+      text = e.message();
+      place = e.place();
+    }
+  MPI_Bcast(&fault, 1, MPI_INT, 0, ranks_);
+  broadcast(text, 0);
+  if (fault < 0) return text;
+  broadcast(place, 0);
+  throw Error(static_cast<ErrorCode>(fault), text, place);
+}
+
+bool MpiTeam::any(bool own) {
+  int said = own ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &said, 1, MPI_INT, MPI_MAX, ranks_);
+  return said != 0;
+}
+
+std::string MpiTeam::best_of(std::span<const double> cost, std::string own) {
+  std::vector<double> all(cost.size() * count());
+  const int each = static_cast<int>(cost.size());
+  MPI_Allgather(cost.data(), each, MPI_DOUBLE, all.data(), each, MPI_DOUBLE, ranks_);
+  const auto of = [&](int rank) { return std::span(all).subspan(std::size_t(rank) * cost.size(), cost.size()); };
+  int best = 0;
+  for (int rank = 1; rank < count_; ++rank)
+    if (std::lexicographical_compare(of(rank).begin(), of(rank).end(), of(best).begin(), of(best).end())) best = rank;
+  broadcast(own, best);
+  return own;
+}
+
+std::string MpiTeam::account() const {
+  if (account_.rows_taken == 0) return "";
+  return fmt::format(
+      "{} ranks: rank 0 made {} rows in {:.3f} s (slowest {:.4f} s a row), took {} rows in {:.3f} s, waited {:.3f} s",
+      count_, account_.rows_made, account_.making, account_.slowest_row, account_.rows_taken, account_.taking,
+      account_.waiting);
+}
+
+void MpiTeam::each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
+                          const std::function<void(int, RowDigest&&)>& take) {
+  if (count_ == 1 || own.grid().oblique) return app::each_digest(own, digester, written, take);
+  const auto make = [&](int begin, int count) { return digests_of(own, digester, written, begin, count); };
+  const auto read = [](int, int count, std::string_view bytes) {
+    std::vector<RowDigest> digests;
+    plane::ByteReader in(bytes);
+    for (int k = 0; k < count; ++k) digests.push_back(take_digest(in));
+    return digests;
+  };
+  SharedBlocks<RowDigest>(*this, own.grid(), {written ? kWrittenDigests : kDigests, make, read, take}).run();
+}
+
+void MpiTeam::make_source(const Source& source, const space::RayGrid& grid) {
+  if (made_->region.rays && same(made_->grid, grid)) return;
+  made_->region = source(grid);
+  made_->grid = grid;
+}
+
+std::string MpiTeam::answer(const BlockRequest& request, const RowDigester& digester) const {
+  const space::RaySource& rays = *made_->region.rays;
+  const int begin = static_cast<int>(request.begin), count = static_cast<int>(request.count);
+  std::string bytes;
+  if (request.kind == kWholeRows) {
+    for (const space::RayRow& row : rows_of(rays, begin, count)) space::append_bytes(row, bytes);
+    return bytes;
+  }
+  plane::ByteWriter out;
+  for (const RowDigest& digest : digests_of(rays, digester, request.kind == kWrittenDigests, begin, count))
+    put_digest(digest, out);
+  return std::move(out).take();
+}
+
+void MpiTeam::serve_block(const Source& source, const RowDigester& digester, const BlockRequest& request) {
   const std::int64_t begin = request.begin;
   std::string bytes(reinterpret_cast<const char*>(&begin), sizeof begin);
   Tag tag = kRows;
   try {
-    const space::RayGrid grid = request.grid();
-    if (!made_->region.rays || !same(made_->grid, grid)) {
-      made_->region = source(grid);
-      made_->grid = grid;
-    }
-    for (const space::RayRow& row :
-         rows_of(*made_->region.rays, static_cast<int>(begin), static_cast<int>(request.count)))
-      space::append_bytes(row, bytes);
+    make_source(source, request.grid());
+    bytes += answer(request, digester);
   } catch (const std::exception&) {
     bytes.resize(sizeof begin);
     tag = kFailed;
@@ -182,14 +344,14 @@ void MpiTeam::serve_block(const Source& source, const BlockRequest& request) {
   MPI_Isend(made_->bytes.data(), static_cast<int>(made_->bytes.size()), MPI_BYTE, 0, tag, ranks_, &made_->sending);
 }
 
-void MpiTeam::serve(const Source& source) {
+void MpiTeam::serve(const Source& source, const RowDigester& digester) {
   made_ = std::make_unique<Made>();
   for (int k = 0; k < kInHand; ++k) MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
   while (true) {
     BlockRequest request{};
     MPI_Recv(&request, sizeof request, MPI_BYTE, 0, kBlock, ranks_, MPI_STATUS_IGNORE);
     if (request.count == 0) break;
-    serve_block(source, request);
+    serve_block(source, digester, request);
     MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
   }
   released_ = true;

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "common/options.h"
+#include "common/process_team.h"
 #include "io/nesting/read_nesting.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
@@ -33,6 +34,7 @@ packing::SearchOptionsOf<Layout> search_options(const Options& options) {
   out.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   out.seconds = options.time_limit;
   out.work = options.work * 1000000;
+  if (options.team != nullptr && options.team->count() > 1) out.peers = &options.team->peers();
   return out;
 }
 

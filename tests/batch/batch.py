@@ -109,6 +109,64 @@ class Batch(unittest.TestCase):
             self.assertIn(why, result["error"], question)
         self.assertEqual({r["status"] for r in results[1::2]}, {"done"})
 
+    def test_what_ends_a_question_ends_no_other(self):
+        """A disk that is full, a scene that cannot be read, a question of 10 GB, one that hangs."""
+        rooms, peg = str(EXAMPLES / "rooms.json"), str(EXAMPLES / "peg.json")
+        (self.path / "full.json").symlink_to("/dev/full")
+        (self.path / "folder.json").mkdir()
+        large = {"verb": "map", "path": rooms, "options": {"resolution": 16384, "axes": True, "output": "large.stl"}}
+        alone = subprocess.run([PROGRAM, "map", rooms, "--resolution", "16384", "--axes", "-o", "large.stl", "--memory-limit", "10G"],
+                               cwd=self.path, capture_output=True, text=True)
+        self.assertEqual(alone.returncode, 4, "it asks for more than 10 GB")
+        rows = [
+            ({"verb": "map", "path": peg, "options": {"output": "full.json"}}, "bad input", "full.json"),
+            ({"verb": "map", "path": "folder.json"}, "bad input", "folder"),
+            (large, "limit", "memory limit"),
+            ({"verb": "map", "path": rooms, "options": {"resolution": 3000, "axes": True, "time-limit": 4}}, "limit", "did not react"),
+        ]
+        good = {"verb": "check", "path": peg, "options": {"at": [50, 30]}}
+        write(self.path, [q for row in rows for q in (row[0], good)])
+        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl", "--workers", "2", "--memory-limit", "2G"],
+                                   cwd=self.path, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(running.kill)
+        self.stop_one_that_works(running)
+        self.assertEqual((running.communicate()[1], running.returncode), ("", 3))
+        results = read(self.path / "results.jsonl")
+        for (question, status, why), result in zip(rows, results[::2]):
+            self.assertEqual(result["status"], status, result)
+            self.assertIn(why, result["error"], question)
+        self.assertEqual({r["status"] for r in results[1::2]}, {"done"})
+
+    def stop_one_that_works(self, running):
+        """A worker that is stopped reacts to nothing, its own timer included."""
+        def workers():
+            return subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True).stdout
+        end = time.monotonic() + 20
+        while running.poll() is None and time.monotonic() < end:
+            for line in workers().splitlines():
+                pid = int(line.split()[0])
+                try:
+                    used = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+                except OSError:
+                    continue
+                if int(used[11]) + int(used[12]) > 15:  # hundredths of a second: it is the long one
+                    os.kill(pid, signal.SIGSTOP)
+                    return
+            time.sleep(0.01)
+
+    @unittest.skipUnless(os.geteuid() == 0 and subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode == 0,
+                         "needs to mount a small disk")
+    def test_a_full_disk_and_a_larger_one(self):
+        write(self.path, questions(QUESTIONS, 8))
+        self.assertEqual(batch(self.path, results="whole.jsonl").returncode, 0)
+        script = f"""mkdir disk && mount -t tmpfs -o size=48k tmpfs disk &&
+            '{PROGRAM}' batch jobs.jsonl -o disk/results.jsonl -q; echo status $?;
+            mount -o remount,size=64m disk && '{PROGRAM}' batch jobs.jsonl -o disk/results.jsonl -q; echo status $?; cp disk/*.jsonl ."""
+        run = subprocess.run(["unshare", "-m", "sh", "-c", script], cwd=self.path, capture_output=True, text=True)
+        self.assertEqual([line for line in run.stdout.splitlines() if line.startswith("status")], ["status 3", "status 0"], run)
+        self.assertIn("No space left", run.stderr)
+        self.assertEqual(without_time(read(self.path / "results.jsonl")), without_time(read(self.path / "whole.jsonl")))
+
     def test_what_is_no_batch(self):
         write(self.path, [{"id": 1, "verb": "map", "path": "a"}, {"id": 1, "verb": "map", "path": "b"}])
         self.assertIn("lines 1 and 2 have the same id 1", batch(self.path).stderr)

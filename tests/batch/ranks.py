@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """findspace-mpi: the same bytes from 1 to 4 ranks, batches over ranks, and what the plain program says under mpirun.
 
-usage: ranks.py PROGRAM PROGRAM_MPI MPIRUN
+usage: ranks.py PROGRAM PROGRAM_MPI MPIRUN [--kills N] [TEST...]
 """
 import json
 import os
@@ -18,8 +18,11 @@ from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 PLAIN, RANKED, MPIRUN = (os.path.abspath(path) for path in sys.argv[1:4])
+KILLS = int(sys.argv[5]) if sys.argv[4:5] == ["--kills"] else 4
+TESTS = sys.argv[6:] if sys.argv[4:5] == ["--kills"] else sys.argv[4:]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
+HIDE = EXAMPLES / "packing" / "hide.json"
 ROUND = {  # grown edges and corners: places on lines that are no fractions
     "findspace": 1, "shapes": {"tetra": {"polytope": [[0, 0, 0], [5, 1, 0], [1, 4, 1], [1, 1, 4]]},
                                "ball": {"ball": {"center": [0, 0, 0], "radius": 0.25}}},
@@ -57,6 +60,124 @@ class Ranks(unittest.TestCase):
     def test_the_same_bytes_of_round_shapes(self):
         (self.path / "round.json").write_text(json.dumps(ROUND))
         self.compare("round.json", "--resolution", "40", "--axes")
+
+    def test_the_same_bytes_from_threads(self):
+        (self.path / "round.json").write_text(json.dumps(ROUND))
+        for scene, options in ((str(EXAMPLES / "rooms.json"), ["--resolution", "96"]), ("round.json", ["--resolution", "40"])):
+            expected = None
+            for count in (1, 2, 3, 4):
+                for threads in ("1", "2"):
+                    run = ranks(count, self.path, "map", scene, *options, "--threads", threads, "-o", "n.json")
+                    self.assertEqual(run.returncode, 0, run.stderr)
+                    bytes_ = (run.stdout, (self.path / "n.json").read_bytes())
+                    expected = expected or bytes_
+                    self.assertEqual(bytes_, expected)
+            self.assertEqual(alone(self.path, "map", scene, *options, "-o", "n.json").stdout, expected[0])
+            self.assertEqual((self.path / "n.json").read_bytes(), expected[1])
+
+    def test_inner_and_outer_and_least(self):
+        (self.path / "round.json").write_text(json.dumps(ROUND))
+        (self.path / "least.json").write_text(json.dumps(dict(ROUND, minimize="z")))
+        for verb in (["map", "round.json", "--side", "inner"], ["map", "round.json", "--side", "outer"], ["map", "least.json"],
+                     ["describe", "round.json", "tetra"], ["describe", "round.json", "tetra", "--side", "inner"]):
+            command = [*verb, "--resolution", "40"]
+            first = alone(self.path, *command, "-o", "one.json")
+            self.assertIn(first.returncode, (0, 1), first.stderr)
+            for count in (2, 3):
+                run = ranks(count, self.path, *command, "-o", "n.json")
+                self.assertEqual((run.returncode, run.stdout), (first.returncode, first.stdout), run.stderr)
+                self.assertEqual((self.path / "n.json").read_bytes(), (self.path / "one.json").read_bytes(), command)
+
+    def test_rank_0_alone_reads(self):
+        """The others get what it reads: here they stand in folders of their own."""
+        (self.path / "here").mkdir()
+        (self.path / "there").mkdir()
+        (self.path / "here" / "round.json").write_text(json.dumps(ROUND))
+        self.assertEqual(alone(self.path / "here", "map", "round.json", "--resolution", "24", "-o", "one.json").returncode, 0)
+        command = [RANKED, "map", "round.json", "--resolution", "24", "-o", "n.json"]
+        run = subprocess.run([MPIRUN, "-n", "1", "-wdir", self.path / "here", *command, ":", "-n", "2", "-wdir", self.path / "there", *command],
+                             capture_output=True, text=True, env=ENVIRONMENT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual((self.path / "here" / "n.json").read_bytes(), (self.path / "here" / "one.json").read_bytes())
+        self.assertEqual(list((self.path / "there").iterdir()), [])
+
+    def test_standard_input(self):
+        run = subprocess.run([MPIRUN, "-n", "2", RANKED, "map", "-", "--resolution", "24"], input=json.dumps(ROUND), cwd=self.path,
+                             capture_output=True, text=True, env=ENVIRONMENT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        (self.path / "round.json").write_text(json.dumps(ROUND))
+        self.assertEqual(run.stdout, alone(self.path, "map", "round.json", "--resolution", "24").stdout)
+
+    def packed(self, count, *options):
+        run = ranks(count, self.path, "pack", str(HIDE), "--threads", "1", *options, "-o", "layout.json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        verified = alone(self.path, "verify", "layout.json", str(HIDE))
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        layout = json.loads((self.path / "layout.json").read_text())["layout"]
+        return {k: v for k, v in layout.items() if k not in ("seconds", "processor")}
+
+    def test_islands_over_ranks(self):
+        one, two = self.packed(1, "--work", "4"), self.packed(2, "--work", "4")
+        self.assertEqual(two, self.packed(2, "--work", "4"))  # of the seed and the ranks only
+        self.assertNotEqual(one, two)
+        self.packed(3, "--time-limit", "2")
+
+    def test_islands_of_solids(self):
+        crate = str(EXAMPLES / "packing" / "crate.json")
+        texts = []
+        for _ in range(2):
+            run = ranks(2, self.path, "pack", crate, "--work", "8", "-o", "solids.json", "-q")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(alone(self.path, "verify", "solids.json", crate).returncode, 0)
+            texts.append(json.loads((self.path / "solids.json").read_text())["layout"])
+        for layout in texts:
+            layout.pop("seconds", None)
+        self.assertEqual(*texts)
+
+    def test_a_killed_packing_leaves_its_best_layout(self):
+        rng = random.Random(9)
+        for round_ in range(KILLS):
+            (self.path / "layout.json").unlink(missing_ok=True)
+            process = subprocess.Popen([MPIRUN, "-n", "2", RANKED, "pack", str(HIDE), "--threads", "1", "--time-limit", "60", "-o", "layout.json"],
+                                       cwd=self.path, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while not (self.path / "layout.json").exists():
+                time.sleep(0.01)
+            time.sleep(rng.uniform(0, 1))
+            os.kill(rng.choice(self.ranks_of(process)), signal.SIGKILL)
+            process.wait()
+            self.assertEqual(alone(self.path, "verify", "layout.json", str(HIDE)).returncode, 0)
+
+    def ranks_of(self, process):
+        found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process.pid)], capture_output=True, text=True)
+        return [int(pid) for pid in found.stdout.split()]
+
+    def test_kills_at_any_time(self):
+        """A rank, or mpirun and all; then the same command again."""
+        expected = self.questions(120)
+        rng = random.Random(10)
+        for round_ in range(KILLS):
+            name = f"k{round_}.jsonl"
+            process = subprocess.Popen([MPIRUN, "-n", "2", RANKED, "batch", "jobs.jsonl", "-o", name], cwd=self.path, env=ENVIRONMENT,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+            time.sleep(rng.uniform(0.2, 0.9))
+            victims = self.ranks_of(process)
+            if victims and rng.random() < 0.6:
+                try:
+                    os.kill(rng.choice(victims), signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            else:
+                for pid in victims + [process.pid]:
+                    try:
+                        os.kill(pid, signal.SIGKILL)
+                    except ProcessLookupError:
+                        pass
+            process.wait()
+            if not (self.path / name).exists() or (self.path / f"{name}.parts").exists():
+                run = ranks(2, self.path, "batch", "jobs.jsonl", "-o", name)
+                self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(self.results(name), expected)
+            self.assertFalse((self.path / f"{name}.parts").exists())
 
     def test_other_questions_are_answered_once(self):
         peg = str(EXAMPLES / "peg.json")
@@ -109,4 +230,4 @@ class Ranks(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=["ranks.py", *sys.argv[4:]])
+    unittest.main(argv=["ranks.py", *TESTS])

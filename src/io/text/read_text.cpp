@@ -89,9 +89,7 @@ std::string read_all(int descriptor, std::uint64_t most, const std::string& name
   }
 }
 
-}  // namespace
-
-std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes, const std::filesystem::path& root) {
+std::string read_file(const std::filesystem::path& path, std::uint64_t most_bytes, const std::filesystem::path& root) {
   const Descriptor file = open_regular(path, root);
   struct stat status {};
   if (fstat(file.number, &status) == 0 && static_cast<std::uint64_t>(status.st_size) > most_bytes)
@@ -99,8 +97,23 @@ std::string read_text(const std::filesystem::path& path, std::uint64_t most_byte
   return read_all(file.number, most_bytes, path.string());
 }
 
-std::string read_standard_input(std::uint64_t most_bytes) {
-  return read_all(STDIN_FILENO, most_bytes, "standard input");
+thread_local const TextReader* reader_of_thread = nullptr;
+
+std::string by_reader(const std::function<std::string()>& read) {
+  return reader_of_thread == nullptr ? read() : (*reader_of_thread)(read);
 }
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes, const std::filesystem::path& root) {
+  return by_reader([&] { return read_file(path, most_bytes, root); });
+}
+
+std::string read_standard_input(std::uint64_t most_bytes) {
+  return by_reader([&] { return read_all(STDIN_FILENO, most_bytes, "standard input"); });
+}
+
+ReadTextBy::ReadTextBy(const TextReader* reader) : before_(reader_of_thread) { reader_of_thread = reader; }
+ReadTextBy::~ReadTextBy() { reader_of_thread = before_; }
 
 }  // namespace findspace::io

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "io/text/read_limits.h"
@@ -22,5 +23,20 @@ std::string read_text(const std::filesystem::path& path, std::uint64_t most_byte
 
 /// The same of standard input, which may be a pipe.
 std::string read_standard_input(std::uint64_t most_bytes = kUsualInput);
+
+/// Gives the text that the function reads, or another process's: one that reads files for several.
+using TextReader = std::function<std::string(const std::function<std::string()>& read)>;
+
+/// While it lives, this thread gets all texts of files by way of the reader. Null: it reads them itself.
+class ReadTextBy {
+ public:
+  explicit ReadTextBy(const TextReader* reader);
+  ~ReadTextBy();
+  ReadTextBy(const ReadTextBy&) = delete;
+  ReadTextBy& operator=(const ReadTextBy&) = delete;
+
+ private:
+  const TextReader* before_;
+};
 
 }  // namespace findspace::io

@@ -49,33 +49,86 @@ void put_grid(const space::RaySummary& summary, const space::RayGrid& grid, doub
 
 }  // namespace
 
-void RayLines::add(int j, const space::RayRow& row) {
-  for (int i = 0; i < grid_.nu; ++i) {
-    std::string intervals;
-    bool in = row.before[i] <= 0, from_in = false;
-    std::string from = "null";
-    const auto close = [&](const std::string& to, bool to_in) {
-      intervals += fmt::format("{}[{}, {}, {}, {}]", intervals.empty() ? "" : ", ", from, to, from_in, to_in);
-    };
-    for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
-      const space::RayEvent& event = row.events[e];
-      const bool here = event.here <= 0, after = event.after <= 0;
-      const std::string at = fmt::format("{}", event.at.value * scale_);
-      if (in && !(here && after)) close(at, here);
-      if (!in || !here || !after) {
-        from = at;
-        // A place that belongs to the interval before does not to the next.
-        from_in = here && !in;
-        if (!in && here && !after) close(at, true);
-      }
-      in = after;
-    }
-    if (in) close("null", false);
-    if (intervals.empty()) continue;
-    text_.append(fmt::format("{}[{}, {}, [{}]]", text_.empty() ? "" : ",\n    ",
-                             static_cast<double>(grid_.u_at(i)) * scale_, static_cast<double>(grid_.v_at(j)) * scale_,
-                             intervals));
+namespace {
+
+constexpr std::string_view kNextLine = ",\n    ";
+
+/// A number as text, or "null".
+class NumberText {
+ public:
+  NumberText() : size_(std::string_view("null").copy(text_.data(), kMost)) {}
+  explicit NumberText(double value) : size_(fmt::format_to_n(text_.data(), kMost, "{}", value).size) {}
+  std::string_view view() const { return {text_.data(), size_}; }
+
+ private:
+  static constexpr std::size_t kMost = 32;
+  std::array<char, kMost> text_{};
+  std::size_t size_;
+};
+
+/// The intervals of one line, "[from, to, from_in, to_in], ...".
+class IntervalTexts {
+ public:
+  explicit IntervalTexts(fmt::memory_buffer& out) : out_(out), begin_(out.size()) {}
+
+  void put(const NumberText& from, const NumberText& to, bool from_in, bool to_in) {
+    append(empty() ? "[" : ", [");
+    append(from.view());
+    append(", ");
+    append(to.view());
+    append(from_in ? ", true" : ", false");
+    append(to_in ? ", true]" : ", false]");
   }
+  bool empty() const { return out_.size() == begin_; }
+
+ private:
+  void append(std::string_view text) { out_.append(text.data(), text.data() + text.size()); }
+  fmt::memory_buffer& out_;
+  std::size_t begin_;
+};
+
+void put_line(const space::RayRow& row, int i, double scale, IntervalTexts& intervals) {
+  bool in = row.before[i] <= 0, from_in = false;
+  NumberText from;
+  for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
+    const space::RayEvent& event = row.events[e];
+    const bool here = event.here <= 0, after = event.after <= 0;
+    const NumberText at(event.at.value * scale);
+    if (in && !(here && after)) intervals.put(from, at, from_in, here);
+    if (!in || !here || !after) {
+      from = at;
+      // A place that belongs to the interval before does not to the next.
+      from_in = here && !in;
+      if (!in && here && !after) intervals.put(from, at, from_in, true);
+    }
+    in = after;
+  }
+  if (in) intervals.put(from, NumberText(), from_in, false);
+}
+
+}  // namespace
+
+std::string RayLines::row_text(int j, const space::RayRow& row) const {
+  fmt::memory_buffer out;
+  const NumberText v(static_cast<double>(grid_.v_at(j)) * scale_);
+  for (int i = 0; i < grid_.nu; ++i) {
+    const std::size_t before = out.size();
+    const NumberText u(static_cast<double>(grid_.u_at(i)) * scale_);
+    fmt::format_to(fmt::appender(out), "{}[{}, {}, [", before == 0 ? "" : kNextLine, u.view(), v.view());
+    IntervalTexts intervals(out);
+    put_line(row, i, scale_, intervals);
+    if (intervals.empty())
+      out.resize(before);
+    else
+      out.append(std::string_view("]]"));
+  }
+  return fmt::to_string(out);
+}
+
+void RayLines::add(std::string_view row_text) {
+  if (row_text.empty()) return;
+  if (!text_.empty()) text_.append(kNextLine);
+  text_.append(row_text);
 }
 
 std::string rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text) {

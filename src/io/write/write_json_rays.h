@@ -24,7 +24,10 @@ namespace findspace::io {
 class RayLines {
  public:
   RayLines(const space::RayGrid& grid, double step) : grid_(grid), scale_(step / static_cast<double>(grid.parts)) {}
-  void add(int j, const space::RayRow& row);
+  void add(int j, const space::RayRow& row) { add(row_text(j, row)); }
+  /// The lines of one row, which any process can make; and rows in order.
+  std::string row_text(int j, const space::RayRow& row) const;
+  void add(std::string_view row_text);
   const Spool& text() const& { return text_; }
   Spool text() && { return std::move(text_); }
 

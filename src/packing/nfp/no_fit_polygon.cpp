@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "plane/base/result_store.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/sum/minkowski.h"
@@ -136,7 +137,9 @@ SearchShape search_shape(const Polygon& shape, int digits) {
   return result;
 }
 
-NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie) {
+namespace {
+
+NoFitPolygon made_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie) {
   const plane::Region grown =
       gap > 0 ? plane::minkowski_sum(region_of(a), region_of(about_disc(gap, a.step))) : region_of(a);
   plane::SignMap map = plane::contact_map(grown, region_of(b));
@@ -146,6 +149,69 @@ NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double g
   if (result.edges.size() > kMostEdges)
     throw Error(ErrorCode::kUnsupported, "two parts have too many corners to be packed together");
   return result;
+}
+
+void put_shape(const SearchShape& shape, plane::ByteWriter& out) {
+  out.put(shape.step);
+  out.put(std::uint64_t(shape.rings.size()));
+  for (const auto& ring : shape.rings) {
+    out.put(std::uint64_t(ring.size()));
+    for (const auto& [x, y] : ring) {
+      out.put(x);
+      out.put(y);
+    }
+  }
+}
+
+void put_vec(Vec v, plane::ByteWriter& out) {
+  out.put(v.x);
+  out.put(v.y);
+}
+
+Vec take_vec(plane::ByteReader& in) {
+  const auto x = in.take<double>(), y = in.take<double>();
+  return {x, y};
+}
+
+bool put_polygon(const NoFitPolygon& polygon, plane::ByteWriter& out) {
+  put_vec(polygon.low, out);
+  put_vec(polygon.high, out);
+  out.put(std::uint64_t(polygon.edges.size()));
+  for (const NoFitEdge& e : polygon.edges) {
+    put_vec(e.from, out);
+    put_vec(e.to, out);
+    out.put(std::int8_t(e.slit));
+  }
+  return true;
+}
+
+std::optional<NoFitPolygon> take_polygon(plane::ByteReader& in) {
+  NoFitPolygon polygon;
+  polygon.low = take_vec(in);
+  polygon.high = take_vec(in);
+  constexpr std::uint64_t kEdgeBytes = 4 * sizeof(double) + 1;
+  for (std::uint64_t n = in.take_count(kEdgeBytes); n > 0; --n) {
+    NoFitEdge e;
+    e.from = take_vec(in);
+    e.to = take_vec(in);
+    e.slit = in.take<std::int8_t>() != 0;
+    polygon.edges.push_back(e);
+  }
+  return polygon;
+}
+
+}  // namespace
+
+NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie) {
+  const auto make = [&] { return made_polygon(a, b, gap, tie); };
+  if (tie != nullptr) return make();
+  const auto content = [&](plane::ByteWriter& out) {
+    put_shape(a, out);
+    put_shape(b, out);
+    out.put(gap);
+    return true;
+  };
+  return plane::stored<NoFitPolygon>({"no-fit polygon", content, make, put_polygon, take_polygon});
 }
 
 }  // namespace findspace::packing

@@ -57,7 +57,7 @@ class BoxSearch {
   }
 
   void try_height(const Fraction& height, double share) {
-    if (stop_ && best_) return;
+    if (any_of(options_.peers, stop_) && best_) return;
     Problem strip = problem_;
     strip.box = false;
     strip.height = height;

@@ -2,12 +2,15 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Islands that search side by side, and the limits of a search. After rounds of the same work they meet, and those that
-// are behind go on from the best layout. Guarantee: without a limit of time the result depends on the seed and the
-// number of islands only. Keywords: island model, parallel search.
+// are behind go on from the best layout. Islands of other processes take part where there are some. Guarantee: without
+// a limit of time the result depends on the seed and the number of islands only. Keywords: island model, parallel
+// search.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -15,6 +18,8 @@
 #include <vector>
 
 #include "packing/search/island.h"
+#include "packing/search/island_peers.h"
+#include "plane/base/bytes.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::packing {
@@ -50,16 +55,47 @@ class SearchLimits {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// The coordinates of a position.
+template <class Pose>
+using Coordinates = std::array<double, sizeof(Pose::at) / sizeof(double)>;
+
+/// A layout as bytes for another process, and back.
+template <class Pose>
+void put_layout(const LayoutInDoubles<Pose>& layout, plane::ByteWriter& out) {
+  out.put(layout.length);
+  out.put(std::uint64_t(layout.poses.size()));
+  for (const Pose& p : layout.poses) {
+    out.put(p.variant);
+    for (const double c : std::bit_cast<Coordinates<Pose>>(p.at)) out.put(c);
+  }
+}
+
+template <class Pose>
+LayoutInDoubles<Pose> take_layout(plane::ByteReader& in) {
+  LayoutInDoubles<Pose> layout;
+  layout.length = in.take<double>();
+  for (std::uint64_t n = in.take_count(sizeof(double)); n > 0; --n) {
+    const auto variant = in.take<std::size_t>();
+    Coordinates<Pose> at{};
+    for (double& c : at) c = in.take<double>();
+    layout.poses.push_back({variant, std::bit_cast<decltype(Pose::at)>(at)});
+  }
+  return layout;
+}
+
 template <class Kit>
 class IslandTeam {
  public:
   using Found = typename IslandOf<Kit>::Found;
 
-  /// The table and the row must live as long.
+  /// The table and the row must live as long; so must the other processes, which have as many islands each.
   void settle(const typename Kit::Table& table, const typename Kit::Row& row, const Found& start, std::uint64_t seed,
-              std::size_t count) {
+              std::size_t count, IslandPeers* peers) {
+    peers_ = peers;
+    const std::uint64_t first = seed * 1000003 + number_of(peers) * count;
     for (std::size_t k = 0; k < count; ++k)
-      islands_.push_back(std::make_unique<IslandOf<Kit>>(table, row, start, seed * 1000003 + k));
+      islands_.push_back(std::make_unique<IslandOf<Kit>>(table, row, start, first + k));
+    best_ = start;
   }
 
   /// All islands work up to the same amount; time and a wish to stop end it anywhere. The best layout, which those that
@@ -70,10 +106,11 @@ class IslandTeam {
       while (island.work() < until && !limits.is_out_of_time()) island.step(limits.progress(double(island.work())));
     });
     const auto shorter = [](const auto& a, const auto& b) { return a->best().length < b->best().length; };
-    const IslandOf<Kit>& best = **std::min_element(islands_.begin(), islands_.end(), shorter);
+    best_ = (*std::min_element(islands_.begin(), islands_.end(), shorter))->best();
+    if (peers_ != nullptr) exchange();
     for (const auto& island : islands_)
-      if (island->best().length > best.best().length) island->adopt(best.best());
-    return best.best();
+      if (island->best().length > best_.length) island->adopt(best_);
+    return best_;
   }
 
   /// Left in the separations under way.
@@ -84,7 +121,18 @@ class IslandTeam {
   }
 
  private:
+  void exchange() {
+    plane::ByteWriter own;
+    put_layout(best_, own);
+    const double cost[] = {best_.length};
+    const std::string best = peers_->best_of(cost, std::move(own).take());
+    plane::ByteReader in(best);
+    best_ = take_layout<typename Kit::Pose>(in);
+  }
+
+  IslandPeers* peers_ = nullptr;
   std::vector<std::unique_ptr<IslandOf<Kit>>> islands_;
+  Found best_;
 };
 
 }  // namespace findspace::packing

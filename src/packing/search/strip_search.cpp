@@ -41,13 +41,15 @@ class Search {
     else
       first = start_layout();
     if (first.layout.poses.empty() && problem_.fixed.empty()) return std::nullopt;
-    if (first.overlaps && !separated(first.layout)) return std::nullopt;
+    const bool is_free = !first.overlaps || separated(first.layout);
+    if (!agree(first, is_free)) return std::nullopt;
     std::erase_if(first.left, [&](std::size_t part) { return table_.variants_of(part).empty(); });
     offer(first.layout);
     if (first.layout.poses.empty()) return std::move(best_);
     fill(first);
-    team_.settle(table_, row_, first.layout, options_.seed, std::max(1u, options_.threads));
-    for (std::uint64_t work = work_ + kRound; !over(); work += kRound) round(work);
+    if (options_.peers != nullptr && agree(first, true)) offer(first.layout);
+    team_.settle(table_, row_, first.layout, options_.seed, std::max(1u, options_.threads), options_.peers);
+    for (std::uint64_t work = work_ + kRound; !any_of(options_.peers, over()); work += kRound) round(work);
     return std::move(best_);
   }
 
@@ -72,6 +74,24 @@ class Search {
     return result;
   }
 
+  /// All processes go on from the best of their layouts; false where none has one.
+  bool agree(FirstLayout& layout, bool is_found) const {
+    if (options_.peers == nullptr) return is_found;
+    double missing = 0;
+    for (const std::size_t part : layout.left) missing += values_[part];
+    const double cost[] = {is_found ? 0.0 : 1.0, missing, layout.layout.length};
+    plane::ByteWriter own;
+    own.put(std::int8_t(is_found));
+    put_layout(layout.layout, own);
+    own.put_all(std::span<const std::size_t>(layout.left));
+    const std::string best = options_.peers->best_of(cost, std::move(own).take());
+    plane::ByteReader in(best);
+    const bool found = in.take<std::int8_t>() != 0;
+    layout.layout = take_layout<Pose>(in);
+    layout.left = in.take_all<std::size_t>();
+    return found;
+  }
+
   /// Moves parts until the conditions of pairs hold, in a strip as much longer as that needs.
   bool separated(DoubleLayout& layout) {
     Random random(options_.seed);
@@ -94,7 +114,7 @@ class Search {
   /// Adds what was left out, or exchanges for it what is worth less.
   void fill(FirstLayout& layout) {
     const std::size_t threads = std::max(1u, options_.threads);
-    std::uint64_t number = options_.seed * 7000003;
+    std::uint64_t number = options_.seed * 7000003 + number_of(options_.peers) * 1000000007;
     while (!layout.left.empty() && !limits_.is_stopped() && limits_.progress(double(work_)) < kFillingShare &&
            (limits_.is_limited() || !over())) {
       std::vector<std::optional<FirstLayout>> tried(threads);

@@ -6,7 +6,8 @@
 // island; after rounds of the same work they meet, and those that are behind go on from the best layout. Every better
 // layout is proved and given away at once. Guarantee: layouts given are feasible, exactly; what is not in them is left
 // out with a reason. With a limit of work alone the result depends on the seed and the number of threads only; a limit
-// of time only ends the search. Cost: as long as allowed.
+// of time only ends the search. Other processes may take part; all of them give the same layouts. Cost: as long as
+// allowed.
 #pragma once
 
 #include <atomic>
@@ -15,6 +16,7 @@
 #include <optional>
 
 #include "packing/problem/problem.h"
+#include "packing/search/island_peers.h"
 
 namespace findspace::packing {
 
@@ -25,6 +27,7 @@ struct SearchOptionsOf {
   double seconds = 0;  // 0: until no better layout comes for a while
   double work = 0;     // pairs of parts looked at by a thread; 0: no limit
   const Layout* start = nullptr;
+  IslandPeers* peers = nullptr;  // other processes that search with this one
 };
 using SearchOptions = SearchOptionsOf<Layout>;
 

@@ -39,8 +39,8 @@ class SolidSearch {
     }
     offer(first);
     if (!best_) keep(tower_of(problem_, table_));
-    team_.settle(table_, column_, first, options_.seed, kIslands);
-    for (std::uint64_t work = kSolidRound; !is_over(); work += kSolidRound) round(work);
+    team_.settle(table_, column_, first, options_.seed, kIslands, options_.peers);
+    for (std::uint64_t work = kSolidRound; !any_of(options_.peers, is_over()); work += kSolidRound) round(work);
     return std::move(best_);
   }
 

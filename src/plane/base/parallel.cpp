@@ -12,6 +12,7 @@
 #include <typeinfo>
 
 #include "findspace/error.h"
+#include "plane/base/result_store.h"
 #include "plane/base/stage_observer.h"
 #include "plane/base/stop_check.h"
 
@@ -27,8 +28,10 @@ bool is_of_threads(const std::runtime_error& e) {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   StopCheck* const limit = stop_check();
+  ResultStore* const store = result_store();
   const auto run = [&](std::size_t k) {
     const ScopedStopCheck here(limit);  // another thread's task, perhaps, that this one took over
+    const ScopedResultStore kept(store);
     if (limit != nullptr) limit->poll();
     task(k);
   };

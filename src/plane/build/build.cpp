@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "findspace/error.h"
+#include "plane/base/result_store.h"
 #include "plane/build/hull.h"
+#include "plane/complex/cell_bytes.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/complex/side_by_side.h"
@@ -271,14 +273,78 @@ class Builder {
   std::unordered_map<const Shape*, RegionPtr> built_;
 };
 
+bool put_contour(const Contour& contour, ByteWriter& out) {
+  out.put(std::uint64_t(contour.size()));
+  for (const ContourEdge& e : contour) {
+    out.put(e.start);
+    out.put(std::int8_t(e.arc == nullptr ? 0 : e.ccw ? 1 : -1));
+    if (e.arc && !(put_real(e.arc->cx, out) && put_real(e.arc->cy, out) && put_real(e.arc->r, out))) return false;
+  }
+  return true;
+}
+
+/// All that the set depends on; names and places in files are left out. A shape that comes again is put as its number.
+class ShapeContent {
+ public:
+  explicit ShapeContent(ByteWriter& out) : out_(out) {}
+
+  bool put(const Shape& shape) {
+    const auto [found, fresh] = numbers_.emplace(&shape, numbers_.size());
+    out_.put(std::uint64_t(found->second));
+    return !fresh || (put_own(shape) && std::all_of(shape.children.begin(), shape.children.end(),
+                                                    [&](const ShapePtr& child) { return put(*child); }));
+  }
+
+ private:
+  bool put_own(const Shape& shape) {
+    out_.put(std::uint8_t(shape.kind));
+    if (!put_real(shape.amount, out_) || !put_real(shape.degrees, out_)) return false;
+    out_.put_all(std::span<const GridPoint>(shape.points));
+    out_.put(std::uint64_t(shape.contours.size()));
+    for (const Contour& contour : shape.contours)
+      if (!put_contour(contour, out_)) return false;
+    out_.put(std::int8_t(shape.cells != nullptr));
+    if (shape.cells && !put_cells(*shape.cells, out_)) return false;
+    out_.put(std::uint64_t(shape.children.size()));
+    return true;
+  }
+
+  ByteWriter& out_;
+  std::unordered_map<const Shape*, std::size_t> numbers_;
+};
+
+bool put_result(const BuildResult& result, ByteWriter& out) {
+  out.put(result.rounding.points);
+  out.put(result.rounding.largest);
+  return put_cells(result.region, out);
+}
+
+std::optional<BuildResult> take_result(ByteReader& in) {
+  BuildResult result;
+  result.rounding.points = in.take<std::int64_t>();
+  result.rounding.largest = in.take<double>();
+  std::optional<Region> region = take_cells(in);
+  if (!region) return std::nullopt;
+  result.region = *std::move(region);
+  return result;
+}
+
 }  // namespace
 
 BuildResult build(const Shape& shape, double step, std::uint64_t work) {
-  Builder builder(shape, step, work);
-  BuildResult result;
-  result.region = builder.make(shape);
-  result.rounding = builder.rounding;
-  return result;
+  const auto make = [&] {
+    Builder builder(shape, step, work);
+    BuildResult result;
+    result.region = builder.make(shape);
+    result.rounding = builder.rounding;
+    return result;
+  };
+  if (shape.children.empty()) return make();  // made sooner than found
+  const auto content = [&](ByteWriter& out) {
+    out.put(work);
+    return ShapeContent(out).put(shape);
+  };
+  return stored<BuildResult>({"shape", content, make, put_result, take_result});
 }
 
 }  // namespace findspace::plane

@@ -6,7 +6,9 @@
 #include <array>
 #include <optional>
 
+#include "plane/base/result_store.h"
 #include "plane/base/stage_observer.h"
+#include "plane/complex/cell_bytes.h"
 #include "plane/complex/overlay.h"
 #include "plane/grid/grid_sum.h"
 #include "plane/sum/pair_sums.h"
@@ -58,9 +60,17 @@ SignMap made_sum(const Operand& a, const Operand& b) {
   return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
 }
 
+bool put_operand(const Operand& a, ByteWriter& out) {
+  out.put(std::int8_t(a.wanted == is_in));
+  out.put(std::int8_t(a.mirrored));
+  out.put(std::int8_t(a.flat));
+  return put_cells(a.cells, out);
+}
+
 /// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
 SignMap sum_map(const Operand& a, const Operand& b) {
-  SignMap sum = made_sum(a, b);
+  SignMap sum = stored<SignMap>({"sum", [&](ByteWriter& out) { return put_operand(a, out) && put_operand(b, out); },
+                                 [&] { return made_sum(a, b); }, put_cells, take_cells});
   if (StageObserver* observer = stage_observer())
     observer->cells("sum", "Minkowski sum: -1 in its open part, 0 on the rest of it, 1 elsewhere", sum);
   return sum;

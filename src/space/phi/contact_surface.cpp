@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plane/base/result_store.h"
 #include "space/phi/gauss_overlay.h"
 
 namespace findspace::space {
@@ -71,7 +72,56 @@ std::string_view contact_name(Contact contact) {
   return kNames[static_cast<int>(contact)];
 }
 
-ContactSurface::ContactSurface(const Polytope& a, const Polytope& b) { GaussOverlay(a, b, *this).run(); }
+namespace {
+
+/// Below that a surface is made sooner than it is found.
+constexpr int kLeastStored = 200;  // vertices of one times those of the other
+
+bool put_polytope(const Polytope& p, plane::ByteWriter& out) {
+  out.put_all(p.vertices());
+  out.put_all(p.half_edges());
+  for (int v = 0; v < p.vertex_count(); ++v) out.put(p.outgoing(v));
+  return true;
+}
+
+}  // namespace
+
+ContactSurface::ContactSurface(const Polytope& a, const Polytope& b) {
+  const auto make = [&] {
+    ContactSurface made;
+    GaussOverlay(a, b, made).run();
+    return made;
+  };
+  if (a.vertex_count() * b.vertex_count() < kLeastStored)
+    *this = make();
+  else
+    *this = plane::stored<ContactSurface>(
+        {"contact surface", [&](plane::ByteWriter& out) { return put_polytope(a, out) && put_polytope(b, out); }, make,
+         write, read});
+}
+
+bool ContactSurface::write(const ContactSurface& s, plane::ByteWriter& out) {
+  out.put_all(std::span(s.vertices_));
+  out.put_all(std::span(s.pairs_));
+  out.put_all(std::span(s.first_));
+  out.put_all(std::span(s.corners_));
+  out.put_all(std::span(s.planes_));
+  out.put_all(std::span(s.contacts_));
+  out.put_all(std::span(s.features_));
+  return true;
+}
+
+std::optional<ContactSurface> ContactSurface::read(plane::ByteReader& in) {
+  ContactSurface s;
+  s.vertices_ = in.take_all<Point>();
+  s.pairs_ = in.take_all<std::array<int, 2>>();
+  s.first_ = in.take_all<int>();
+  s.corners_ = in.take_all<int>();
+  s.planes_ = in.take_all<Plane>();
+  s.contacts_ = in.take_all<Contact>();
+  s.features_ = in.take_all<std::array<int, 2>>();
+  return s;
+}
 
 ContactSurface::ContactSurface(const Polytope& a, const Point& b) : first_{0} {
   for (int v = 0; v < a.vertex_count(); ++v) {

@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plane/base/bytes.h"
 #include "space/polytope/polytope.h"
 
 namespace findspace::space {
@@ -61,6 +62,9 @@ class ContactSurface {
 
  private:
   friend class GaussOverlay;
+  ContactSurface() = default;
+  static bool write(const ContactSurface& surface, plane::ByteWriter& out);
+  static std::optional<ContactSurface> read(plane::ByteReader& in);
   void add_facet(std::vector<int> circuit, const Plane& plane, Contact contact, std::array<int, 2> features);
 
   std::vector<Point> vertices_;

@@ -58,23 +58,35 @@ void RaySummarizer::take(Interval interval, int i, int j) {
   summary_.points += part.longest <= 0;
 }
 
-void RaySummarizer::add(int j, const RayRow& row) {
-  now_.assign(grid_.nu, {});
-  for (int i = 0; i < grid_.nu; ++i) {
+RowIntervals intervals_of(const RayRow& row) {
+  RowIntervals out;
+  const auto put = [&](int line, double from, double to) {
+    out.lines.push_back(line);
+    out.from.push_back(from);
+    out.to.push_back(to);
+  };
+  for (int i = 0; i < static_cast<int>(row.before.size()); ++i) {
     bool in = row.before[i] <= 0;
     double from = 0;
     for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
       const RayEvent& event = row.events[e];
-      summary_.precision = std::max(summary_.precision, event.at.radius / static_cast<double>(grid_.parts));
+      out.radius = std::max(out.radius, event.at.radius);
       if (in && e == row.first[i]) from = event.at.value;  // from below all events
       const bool here = event.here <= 0, after = event.after <= 0;
-      if (in && !(here && after)) take({from, event.at.value, 0}, i, j);
-      if (!in && here && !after) take({event.at.value, event.at.value, 0}, i, j);
+      if (in && !(here && after)) put(i, from, event.at.value);
+      if (!in && here && !after) put(i, event.at.value, event.at.value);
       if (after && !(in && here)) from = event.at.value;
       in = after;
     }
-    ++summary_.lines;
   }
+  return out;
+}
+
+void RaySummarizer::add(int j, const RowIntervals& row) {
+  now_.assign(grid_.nu, {});
+  summary_.precision = std::max(summary_.precision, row.radius / static_cast<double>(grid_.parts));
+  for (std::size_t k = 0; k < row.lines.size(); ++k) take({row.from[k], row.to[k], 0}, row.lines[k], j);
+  summary_.lines += grid_.nu;
   end_row();
 }
 

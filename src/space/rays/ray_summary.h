@@ -31,11 +31,21 @@ struct RaySummary {
   std::int64_t lines = 0, intervals = 0, points = 0;  // points: intervals of length 0
 };
 
+/// The intervals of the region on the lines of a row, from line to line; signs of at most 0 belong to it. Intervals
+/// without end are cut at their last event.
+struct RowIntervals {
+  std::vector<std::int32_t> lines;
+  std::vector<double> from, to;
+  double radius = 0;  // the largest bound of the rounding of a place
+};
+RowIntervals intervals_of(const RayRow& row);
+
 class RaySummarizer {
  public:
   explicit RaySummarizer(const RayGrid& grid) : grid_(grid) {}
-  /// Rows in order. Signs of at most 0 belong to the region. Intervals without end are cut at their last event.
-  void add(int j, const RayRow& row);
+  /// Rows in order.
+  void add(int j, const RayRow& row) { add(j, intervals_of(row)); }
+  void add(int j, const RowIntervals& row);
   RaySummary finish();
 
  private:
