@@ -22,6 +22,7 @@ struct Sides {
 
 struct Pad {
   std::string name;  // "U3.14"
+  Sides sides;       // that its copper is on
   plane::ShapePtr copper;
 };
 

@@ -69,6 +69,13 @@ void include_pad(const Sexpr& pad, const Real& footprint_degrees, Extent& box) {
   box.include(x + w * c + h * s, y + w * s + h * c);
 }
 
+/// Of a pad: "*.Cu" is both; solder paste and mask do not count.
+Sides copper_sides(const Sexpr& pad, const LayerNames& names) {
+  std::vector<std::string> layers = layers_of(pad, names);
+  std::erase_if(layers, [](const std::string& l) { return !l.ends_with(".Cu"); });
+  return sides_of(layers);
+}
+
 /// The box in hundredths of a millimetre, rounded outwards.
 ShapePtr box_of(const Extent& box, const Affine& map, ReadContext& context, const std::string& place) {
   const auto out = [](double value, bool up) {
@@ -189,7 +196,8 @@ Part PartReader::read(const Sexpr& footprint, const std::string& name) {
     if (shapes.hole) board.holes.push_back(shapes.hole);
     const std::string pad = item.item(0).text();
     part.through = part.through || (!part.smd && item.item(1).text() == "thru_hole");
-    if (!pad.empty()) part.pads.push_back({fmt::format("{}.{}", name, pad), std::move(shapes.copper)});
+    if (!pad.empty())
+      part.pads.push_back({fmt::format("{}.{}", name, pad), copper_sides(item, layer), std::move(shapes.copper)});
   });
   Layers layers(context);
   read_graphics(footprint, map, layer, layers, edges);
