@@ -128,23 +128,28 @@ class BoardCheck {
     formula::Context context = session_.context();
     context.moving = {kSelf};
     std::erase(context.empty, "others");
-    const auto gone = [&](const std::string& name) { return name == self.part->name || empty.count(name) > 0; };
+    const auto gone = [&](const std::string& name) { return empty.count(name) > 0; };
     std::erase_if(context.shapes, gone);
     std::erase(context.shapes, "others");
     if (empty.count("others") == 0) context.shapes.push_back("others");
+    context.all.clear();
+    for (const StandingPart* other : members("others", self)) context.all.push_back(other->part->name);
     context.empty.insert(context.empty.end(), empty.begin(), empty.end());
     for (auto& [list, names] : context.groups)
       std::replace(names.begin(), names.end(), self.part->name, std::string(kSelf));
     return context;
   }
 
-  /// Whether the atom is asked of every pair: the gap of a list is the least one, so all are greater or one is less.
-  static bool is_of_pairs(const formula::Atom& a) {
+  static bool is_gap(const formula::Atom& a) {
     const auto& d = a.distance;
-    const bool gap = d.mode == formula::Mode::kPlain && !a.minimum && a.more.empty() &&
-                     (d.kind == formula::Kind::kGamma1 || d.kind == formula::Kind::kD1);
-    return gap && a.relation != formula::Relation::kEqual && a.relation != formula::Relation::kNotEqual &&
+    return d.mode == formula::Mode::kPlain && !a.minimum && a.more.empty() &&
+           (d.kind == formula::Kind::kGamma1 || d.kind == formula::Kind::kD1) &&
            d.first == std::vector<std::string>{kSelf};
+  }
+
+  /// Whether the atom is asked of every pair: a gap that is least over a list keeps a distance from all of it.
+  static bool is_of_pairs(const formula::Atom& a) {
+    return is_gap(a) && (a.relation == formula::Relation::kGreater || a.relation == formula::Relation::kGreaterEqual);
   }
 
   /// Whether the part may be as near as the level of a gap.
@@ -160,7 +165,7 @@ class BoardCheck {
   std::set<std::string> others(const formula::Atom& atom, const StandingPart& self) const {
     std::set<std::string> out;
     const auto add = [&](const StandingPart& part) {
-      if (is_near(part, atom.level, self)) out.insert(part.part->name);
+      if (&part != &self && is_near(part, atom.level, self)) out.insert(part.part->name);
     };
     for (const std::string& name : atom.distance.second) {
       if (const auto part = by_name_.find(name); part != by_name_.end())
@@ -187,9 +192,10 @@ class BoardCheck {
       return out;
     }
     const formula::Atom& atom = formula.atoms()[node.atom];
+    // A part is neither too near to itself nor too far from itself.
+    if (is_gap(atom) && atom.distance.second == std::vector<std::string>{self.part->name}) return {Op::kTrue, 0, {}};
     if (!is_of_pairs(atom)) return add(atom);
-    const bool all = atom.relation == formula::Relation::kGreater || atom.relation == formula::Relation::kGreaterEqual;
-    out = {all ? Op::kAnd : Op::kOr, 0, {}};
+    out = {Op::kAnd, 0, {}};
     for (const std::string& other : others(atom, self)) {
       formula::Atom pair = atom;
       pair.distance.second = {other};

@@ -15,6 +15,7 @@
 #include "planning/planar/sequential.h"
 #include "planning/planar/simultaneous.h"
 #include "run_limits.h"
+#include "scenery.h"
 #include "session.h"
 #include "space_commands.h"
 
@@ -52,13 +53,24 @@ std::string cut_file(const Session& session, const Problem& problem, const Answe
 std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
   std::vector<std::string> names;
   for (const plane::ShapePtr& s : session.scene().shapes) names.push_back(s->name);
-  return io::placement_svg(problem, answer.poses,
-                           {"Placement, " + answer.result.method,
-                            session.scene().place.pairs.text,
-                            {},
-                            session.unit(),
-                            io::standing_still(problem, names),
-                            session.scene().y_down});
+  io::PlacementPicture out{"Placement, " + answer.result.method,
+                           session.scene().place.pairs.text,
+                           {},
+                           session.unit(),
+                           io::standing_still(problem, names),
+                           session.scene().y_down};
+  if (const io::Board* board = session.scene().board.get()) {
+    std::vector<std::string> moved;
+    for (const auto& body : problem.bodies) moved.push_back(body.shapes[0]);
+    out.is_board = true;
+    out.copper = copper_of(*board, moved, session.scene().grid.step_size());
+    const io::Placement& place = session.scene().place;
+    out.subtitle = place.each.text;
+    for (const auto* texts : {&place.constraints, &place.minimize})
+      for (const io::FormulaText& f : *texts)
+        if (f.text != "grid") out.subtitle += (texts == &place.constraints ? " and " : "; least ") + f.text;
+  }
+  return io::placement_svg(problem, answer.poses, out);
 }
 
 /// Angles as they are counted where y runs downwards: counter-clockwise as it is seen.

@@ -37,6 +37,7 @@ struct Part {
   Sides courtyard;                    // the sides that its body occupies
   plane::ShapePtr body;               // the union of its courtyards, or what stands in for them; null for a drawing
   bool stands_in = false;             // the body is the box about pads and outline
+  bool joined = false;                // ends of its courtyards that lie apart were joined
   bool unlike = false;                // its courtyards on the two sides differ
   std::vector<Pad> pads;
 };

@@ -155,6 +155,7 @@ class SceneMaker {
       if (k.sides.meet(sides_)) here.push_back(keep_outs.back());
     }
     std::vector<ShapePtr> others = fixed([&](const Part& p) { return p.courtyard.meet(sides_); });
+    for (const ShapePtr& part : others) scene_.all_shapes.push_back(part->name);
     others.insert(others.end(), here.begin(), here.end());
     add_list("others", std::move(others));
     add_parts("parts", [](const Part&) { return true; });

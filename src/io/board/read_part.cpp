@@ -20,7 +20,8 @@ using plane::ShapePtr;
 
 /// The layers of a footprint that count.
 struct Layers {
-  explicit Layers(ReadContext& context) : front(context), back(context), body(context), silk(context) {}
+  explicit Layers(ReadContext& context)
+      : front(context, kCourtyardGap), back(context, kCourtyardGap), body(context), silk(context) {}
   Graphics front, back;  // courtyards
   Graphics body, silk;   // in the footprint's own coordinates
 };
@@ -118,6 +119,7 @@ bool use_courtyards(Layers& layers, Part& part, Board& board, const Grid& grid) 
                                         show(double(p.x) * grid.step_size()), show(double(p.y) * grid.step_size())));
       return false;
     }
+    part.joined = part.joined || drawn.joined() > 0;
     sides[k] = *std::move(closed);
     (k == 0 ? part.courtyard.front : part.courtyard.back) = true;
   }
