@@ -24,7 +24,7 @@
 namespace findspace::app {
 namespace {
 
-constexpr const char* kSelf = "self";
+constexpr const char *kSelf = "self", *kHoles = "holes";
 
 /// What the rules are without --where. Where a part stands at an angle its points are put on the grid of a millionth of
 /// a millimetre, so that bodies drawn side by side may overlap by up to two steps.
@@ -41,6 +41,13 @@ std::string own_rules(const io::Board& board) {
 /// A part, what it occupies and the box about that.
 struct StandingPart {
   const io::Part* part;
+  plane::Region region;
+  plane::PieceBox box;
+};
+
+/// A drilled hole; `part` owns it, or is empty.
+struct DrilledHole {
+  std::string part;
   plane::Region region;
   plane::PieceBox box;
 };
@@ -110,11 +117,26 @@ class BoardCheck {
   void build_named() {
     if (bodies_.empty()) return;
     const formula::Formula formula = session_.formula(rules_, context(bodies_.front(), {}));
+    if (formula.shapes().count(kHoles) > 0) build_holes();
     std::vector<plane::ShapePtr> shapes;
     for (const std::string& name : formula.shapes())
       if (const plane::ShapePtr shape = session_.scene().find(name); shape && !is_parts(name)) shapes.push_back(shape);
     std::vector<plane::Region> built = session_.regions(shapes);
     for (std::size_t k = 0; k < built.size(); ++k) named_.emplace(shapes[k]->name, std::move(built[k]));
+  }
+
+  void build_holes() {
+    std::vector<plane::ShapePtr> shapes;
+    for (const io::Hole& hole : board_.holes) shapes.push_back(hole.shape);
+    std::vector<plane::Region> built = session_.regions(shapes);
+    const double step = session_.step().to_double();
+    for (std::size_t k = 0; k < built.size(); ++k) {
+      const auto box = plane::extent(built[k]);
+      if (!box) continue;
+      const std::string name = fmt::format("hole at {} {}", io::shown((box->x0 + box->x1) / 2 * step),
+                                           io::shown((box->y0 + box->y1) / 2 * step));
+      holes_.insert_or_assign(name, DrilledHole{board_.holes[k].part, std::move(built[k]), *box});
+    }
   }
 
   /// A list whose members are bodies: not `holes` or the copper of a net.
@@ -153,23 +175,27 @@ class BoardCheck {
   }
 
   /// Whether the part may be as near as the level of a gap.
-  bool is_near(const StandingPart& other, const exact::Real& level, const StandingPart& self) const {
+  bool is_near(const plane::PieceBox& other, const exact::Real& level, const StandingPart& self) const {
     const double steps = std::max(0.0, (level / session_.step()).to_double());
     const double reach =
         steps * (1 + margin::kWiderBox) + 1;  // no sign: what is left out is farther away than the level
     const plane::PieceBox& b = self.box;
-    return plane::PieceBox{b.x0 - reach, b.y0 - reach, b.x1 + reach, b.y1 + reach}.meets(other.box);
+    return plane::PieceBox{b.x0 - reach, b.y0 - reach, b.x1 + reach, b.y1 + reach}.meets(other);
   }
 
   /// What a rule about these shapes and lists is asked of, one by one.
   std::set<std::string> others(const formula::Atom& atom, const StandingPart& self) const {
     std::set<std::string> out;
     const auto add = [&](const StandingPart& part) {
-      if (&part != &self && is_near(part, atom.level, self)) out.insert(part.part->name);
+      if (&part != &self && is_near(part.box, atom.level, self)) out.insert(part.part->name);
     };
     for (const std::string& name : atom.distance.second) {
       if (const auto part = by_name_.find(name); part != by_name_.end())
         add(bodies_[part->second]);
+      else if (name == kHoles)
+        for (const auto& [hole, drilled] : holes_) {
+          if (drilled.part != self.part->name && is_near(drilled.box, atom.level, self)) out.insert(hole);
+        }
       else if (!is_parts(name))
         out.insert(name);
       else
@@ -230,8 +256,12 @@ class BoardCheck {
     for (const std::string& name : formula.shapes()) {
       if (name == kSelf) continue;
       if (!is_parts(name)) {
-        const auto part = by_name_.find(name);
-        world.shapes.emplace(name, part == by_name_.end() ? named_.at(name) : bodies_[part->second].region);
+        if (const auto part = by_name_.find(name); part != by_name_.end())
+          world.shapes.emplace(name, bodies_[part->second].region);
+        else if (const auto hole = holes_.find(name); hole != holes_.end())
+          world.shapes.emplace(name, hole->second.region);
+        else
+          world.shapes.emplace(name, named_.at(name));
         continue;
       }
       std::vector<const plane::Region*> regions;
@@ -250,6 +280,7 @@ class BoardCheck {
   std::vector<StandingPart> bodies_;
   std::map<std::string, std::size_t> by_name_;  // of bodies
   std::map<std::string, plane::Region> named_;
+  std::map<std::string, DrilledHole> holes_;
 };
 
 std::string anchor(const io::Part& part, const exact::Real& step) {

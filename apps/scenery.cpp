@@ -37,7 +37,8 @@ std::vector<io::CopperLayer> copper_of(const io::Board& board, const std::vector
   }
   for (const io::Copper& c : board.tracks) shapes.emplace_back(layer_of(io::sides_of(c.layers)), c.shape);
   for (const io::Copper& c : board.vias) shapes.emplace_back(kThrough, c.shape);
-  for (const plane::ShapePtr& hole : board.holes) shapes.emplace_back(kHole, hole);
+  for (const io::Hole& hole : board.holes)
+    if (std::find(moving.begin(), moving.end(), hole.part) == moving.end()) shapes.emplace_back(kHole, hole.shape);
   std::vector<plane::Region> built(shapes.size());
   plane::parallel_for(shapes.size(), [&](std::size_t k) { built[k] = plane::build(*shapes[k].second, step).region; });
   for (std::size_t k = 0; k < built.size(); ++k) out[shapes[k].first].regions.push_back(std::move(built[k]));

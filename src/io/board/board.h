@@ -56,14 +56,20 @@ struct Copper {
   plane::ShapePtr shape;
 };
 
+/// Drilled, of a pad or a via.
+struct Hole {
+  std::string part;  // empty of a via
+  plane::ShapePtr shape;
+};
+
 struct Board {
   std::string file;  // as messages call it
   plane::ShapePtr outline;
   std::vector<Part> parts;
   std::vector<KeepOut> keep_outs;
   std::vector<Copper> tracks, vias, zones;
-  std::vector<plane::ShapePtr> holes;  // drilled, of pads and vias
-  std::vector<std::string> notes;      // what the reader of the result should know
+  std::vector<Hole> holes;
+  std::vector<std::string> notes;  // what the reader of the result should know
 
   const Part* find(std::string_view name) const;
 };

@@ -165,7 +165,10 @@ class SceneMaker {
     add_parts("back", [](const Part& p) { return p.mounted.back; });
     add_parts("locked", [](const Part& p) { return p.locked; });
     add_list("keepouts", std::move(keep_outs));
-    add_list("holes", board_.holes);
+    std::vector<ShapePtr> holes;
+    for (const Hole& hole : board_.holes)
+      if (hole.part.empty() || movers_.count(board_.find(hole.part)) == 0) holes.push_back(hole.shape);
+    add_list("holes", std::move(holes));
   }
 
   void add_parts(const std::string& name, const std::function<bool(const Part&)>& wanted) {

@@ -108,7 +108,7 @@ class BoardReader {
     const Real size = context_.grid.steps(item.need("size").item(0).number() / Real(2));
     board_.vias.push_back({net_of(item), layers_of(item, names), disc(p, size, item.place())});
     if (const auto drill = item.find("drill"))
-      board_.holes.push_back(disc(p, context_.grid.steps(drill->item(0).number() / Real(2)), item.place()));
+      board_.holes.push_back({"", disc(p, context_.grid.steps(drill->item(0).number() / Real(2)), item.place())});
   }
 
   void read_outline() {

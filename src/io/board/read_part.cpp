@@ -195,7 +195,7 @@ Part PartReader::read(const Sexpr& footprint, const std::string& name) {
     if (item.is("zone")) add_keep_out(item, layer, context, board);
     if (!item.is("pad")) return;
     PadShapes shapes = read_pad(item, map, context);
-    if (shapes.hole) board.holes.push_back(shapes.hole);
+    if (shapes.hole) board.holes.push_back({name, shapes.hole});
     const std::string pad = item.item(0).text();
     part.through = part.through || (!part.smd && item.item(1).text() == "thru_hole");
     if (!pad.empty())
