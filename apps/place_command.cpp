@@ -59,9 +59,18 @@ std::string picture(const Session& session, const Problem& problem, const Answer
                            session.unit(),
                            io::standing_still(problem, names),
                            session.scene().y_down};
+  std::vector<plane::Region> parts;
   if (const io::Board* board = session.scene().board.get()) {
     std::vector<std::string> moved;
     for (const auto& body : problem.bodies) moved.push_back(body.shapes[0]);
+    std::vector<plane::ShapePtr> shapes;
+    for (const io::Part& part : board->parts)
+      if (part.body && std::find(moved.begin(), moved.end(), part.name) == moved.end())
+        shapes.push_back(session.scene().shape(part.name));
+    parts = session.regions(shapes);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      out.parts.push_back({shapes[k]->name, &parts[k], is_behind(board, shapes[k]->name)});
+    std::erase_if(out.fixed, [&](const std::string& name) { return name != "board" && name.find('.') == name.npos; });
     out.is_board = true;
     out.copper = copper_of(*board, moved, session.scene().grid.step_size());
     const io::Placement& place = session.scene().place;

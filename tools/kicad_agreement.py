@@ -113,7 +113,7 @@ def compare_pairs(program, path, report):
     ours = {}
     for broken in run(program, "check", path, "--where", "clear(self, others)")["broken"]:
         for atom in broken["check"]["atoms"]:
-            other = atom["text"][len("clear(self, "):-1].strip("'")
+            other = atom["text"][len("clear(self, "):-1].strip("'\"")
             ours[tuple(sorted((broken["part"], other)))] = atom["value"]
     only_ours = {pair: gap for pair, gap in ours.items() if pair not in theirs}
     return len(theirs & ours.keys()), only_ours, theirs - ours.keys()

@@ -186,6 +186,61 @@ class WholeBoards(Folder):
         self.assertEqual(self.check(text, "--where", "gap(self, front) <= gap(self, others)"), {})
 
 
+    def test_holes_of_a_part_are_its_own(self):
+        hole = '(pad "1" thru_hole circle (at 0 0) (size 1 1) (drill 0.6) (layers "*.Cu" "*.Mask"))'
+        drilled = lambda *at: boxes(*at).replace("(attr smd)", f"(attr through_hole) {hole}")
+        self.assertEqual(self.check(drilled("10 10", "30 10"), "--where", "clear(self, holes)"), {})
+        near = self.check(drilled("10 10", "12.2 10"), "--where", "clear(self, holes)")
+        self.assertEqual(near, {("R1", 'clear(self, "hole at 12.2 10")'): -0.1, ("R2", 'clear(self, "hole at 10 10")'): -0.1})
+        # It takes them along, so they are in its way nowhere.
+        done = self.run_program("check", self.write(drilled("10 10", "30 10")), "--move", "R1", "--where",
+                                "clear(R1, holes)", "--at", "11,10")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_near_and_far(self):
+        text = board(8)
+        for word, same in (("near(R1.2, R2.1, 9mm)", "gap(R1.2, R2.1) <= 9mm"), ("far(R1, R2, 3mm)", "gap(R1, R2) >= 3mm")):
+            areas = []
+            for where in (word, same):
+                done = self.run_program("map", self.write(text), "--move", "R1", "--where", f"inside(R1, board) and {where}",
+                                        "--json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                areas.append(json.loads(done.stdout)["area"])
+            self.assertGreater(areas[0], 1)
+            self.assertEqual(areas[0], areas[1])
+
+    def test_all_are_the_parts(self):
+        done = self.run_program("map", self.write(boxes("10 10", "20 10", "30 10")), "--move", "R1", "--where",
+                                "inside(R1, board) and clear(R1, all except R3)", "--json")
+        wanted = self.run_program("map", self.write(boxes("10 10", "20 10", "30 10")), "--move", "R1", "--where",
+                                  "inside(R1, board) and clear(R1, R2)", "--json")
+        self.assertEqual(json.loads(done.stdout)["area"], json.loads(wanted.stdout)["area"])
+
+
+class Pictures(Folder):
+    def test_the_names_of_parts_stand_in_them(self):
+        text = boxes("4 4", "10 4", "16 4", "22 4", "28 4", "4 10", "10 10", "16 10", "22 10", "28 10")
+        done = self.run_program("check", self.write(text), "-o", self.path("b.svg"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("b.svg"), encoding="utf-8") as file:
+            svg = file.read()
+        ticks = {int(n): float(x) for x, n in re.findall(r'class="tick" text-anchor="middle" x="([\d.]+)"[^>]*>(\d+)<', svg)}
+        scale = (ticks[30] - ticks[10]) / 20
+        for k in range(10):
+            x = float(re.search(rf'class="label" x="([\d.]+)"[^>]*>R{k + 1}<', svg).group(1))
+            self.assertLess(abs((x - ticks[10]) / scale + 10 - (4 + 6 * (k % 5))), 2, f"R{k + 1}")
+
+    def test_copper_is_coloured_by_its_side(self):
+        text = board(8).replace('(layers "F.Cu"))', '(layers "F.Cu" "F.Mask"))', 1)
+        done = self.run_program("map", self.write(text), "--move", "R3", "--where", "inside(R3, board)", "-o",
+                                self.path("m.svg"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("m.svg"), encoding="utf-8") as file:
+            svg = file.read()
+        self.assertEqual(len(re.findall(r'<path class="copper-front"', svg)), 1)  # one path: overlaps are not seen
+        self.assertNotIn('<path class="copper-back"', svg)
+
+
 class Courtyards(Folder):
     def test_ends_that_lie_apart_are_joined_as_kicad_does(self):
         # The left line ends at -1.99, the lower one at -2; followed from the first line the lower end is met first.

@@ -56,13 +56,10 @@ std::string placement_svg(const planning::Problem& problem, const planning::Pose
   p.y_down = picture.y_down;
   p.small_names = picture.is_board;
   p.copper = picture.copper;
-  for (const std::string& name : picture.fixed) {
-    const auto parts = problem.world.parts.find(name);
-    if (picture.is_board && parts != problem.world.parts.end())
-      for (const auto& [part, region] : parts->second) p.fixed.push_back({part, &region});
-    else if (problem.world.shapes.count(name) > 0)
+  for (const std::string& name : picture.fixed)
+    if (problem.world.shapes.count(name) > 0)
       p.fixed.push_back({picture.is_board && name == "board" ? "" : name, &*problem.world.shapes.at(name)});
-  }
+  p.fixed.insert(p.fixed.end(), picture.parts.begin(), picture.parts.end());
   const PlacedRegions placed = placed_regions(problem, poses);
   p.placed = placed.named();
   return picture_svg(p);
