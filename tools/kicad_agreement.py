@@ -32,7 +32,7 @@ import pcbnew
 NANOMETRES = 1_000_000
 REMOVED = []  # what was taken from a board: pcbnew fails once Python forgets it
 EPSILON = 0.000003  # millimetres: KiCad's DRC takes a nanometre off each courtyard, and puts it on its grid again
-ARCS = 0.02  # millimetres that KiCad's polygons may be off where a courtyard is round (its error for outlines)
+ARCS = 0.04  # millimetres: where a courtyard is round KiCad's polygon of it may be 0.02 off, of two round ones both are
 
 
 def run(program, *arguments):
