@@ -57,6 +57,18 @@ struct Broken {
   formula::Check check;
 };
 
+bool is_gap(const formula::Atom& a) {
+  const auto& d = a.distance;
+  return d.mode == formula::Mode::kPlain && !a.minimum && a.more.empty() &&
+         (d.kind == formula::Kind::kGamma1 || d.kind == formula::Kind::kD1) &&
+         d.first == std::vector<std::string>{kSelf};
+}
+
+/// Whether the atom is asked of every pair: a gap that is least over a list keeps a distance from all of it.
+bool is_of_pairs(const formula::Atom& a) {
+  return is_gap(a) && (a.relation == formula::Relation::kGreater || a.relation == formula::Relation::kGreaterEqual);
+}
+
 class BoardCheck {
  public:
   explicit BoardCheck(const Session& session) : session_(session), board_(*session.scene().board) {
@@ -80,9 +92,6 @@ class BoardCheck {
   const std::string& rules() const { return rules_.text; }
 
  private:
-  /// Lists of bodies: those of the scene, and `others`.
-  bool is_list(const std::string& name) const { return name == "others" || session_.scene().groups.count(name) > 0; }
-
   std::vector<const StandingPart*> members(const std::string& list, const StandingPart& self) const {
     std::vector<const StandingPart*> out;
     const auto group = session_.scene().groups.find(list);
@@ -160,18 +169,6 @@ class BoardCheck {
     for (auto& [list, names] : context.groups)
       std::replace(names.begin(), names.end(), self.part->name, std::string(kSelf));
     return context;
-  }
-
-  static bool is_gap(const formula::Atom& a) {
-    const auto& d = a.distance;
-    return d.mode == formula::Mode::kPlain && !a.minimum && a.more.empty() &&
-           (d.kind == formula::Kind::kGamma1 || d.kind == formula::Kind::kD1) &&
-           d.first == std::vector<std::string>{kSelf};
-  }
-
-  /// Whether the atom is asked of every pair: a gap that is least over a list keeps a distance from all of it.
-  static bool is_of_pairs(const formula::Atom& a) {
-    return is_gap(a) && (a.relation == formula::Relation::kGreater || a.relation == formula::Relation::kGreaterEqual);
   }
 
   /// Whether the part may be as near as the level of a gap.

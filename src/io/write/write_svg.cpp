@@ -189,8 +189,11 @@ class PictureWriter {
     if (p_.nearest) out.push_back({M::kNearest, p_.nearest_text});
     for (LegendEntry& e : dimension_entries(p_.dimensions)) out.push_back(std::move(e));
     for (LegendEntry& e : arrow_entries(p_.arrows)) out.push_back(std::move(e));
+    const auto pads = std::count_if(placed_.begin(), placed_.end(), [&](const Drawn& d) {
+      return p_.small_names && d.name.find('.') != std::string::npos;
+    });
     if (!placed_.empty())
-      out.push_back({M::kMoving, fmt::format("{}: {}", p_.placed_text, placed_.size()), p_.placed_style});
+      out.push_back({M::kMoving, fmt::format("{}: {}", p_.placed_text, std::ssize(placed_) - pads), p_.placed_style});
     if (around_) out.push_back({M::kAround, p_.around_text});
     for (const CopperLayer& layer : p_.copper)
       if (!layer.text.empty()) out.push_back({M::kCopper, layer.text, layer.style});
