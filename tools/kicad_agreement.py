@@ -3,12 +3,17 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Asks KiCad's own rule check and findspace the same question: may this part stand here?
 
-    tools/kicad_agreement.py PROGRAM BOARD... [--positions 1000] [--seed 1] [--keep FOLDER]
+    tools/kicad_agreement.py PROGRAM BOARD... [--positions 1000] [--seed 1] [--round] [--keep FOLDER]
 
-Positions are drawn near the boundary of the region that findspace gives, from a millionth of a millimetre to a tenth
-off it. Each is given to `findspace check` and to KiCad's DRC, whose courtyard check counts. Also every board is saved
-by KiCad in its own format first, and the copy that `findspace place` writes is opened by KiCad again and compared:
-nothing but the moved parts may differ. Needs Debian's kicad (its Python module pcbnew); no test needs it.
+Every board is saved by KiCad in its own format first, with the courtyards and nothing else. Then three questions:
+
+* Which pairs of parts overlap? KiCad's DRC and `findspace check` of the whole board have to name the same.
+* May a part stand there? Positions are drawn near the boundary of the region that findspace gives, from a millionth of
+  a millimetre to a tenth off it. Each is given to `findspace check` and to KiCad's DRC.
+* Is the copy right that `findspace place` writes? KiCad opens it, and nothing but the moved parts may differ.
+
+KiCad takes polygons for round courtyards: here those polygons are drawn in their stead, so that both programs are asked
+of the same shapes. With --round they stay as they are. Needs Debian's kicad (its Python module pcbnew); no test needs it.
 """
 
 import argparse
@@ -16,6 +21,8 @@ import json
 import math
 import os
 import random
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,8 +30,9 @@ import tempfile
 import pcbnew
 
 NANOMETRES = 1_000_000
-EPSILON = 0.0005  # millimetres of overlap that KiCad's DRC forgives (DRCEpsilon of its advanced settings)
-ARCS = 0.02  # millimetres that KiCad's polygons may be off where a courtyard is round (its error for outlines)
+REMOVED = []  # what was taken from a board: pcbnew fails once Python forgets it
+EPSILON = 0.000003  # millimetres: KiCad's DRC takes a nanometre off each courtyard, and puts it on its grid again
+ARCS = 0.04  # millimetres: where a courtyard is round KiCad's polygon of it may be 0.02 off, of two round ones both are
 
 
 def run(program, *arguments):
@@ -35,25 +43,85 @@ def run(program, *arguments):
     return json.loads(done.stdout)
 
 
-def only_courtyards(path, folder):
+def rings_of(polygons):
+    """The corners of all outlines and holes."""
+    return [[(corner.x, corner.y) for corner in (polygons.CVertex(n, k, hole)
+                                                 for n in range(polygons.VertexCount(k, hole)))]
+            for k in range(polygons.OutlineCount()) for hole in range(-1, polygons.HoleCount(k))]
+
+
+def draw_rings(footprint, layer, rings):
+    """The courtyard on a layer as KiCad's own polygons of it."""
+    for item in [i for i in footprint.GraphicalItems() if i.GetLayer() == layer]:
+        footprint.Remove(item)
+        REMOVED.append(item)
+    for ring in rings:
+        for start, end in zip(ring, ring[1:] + ring[:1]):
+            line = pcbnew.FP_SHAPE(footprint, pcbnew.SHAPE_T_SEGMENT)
+            line.SetLayer(layer)
+            line.SetWidth(50000)
+            line.SetStart(pcbnew.wxPoint(*start))
+            line.SetEnd(pcbnew.wxPoint(*end))
+            line.SetLocalCoord()
+            footprint.Add(line)
+
+
+def is_round(footprint, layer):
+    straight = (pcbnew.SHAPE_T_SEGMENT, pcbnew.SHAPE_T_RECT, pcbnew.SHAPE_T_POLY)
+    return any(i.GetShape() not in straight for i in footprint.GraphicalItems()
+               if i.GetLayer() == layer and isinstance(i, pcbnew.FP_SHAPE))
+
+
+def only_courtyards(path, folder, keep_round):
     """The board as this KiCad writes it, without parts that draw no courtyard and without copper."""
-    board = pcbnew.LoadBoard(path)
-    footprints = list(board.GetFootprints())
-    for item in list(board.GetTracks()) + list(board.Zones()):
-        board.Delete(item)
-    for footprint in footprints:
-        footprint.BuildCourtyardCaches()
-        closed = [footprint.GetCourtyard(layer).OutlineCount() for layer in (pcbnew.F_CrtYd, pcbnew.B_CrtYd)]
-        if not any(closed):
-            board.Delete(footprint)
     out = os.path.join(folder, os.path.basename(path))
+    shutil.copy(path, out)  # alone: a project beside it may say that overlaps are to be ignored
+    os.chmod(out, 0o644)
+    board = pcbnew.LoadBoard(out)
+    rings = {}
+    for footprint in board.GetFootprints():
+        footprint.BuildCourtyardCaches()
+        for layer in (pcbnew.F_CrtYd, pcbnew.B_CrtYd):
+            rings[footprint.GetReference(), layer] = rings_of(footprint.GetCourtyard(layer))
+    for footprint in list(board.GetFootprints()):
+        drawn = {layer: rings[footprint.GetReference(), layer] for layer in (pcbnew.F_CrtYd, pcbnew.B_CrtYd)}
+        for layer, corners in drawn.items():
+            if corners and not keep_round and is_round(footprint, layer):
+                draw_rings(footprint, layer, corners)
+        if not any(drawn.values()):
+            board.Remove(footprint)
+            REMOVED.append(footprint)
+    for item in list(board.GetTracks()) + list(board.Zones()):
+        board.Remove(item)
+        REMOVED.append(item)
     pcbnew.SaveBoard(out, board)
     return out
 
 
+def overlaps(board, report):
+    """The pairs of parts whose courtyards overlap, as KiCad's DRC says."""
+    pcbnew.WriteDRCReport(board, report, pcbnew.EDA_UNITS_MILLIMETRES, False)
+    with open(report, encoding="utf-8") as lines:
+        blocks = lines.read().split("\n[")
+    names = [re.findall(r"Footprint (\S+)", b) for b in blocks if b.startswith("courtyards_overlap]")]
+    return {tuple(sorted(pair)) for pair in names}
+
+
+def compare_pairs(program, path, report):
+    """Pairs that both find, and those that only one does, with the gap where findspace has one."""
+    theirs = overlaps(pcbnew.LoadBoard(path), report)
+    ours = {}
+    for broken in run(program, "check", path, "--where", "clear(self, others)")["broken"]:
+        for atom in broken["check"]["atoms"]:
+            other = atom["text"][len("clear(self, "):-1].strip("'\"")
+            ours[tuple(sorted((broken["part"], other)))] = atom["value"]
+    only_ours = {pair: gap for pair, gap in ours.items() if pair not in theirs}
+    return len(theirs & ours.keys()), only_ours, theirs - ours.keys()
+
+
 def boundary(program, path, part):
     """Straight pieces and arcs of the boundary of the region, as functions of a parameter in 0..1 with their length."""
-    region = run(program, "map", path, "--move", part, "--where", f"clear({part}, others)")
+    region = run(program, "map", path, "--move", part, "--where", f"clear('{part}', others)")
     at = [v["at"] for v in region["cells"]["vertices"]]
     pieces = []
     for edge in region["cells"]["edges"]:
@@ -78,12 +146,7 @@ def near_boundary(pieces, rng):
 def kicad_allows(board, footprint, position, report):
     """Whether KiCad's DRC finds no courtyard of this part overlapping another."""
     footprint.SetPosition(pcbnew.wxPoint(*position))
-    pcbnew.WriteDRCReport(board, report, pcbnew.EDA_UNITS_MILLIMETRES, False)
-    with open(report, encoding="utf-8") as lines:
-        blocks = lines.read().split("\n[")
-    name = footprint.GetReference()
-    words = [b.split() for b in blocks if b.startswith("courtyards_overlap]")]
-    return not any(name in block for block in words)
+    return not any(footprint.GetReference() in pair for pair in overlaps(board, report))
 
 
 def decimal(nanometres):
@@ -92,20 +155,22 @@ def decimal(nanometres):
 
 
 def compare(program, path, count, rng, folder):
-    """Positions asked, allowed by both, and those on which the two differ."""
+    """How many positions both allow, how many were asked, and those on which the two differ."""
     board = pcbnew.LoadBoard(path)
     parts = [f for f in board.GetFootprints() if f.GetReference().rstrip("*")]
     report = os.path.join(folder, "drc.txt")
-    allowed, differ, pieces = 0, [], {}
-    for _ in range(count):
+    allowed, asked, differ, pieces = 0, 0, [], {}
+    while asked < count and parts:
         footprint = rng.choice(parts)
         name, home = footprint.GetReference(), footprint.GetPosition()
         if name not in pieces:
             pieces[name] = boundary(program, path, name)
         if not pieces[name]:
+            parts.remove(footprint)  # it may stand nowhere or everywhere
             continue
+        asked += 1
         position = near_boundary(pieces[name], rng)
-        answer = run(program, "check", path, "--move", name, "--where", f"clear({name}, others)", "--at",
+        answer = run(program, "check", path, "--move", name, "--where", f"clear('{name}', others)", "--at",
                      ",".join(decimal(c) for c in position))
         ours, theirs = answer["true"], kicad_allows(board, footprint, position, report)
         footprint.SetPosition(home)
@@ -113,7 +178,7 @@ def compare(program, path, count, rng, folder):
         if ours != theirs:
             witness = json.dumps(answer["atoms"][0].get("witness", {}))
             differ.append((name, position, ours, answer["atoms"][0].get("value"), '"arc"' in witness))
-    return allowed, differ
+    return allowed, asked, differ
 
 
 def copy_opens(program, path, folder):
@@ -135,12 +200,33 @@ def copy_opens(program, path, folder):
     return f"{part} placed, KiCad opens the copy, moved there: {', '.join(moved) or 'nothing'}"
 
 
+def report_of(asked, path, rng, folder):
+    """Prints what the two say of a board; the number of contradictions beyond what KiCad forgives."""
+    stripped = only_courtyards(path, folder, asked.round)
+    both, ours, theirs = compare_pairs(asked.program, stripped, os.path.join(folder, "drc.txt"))
+    pairs = {pair: gap for pair, gap in ours.items() if gap < -EPSILON}
+    print(f"{os.path.basename(path)}: {both} pairs overlap, {len(ours) - len(pairs)} more by at most {EPSILON:f} mm; "
+          f"only findspace: {pairs or 'none'}, only KiCad: {theirs or 'none'}")
+    allowed, asked_of, differ = compare(asked.program, stripped, asked.positions // len(asked.boards), rng, folder)
+    forgiven = [d for d in differ if abs(d[3]) <= EPSILON]
+    rounded = [d for d in differ if asked.round and EPSILON < abs(d[3]) <= EPSILON + ARCS and d[4]]
+    beyond = [d for d in differ if d not in forgiven and d not in rounded]
+    print(f"  {asked_of} positions, {allowed} allowed by both, {len(differ)} differ: {len(forgiven)} by at most "
+          f"{EPSILON:f} mm, {len(rounded)} more at arcs by at most {ARCS} mm (its polygons), {len(beyond)} by more")
+    for name, position, ours_allows, gap, _ in beyond:
+        print(f"    {name} at {','.join(decimal(c) for c in position)}: "
+              f"{'allowed' if ours_allows else 'refused'} by findspace, gap {gap}")
+    print("  " + copy_opens(asked.program, stripped, folder), flush=True)
+    return len(beyond) + len(pairs) + len(theirs)
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("program")
     arguments.add_argument("boards", nargs="+")
     arguments.add_argument("--positions", type=int, default=1000)
     arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--round", action="store_true", help="leave round courtyards as they are")
     arguments.add_argument("--keep", help="where the boards that KiCad wrote stay")
     asked = arguments.parse_args()
     rng = random.Random(asked.seed)
@@ -149,20 +235,7 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = asked.keep or temporary
         for path in asked.boards:
-            stripped = only_courtyards(path, folder)
-            count = asked.positions // len(asked.boards)
-            allowed, differ = compare(asked.program, stripped, count, rng, folder)
-            forgiven = [d for d in differ if abs(d[3]) <= EPSILON]
-            rounded = [d for d in differ if EPSILON < abs(d[3]) <= EPSILON + ARCS and d[4]]
-            beyond = [d for d in differ if d not in forgiven and d not in rounded]
-            print(f"{os.path.basename(path)}: {count} positions, {allowed} allowed by both, {len(differ)} differ: "
-                  f"{len(forgiven)} by at most {EPSILON} mm (KiCad's tolerance), {len(rounded)} more at arcs by at most "
-                  f"{ARCS} mm (its polygons), {len(beyond)} by more")
-            for name, position, ours, gap, _ in beyond:
-                print(f"  {name} at {','.join(decimal(c) for c in position)}: "
-                      f"{'allowed' if ours else 'refused'} by findspace, gap {gap}")
-            print("  " + copy_opens(asked.program, stripped, folder))
-            worst = max(worst, len(beyond))
+            worst += report_of(asked, path, rng, folder)
     return worst > 0
 
 

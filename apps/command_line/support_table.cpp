@@ -29,6 +29,11 @@ nearest feasible position | exact · fast
 whole region, every distance and level | exact · fast
 positions on a line | exact · fast
 along a direction, every level | exact · fast
+# Sums of distances, and distances compared
+truth at a position | exact · quick
+region, where both sides are equal on lines and circles | exact · fast
+region, other curves | inner, outer · slow
+least value | enclosed · slow
 # Least values (`-> min`, `minimize`, `maximize`)
 `reach`, `eta2`, `delta2` | exact · fast
 other distances | exact or enclosed 1e-13 · slow

@@ -174,6 +174,7 @@ formula::Context Session::context() const {
   context.dimension = scene_.dimension;
   context.empty = scene_.empty_lists;
   context.groups = scene_.groups;
+  context.all = scene_.all_shapes;
   context.work_limit = scene_.work_limit;
   return context;
 }

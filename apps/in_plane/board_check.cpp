@@ -19,16 +19,35 @@
 #include "plane/complex/overlay.h"
 #include "plane/query/measure_cells_twofold.h"
 #include "report/position_report.h"
+#include "report/scenery.h"
 
 namespace findspace::app {
 namespace {
 
-constexpr const char* kSelf = "self";
-constexpr const char* kRules = "inside(self, board) and clear(self, others)";
+constexpr const char *kSelf = "self", *kHoles = "holes";
+
+/// What the rules are without --where. Where a part stands at an angle its points are put on the grid of a millionth of
+/// a millimetre, so that bodies drawn side by side may overlap by up to two steps.
+std::string own_rules(const io::Board& board) {
+  const bool turned = std::any_of(board.parts.begin(), board.parts.end(), [](const io::Part& p) {
+    const exact::Real quarters = p.degrees / exact::Real(90);
+    return p.body && !(exact::Real(floor(quarters)) == quarters);
+  });
+  const char* room = turned ? ", -0.000002mm" : "";
+  return fmt::format("inside(self, board{0}) and clear(self, others{0}){1}", room,
+                     board.keep_outs.empty() ? "" : fmt::format(" and clear(self, keepouts{})", room));
+}
 
 /// A part, what it occupies and the box about that.
 struct StandingPart {
   const io::Part* part;
+  plane::Region region;
+  plane::PieceBox box;
+};
+
+/// A drilled hole; `part` owns it, or is empty.
+struct DrilledHole {
+  std::string part;
   plane::Region region;
   plane::PieceBox box;
 };
@@ -38,11 +57,23 @@ struct Broken {
   formula::Check check;
 };
 
+bool is_gap(const formula::Atom& a) {
+  const auto& d = a.distance;
+  return d.mode == formula::Mode::kPlain && !a.minimum && a.more.empty() &&
+         (d.kind == formula::Kind::kGamma1 || d.kind == formula::Kind::kD1) &&
+         d.first == std::vector<std::string>{kSelf};
+}
+
+/// Whether the atom is asked of every pair: a gap that is least over a list keeps a distance from all of it.
+bool is_of_pairs(const formula::Atom& a) {
+  return is_gap(a) && (a.relation == formula::Relation::kGreater || a.relation == formula::Relation::kGreaterEqual);
+}
+
 class BoardCheck {
  public:
   explicit BoardCheck(const Session& session) : session_(session), board_(*session.scene().board) {
-    rules_ = session.scene().where.empty() ? io::FormulaText{kRules, "--where", 1, 1} : session.scene().where;
-    if (session.scene().where.empty() && !board_.keep_outs.empty()) rules_.text += " and clear(self, keepouts)";
+    rules_ =
+        session.scene().where.empty() ? io::FormulaText{own_rules(board_), "--where", 1, 1} : session.scene().where;
     build_bodies();
     build_named();
   }
@@ -61,9 +92,6 @@ class BoardCheck {
   const std::string& rules() const { return rules_.text; }
 
  private:
-  /// Lists of bodies: those of the scene, and `others`.
-  bool is_list(const std::string& name) const { return name == "others" || session_.scene().groups.count(name) > 0; }
-
   std::vector<const StandingPart*> members(const std::string& list, const StandingPart& self) const {
     std::vector<const StandingPart*> out;
     const auto group = session_.scene().groups.find(list);
@@ -88,7 +116,9 @@ class BoardCheck {
     std::vector<plane::Region> built = session_.regions(shapes);
     for (std::size_t k = 0; k < built.size(); ++k) {
       const auto box = plane::extent(built[k]);
-      if (box) bodies_.push_back({parts[k], std::move(built[k]), *box});
+      if (!box) continue;
+      by_name_.emplace(parts[k]->name, bodies_.size());
+      bodies_.push_back({parts[k], std::move(built[k]), *box});
     }
   }
 
@@ -96,18 +126,31 @@ class BoardCheck {
   void build_named() {
     if (bodies_.empty()) return;
     const formula::Formula formula = session_.formula(rules_, context(bodies_.front(), {}));
+    if (formula.shapes().count(kHoles) > 0) build_holes();
     std::vector<plane::ShapePtr> shapes;
-    std::set<std::string> names;
-    for (const formula::Atom& a : formula.atoms())
-      for (const auto* side : {&a.distance.first, &a.distance.second}) names.insert(side->begin(), side->end());
-    for (const std::string& name : names)
+    for (const std::string& name : formula.shapes())
       if (const plane::ShapePtr shape = session_.scene().find(name); shape && !is_parts(name)) shapes.push_back(shape);
     std::vector<plane::Region> built = session_.regions(shapes);
     for (std::size_t k = 0; k < built.size(); ++k) named_.emplace(shapes[k]->name, std::move(built[k]));
   }
 
+  void build_holes() {
+    std::vector<plane::ShapePtr> shapes;
+    for (const io::Hole& hole : board_.holes) shapes.push_back(hole.shape);
+    std::vector<plane::Region> built = session_.regions(shapes);
+    const double step = session_.step().to_double();
+    for (std::size_t k = 0; k < built.size(); ++k) {
+      const auto box = plane::extent(built[k]);
+      if (!box) continue;
+      const std::string name = fmt::format("hole at {} {}", io::shown((box->x0 + box->x1) / 2 * step),
+                                           io::shown((box->y0 + box->y1) / 2 * step));
+      holes_.insert_or_assign(name, DrilledHole{board_.holes[k].part, std::move(built[k]), *box});
+    }
+  }
+
   /// A list whose members are bodies: not `holes` or the copper of a net.
   bool is_parts(const std::string& name) const {
+    if (by_name_.count(name) > 0) return false;
     const auto group = session_.scene().groups.find(name);
     return name == "others" || (group != session_.scene().groups.end() && !group->second.empty());
   }
@@ -116,74 +159,125 @@ class BoardCheck {
     formula::Context context = session_.context();
     context.moving = {kSelf};
     std::erase(context.empty, "others");
-    const auto gone = [&](const std::string& name) { return name == self.part->name || empty.count(name) > 0; };
+    const auto gone = [&](const std::string& name) { return empty.count(name) > 0; };
     std::erase_if(context.shapes, gone);
     std::erase(context.shapes, "others");
     if (empty.count("others") == 0) context.shapes.push_back("others");
+    context.all.clear();
+    for (const StandingPart* other : members("others", self)) context.all.push_back(other->part->name);
     context.empty.insert(context.empty.end(), empty.begin(), empty.end());
     for (auto& [list, names] : context.groups)
       std::replace(names.begin(), names.end(), self.part->name, std::string(kSelf));
     return context;
   }
 
-  static bool is_gap(const formula::Atom& a) {
-    return a.distance.mode == formula::Mode::kPlain && !a.minimum &&
-           (a.distance.kind == formula::Kind::kGamma1 || a.distance.kind == formula::Kind::kD1);
+  /// Whether the part may be as near as the level of a gap.
+  bool is_near(const plane::PieceBox& other, const exact::Real& level, const StandingPart& self) const {
+    const double steps = std::max(0.0, (level / session_.step()).to_double());
+    const double reach =
+        steps * (1 + margin::kWiderBox) + 1;  // no sign: what is left out is farther away than the level
+    const plane::PieceBox& b = self.box;
+    return plane::PieceBox{b.x0 - reach, b.y0 - reach, b.x1 + reach, b.y1 + reach}.meets(other);
   }
 
-  /// The members of a list that matter: all, or those that may be nearer than the greatest level of a gap to them.
-  std::vector<const StandingPart*> near(const std::string& list, const formula::Formula& formula,
-                                        const StandingPart& self) const {
-    std::vector<const StandingPart*> all = members(list, self);
-    double level = 0;
-    for (const formula::Atom& a : formula.atoms()) {
-      const auto& names = a.distance.second;
-      if (std::find(names.begin(), names.end(), list) == names.end()) continue;
-      if (!is_gap(a)) return all;
-      level = std::max(level, (a.level / session_.step()).to_double());
+  /// What a rule about these shapes and lists is asked of, one by one.
+  std::set<std::string> others(const formula::Atom& atom, const StandingPart& self) const {
+    std::set<std::string> out;
+    const auto add = [&](const StandingPart& part) {
+      if (&part != &self && is_near(part.box, atom.level, self)) out.insert(part.part->name);
+    };
+    for (const std::string& name : atom.distance.second) {
+      if (const auto part = by_name_.find(name); part != by_name_.end())
+        add(bodies_[part->second]);
+      else if (name == kHoles)
+        for (const auto& [hole, drilled] : holes_) {
+          if (drilled.part != self.part->name && is_near(drilled.box, atom.level, self)) out.insert(hole);
+        }
+      else if (!is_parts(name))
+        out.insert(name);
+      else
+        for (const StandingPart* other : members(name, self)) add(*other);
     }
-    const double reach =
-        level * (1 + margin::kWiderBox) + 1;  // no sign: what is left out is farther away than the level
-    const plane::PieceBox& b = self.box;
-    const plane::PieceBox grown{b.x0 - reach, b.y0 - reach, b.x1 + reach, b.y1 + reach};
-    std::erase_if(all, [&](const StandingPart* other) { return !grown.meets(other->box); });
-    return all;
+    return out;
+  }
+
+  /// The formula's tree with an atom for each pair.
+  formula::Node by_pairs(const formula::Node& node, const formula::Formula& formula, const StandingPart& self,
+                         std::vector<formula::Atom>& atoms) const {
+    using Op = formula::Node::Op;
+    const auto add = [&](formula::Atom atom) {
+      atoms.push_back(std::move(atom));
+      return formula::Node{Op::kAtom, atoms.size() - 1, {}};
+    };
+    formula::Node out = node;
+    if (node.op != Op::kAtom) {
+      for (formula::Node& operand : out.operands) operand = by_pairs(operand, formula, self, atoms);
+      return out;
+    }
+    const formula::Atom& atom = formula.atoms()[node.atom];
+    // A part is neither too near to itself nor too far from itself.
+    if (is_gap(atom) && atom.distance.second == std::vector<std::string>{self.part->name}) return {Op::kTrue, 0, {}};
+    if (!is_of_pairs(atom)) return add(atom);
+    out = {Op::kAnd, 0, {}};
+    for (const std::string& other : others(atom, self)) {
+      formula::Atom pair = atom;
+      pair.distance.second = {other};
+      out.operands.push_back(add(std::move(pair)));
+    }
+    if (out.operands.size() == 1) return formula::Node(out.operands.front());
+    return out;
   }
 
   formula::Check check(const StandingPart& self) const {
-    const formula::Formula all = session_.formula(rules_, context(self, {}));
+    std::set<std::string> empty;
+    const formula::Formula named = session_.formula(rules_, context(self, {}));
+    for (const std::string& name : named.shapes())
+      if (is_parts(name) && members(name, self).empty()) empty.insert(name);
+    const formula::Formula all = empty.empty() ? named : session_.formula(rules_, context(self, empty));
+    std::vector<formula::Atom> atoms;
+    formula::Node root = by_pairs(all.root(), all, self, atoms);
+    const formula::Formula pairs(std::move(root), std::move(atoms));
+    formula::Check out = formula::Solver(world(pairs, self)).check(pairs, {exact::Real(0), exact::Real(0)});
+    // Of the pairs those that break the rule are said.
+    std::erase_if(out.atoms, [&](const formula::AtomAt& a) {
+      return a.holds && std::find(all.atoms().begin(), all.atoms().end(), a.atom) == all.atoms().end();
+    });
+    return out;
+  }
+
+  formula::World world(const formula::Formula& formula, const StandingPart& self) const {
     formula::World world;
     world.step = session_.step();
     world.moving = {kSelf};
     world.shapes.emplace(kSelf, self.region);
-    std::set<std::string> empty, names;
-    for (const formula::Atom& a : all.atoms()) names.insert(a.distance.second.begin(), a.distance.second.end());
-    for (const formula::Atom& a : all.atoms()) names.insert(a.distance.first.begin(), a.distance.first.end());
-    for (const std::string& name : names) {
+    for (const std::string& name : formula.shapes()) {
       if (name == kSelf) continue;
       if (!is_parts(name)) {
-        world.shapes.emplace(name, named_.at(name));
+        if (const auto part = by_name_.find(name); part != by_name_.end())
+          world.shapes.emplace(name, bodies_[part->second].region);
+        else if (const auto hole = holes_.find(name); hole != holes_.end())
+          world.shapes.emplace(name, hole->second.region);
+        else
+          world.shapes.emplace(name, named_.at(name));
         continue;
       }
       std::vector<const plane::Region*> regions;
-      for (const StandingPart* b : near(name, all, self)) {
+      for (const StandingPart* b : members(name, self)) {
         regions.push_back(&b->region);
         world.parts[name].emplace_back(b->part->name, b->region);
       }
-      if (regions.empty())
-        empty.insert(name);
-      else
-        world.shapes.emplace(name, plane::unite(regions));
+      world.shapes.emplace(name, plane::unite(regions));
     }
-    const formula::Formula formula = session_.formula(rules_, context(self, empty));
-    return formula::Solver(std::move(world)).check(formula, {exact::Real(0), exact::Real(0)});
+    return world;
   }
 
   const Session& session_;
   const io::Board& board_;
   io::FormulaText rules_;
   std::vector<StandingPart> bodies_;
+  std::map<std::string, std::size_t> by_name_;  // of bodies
   std::map<std::string, plane::Region> named_;
+  std::map<std::string, DrilledHole> holes_;
 };
 
 std::string anchor(const io::Part& part, const exact::Real& step) {
@@ -226,23 +320,30 @@ std::string picture_of(const Session& session, const BoardCheck& board, const st
   p.subtitle = board.rules();
   p.step = session.step();
   p.unit = session.unit();
-  p.y_down = true;
+  p.y_down = p.small_names = true;
+  const io::Board& on = *session.scene().board;
+  p.copper = copper_of(on, {}, session.scene().grid.step_size());
   p.of_positions = false;
+  constexpr double kSmall = 8;  // pixels of a number
+  p.placed_text = "parts that break the rules";
+  p.placed_style = "broken";
   std::set<const StandingPart*> bad;
   for (const auto& [name, region] : board.named())
-    if (name == "board") p.fixed.push_back({name, &region});
+    if (name == "board") p.fixed.push_back({"", &region});
   for (const Broken& b : broken) {
     bad.insert(b.body);
     p.placed.push_back({b.body->part->name, &b.body->region});
     for (const formula::AtomAt& a : b.check.atoms) {
       const auto& d = a.distance;
       if (a.holds || !d.answer || d.answer->witness.size() != 2) continue;
-      p.dimensions.push_back(
-          {spot(d.answer->witness[0].at), spot(d.answer->witness[1].at), io::shown(*d.value()), true});
+      // Of a pair that both break the rule the distance is drawn once.
+      if (const std::string& other = a.atom.distance.second[0]; other < b.body->part->name && on.find(other)) continue;
+      p.dimensions.push_back({spot(d.answer->witness[0].at), spot(d.answer->witness[1].at),
+                              fmt::format("{:.3g}", *d.value()), true, kSmall});
     }
   }
   for (const StandingPart& b : board.bodies())
-    if (bad.count(&b) == 0) p.fixed.push_back({b.part->name, &b.region});
+    if (bad.count(&b) == 0) p.fixed.push_back({b.part->name, &b.region, is_behind(&on, b.part->name)});
   p.dimensions = io::without_repetition(std::move(p.dimensions));
   return io::picture_svg(p);
 }

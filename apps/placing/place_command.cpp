@@ -17,6 +17,7 @@
 #include "placing/placement_problem.h"
 #include "planning/planar/sequential.h"
 #include "planning/planar/simultaneous.h"
+#include "report/scenery.h"
 
 namespace findspace::app {
 namespace {
@@ -52,13 +53,33 @@ std::string cut_file(const Session& session, const Problem& problem, const Answe
 std::string picture(const Session& session, const Problem& problem, const Answer& answer) {
   std::vector<std::string> names;
   for (const plane::ShapePtr& s : session.scene().shapes) names.push_back(s->name);
-  return io::placement_svg(problem, answer.poses,
-                           {"Placement, " + answer.result.method,
-                            session.scene().place.pairs.text,
-                            {},
-                            session.unit(),
-                            io::standing_still(problem, names),
-                            session.scene().y_down});
+  io::PlacementPicture out{"Placement, " + answer.result.method,
+                           session.scene().place.pairs.text,
+                           {},
+                           session.unit(),
+                           io::standing_still(problem, names),
+                           session.scene().y_down};
+  std::vector<plane::Region> parts;
+  if (const io::Board* board = session.scene().board.get()) {
+    std::vector<std::string> moved;
+    for (const auto& body : problem.bodies) moved.push_back(body.shapes[0]);
+    std::vector<plane::ShapePtr> shapes;
+    for (const io::Part& part : board->parts)
+      if (part.body && std::find(moved.begin(), moved.end(), part.name) == moved.end())
+        shapes.push_back(session.scene().shape(part.name));
+    parts = session.regions(shapes);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      out.parts.push_back({shapes[k]->name, &parts[k], is_behind(board, shapes[k]->name)});
+    std::erase_if(out.fixed, [&](const std::string& name) { return name != "board" && name.find('.') == name.npos; });
+    out.is_board = true;
+    out.copper = copper_of(*board, moved, session.scene().grid.step_size());
+    const io::Placement& place = session.scene().place;
+    out.subtitle = place.each.text;
+    for (const auto* texts : {&place.constraints, &place.minimize})
+      for (const io::FormulaText& f : *texts)
+        if (f.text != "grid") out.subtitle += (texts == &place.constraints ? " and " : "; least ") + f.text;
+  }
+  return io::placement_svg(problem, answer.poses, out);
 }
 
 /// Angles as they are counted where y runs downwards: counter-clockwise as it is seen.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "plane/query/measure_cells_twofold.h"
 #include "report/report_text.h"
 
@@ -49,7 +51,11 @@ std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
   const char* name = e.maximum ? "maximum" : "minimum";
   if (e.unbounded) return fmt::format("{}: there is none, the values have no bound\n", name);
   if (!e.value) return "";
-  return fmt::format("{} {}{}\n", name, size_text(*e.value, unit),
+  const std::string bound =
+      e.proven || !e.bound ? ""
+                           : fmt::format(", certain to {}: no position passes {}",
+                                         size_text(std::abs(*e.value - *e.bound), unit), size_text(*e.bound, unit));
+  return fmt::format("{} {}{}{}\n", name, size_text(*e.value, unit), bound,
                      e.attained ? "" : ", not attained: these are the positions on the closure");
 }
 

@@ -134,6 +134,129 @@ class Formats(Folder):
             self.assertIn("antenna", done.stdout)
 
 
+def boxes(*places):
+    """A board of KiCad 8 with parts R1, R2, ... of 4 x 2 mm at these places, "x y" or "x y angle"."""
+    form = FORMATS[8]
+    box = lines(form, "fp", "F.CrtYd", [(-2, -1), (2, -1), (2, 1), (-2, 1)])
+    edge = lines(form, "gr", "Edge.Cuts", [(0, 0), (40, 0), (40, 20), (0, 20)])
+    parts = "".join(part(form, f"R{k + 1}", at, box) for k, at in enumerate(places))
+    return f'(kicad_pcb (version 20240108) (generator pcbnew)\n  (layers {form["layers"]})\n{parts}  {edge}\n)\n'
+
+
+class WholeBoards(Folder):
+    def check(self, text, *arguments):
+        done = self.run_program("check", self.write(text), *arguments, "--json")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        result = json.loads(done.stdout)
+        self.assertEqual(result["holds"], done.returncode == 0)
+        return {(b["part"], a["text"]): a["value"] for b in result["broken"] for a in b["check"]["atoms"] if not a["true"]}
+
+    def test_every_pair_is_named_with_its_own_depth(self):
+        # R2 overlaps both neighbours by 0.5; to leave their union it would have to go farther.
+        text = boxes("10 10", "13.5 10", "17 10", "30 10")
+        self.assertEqual(self.check(text), {("R1", "clear(self, R2)"): -0.5, ("R2", "clear(self, R1)"): -0.5,
+                                            ("R2", "clear(self, R3)"): -0.5, ("R3", "clear(self, R2)"): -0.5})
+
+    def test_touching_is_no_overlap(self):
+        self.assertEqual(self.check(boxes("10 10", "14 10", "18 10")), {})
+        self.assertEqual(set(self.check(boxes("10 10", "13.999999 10"))),
+                         {("R1", "clear(self, R2)"), ("R2", "clear(self, R1)")})
+
+    def test_at_an_angle_the_grid_breaks_no_rule(self):
+        # The neighbour stands 2 mm away across, at 45 degrees: its place and corners are rounded to the grid.
+        touching = boxes("10 10 45", "11.414214 11.414213 45")
+        self.assertEqual(self.check(touching), {})
+        self.assertIn("-0.000002mm", self.run_program("check", self.write(touching)).stdout)
+        self.assertEqual(len(self.check(boxes("10 10 45", "11.414204 11.414203 45"))), 2)
+
+    def test_rules_of_many_kinds(self):
+        text = boxes("10 10", "14.3 10", "30 10")
+        near = {("R1", "gap(self, R2) >= 0.5"), ("R2", "gap(self, R1) >= 0.5")}
+        self.assertEqual(set(self.check(text, "--where", "gap(self, others) >= 0.5mm")), near)
+        self.assertEqual(set(self.check(text, "--where", "between(front, front) >= 0.5mm")), near)
+        self.assertEqual(set(self.check(text, "--where", "gap(self, all except R3) >= 0.5mm and clear(self, others)")),
+                         near)
+        # A rule that names a part asks nothing of that part.
+        self.assertEqual(set(self.check(text, "--where", "within(self, R1, 1mm)")), {("R3", "within(self, R1, 1)")})
+        self.assertEqual(set(self.check(text, "--where", "clear(self, R1, 1mm)")), {("R2", "clear(self, R1, 1)")})
+        # Somebody has to be near: R3 has nobody.
+        alone = self.check(text, "--where", "gap(self, others) <= 5mm")
+        self.assertEqual({p for p, _ in alone}, {"R3"})
+        # Distances compared: R1 and R2 are as near to the list as it is.
+        self.assertEqual(self.check(text, "--where", "gap(self, front) <= gap(self, others)"), {})
+
+
+    def test_holes_of_a_part_are_its_own(self):
+        hole = '(pad "1" thru_hole circle (at 0 0) (size 1 1) (drill 0.6) (layers "*.Cu" "*.Mask"))'
+        drilled = lambda *at: boxes(*at).replace("(attr smd)", f"(attr through_hole) {hole}")
+        self.assertEqual(self.check(drilled("10 10", "30 10"), "--where", "clear(self, holes)"), {})
+        near = self.check(drilled("10 10", "12.2 10"), "--where", "clear(self, holes)")
+        self.assertEqual(near, {("R1", 'clear(self, "hole at 12.2 10")'): -0.1, ("R2", 'clear(self, "hole at 10 10")'): -0.1})
+        # It takes them along, so they are in its way nowhere.
+        done = self.run_program("check", self.write(drilled("10 10", "30 10")), "--move", "R1", "--where",
+                                "clear(R1, holes)", "--at", "11,10")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_near_and_far(self):
+        text = board(8)
+        for word, same in (("near(R1.2, R2.1, 9mm)", "gap(R1.2, R2.1) <= 9mm"), ("far(R1, R2, 3mm)", "gap(R1, R2) >= 3mm")):
+            areas = []
+            for where in (word, same):
+                done = self.run_program("map", self.write(text), "--move", "R1", "--where", f"inside(R1, board) and {where}",
+                                        "--json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                areas.append(json.loads(done.stdout)["area"])
+            self.assertGreater(areas[0], 1)
+            self.assertEqual(areas[0], areas[1])
+
+    def test_all_are_the_parts(self):
+        done = self.run_program("map", self.write(boxes("10 10", "20 10", "30 10")), "--move", "R1", "--where",
+                                "inside(R1, board) and clear(R1, all except R3)", "--json")
+        wanted = self.run_program("map", self.write(boxes("10 10", "20 10", "30 10")), "--move", "R1", "--where",
+                                  "inside(R1, board) and clear(R1, R2)", "--json")
+        self.assertEqual(json.loads(done.stdout)["area"], json.loads(wanted.stdout)["area"])
+
+
+class Pictures(Folder):
+    def test_the_names_of_parts_stand_in_them(self):
+        text = boxes("4 4", "10 4", "16 4", "22 4", "28 4", "4 10", "10 10", "16 10", "22 10", "28 10")
+        done = self.run_program("check", self.write(text), "-o", self.path("b.svg"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("b.svg"), encoding="utf-8") as file:
+            svg = file.read()
+        ticks = {int(n): float(x) for x, n in re.findall(r'class="tick" text-anchor="middle" x="([\d.]+)"[^>]*>(\d+)<', svg)}
+        scale = (ticks[30] - ticks[10]) / 20
+        for k in range(10):
+            x = float(re.search(rf'class="label" x="([\d.]+)"[^>]*>R{k + 1}<', svg).group(1))
+            self.assertLess(abs((x - ticks[10]) / scale + 10 - (4 + 6 * (k % 5))), 2, f"R{k + 1}")
+
+    def test_copper_is_coloured_by_its_side(self):
+        text = board(8).replace('(layers "F.Cu"))', '(layers "F.Cu" "F.Mask"))', 1)
+        done = self.run_program("map", self.write(text), "--move", "R3", "--where", "inside(R3, board)", "-o",
+                                self.path("m.svg"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("m.svg"), encoding="utf-8") as file:
+            svg = file.read()
+        self.assertEqual(len(re.findall(r'<path class="copper-front"', svg)), 1)  # one path: overlaps are not seen
+        self.assertNotIn('<path class="copper-back"', svg)
+
+
+class Courtyards(Folder):
+    def test_ends_that_lie_apart_are_joined_as_kicad_does(self):
+        # The left line ends at -1.99, the lower one at -2; followed from the first line the lower end is met first.
+        form = FORMATS[8]
+        corners = [((2, 1), (2, -1)), ((2, 1), (-2, 1)), ((-1.99, -1), (-2, 1)), ((-2, -1), (2, -1)), ((-2, -1), (2, -1))]
+        loose = "\n".join(f'(fp_line (start {a[0]} {a[1]}) (end {b[0]} {b[1]}) (layer "F.CrtYd") {form["stroke"]})'
+                          for a, b in corners)
+        edge = lines(form, "gr", "Edge.Cuts", [(0, 0), (40, 0), (40, 20), (0, 20)])
+        text = (f'(kicad_pcb (version 20240108) (generator pcbnew)\n  (layers {form["layers"]})\n'
+                + part(form, "R1", "10 10", loose) + f"  {edge}\n)\n")
+        done = self.run_program("map", self.write(text), "--move", "R1", "--where", "inside(R1, board)", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["bbox"], [[2, 1], [38, 19]])
+        self.assertIn("ends up to 0.02 mm apart were joined", done.stderr)
+
+
 class Copies(Folder):
     def test_only_the_moved_part_differs(self):
         for number in FORMATS:

@@ -78,6 +78,34 @@ def map3(*formulas, lines=0, **more):
     return lambda shapes: [(["map", "-", *extra], scene(shapes, where=f, space=1, **more)) for f in formulas]
 
 
+ROOM = {"box": {"min": [-9, -9], "max": [9, 9]}}
+# Two shapes a class on both sides of the room: as near as to one as to the other is what lies on a line.
+SIDES = {"polygons": [{"box": {"min": [s * 12 - 1, -40], "max": [s * 12 + 1, 40]}} for s in (-1, 1)],
+         "arcs": [{"disc": {"center": [s * 9, 0], "radius": 3}} for s in (-1, 1)],
+         "chains and points": [{"points": [[s * 9, 1]]} for s in (-1, 1)],
+         "complements": [{"complement": {"box": {"min": [-30 - s * 70, -100], "max": [30 - s * 70, 100]}}} for s in (-1, 1)]}
+SMALL = {"arcs": {"disc": {"center": [0, 0], "radius": 1}}, "chains and points": {"points": [[0, 0]]}}
+
+
+def sums2(verb, *formulas, at=None, **more):
+    """A and another shape of two corners, C, in a room R."""
+    other = {"polygon": [[8, 6], [10, 6], [9, 9], [8, 8]]}
+    place = ["--at", at] if at else []
+
+    def ask(shapes):
+        fixed = {"A": PLANE[shapes], "B": CHIP, "C": other, "R": ROOM}
+        return [([verb, "-", *place], {"findspace": 1, "shapes": fixed, "moving": "B", "where": f, **more}) for f in formulas]
+    return ask
+
+
+def bisectors2(*formulas):
+    def ask(shapes):
+        a, c = SIDES[shapes]
+        fixed = {"A": a, "C": c, "B": SMALL.get(shapes, CHIP), "R": ROOM}
+        return [(["map", "-"], {"findspace": 1, "shapes": fixed, "moving": "B", "where": f}) for f in formulas]
+    return ask
+
+
 def place2(names, method, pairs="clear(self, other)"):
     def ask(shapes):
         room = {"box": {"min": [-12, -12], "max": [12, 12]}}
@@ -124,6 +152,13 @@ IN_PLANE = {
                                                        "mu(B, A) <= 1", "reach(B, A) <= 9"),
         "positions on a line": map2("gap(B, A) >= 0.5", free=LINE2),
         "along a direction, every level": map2("gap(B, A, along=(1, 2)) >= 1", "gap(B, A, toward=(1, 0)) >= 0"),
+    },
+    "Sums of distances, and distances compared": {
+        "truth at a position": sums2("check", "gap(B, A) <= gap(B, C)", "gap(B, A) + 2 * gap(B, C) <= 25", at="6,5"),
+        "region, where both sides are equal on lines and circles": bisectors2(
+            "gap(B, A) <= gap(B, C) and inside(B, R)", "distance(B, A) < distance(B, C) and inside(B, R)"),
+        "region, other curves": sums2("map", "gap(B, A) + 2 * gap(B, C) <= 25 and inside(B, R)"),
+        "least value": sums2("map", "inside(B, R) and clear(B, C)", minimize="gap(B, A) + 2 * gap(B, C)"),
     },
     "Least values (-> min, minimize, maximize)": {
         "reach, eta2, delta2": map2("reach(B, A) -> min", "eta2(B, A) -> min"),

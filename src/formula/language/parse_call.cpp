@@ -302,7 +302,7 @@ std::vector<std::string> CallReader::standing(const std::vector<std::string>& wi
       return w == name || (list != context_.groups.end() && contains(list->second, name));
     });
   };
-  for (const std::string& name : context_.shapes)
+  for (const std::string& name : context_.all.empty() ? context_.shapes : context_.all)
     if (!moves(context_, name) && context_.groups.count(name) == 0 && !left_out(name)) out.push_back(name);
   return out;
 }

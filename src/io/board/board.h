@@ -22,6 +22,7 @@ struct Sides {
 
 struct Pad {
   std::string name;  // "U3.14"
+  Sides sides;       // that its copper is on
   plane::ShapePtr copper;
 };
 
@@ -36,6 +37,7 @@ struct Part {
   Sides courtyard;                    // the sides that its body occupies
   plane::ShapePtr body;               // the union of its courtyards, or what stands in for them; null for a drawing
   bool stands_in = false;             // the body is the box about pads and outline
+  bool joined = false;                // ends of its courtyards that lie apart were joined
   bool unlike = false;                // its courtyards on the two sides differ
   std::vector<Pad> pads;
 };
@@ -54,14 +56,20 @@ struct Copper {
   plane::ShapePtr shape;
 };
 
+/// Drilled, of a pad or a via.
+struct Hole {
+  std::string part;  // empty of a via
+  plane::ShapePtr shape;
+};
+
 struct Board {
   std::string file;  // as messages call it
   plane::ShapePtr outline;
   std::vector<Part> parts;
   std::vector<KeepOut> keep_outs;
   std::vector<Copper> tracks, vias, zones;
-  std::vector<plane::ShapePtr> holes;  // drilled, of pads and vias
-  std::vector<std::string> notes;      // what the reader of the result should know
+  std::vector<Hole> holes;
+  std::vector<std::string> notes;  // what the reader of the result should know
 
   const Part* find(std::string_view name) const;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "plane/contour/contour.h"
@@ -201,34 +203,77 @@ Extent Graphics::extent() const {
   return out;
 }
 
-/// Moves ends that meet no other end to the nearest such end within kGap.
-void Graphics::join_ends() {
-  joined_ = 0;
+/// A line that is drawn twice is one.
+void Graphics::drop_doubles() {
+  const auto key = [](const Piece& p) {
+    const bool turned = p.kind != Piece::Kind::kRadius && p.to < p.from;
+    const GridPoint through = p.kind == Piece::Kind::kThrough ? p.through : GridPoint{};
+    return std::tuple(p.kind, turned ? p.to : p.from, turned ? p.from : p.to, through);
+  };
+  std::set<decltype(key(pieces_[0]))> known;
+  std::erase_if(pieces_,
+                [&](const Piece& p) { return p.kind != Piece::Kind::kRadius && !known.insert(key(p)).second; });
+}
+
+/// Pairs of ends that meet no other end, each with the nearest such end within the gap.
+std::map<std::size_t, std::size_t> Graphics::partners() const {
   std::map<GridPoint, int> count;
-  for (const Piece& p : pieces_) {
-    ++count[p.from];
-    ++count[p.to];
-  }
-  std::vector<GridPoint*> open;
-  for (Piece& p : pieces_)
-    for (GridPoint* end : {&p.from, &p.to})
-      if (count[*end] == 1) open.push_back(end);
-  std::vector<bool> done(open.size(), false);
+  for (std::size_t k = 0; k < 2 * pieces_.size(); ++k) ++count[end(k)];
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < 2 * pieces_.size(); ++k)
+    if (count[end(k)] == 1) open.push_back(k);
+  std::map<std::size_t, std::size_t> out;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (done[i]) continue;
-    std::size_t best = i;
-    std::int64_t least = kGap * kGap + 1;
+    if (out.count(open[i]) > 0) continue;
+    std::size_t best = open[i];
+    std::int64_t least = gap_ * gap_ + 1;
     for (std::size_t j = i + 1; j < open.size(); ++j) {
-      const std::int64_t dx = open[j]->x - open[i]->x, dy = open[j]->y - open[i]->y;
-      if (done[j] || std::abs(dx) > kGap || std::abs(dy) > kGap || dx * dx + dy * dy >= least) continue;
-      best = j;
+      const std::int64_t dx = end(open[j]).x - end(open[i]).x, dy = end(open[j]).y - end(open[i]).y;
+      if (std::abs(dx) > gap_ || std::abs(dy) > gap_ || dx * dx + dy * dy >= least || out.count(open[j]) > 0) continue;
+      best = open[j];
       least = dx * dx + dy * dy;
     }
-    if (best == i) continue;
-    *open[best] = *open[i];
-    done[i] = done[best] = true;
-    ++joined_;
+    if (best == open[i]) continue;
+    out[open[i]] = best;
+    out[best] = open[i];
   }
+  return out;
+}
+
+/// Moves ends onto their partners. Where an outline is followed from its first piece on, the end that is met first
+/// stays: KiCad does so.
+void Graphics::join_ends() {
+  drop_doubles();
+  const std::map<std::size_t, std::size_t> partner = partners();
+  joined_ = static_cast<int>(partner.size() / 2);
+  if (partner.empty()) return;
+  std::multimap<GridPoint, std::size_t> at;
+  for (std::size_t k = 0; k < 2 * pieces_.size(); ++k)
+    if (partner.count(k) == 0) at.emplace(end(k), k);
+  std::vector<bool> done(pieces_.size(), false), moved(2 * pieces_.size(), false);
+  const auto next_of = [&](std::size_t k) -> std::optional<std::size_t> {
+    if (const auto joined = partner.find(k); joined != partner.end()) return joined->second;
+    const auto [low, high] = at.equal_range(end(k));
+    const auto found = std::find_if(low, high, [&](const auto& other) { return !done[other.second / 2]; });
+    return found == high ? std::nullopt : std::optional(found->second);
+  };
+  for (std::size_t first = 0; first < pieces_.size(); ++first) {
+    std::optional<std::size_t> k = 2 * first + 1;
+    while (k && !done[*k / 2]) {
+      done[*k / 2] = true;
+      const std::optional<std::size_t> next = next_of(*k);
+      if (next && partner.count(*k) > 0 && !moved[*k]) {
+        end(*next) = end(*k);
+        moved[*next] = moved[*k] = true;
+      }
+      k = next ? std::optional(*next ^ 1) : std::nullopt;
+    }
+  }
+  for (const auto& [a, b] : partner)
+    if (!moved[a]) {
+      end(b) = end(a);
+      moved[b] = true;
+    }
 }
 
 void Graphics::draw(const Piece& piece, Outline& outline) const {

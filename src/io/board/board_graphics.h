@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Lines, arcs, circles, rectangles and polygons of a board's file, and the closed outlines they make. Ends that lie no
-// farther apart than kGap are joined: the piece with the second end is moved to the first. Arcs are read in both
-// notations: centre, start and angle (KiCad 5), or three points; through its three points an arc is exact. Bézier
-// curves are read as segments no farther from them than kCurve; the context notes their places. Cost: O(n log n), and
-// the number of open ends squared. Keywords: Edge.Cuts, courtyard.
+// farther apart than a gap are joined: of the two the one stays that is met first on the way along the outline. Arcs
+// are read in both notations: centre, start and angle (KiCad 5), or three points; through its three points an arc is
+// exact. Bézier curves are read as segments no farther from them than kCurve; the context notes their places. Cost: O(n
+// log n), and the number of open ends squared. Keywords: Edge.Cuts, courtyard.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +20,8 @@
 
 namespace findspace::io {
 
-/// Ends of pieces of an outline that are joined, in grid steps: 0.01 mm, as KiCad does.
-inline constexpr std::int64_t kGap = 10000;
+/// Ends of pieces that are joined, in grid steps, as KiCad does: 0.01 mm of a board's outline, 0.02 mm of a courtyard.
+inline constexpr std::int64_t kGap = 10000, kCourtyardGap = 20000;
 /// How far a segment may depart from the Bézier curve that it is a part of, in grid steps: 0.0001 mm.
 inline constexpr std::int64_t kCurve = 100;
 
@@ -42,7 +44,7 @@ struct Extent {
 /// What is drawn on one layer.
 class Graphics {
  public:
-  explicit Graphics(ReadContext& context) : context_(context) {}
+  explicit Graphics(ReadContext& context, std::int64_t gap = kGap) : context_(context), gap_(gap) {}
 
   /// Draws an item such as (fp_line ...) or (gr_arc ...) through the map. False: it is no graphic item.
   bool add(const Sexpr& item, const Affine& map);
@@ -77,11 +79,17 @@ class Graphics {
   void circle(const Sexpr& item, const Affine& map);
   void rectangle(const Sexpr& item, const Affine& map);
   void curve(const Sexpr& item, const Affine& map);
+  void drop_doubles();
+  std::map<std::size_t, std::size_t> partners() const;
   void join_ends();
+  /// The first end of a piece at twice its index, and its second one.
+  plane::GridPoint& end(std::size_t k) { return k % 2 == 0 ? pieces_[k / 2].from : pieces_[k / 2].to; }
+  const plane::GridPoint& end(std::size_t k) const { return k % 2 == 0 ? pieces_[k / 2].from : pieces_[k / 2].to; }
   Drawing drawn();
   void draw(const Piece& piece, Outline& outline) const;
 
   ReadContext& context_;
+  std::int64_t gap_;
   std::vector<Piece> pieces_;
   std::vector<Circle> circles_;
   plane::GridPoint open_end_;

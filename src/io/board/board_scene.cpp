@@ -155,6 +155,7 @@ class SceneMaker {
       if (k.sides.meet(sides_)) here.push_back(keep_outs.back());
     }
     std::vector<ShapePtr> others = fixed([&](const Part& p) { return p.courtyard.meet(sides_); });
+    for (const ShapePtr& part : others) scene_.all_shapes.push_back(part->name);
     others.insert(others.end(), here.begin(), here.end());
     add_list("others", std::move(others));
     add_parts("parts", [](const Part&) { return true; });
@@ -164,7 +165,10 @@ class SceneMaker {
     add_parts("back", [](const Part& p) { return p.mounted.back; });
     add_parts("locked", [](const Part& p) { return p.locked; });
     add_list("keepouts", std::move(keep_outs));
-    add_list("holes", board_.holes);
+    std::vector<ShapePtr> holes;
+    for (const Hole& hole : board_.holes)
+      if (hole.part.empty() || movers_.count(board_.find(hole.part)) == 0) holes.push_back(hole.shape);
+    add_list("holes", std::move(holes));
   }
 
   void add_parts(const std::string& name, const std::function<bool(const Part&)>& wanted) {

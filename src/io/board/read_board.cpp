@@ -108,7 +108,7 @@ class BoardReader {
     const Real size = context_.grid.steps(item.need("size").item(0).number() / Real(2));
     board_.vias.push_back({net_of(item), layers_of(item, names), disc(p, size, item.place())});
     if (const auto drill = item.find("drill"))
-      board_.holes.push_back(disc(p, context_.grid.steps(drill->item(0).number() / Real(2)), item.place()));
+      board_.holes.push_back({"", disc(p, context_.grid.steps(drill->item(0).number() / Real(2)), item.place())});
   }
 
   void read_outline() {
@@ -140,6 +140,11 @@ class BoardReader {
       board_.notes.push_back(
           fmt::format("{} of {} parts draw no closed courtyard: the box about their pads and body stands in", stand_in,
                       board_.parts.size()));
+    const auto joined = std::find_if(board_.parts.begin(), board_.parts.end(), [](const Part& p) { return p.joined; });
+    if (joined != board_.parts.end())
+      board_.notes.push_back(fmt::format("the courtyards of {} parts, the first {}: ends up to {} mm apart were joined",
+                                         count([](const Part& p) { return p.joined; }), joined->name,
+                                         show(double(kCourtyardGap) * context_.grid.step_size())));
     const auto drawings = count([](const Part& p) { return p.body == nullptr; });
     if (drawings > 0)
       board_.notes.push_back(fmt::format("{} footprints are drawings without pads or body: left out", drawings));

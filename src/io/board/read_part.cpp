@@ -20,7 +20,8 @@ using plane::ShapePtr;
 
 /// The layers of a footprint that count.
 struct Layers {
-  explicit Layers(ReadContext& context) : front(context), back(context), body(context), silk(context) {}
+  explicit Layers(ReadContext& context)
+      : front(context, kCourtyardGap), back(context, kCourtyardGap), body(context), silk(context) {}
   Graphics front, back;  // courtyards
   Graphics body, silk;   // in the footprint's own coordinates
 };
@@ -69,6 +70,13 @@ void include_pad(const Sexpr& pad, const Real& footprint_degrees, Extent& box) {
   box.include(x + w * c + h * s, y + w * s + h * c);
 }
 
+/// Of a pad: "*.Cu" is both; solder paste and mask do not count.
+Sides copper_sides(const Sexpr& pad, const LayerNames& names) {
+  std::vector<std::string> layers = layers_of(pad, names);
+  std::erase_if(layers, [](const std::string& l) { return !l.ends_with(".Cu"); });
+  return sides_of(layers);
+}
+
 /// The box in hundredths of a millimetre, rounded outwards.
 ShapePtr box_of(const Extent& box, const Affine& map, ReadContext& context, const std::string& place) {
   const auto out = [](double value, bool up) {
@@ -111,6 +119,7 @@ bool use_courtyards(Layers& layers, Part& part, Board& board, const Grid& grid) 
                                         show(double(p.x) * grid.step_size()), show(double(p.y) * grid.step_size())));
       return false;
     }
+    part.joined = part.joined || drawn.joined() > 0;
     sides[k] = *std::move(closed);
     (k == 0 ? part.courtyard.front : part.courtyard.back) = true;
   }
@@ -186,10 +195,11 @@ Part PartReader::read(const Sexpr& footprint, const std::string& name) {
     if (item.is("zone")) add_keep_out(item, layer, context, board);
     if (!item.is("pad")) return;
     PadShapes shapes = read_pad(item, map, context);
-    if (shapes.hole) board.holes.push_back(shapes.hole);
+    if (shapes.hole) board.holes.push_back({name, shapes.hole});
     const std::string pad = item.item(0).text();
     part.through = part.through || (!part.smd && item.item(1).text() == "thru_hole");
-    if (!pad.empty()) part.pads.push_back({fmt::format("{}.{}", name, pad), std::move(shapes.copper)});
+    if (!pad.empty())
+      part.pads.push_back({fmt::format("{}.{}", name, pad), copper_sides(item, layer), std::move(shapes.copper)});
   });
   Layers layers(context);
   read_graphics(footprint, map, layer, layers, edges);

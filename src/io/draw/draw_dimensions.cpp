@@ -30,16 +30,21 @@ Place beside(const DimensionLine& line, const Frame& frame, double part, double 
   const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
   if (length < 1) return {at[0], at[1] - side * (kAside + kRing)};
   if (q[0] < p[0]) side = -side;
-  const double away = kAside + text_width(line.text) / 2 * std::abs(q[1] - p[1]) / length;
+  const double away =
+      kAside * line.font / kFontSize + text_width(line.text, line.font) / 2 * std::abs(q[1] - p[1]) / length;
   return {at[0] + side * away * (q[1] - p[1]) / length, at[1] - side * away * (q[0] - p[0]) / length};
 }
 
-bool texts_meet(const Place& p, std::string_view s, const Place& q, std::string_view t) {
-  return std::abs(p[0] - q[0]) < (text_width(s) + text_width(t)) / 2 + 6 && std::abs(p[1] - q[1]) < kFontSize + 3;
+double width_of(const DimensionLine& line) { return text_width(line.text, line.font); }
+
+bool texts_meet(const Place& p, const DimensionLine& s, const Place& q, const DimensionLine& t) {
+  const double height = std::max(s.font, t.font), apart = height / kFontSize;
+  return std::abs(p[0] - q[0]) < (width_of(s) + width_of(t)) / 2 + 6 * apart &&
+         std::abs(p[1] - q[1]) < height + 3 * apart;
 }
 
-bool in_frame(const Place& p, std::string_view text, const Frame& frame) {
-  const double w = text_width(text) / 2, h = kFontSize / 2;
+bool in_frame(const Place& p, const DimensionLine& line, const Frame& frame) {
+  const double w = width_of(line) / 2, h = line.font / 2;
   return p[0] - w >= frame.left && p[0] + w <= frame.left + frame.width() && p[1] - h >= frame.top &&
          p[1] + h <= frame.top + frame.height();
 }
@@ -64,9 +69,9 @@ std::vector<Place> text_places(const std::vector<DimensionLine>& all, const Fram
   for (const DimensionLine& line : all) {
     const auto is_free = [&](const Place& p) {
       for (std::size_t i = 0; i < out.size(); ++i) {
-        if (texts_meet(p, line.text, out[i], all[i].text)) return false;
+        if (texts_meet(p, line, out[i], all[i])) return false;
       }
-      return in_frame(p, line.text, frame);
+      return in_frame(p, line, frame);
     };
     Place at = beside(line, frame, 0.5, 1);
     for (const double part : {0.5, 0.3, 0.7, 0.1, 0.9}) {
@@ -96,7 +101,7 @@ std::string dimension_lines(const std::vector<DimensionLine>& all, const Frame& 
       lines += fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, pixels(x0), pixels(y0), pixels(x1),
                            pixels(y1)) +
                circle(x0, y0, kDot, " end") + circle(x1, y1, kDot, " end");
-    texts += label_text(places[i][0], places[i][1], d.text);
+    texts += label_text(places[i][0], places[i][1], d.text, d.font, false);
   }
   return lines + texts;
 }

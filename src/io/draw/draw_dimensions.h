@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/draw/draw_canvas.h"
+#include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
 
 namespace findspace::io {
@@ -17,6 +18,7 @@ struct DimensionLine {
   plane::Place from, to;
   std::string text;
   bool fails = false;
+  double font = kFontSize;  // of its text
 };
 
 /// Lines given twice are drawn once, as failing if one of them is.

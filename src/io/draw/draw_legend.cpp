@@ -19,7 +19,7 @@ constexpr std::size_t kMostLines = 3;  // of the title, and of what stands below
 constexpr double kTickDistance = 80, kTickFont = 10.5;
 
 /// The sign before an entry's text: a swatch of 18 by 12 pixels around the middle of a line at y.
-std::string sign(LegendEntry::Mark mark, double x, double y) {
+std::string sign(const LegendEntry& entry, double x, double y) {
   using M = LegendEntry::Mark;
   auto box = [&](const char* fill, const char* line) {
     return fmt::format(
@@ -33,7 +33,7 @@ std::string sign(LegendEntry::Mark mark, double x, double y) {
   auto dot = [&](const char* style, double r) {
     return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style, pixels(x + 9), pixels(y), r);
   };
-  switch (mark) {
+  switch (entry.mark) {
     case M::kFace:
       return box("face", "closed");
     case M::kClosed:
@@ -49,11 +49,14 @@ std::string sign(LegendEntry::Mark mark, double x, double y) {
     case M::kHollow:
       return dot("hollow", 2.6);
     case M::kCopper:
-      return box("copper", "copper-line");
+      return box(entry.style.c_str(), "copper-line");
     case M::kFixed:
       return box("fixed", "fixed-line");
+    case M::kBehind:
+      return box("behind", "behind-line");
     case M::kMoving:
-      return box("moving", "moving-line");
+      return entry.style.empty() ? box("moving", "moving-line")
+                                 : box(entry.style.c_str(), (entry.style + "-line").c_str());
     case M::kAround:
       return box("around", "around-line");
     case M::kArrow:
@@ -131,7 +134,7 @@ Block legend(const std::vector<LegendEntry>& entries, double left, double top, d
       x = left;
       y += kEntryLine;
     }
-    b.svg += sign(e.mark, x, y);
+    b.svg += sign(e, x, y);
     put(b.svg, "<text class=\"note\" x=\"{}\" y=\"{}\">{}</text>\n", pixels(x + kSwatch), pixels(y + kFontSize * 0.36),
         xml_escaped(e.text));
     x += needed + kEntryGap;
@@ -140,10 +143,18 @@ Block legend(const std::vector<LegendEntry>& entries, double left, double top, d
   return b;
 }
 
-std::string style_sheet(bool copper) {
-  constexpr const char* kCopper = R"(.copper { fill: #b87333; fill-opacity: .38; fill-rule: evenodd; stroke: none }
-.copper-line { stroke: #b87333; stroke-width: .5 }
-.copper-dot { fill: #b87333 }
+std::string style_sheet(bool board) {
+  // As layout programs colour the layers.
+  constexpr const char* kBoard = R"(.copper-front { fill: #c83434; fill-opacity: .5; stroke: none }
+.copper-back { fill: #4d7fc4; fill-opacity: .5; stroke: none }
+.copper-inner { fill: #5f9f5f; fill-opacity: .45; stroke: none }
+.copper-through { fill: #b8862f; fill-opacity: .75; stroke: none }
+.hole { fill: #fff; stroke: #7a5a20; stroke-width: .4 }
+.copper-line { stroke: none }
+.behind { fill: #4d7fc4; fill-opacity: .08; fill-rule: evenodd; stroke: none }
+.broken { fill: #f6b73c; fill-opacity: .3; fill-rule: evenodd; stroke: none }
+.broken-line { stroke: #a86c00; stroke-width: 1.1 }
+.behind-line { stroke: #35609c; stroke-width: 1; stroke-dasharray: 4 2 }
 )";
   return fmt::format(R"(<style>
 text {{ font-family: Inter, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; font-size: {}px; fill: #33383d }}
@@ -182,7 +193,7 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .pole {{ stroke: #5c3b00; stroke-width: 1.6; stroke-linecap: round }}
 </style>
 )",
-                     kFontSize, kTitleSize, kTickFont, copper ? kCopper : "");
+                     kFontSize, kTitleSize, kTickFont, board ? kBoard : "");
 }
 
 }  // namespace findspace::io

@@ -21,6 +21,7 @@ struct LegendEntry {
     kFull,
     kHollow,
     kFixed,
+    kBehind,
     kCopper,
     kMoving,
     kPole,
@@ -32,6 +33,7 @@ struct LegendEntry {
   };
   Mark mark = Mark::kFace;
   std::string text;
+  std::string style{};  // of kCopper and kMoving: its class
 };
 
 /// A block of the picture and its height in pixels.
@@ -47,7 +49,7 @@ std::string axes(const Frame& frame);
 Block scale_bar(const Frame& frame, std::string_view unit, double left, double top);
 Block legend(const std::vector<LegendEntry>& entries, double left, double top, double width);
 
-/// The classes that all parts of a picture use; those of copper where a picture has some.
-std::string style_sheet(bool copper = false);
+/// The classes that all parts of a picture use; those of a circuit board where a picture shows one.
+std::string style_sheet(bool board = false);
 
 }  // namespace findspace::io

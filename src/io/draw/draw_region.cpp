@@ -137,4 +137,16 @@ std::string outline(const CurveNet& net, const Frame& frame, std::string_view st
   return out;
 }
 
+std::string filled(const std::vector<Region>& shapes, const exact::Real& step, const Frame& frame,
+                   std::string_view style) {
+  std::string data;
+  for (const Region& shape : shapes) {
+    const CurveNet net(shape, step);
+    PathWriter faces(net, frame);
+    faces.add_faces();
+    data += faces.data();
+  }
+  return path(style, data);
+}
+
 }  // namespace findspace::io

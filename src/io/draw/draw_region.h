@@ -27,6 +27,10 @@ std::string region_lines(const CurveNet& net, const Frame& frame);
 /// A shape of the scene: fill and outline in the classes NAME and NAME-line, moved by `offset`.
 std::string outline(const CurveNet& net, const Frame& frame, std::string_view style, const plane::Place& offset = {});
 
+/// Shapes in one colour, as one path: where they overlap nothing is seen of it.
+std::string filled(const std::vector<plane::Region>& shapes, const exact::Real& step, const Frame& frame,
+                   std::string_view style);
+
 /// The same parts for other renderers: path data, and places in the frame.
 struct RegionDrawing {
   std::string faces, closed, open, free;           // path data, with all digits

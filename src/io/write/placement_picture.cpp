@@ -54,8 +54,12 @@ std::string placement_svg(const planning::Problem& problem, const planning::Pose
   p.unit = picture.unit;
   p.of_positions = false;
   p.y_down = picture.y_down;
+  p.small_names = picture.is_board;
+  p.copper = picture.copper;
   for (const std::string& name : picture.fixed)
-    if (problem.world.shapes.count(name) > 0) p.fixed.push_back({name, &*problem.world.shapes.at(name)});
+    if (problem.world.shapes.count(name) > 0)
+      p.fixed.push_back({picture.is_board && name == "board" ? "" : name, &*problem.world.shapes.at(name)});
+  p.fixed.insert(p.fixed.end(), picture.parts.begin(), picture.parts.end());
   const PlacedRegions placed = placed_regions(problem, poses);
   p.placed = placed.named();
   return picture_svg(p);

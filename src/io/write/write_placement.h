@@ -55,6 +55,9 @@ struct PlacementPicture {
   std::string unit;
   std::vector<std::string> fixed;  // names of the shapes that stand still
   bool y_down = false;
+  bool is_board = false;             // of circuits: its parts carry their names, its pads none
+  std::vector<NamedRegion> parts{};  // of a board: those that stand still
+  std::vector<CopperLayer> copper{};
 };
 std::string placement_svg(const planning::Problem& problem, const planning::Poses& poses,
                           const PlacementPicture& picture);

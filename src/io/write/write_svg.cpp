@@ -31,9 +31,10 @@ Bounds moved(const Bounds& b, const Place& by) {
 struct Drawn {
   std::string name;
   CurveNet net;
+  bool behind;
   std::optional<Bounds> bounds;  // of curves and points
 
-  Drawn(const NamedRegion& r, const exact::Real& step) : name(r.name), net(*r.region, step) {
+  Drawn(const NamedRegion& r, const exact::Real& step) : name(r.name), net(*r.region, step), behind(r.behind) {
     for (const Curve& k : net.curves()) include(bounds, net.bounds(k));
     for (plane::Index v : net.vertices()) include(bounds, {net.at(v), net.at(v)});
   }
@@ -44,7 +45,6 @@ class PictureWriter {
   explicit PictureWriter(const Picture& p) : p_(p), position_(p.position) {
     if (p.region != nullptr) region_.emplace(NamedRegion{"", p.region}, p.step);
     if (p.around != nullptr) around_.emplace(NamedRegion{"", p.around}, p.step);
-    for (const plane::Region& r : p.copper) copper_.emplace_back(NamedRegion{"", &r}, p.step);
     for (const NamedRegion& r : p.fixed) fixed_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.moving) moving_.emplace_back(r, p.step);
     for (const NamedRegion& r : p.rotated) moving_.emplace_back(r, p.step);
@@ -64,7 +64,7 @@ class PictureWriter {
     return {
         fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
                     "<title>{2}</title>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{4}{5}{6}{7}</svg>\n",
-                    pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(!copper_.empty()), title.svg,
+                    pixels(right), pixels(bottom), xml_escaped(p_.title), style_sheet(!p_.copper.empty()), title.svg,
                     map(), bar.svg, notes.svg),
         right, bottom};
   }
@@ -107,8 +107,8 @@ class PictureWriter {
         "<clipPath id=\"frame{4}\"><rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/></clipPath>\n<g "
         "clip-path=\"url(#frame{4})\">\n",
         pixels(frame_.left), pixels(frame_.top), pixels(frame_.width()), pixels(frame_.height()), p_.panel);
-    for (const Drawn& d : copper_) out += outline(d.net, frame_, "copper");
-    for (const Drawn& d : fixed_) out += outline(d.net, frame_, "fixed");
+    for (const CopperLayer& layer : p_.copper) out += filled(layer.regions, p_.step, frame_, layer.style);
+    for (const Drawn& d : fixed_) out += outline(d.net, frame_, d.behind ? "behind" : "fixed");
     if (around_) out += outline(around_->net, frame_, "around");
     if (region_) out += region_faces(region_->net, frame_);
     if (position_) {
@@ -116,7 +116,7 @@ class PictureWriter {
       if (p_.nearest)
         for (const Drawn& d : moving_) out += outline(d.net, frame_, "nearest", *p_.nearest);
     }
-    for (const Drawn& d : placed_) out += outline(d.net, frame_, "moving");
+    for (const Drawn& d : placed_) out += outline(d.net, frame_, p_.placed_style);
     if (region_) out += region_lines(region_->net, frame_);
     if (position_ && !moving_.empty()) {
       put(out, "<path class=\"pole\" d=\"M{} {}m-5 0h10m-5 -5v10\"/>\n", pixels(frame_.x((*position_)[0])),
@@ -137,12 +137,13 @@ class PictureWriter {
     add(fixed_, {});
     if (position_) add(moving_, *position_);
     add(placed_, {});
-    Labeller labeller(frame_, p_.step, std::move(shapes));
+    Labeller labeller(frame_, p_.step, std::move(shapes), p_.small_names);
     if (position_ && !moving_.empty()) labeller.avoid(*position_, 7);
     const std::vector<Place> texts = text_places(p_.dimensions, frame_);
-    for (std::size_t i = 0; i < texts.size(); ++i) labeller.avoid_text(texts[i], p_.dimensions[i].text);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      labeller.avoid_text(texts[i], p_.dimensions[i].text, p_.dimensions[i].font);
     if (region_) labeller.avoid_region(region_->net);
-    if (position_ && moving_.size() > 1) {
+    if (position_ && moving_.size() > 1 && !p_.small_names) {
       for (const Drawn& d : moving_) labeller.avoid_curves(d.net, *position_);
     }
     return labeller.labels();
@@ -188,17 +189,24 @@ class PictureWriter {
     if (p_.nearest) out.push_back({M::kNearest, p_.nearest_text});
     for (LegendEntry& e : dimension_entries(p_.dimensions)) out.push_back(std::move(e));
     for (LegendEntry& e : arrow_entries(p_.arrows)) out.push_back(std::move(e));
-    if (!placed_.empty()) out.push_back({M::kMoving, fmt::format("placed: {}", placed_.size())});
+    const auto pads = std::count_if(placed_.begin(), placed_.end(), [&](const Drawn& d) {
+      return p_.small_names && d.name.find('.') != std::string::npos;
+    });
+    if (!placed_.empty())
+      out.push_back({M::kMoving, fmt::format("{}: {}", p_.placed_text, std::ssize(placed_) - pads), p_.placed_style});
     if (around_) out.push_back({M::kAround, p_.around_text});
-    if (!copper_.empty()) out.push_back({M::kCopper, "pads and tracks"});
+    for (const CopperLayer& layer : p_.copper)
+      if (!layer.text.empty()) out.push_back({M::kCopper, layer.text, layer.style});
     if (!fixed_.empty()) out.push_back({M::kFixed, fixed_.size() == 1 ? "fixed shape" : "fixed shapes"});
+    if (std::any_of(fixed_.begin(), fixed_.end(), [](const Drawn& d) { return d.behind; }))
+      out.push_back({M::kBehind, "on the back"});
     return out;
   }
 
   const Picture& p_;
   std::optional<Place> position_;
   std::optional<Drawn> region_, around_;
-  std::vector<Drawn> copper_, fixed_, moving_, placed_;
+  std::vector<Drawn> fixed_, moving_, placed_;
   Frame frame_;
 };
 

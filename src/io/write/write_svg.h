@@ -21,6 +21,14 @@ namespace findspace::io {
 struct NamedRegion {
   std::string name;
   const plane::Region* region = nullptr;
+  bool behind = false;  // of a board: on its other side
+};
+
+/// What is filled in one colour: the copper of some layers, or the holes.
+struct CopperLayer {
+  std::string style;  // its class
+  std::string text;   // in the legend; none: left out there
+  std::vector<plane::Region> regions;
 };
 
 struct Picture {
@@ -33,16 +41,19 @@ struct Picture {
   const plane::Region* around = nullptr;               // positions of which the region is a part, drawn faintly
   std::string around_text = "all feasible positions";  // in the legend
   bool of_positions = true;                            // the region is one of positions; else it is a shape
-  std::vector<plane::Region> copper;                   // pads and tracks of a board, filled, behind all else
+  std::vector<CopperLayer> copper;                     // of a board, the lowest first, behind all else
   std::vector<NamedRegion> fixed;                      // in outline
   std::vector<NamedRegion> moving;                     // drawn at `position`
   std::vector<NamedRegion> rotated;                    // there too, rotated by the angle that is its name
   std::vector<NamedRegion> placed;                     // as `moving`, each where its region says
+  std::string placed_text = "placed";                  // of them in the legend, with their number
+  std::string placed_style = "moving";                 // their class
   std::vector<Arrow> arrows;                           // how they move
   std::vector<DimensionLine> dimensions;               // distances at `position`
   std::optional<plane::Place> nearest;                 // another position of `moving`, in dashes
   std::string nearest_text;                            // of it, in the legend
   bool y_down = false;                                 // the y axis runs downwards
+  bool small_names = false;                            // a name may be small, so that it stands in its shape
   plane::Place home{};                                 // where `moving` is drawn if the region is empty
   std::optional<plane::Place> position;                // none: the sample of the region's largest component
 };
