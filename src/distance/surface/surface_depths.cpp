@@ -20,6 +20,10 @@ constexpr int kMostLooks = 400;
 constexpr std::size_t kMostBalls = 300;
 constexpr int kShrinks = 12;
 
+/// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and the middles are
+/// five times as many.
+constexpr std::size_t kMostMiddles = 200000;
+
 Vector middle_of(const space::RayBody& body, int f) {
   const auto corner = [&](int k) { return exact::approx(body.corner(f, k)); };
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
@@ -48,17 +52,19 @@ std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, c
 
 }  // namespace
 
-/// Corners, the middles of edges and faces, and balls if asked for.
+/// Corners, of a mesh that is not fine the middles of edges and faces, and balls if asked for.
 std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceSet& set, bool balls) {
   const space::RayBody& body = set.sheets()[0]->body;
   std::vector<Place> out;
   for (const space::Point& v : body.points) out.push_back({exact::approx(v)});
-  for (const space::RayEdge& e : body.edges) {
-    const Vector v = exact::approx(body.points[static_cast<std::size_t>(e.from)]),
-                 w = exact::approx(body.points[static_cast<std::size_t>(e.to)]);
-    out.push_back({space::scaled(0.5, space::plus(v, w))});
+  if (body.faces.size() <= kMostMiddles) {
+    for (const space::RayEdge& e : body.edges) {
+      const Vector v = exact::approx(body.points[static_cast<std::size_t>(e.from)]),
+                   w = exact::approx(body.points[static_cast<std::size_t>(e.to)]);
+      out.push_back({space::scaled(0.5, space::plus(v, w))});
+    }
+    for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) out.push_back({middle_of(body, f)});
   }
-  for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) out.push_back({middle_of(body, f)});
   if (!balls) return out;
   const SurfaceField field(set, {});
   for (std::size_t f = 0; f < body.faces.size(); f += body.faces.size() / kMostBalls + 1) {
@@ -73,6 +79,7 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
     // Of the complement of A balls are not looked for.
     std::vector<Place> places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
     for (const Place& p : places) size_ = std::max(size_, space::size_of(p.at));
+    tree.nodes.reserve(2 * places.size());
     tree.nodes.emplace_back();
     build(tree, 0, places);
   }

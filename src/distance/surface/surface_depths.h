@@ -3,11 +3,11 @@
 //
 // Whether two solids surely overlap at all positions near one, B moved there: where a place of B lies deeper in A than
 // a position may change, the interiors meet, or less deep by the radius of a ball about it in B; so does a place of A
-// in B. The places are the corners and the middles of the edges and faces of both surfaces, and the centres of balls
-// that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is never decided as more
-// than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond each. Source: the balls as
-// in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords:
-// penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
+// in B. The places are the corners and, of surfaces that are not fine, the middles of the edges and faces of both, and
+// the centres of balls that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is
+// never decided as more than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond
+// each. Source: the balls as in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and
+// the normal field". Keywords: penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
 #pragma once
 
 #include <array>

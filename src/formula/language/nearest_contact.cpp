@@ -35,6 +35,19 @@ Coordinates behind(const Coordinates& p, const Real& by, const Coordinates& unit
   return out;
 }
 
+/// Of a gap that is to be greater, where a straight way does not lead to the level.
+std::optional<NearestFeasible> apart(const ContactWorld& world, const Atom& atom, const Coordinates& p) {
+  const bool greater = atom.relation == Relation::kGreaterEqual || atom.relation == Relation::kEqual;
+  if (!world.apart || !is_simple(atom) || atom.distance.kind != Kind::kGamma1 || !greater) return std::nullopt;
+  const auto m = world.value(atom.distance, p);
+  if (!m || !(m->minus_infinity || m->value < atom.level)) return std::nullopt;
+  const auto at = world.apart(atom.distance, atom.level, p);
+  if (!at) return std::nullopt;
+  Real square;
+  for (std::size_t k = 0; k < p.size(); ++k) square += ((*at)[k] - p[k]) * ((*at)[k] - p[k]);
+  return NearestFeasible{*at, sqrt(square), true};
+}
+
 /// The nearest position at which the atom holds, or which `<` or `>` has as its limit.
 std::optional<NearestFeasible> contact(const ContactWorld& world, const Atom& atom, const Coordinates& p) {
   if (!is_simple(atom)) return std::nullopt;
@@ -72,6 +85,7 @@ std::optional<NearestFeasible> nearest_by_contact(const ContactWorld& world, con
   for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
     if (holds_at(k, p)) continue;
     auto c = contact(world, formula.atoms()[k], p);
+    if (!c) c = apart(world, formula.atoms()[k], p);
     if (!c) return std::nullopt;
     if (!farthest || c->distance > farthest->distance) {
       farthest = std::move(c);

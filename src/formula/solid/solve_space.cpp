@@ -254,6 +254,13 @@ Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, cons
   return value_at(*space_, wanted, p);
 }
 
+std::optional<RealVector> SpaceSolver::nearest_apart(const Distance& wanted, const Real& level,
+                                                     const RealVector& p) const {
+  if (is_directional(wanted) || wanted.kind != Kind::kGamma1) return std::nullopt;
+  const Tried<PreparedSpace::Named> n = space_->named(wanted);
+  return n ? n->pair->nearest_apart(level, p) : std::nullopt;
+}
+
 std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVector& p) const {
   return try_value(wanted, p).or_throw();
 }

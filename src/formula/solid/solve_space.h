@@ -73,6 +73,10 @@ class SpaceSolver {
   std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;
   exact::Tried<std::optional<distance::Answer>> try_value(const Distance& distance, const space::RealVector& p) const;
 
+  /// Of `distance >= level`, a gamma1 (space_pair.h); in grid steps, as p.
+  std::optional<space::RealVector> nearest_apart(const Distance& distance, const exact::Real& level,
+                                                 const space::RealVector& p) const;
+
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
   exact::Tried<space::BoxComplex> try_feasible(const Formula& formula) const;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The nearest feasible position, where the region is made of boxes or is one convex polytope, or contacts decide
-// (nearest_contact.h). Exact.
+// (nearest_contact.h). Exact where that says so.
 #include "findspace/error.h"
 #include "formula/language/nearest_contact.h"
 #include "formula/solid/optimize_convex.h"
@@ -21,23 +21,29 @@ std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Fo
   const auto value = [&](const Distance& d, const Coordinates& q) {
     return solver.try_value(d, space::scaled(Real(1) / step, {q[0], q[1], q[2]}));
   };
-  const ContactWorld asked{[&](const Distance& d, const Coordinates& q) -> std::optional<distance::SceneAnswer> {
-                             const auto v = value(d, q);
-                             return v && *v ? std::optional(distance::in_scene(**v, step)) : std::nullopt;
-                           },
-                           [&](std::size_t atom, const Coordinates& q) -> std::optional<int> {
-                             const Atom& a = formula.atoms()[atom];
-                             if (a.minimum || !a.more.empty()) return std::nullopt;
-                             const auto v = value(a.distance, q);
-                             if (!v) return std::nullopt;
-                             if (!*v) return 1;
-                             if ((*v)->minus_infinity) return -1;
-                             const distance::Enclosure e = (*v)->bounds();
-                             const Real level = a.level / step;
-                             if (e.lower && *e.lower > level) return 1;
-                             if (e.upper && *e.upper < level) return -1;
-                             return (*v)->proven ? std::optional(0) : std::nullopt;
-                           }};
+  const ContactWorld asked{
+      [&](const Distance& d, const Coordinates& q) -> std::optional<distance::SceneAnswer> {
+        const auto v = value(d, q);
+        return v && *v ? std::optional(distance::in_scene(**v, step)) : std::nullopt;
+      },
+      [&](std::size_t atom, const Coordinates& q) -> std::optional<int> {
+        const Atom& a = formula.atoms()[atom];
+        if (a.minimum || !a.more.empty()) return std::nullopt;
+        const auto v = value(a.distance, q);
+        if (!v) return std::nullopt;
+        if (!*v) return 1;
+        if ((*v)->minus_infinity) return -1;
+        const distance::Enclosure e = (*v)->bounds();
+        const Real level = a.level / step;
+        if (e.lower && *e.lower > level) return 1;
+        if (e.upper && *e.upper < level) return -1;
+        return (*v)->proven ? std::optional(0) : std::nullopt;
+      },
+      [&](const Distance& d, const Real& level, const Coordinates& q) -> std::optional<Coordinates> {
+        const Real per = Real(1) / step;
+        const auto at = solver.nearest_apart(d, level * per, space::scaled(per, {q[0], q[1], q[2]}));
+        return at ? std::optional(distance::coordinates(space::scaled(step, *at))) : std::nullopt;
+      }};
   return nearest_by_contact(asked, formula, distance::coordinates(p));
 }
 

@@ -181,4 +181,17 @@ Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) 
   return value_of_bodies(which, p);
 }
 
+// They overlap, or are nearer than the level, where B grown by a ball of it overlaps A.
+std::optional<RealVector> SpacePair::nearest_apart(const Real& level, const RealVector& p) const {
+  if (surfaces_ || cut_.pair || level.sign() <= 0) return std::nullopt;
+  const Bodies& made = all();
+  if (!made.pair || made.a->outside || made.a->parts.size() * made.b->parts.size() > kMostApart) return std::nullopt;
+  auto grown = std::make_shared<Body>(*made.b);
+  for (space::BodyPart& part : grown->parts) part.radius = part.radius + level * Real(made.scale);
+  const auto v =
+      distance::SolidPair(std::move(grown), made.a).try_value(Which::kGamma1, space::scaled(Real(made.scale), p));
+  if (!v || !*v || (*v)->value.sign() >= 0 || !(*v)->nearest) return std::nullopt;
+  return space::scaled(Real::ratio(1, made.scale), *(*v)->nearest);
+}
+
 }  // namespace findspace::formula

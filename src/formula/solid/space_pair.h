@@ -43,6 +43,10 @@ class SpacePair {
     exact::Real scale;
   };
   std::optional<Sublevel> sublevel(distance::Which which, const exact::Real& level) const;
+  /// The position nearest to p at which gamma1 is at least a level above 0, within the error of a search where rounded
+  /// sets meet; nothing where it is not computed: for large meshes, and bodies of more than kMostApart pairs of parts.
+  std::optional<space::RealVector> nearest_apart(const exact::Real& level, const space::RealVector& p) const;
+  static constexpr std::size_t kMostApart = 256;
   /// Refused if one of the shapes has slanted or round faces.
   exact::Tried<const distance::BoxPair*> boxes() const;
 

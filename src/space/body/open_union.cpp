@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "exact/margins/rounding.h"
-#include "space/body/projection_search.h"
+#include "space/body/complement_search.h"
 
 namespace findspace::space {
 
@@ -52,7 +52,7 @@ int OpenUnion::covering(const RealVector& p) const {
 }
 
 std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p) const {
-  return ProjectionSearch(*this, p).run();
+  return ComplementSearch(*this, p).run();
 }
 
 std::optional<RealVector> OpenUnion::nearest_touching(const RealVector& p) const {

@@ -8,11 +8,11 @@
 // and single points of the complement are found as well as bulky parts of it: whether a point is covered is decided
 // exactly. Method: a point nearest to p is the projection of p on at most three planes. Sets of such planes are tried
 // by growing distance; a projection that a set covers is replaced by the projections with one more plane of that set,
-// each beyond it. Only sets near p are made. Guarantee: covered or not is exact, also where planes have irrational
-// offsets; the point returned is complement, exactly; it is the nearest one but for points that are nearer by less than
-// 2^-40 relative. Cost: grows with the number of projections that are covered: the corners of the arrangement of planes
-// within the ball about p that the sets cover. Keywords: penetration depth of non-convex bodies, distance to
-// complement, union of convex sets, dual simplex, branch and bound.
+// each beyond it. Only sets near p are made. Where many sets hold p, boxes of space are looked at one by one
+// (complement_search.h). Guarantee: covered or not is exact, also where planes have irrational offsets; the point
+// returned is complement, exactly; it is the nearest one but for points that are nearer by less than 2^-40 relative.
+// Cost: grows with the number of boxes within the ball about p that no set covers alone. Keywords: penetration depth
+// of non-convex bodies, distance to complement, union of convex sets, dual simplex, branch and bound.
 #pragma once
 
 #include <functional>

@@ -43,8 +43,26 @@ std::array<Number, 3> cramer(const std::array<std::array<Number, 3>, 3>& g, cons
 
 }  // namespace
 
-ProjectionSearch::ProjectionSearch(const OpenUnion& cover, const RealVector& p)
-    : cover_(cover), p_(p), near_(space::rounded(p)), of_part_(cover.size()) {}
+ProjectionSearch::ProjectionSearch(const OpenUnion& cover, const RealVector& p, std::optional<Within> within)
+    : cover_(cover), p_(p), near_(space::rounded(p)), within_(std::move(within)) {
+  if (within_) add_walls(within_->box);
+  queue_.push({});
+}
+
+void ProjectionSearch::add_walls(const Extent& box) {
+  const auto add = [&](double at, int axis, int side) {  // beyond `at` on that side: at - x < 0, or x - at < 0
+    if (!std::isfinite(at)) return;
+    RealVector normal;
+    normal[axis] = Real(-side);
+    walls_.emplace_back(std::move(normal), side > 0 ? Real::from_double(at) : -Real::from_double(at));
+  };
+  add(box.low.x, 0, -1);
+  add(box.low.y, 1, -1);
+  add(box.low.z, 2, -1);
+  add(box.high.x, 0, 1);
+  add(box.high.y, 1, 1);
+  add(box.high.z, 2, 1);
+}
 
 /// The number of a plane; planes with the same coefficients share one.
 int ProjectionSearch::seen(const HalfSpace& plane) {
@@ -67,8 +85,10 @@ int ProjectionSearch::seen(const HalfSpace& plane) {
 
 const std::vector<int>& ProjectionSearch::seen_planes(std::size_t part) {
   std::vector<int>& ids = of_part_[part];
-  if (ids.empty()) {
-    for (const HalfSpace& plane : cover_.planes(part)) ids.push_back(seen(plane));
+  if (!ids.empty()) return ids;
+  if (part >= cover_.size()) return ids = {seen(walls_[part - cover_.size()])};
+  for (const HalfSpace& plane : cover_.planes(part)) {
+    if (!within_ || side_of(plane, within_->box) >= 0) ids.push_back(seen(plane));
   }
   return ids;
 }
@@ -204,7 +224,14 @@ int ProjectionSearch::covering_part(const Projection& projection, std::optional<
       open.push_back(k);
     }
   };
-  cover_.tree().each([&](const Extent& e) { return e.holds(at, tolerance); }, consider);
+  if (within_) {
+    for (const std::size_t k : within_->sets) {
+      if (cover_.extent(k).holds(at, tolerance)) consider(k);
+    }
+    for (std::size_t k = 0; k < walls_.size(); ++k) consider(cover_.size() + k);
+  } else {
+    cover_.tree().each([&](const Extent& e) { return e.holds(at, tolerance); }, consider);
+  }
   if (deepest >= 0) return deepest;
   for (const std::size_t k : open) {
     if (covers_exactly(k, projection, exact)) return static_cast<int>(k);
@@ -212,19 +239,19 @@ int ProjectionSearch::covering_part(const Projection& projection, std::optional<
   return -1;
 }
 
-std::optional<RealVector> ProjectionSearch::run() {
-  std::optional<RealVector> found;
-  queue_.push({});
-  queue_.run([&](const Projection&) { return found.has_value(); },
-             [&](const Projection& projection) {
-               std::optional<RealVector> exact;
-               const int part = covering_part(projection, exact);
-               if (part < 0)
-                 found = exact ? *exact : exact_projection(projection);
-               else
-                 for (const int id : seen_planes(static_cast<std::size_t>(part))) beyond(projection, id);
-             });
-  return found;
+plane::SubdivisionEnd ProjectionSearch::run(long most, double bound) {
+  return queue_.run(
+      most, [&](const Projection& best) { return found_ || best.distance > bound; },
+      [&](const Projection& projection) {
+        std::optional<RealVector> exact;
+        const int part = covering_part(projection, exact);
+        if (part >= 0) {
+          for (const int id : seen_planes(static_cast<std::size_t>(part))) beyond(projection, id);
+          return;
+        }
+        found_ = exact ? *exact : exact_projection(projection);
+        distance_ = projection.distance;
+      });
 }
 
 }  // namespace findspace::space

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The search behind open_union.h: planes seen from p (so that p is the origin), projections of p on up to three of
-// them, and the queue of projections by distance. A projection's constraints are n . y + c >= 0: "not in the set that
-// this plane bounds".
+// The point nearest to p that no set of a union of open convex sets holds, in all of space or in a box: planes seen
+// from p (so that p is the origin), projections of p on up to three of them, and the queue of projections by distance.
+// A projection's constraints are n . y + c >= 0: "not in the set that this plane bounds". Beyond each side of the box
+// there is an open half space. Guarantee: as in open_union.h. Cost: the projections that are covered, whose number
+// grows like the cube of the number of planes; a caller says how many are worth a look. Keywords: dual simplex.
 #pragma once
 
 #include <array>
@@ -19,8 +21,18 @@ namespace findspace::space {
 
 class ProjectionSearch {
  public:
-  ProjectionSearch(const OpenUnion& cover, const RealVector& p);
-  std::optional<RealVector> run();
+  /// A box, sides included, and the sets that meet it.
+  struct Within {
+    Extent box;
+    std::vector<std::size_t> sets;
+  };
+  ProjectionSearch(const OpenUnion& cover, const RealVector& p, std::optional<Within> within = {});
+  /// Looks at `most` projections, none of them farther than `bound`. Where it ends unspent with nothing found, there is
+  /// no such point so near.
+  plane::SubdivisionEnd run(long most, double bound);
+  const std::optional<RealVector>& found() const { return found_; }
+  /// Of the point that is found from p.
+  double distance() const { return distance_; }
 
  private:
   struct Seen {  // a plane seen from p
@@ -37,6 +49,9 @@ class ProjectionSearch {
     bool operator<(const Projection& other) const { return distance > other.distance; }  // the nearest is on top
   };
 
+  /// The half spaces beyond the sides of the box that are finite.
+  void add_walls(const Extent& box);
+  /// Of a set, those that it needs within the box; of a wall, numbered after the sets.
   const std::vector<int>& seen_planes(std::size_t part);
   int seen(const HalfSpace& plane);
   /// The part that holds the projection deepest, or -1.
@@ -52,10 +67,14 @@ class ProjectionSearch {
   RealVector p_;
   Vector near_;
   std::vector<Seen> planes_;
-  std::vector<std::vector<int>> of_part_;
+  std::map<std::size_t, std::vector<int>> of_part_;
+  std::optional<Within> within_;
+  std::vector<HalfSpace> walls_;
   std::multimap<std::array<double, 4>, int> by_approx_;
   plane::Subdivision<Projection> queue_;
   std::set<std::array<int, 3>> known_;
+  std::optional<RealVector> found_;
+  double distance_ = 0;
 };
 
 }  // namespace findspace::space

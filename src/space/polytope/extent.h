@@ -73,6 +73,15 @@ inline Extent extent_of(std::span<const Vector> points) {
   return {e.low - tolerance, plus(e.high, tolerance)};
 }
 
+/// Where the plane's value has one sign in the whole box, that sign; 0 where it has not, or doubles do not tell.
+inline int side_of(const HalfSpace& h, const Extent& box) {
+  if (!box.bounded()) return 0;
+  const Vector middle = box.middle(), half = scaled(0.5, box.high - box.low);
+  const double at = h.approx_value(middle), error = h.error(middle) + h.error(half);
+  const double spread = std::fabs(h.unit.x) * half.x + std::fabs(h.unit.y) * half.y + std::fabs(h.unit.z) * half.z;
+  return at - spread > error ? 1 : at + spread < -error ? -1 : 0;
+}
+
 /// {a - b}.
 inline Extent difference(const Extent& a, const Extent& b) { return {a.low - b.high, a.high - b.low}; }
 

@@ -233,6 +233,84 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
   }
 }
 
+/// How many cells of a set are in it, of any range of cells at once.
+class FullCells {
+ public:
+  /// More cells are not counted: each takes four bytes.
+  static constexpr std::size_t kMost = std::size_t{1} << 22;
+
+  explicit FullCells(const BoxComplex& set) : set_(set), below_(set.marks().size()) {
+    for (int z = 0; z < set.cells(2); ++z) {
+      for (int y = 0; y < set.cells(1); ++y) {
+        for (int x = 0; x < set.cells(0); ++x) {
+          below_[set.index(x, y, z)] = (set.mark(x, y, z) != 0 ? 1 : 0) + below(x - 1, y, z) + below(x, y - 1, z) +
+                                       below(x, y, z - 1) - below(x - 1, y - 1, z) - below(x - 1, y, z - 1) -
+                                       below(x, y - 1, z - 1) + below(x - 1, y - 1, z - 1);
+        }
+      }
+    }
+  }
+
+  /// First and last cells along each axis.
+  using Range = std::array<std::array<int, 2>, 3>;
+
+  bool full(const Range& r) const {
+    std::int64_t count = 0, all = 1;
+    for (int k = 0; k < 8; ++k) {
+      const int sign = (k & 1) + (k >> 1 & 1) + (k >> 2 & 1);
+      const auto end = [&](int axis) { return (k >> axis & 1) != 0 ? r[axis][0] - 1 : r[axis][1]; };
+      count += (sign % 2 == 0 ? 1 : -1) * static_cast<std::int64_t>(below(end(0), end(1), end(2)));
+    }
+    for (const auto& [first, last] : r) all *= last - first + 1;
+    return count == all;
+  }
+
+  /// As far as the set goes, along one axis after the other, by a coordinate at a time.
+  void grow(Range& r) const {
+    for (int k = 0; k < 3; ++k) {
+      for (const int side : {0, 1}) {
+        for (;;) {
+          Range next = r;
+          next[k][side] += side == 0 ? -2 : 2;
+          if (next[k][0] < 0 || next[k][1] >= set_.cells(k) || !full(next)) break;
+          r = next;
+        }
+      }
+    }
+  }
+
+ private:
+  std::int32_t below(int x, int y, int z) const { return x < 0 || y < 0 || z < 0 ? 0 : below_[set_.index(x, y, z)]; }
+
+  const BoxComplex& set_;
+  std::vector<std::int32_t> below_;
+};
+
+/// Boxes whose union is the closed set and that may overlap, so that a flat stretch of its surface is on one of them:
+/// a search over it then needs no seams.
+std::vector<IntervalBox> grown_boxes(const BoxComplex& set) {
+  std::vector<IntervalBox> boxes = set.boxes();
+  if (boxes.size() < 2 || set.marks().size() > FullCells::kMost) return boxes;
+  const FullCells cells(set);
+  std::vector<FullCells::Range> grown;
+  for (const IntervalBox& box : boxes) {
+    FullCells::Range range{};
+    for (int k = 0; k < 3; ++k) {
+      if (!box[k].from || !box[k].to) return boxes;
+      // An end that is not in it is that of its closure, which is in the set.
+      range[k] = {set.cell_of(k, *box[k].from), set.cell_of(k, *box[k].to)};
+    }
+    cells.grow(range);
+    if (std::find(grown.begin(), grown.end(), range) == grown.end()) grown.push_back(range);
+  }
+  boxes.clear();
+  for (const FullCells::Range& range : grown) {
+    IntervalBox& box = boxes.emplace_back();
+    for (int k = 0; k < 3; ++k) box[k] = set.interval(k, range[k][0], range[k][1]);
+  }
+  return boxes;
+}
+
 std::optional<BoxComplex> coarse(std::optional<BoxComplex> set) {
   return set && !set->too_fine() ? std::move(set) : std::nullopt;
 }
@@ -265,7 +343,7 @@ std::optional<Body> body_of(const BoxComplex& set) {
                                     [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
   if (!differ.empty() || open.empty()) return std::nullopt;
   Body body;
-  for (const IntervalBox& box : whole.simplified().boxes()) {
+  for (const IntervalBox& box : grown_boxes(whole.simplified())) {
     std::vector<Point> corners;
     std::array<std::array<std::int64_t, 2>, 3> ends{};
     bool flat = false;

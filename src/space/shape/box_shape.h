@@ -18,8 +18,8 @@ namespace findspace::space {
 
 std::optional<BoxComplex> box_complex(const plane::Shape& shape);
 
-/// The closure of its interior as a body of boxes; nothing if the set is not the same but for its boundary (sheets,
-/// lines, points), unbounded, or off the grid.
+/// The closure of its interior as a body of boxes, which may overlap; nothing if the set is not the same but for its
+/// boundary (sheets, lines, points), unbounded, or off the grid.
 std::optional<Body> body_of(const BoxComplex& set);
 
 }  // namespace findspace::space

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "space/body/complement_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "exact/margins/rounding.h"
+
+namespace findspace::space {
+
+namespace {
+
+/// Where an interval that may be infinite is divided; `near` lies about as far from what is of interest as `reach`.
+double division(double low, double high, double near, double reach) {
+  if (std::isfinite(low) && std::isfinite(high)) return low + (high - low) / 2;
+  if (std::isfinite(low)) return low >= near + reach ? low + (low - near) : near + reach;
+  if (std::isfinite(high)) return high <= near - reach ? high - (near - high) : near - reach;
+  return near - reach;
+}
+
+/// How far the box is from the sides of the one around it, at least; below 0 where it is not in it.
+double room_in(const Extent& around, const Extent& box) {
+  return std::min({box.low.x - around.low.x, box.low.y - around.low.y, box.low.z - around.low.z,
+                   around.high.x - box.high.x, around.high.y - box.high.y, around.high.z - box.high.z});
+}
+
+}  // namespace
+
+ComplementSearch::ComplementSearch(const OpenUnion& cover, const RealVector& p)
+    : cover_(cover), p_(p), near_(space::rounded(p)) {
+  reach_ = std::max(1.0, margin::kWiderBox * size_of(near_));
+  for (std::size_t k = 0; k < cover.size(); ++k) {
+    const Extent& e = cover.extent(k);
+    if (e.bounded()) reach_ = std::max(reach_, e.farthest(near_));
+  }
+}
+
+ComplementSearch::Meeting ComplementSearch::meeting(std::size_t set, const Extent& box) const {
+  if (!box.meets(cover_.extent(set))) return Meeting::kApart;
+  bool covers = true;
+  for (const HalfSpace& h : cover_.planes(set)) {
+    const int side = side_of(h, box);
+    if (side > 0) return Meeting::kApart;
+    covers = covers && side < 0;
+  }
+  return covers ? Meeting::kCovers : Meeting::kMeets;
+}
+
+bool ComplementSearch::likely_covered(const Cell& cell) const {
+  if (!cell.box.bounded()) return false;
+  std::vector<std::pair<double, std::size_t>> likely;
+  for (const std::size_t k : cell.sets) {
+    if (const double room = room_in(cover_.extent(k), cell.box); room > 0) likely.emplace_back(-room, k);
+  }
+  const auto last = likely.begin() + std::min(kLikely, static_cast<long>(likely.size()));
+  std::partial_sort(likely.begin(), last, likely.end());
+  return std::any_of(likely.begin(), last,
+                     [&](const auto& set) { return meeting(set.second, cell.box) == Meeting::kCovers; });
+}
+
+bool ComplementSearch::sift(Cell& cell) const {
+  std::vector<std::size_t> left;
+  for (const std::size_t k : cell.sets) {
+    const Meeting how = meeting(k, cell.box);
+    if (how == Meeting::kCovers) return true;
+    if (how == Meeting::kMeets) left.push_back(k);
+  }
+  cell.sets.swap(left);
+  return false;
+}
+
+void ComplementSearch::divide(const Cell& cell) {
+  const Vector& low = cell.box.low;
+  const Vector& high = cell.box.high;
+  const Vector size = high - low;
+  Extent first = cell.box, second = cell.box;
+  if (size.x >= size.y && size.x >= size.z)
+    first.high.x = second.low.x = division(low.x, high.x, near_.x, reach_);
+  else if (size.y >= size.z)
+    first.high.y = second.low.y = division(low.y, high.y, near_.y, reach_);
+  else
+    first.high.z = second.low.z = division(low.z, high.z, near_.z, reach_);
+  for (const Extent& box : {first, second}) {
+    Cell part{box, {}, box.distance(near_)};
+    if (part.distance > bound_) continue;
+    for (const std::size_t k : cell.sets) {
+      if (box.meets(cover_.extent(k))) part.sets.push_back(k);
+    }
+    part.fruitless = cell.fruitless + (part.sets.size() == cell.sets.size() && box.bounded() ? 1 : 0);
+    queue_.push(std::move(part));
+  }
+}
+
+bool ComplementSearch::crowded() const {
+  long holding = 0;
+  cover_.tree().each([&](const Extent& e) { return holding <= kCrowd && e.holds(near_, 0); },
+                     [&](std::size_t) { ++holding; });
+  return holding > kCrowd;
+}
+
+void ComplementSearch::look(Cell cell) {
+  if (cell.whole) {
+    if (crowded()) return divide(cell);
+  } else {
+    if (likely_covered(cell)) return;
+    const std::size_t before = cell.sets.size();
+    if (before <= static_cast<std::size_t>(kSifted << std::min(cell.fruitless / 3, 40)) && sift(cell)) return;
+    if (static_cast<long>(cell.sets.size()) > most_sets(cell)) return divide(cell);
+  }
+  std::optional<ProjectionSearch::Within> within;
+  if (!cell.whole) within = {cell.box, cell.sets};
+  ProjectionSearch search(cover_, p_, std::move(within));
+  const plane::SubdivisionEnd end = search.run(most_looks(cell), bound_);
+  if (end == plane::SubdivisionEnd::kSpent && !search.found()) return divide(cell);
+  if (!search.found()) return;
+  bound_ = search.distance();
+  found_ = search.found();
+}
+
+std::optional<RealVector> ComplementSearch::run() {
+  std::vector<std::size_t> all(cover_.size());
+  std::iota(all.begin(), all.end(), 0);
+  queue_.push({everywhere(), std::move(all), 0, true});
+  queue_.run([&](const Cell& best) { return best.distance > bound_; }, [&](Cell cell) { look(std::move(cell)); });
+  return found_;
+}
+
+}  // namespace findspace::space
