@@ -165,6 +165,13 @@ class Costs(SafetyTest):
         self.scene({"S": shape})
         self.refused("describe", "scene.json")
 
+    def test_offsets_of_boundaries_of_a_triangle(self):
+        shape = {"polygon": [[0, 0], [3, 0], [1, 2]]}
+        for _ in range(60):
+            shape = {"offset": 0.1, "of": {"boundary": shape}}
+        self.scene({"S": shape})
+        self.refused("describe", "scene.json")
+
     def model(self, name, mesh, more, built):
         """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
         with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:

@@ -240,6 +240,7 @@ class Builder {
   }
 
   /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
+  /// A boundary between two offsets counts as a level, as curves of both its sides meet.
   void charge_offset(const Shape& s) {
     constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
     std::uint64_t units = child(s, 0)->edges.size() + 1;
@@ -251,7 +252,8 @@ class Builder {
     if (const auto known = depth_.find(&s); known != depth_.end()) return known->second;
     std::uint64_t deepest = 0;
     for (const ShapePtr& child : s.children) deepest = std::max(deepest, offset_depth(*child));
-    return depth_[&s] = deepest + (s.kind == Kind::kOffset ? 1 : 0);
+    const bool both_sides = s.kind == Kind::kBoundary && deepest > 0;
+    return depth_[&s] = deepest + (s.kind == Kind::kOffset || both_sides ? 1 : 0);
   }
 
   /// Of all operands together.
