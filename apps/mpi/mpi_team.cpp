@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstring>
 #include <ctime>
+#include <list>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,8 +37,16 @@ struct BlockRequest {
 struct MpiTeam::Made {
   space::RayGrid grid;
   formula::RegionOnLines region;
-  std::string bytes;  // of the rows on their way to rank 0
-  MPI_Request sending = MPI_REQUEST_NULL;
+  /// Blocks on their way to rank 0, which takes them between two of its own.
+  struct Sending {
+    std::string bytes;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+  std::list<Sending> sending;
+
+  void wait_for(std::size_t most) {
+    for (; sending.size() > most; sending.pop_front()) MPI_Wait(&sending.front().request, MPI_STATUS_IGNORE);
+  }
 };
 
 namespace {
@@ -339,9 +348,10 @@ void MpiTeam::serve_block(const Source& source, const RowDigester& digester, con
     bytes.resize(sizeof begin);
     tag = kFailed;
   }
-  MPI_Wait(&made_->sending, MPI_STATUS_IGNORE);
-  made_->bytes = std::move(bytes);
-  MPI_Isend(made_->bytes.data(), static_cast<int>(made_->bytes.size()), MPI_BYTE, 0, tag, ranks_, &made_->sending);
+  made_->wait_for(kInHand);
+  Made::Sending& block = made_->sending.emplace_back();
+  block.bytes = std::move(bytes);
+  MPI_Isend(block.bytes.data(), static_cast<int>(block.bytes.size()), MPI_BYTE, 0, tag, ranks_, &block.request);
 }
 
 void MpiTeam::serve(const Source& source, const RowDigester& digester) {
@@ -355,7 +365,7 @@ void MpiTeam::serve(const Source& source, const RowDigester& digester) {
     MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
   }
   released_ = true;
-  MPI_Wait(&made_->sending, MPI_STATUS_IGNORE);
+  made_->wait_for(0);
   made_.reset();
 }
 
