@@ -111,7 +111,13 @@ CommandLine read_command_line(int argc, char** argv) {
   app.footer(help_examples(""));
   CommandLine out;
   HelpRequest request;
-  for (const VerbEntry& verb : verbs()) add_options(*app.add_subcommand(verb.name, verb.about), verb.name, out.options);
+  // Where a verb comes first, its options alone are made.
+  const auto is_first = [&](const VerbEntry& verb) { return argc > 1 && verb.name == std::string_view(argv[1]); };
+  const bool one = std::any_of(verbs().begin(), verbs().end(), is_first);
+  for (const VerbEntry& verb : verbs()) {
+    CLI::App* command = app.add_subcommand(verb.name, verb.about);
+    if (!one || is_first(verb)) add_options(*command, verb.name, out.options);
+  }
   const CLI::App* help = add_help(app, request);
   Reporter errors;
   out.answered = kUsage;

@@ -57,7 +57,7 @@ TEST(ReadWkt, Refuses) {
   expect_refused(read_wkt, "POLYGON((0 0 0, 4 0 0, 4 4 0, 0 0 0))", "a third coordinate");
   expect_refused(read_wkt, "POLYGON((0 0, 4 4, 4 0, 0 4, 0 0))", "touches or crosses itself");
   expect_refused(read_wkt, "POLYGON((0 0, 4 0, 0 0))", "no area");
-  expect_refused(read_wkt, "POLYGN((0 0, 4 0, 4 4, 0 0))", "'POLYGN' is no geometry");
+  expect_refused(read_wkt, "POLYGN((0 0, 4 0, 4 4, 0 0))", "'POLYGN' is not a geometry");
   expect_refused(read_wkt, "\x01\x02 junk", "f:1:1");
   expect_refused(read_wkt, "CIRCULARSTRING(0 0, 1 1)", "odd number of points");
   expect_refused(read_wkt, "LINESTRING(0 0, 0 0)", "two different points");
@@ -106,7 +106,7 @@ TEST(ReadWkt, Curves) {
 TEST(ReadGeoJson, Refuses) {
   expect_refused(read_geojson, "", "not JSON");
   expect_refused(read_geojson, "{}", "\"type\" is missing");
-  expect_refused(read_geojson, R"({"type": "Polygn", "coordinates": []})", "'Polygn' is no type");
+  expect_refused(read_geojson, R"({"type": "Polygn", "coordinates": []})", "'Polygn' is not a type");
   expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": []})", "is empty");
   expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4]]]})",
                  "end at its first point");

@@ -55,7 +55,10 @@ TEST(WritePosition, UndefinedAndRefusedValuesAreNull) {
 
 /// The value of a sum stands under the sum alone, in the words and the sense in which it was written.
 TEST(WritePosition, ASumIsNoDistanceOfItsOwn) {
-  const formula::Context scene{.shapes = {"A", "B", "C"}, .moving = {"B"}, .dimension = 2};
+  formula::Context scene;
+  scene.shapes = {"A", "B", "C"};
+  scene.moving = {"B"};
+  scene.dimension = 2;
   const formula::Formula formula = formula::parse_formula("margin(B, A) + 2 * gap(B, C) <= 5", scene);
   const formula::Atom& atom = formula.atoms().front();
   formula::Check check;

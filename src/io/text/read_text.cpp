@@ -74,10 +74,12 @@ Descriptor open_regular(const std::filesystem::path& path, const std::filesystem
   return {number};
 }
 
-std::string read_all(int descriptor, std::uint64_t most, const std::string& name) {
+/// `expected`: how many bytes there seem to be.
+std::string read_all(int descriptor, std::uint64_t most, std::uint64_t expected, const std::string& name) {
   std::string text;
   for (std::size_t size = 0;;) {
-    if (size == text.size()) text.resize(std::min<std::uint64_t>(std::max(kReadAtOnce, size * 2), most + 1));
+    if (size == text.size())
+      text.resize(std::min<std::uint64_t>(std::max<std::uint64_t>(expected + 1, size * 2), most + 1));
     const ssize_t n = read(descriptor, text.data() + size, text.size() - size);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail_file(fmt::format("it cannot be read to its end: {}", std::generic_category().message(errno)), name);
@@ -92,9 +94,10 @@ std::string read_all(int descriptor, std::uint64_t most, const std::string& name
 std::string read_file(const std::filesystem::path& path, std::uint64_t most_bytes, const std::filesystem::path& root) {
   const Descriptor file = open_regular(path, root);
   struct stat status {};
-  if (fstat(file.number, &status) == 0 && static_cast<std::uint64_t>(status.st_size) > most_bytes)
-    fail_too_long(most_bytes, path.string());
-  return read_all(file.number, most_bytes, path.string());
+  const std::uint64_t size =
+      fstat(file.number, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : kReadAtOnce;
+  if (size > most_bytes) fail_too_long(most_bytes, path.string());
+  return read_all(file.number, most_bytes, size, path.string());
 }
 
 thread_local const TextReader* reader_of_thread = nullptr;
@@ -110,7 +113,7 @@ std::string read_text(const std::filesystem::path& path, std::uint64_t most_byte
 }
 
 std::string read_standard_input(std::uint64_t most_bytes) {
-  return by_reader([&] { return read_all(STDIN_FILENO, most_bytes, "standard input"); });
+  return by_reader([&] { return read_all(STDIN_FILENO, most_bytes, kReadAtOnce, "standard input"); });
 }
 
 ReadTextBy::ReadTextBy(const TextReader* reader) : before_(reader_of_thread) { reader_of_thread = reader; }
