@@ -62,8 +62,7 @@ TEST(WritePosition, ASumIsNoDistanceOfItsOwn) {
   const formula::Formula formula = formula::parse_formula("margin(B, A) + 2 * gap(B, C) <= 5", scene);
   const formula::Atom& atom = formula.atoms().front();
   formula::Check check;
-  check.atoms.push_back(
-      formula::atom_at(atom, formula::distance_at(formula::written_sum(atom), answer(Real(-9))), -1));
+  check.atoms.push_back(formula::atom_at(atom, formula::distance_at(formula::written_sum(atom), answer(Real(-9))), -1));
   const json out = json::parse(check_json(check, {Real(), Real()}, "", {}));
   EXPECT_EQ(out.at("atoms")[0].at("text"), "margin(B, A) + 2 * gap(B, C) <= 5");
   EXPECT_EQ(out.at("atoms")[0].at("value"), 9);
