@@ -139,6 +139,14 @@ TEST(FormulaErrors, Numbers) {
          "1:25: a unit stands behind the parentheses: (1 + 2)mm, found 'mm'\n"
          "  gamma1(chip, board) > (1mm + 2)\n"
          "                          ^~");
+  expect("gamma1(chip, board) > 2mm * 3",
+         "1:24: a unit stands behind the whole product: 2 * 3mm\n"
+         "  gamma1(chip, board) > 2mm * 3\n"
+         "                         ^~");
+  expect("clear(chip, board, 2 * mm)",
+         "1:24: a number is meant after '*', as in 2 * 0.25mm; found 'mm'\n"
+         "  clear(chip, board, 2 * mm)\n"
+         "                         ^~");
   expect("gamma1(chip, board) > 2/",
          "1:25: a number is meant here, found the end\n"
          "  gamma1(chip, board) > 2/\n"

@@ -114,7 +114,7 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
     const Box box = box_of(s, by);
     for (const CutSearch& part : parts_) {
       if (distance(box, {part.low(), part.high()}) > 0) continue;
-      most = std::max(most, part.places.also_in(convex(s, by)).deepest({enough * size_}).value);
+      most = std::max(most, part.places.also_in(convex_constraint(s, by)).deepest({enough * size_}).value);
     }
   }
   return most > enough * size_ ? most : 0;
@@ -178,7 +178,7 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
         "the protrusion of a shape that round ones are cut out of is computed "
         "where that is convex");
   const Vector by = space::rounded(p);
-  const ConvexDistance beyond = reverse_convex(b_->parts[0], by);
+  const ConvexDistance beyond = reverse_convex_constraint(b_->parts[0], by);
   std::optional<Answer> best;
   for (const CutSearch& part : parts_) {
     const BoundaryPlace found = part.places.farthest_from(beyond);

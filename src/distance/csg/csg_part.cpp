@@ -46,7 +46,7 @@ double cut_size(const Body& b, const space::CsgSolid& a) {
   return size;
 }
 
-TouchingRule convex(const BodyPart& set, const Vector& p) {
+TouchingRule convex_constraint(const BodyPart& set, const Vector& p) {
   return flat_sided(set) ? highest_plane(set.planes(), p) : touching_distance(set, p, set.radius.to_double());
 }
 
@@ -59,7 +59,7 @@ TouchingRule gap_to(const BodyPart& set, const Vector& p) {
   };
 }
 
-ConvexDistance reverse_convex(const BodyPart& set, const Vector& p) {
+ConvexDistance reverse_convex_constraint(const BodyPart& set, const Vector& p) {
   return [rule = grown_distance({set.planes(), space::real(set.center), set.radius}), p](const Vector& x) {
     return rule(x - p);
   };
@@ -70,8 +70,8 @@ CutSearch cut_search(const CsgPart& part, double size) {
   const double slack = margin::kAroundPart * size;
   const Vector by{slack, slack, slack};
   Constraints rules;
-  for (const BodyPart& set : part.within) rules.convex.push_back(convex(set, {}));
-  for (const BodyPart& set : part.without) rules.reverse_convex.push_back(reverse_convex(set, {}));
+  for (const BodyPart& set : part.within) rules.convex.push_back(convex_constraint(set, {}));
+  for (const BodyPart& set : part.without) rules.reverse_convex.push_back(reverse_convex_constraint(set, {}));
   CutSearch out{&part, PositionSet::of_rules(std::move(rules),
                                              {space::rounded(box.low) - by, space::plus(space::rounded(box.high), by)},
                                              size, [&part](const RealVector& x) { return holds(part, x); })};

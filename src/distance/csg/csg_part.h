@@ -34,10 +34,10 @@ CutSearch cut_search(const space::CsgPart& part, double size);
 /// A polytope by its planes, or a ball. Refused for other sets.
 exact::Tried<std::vector<MeetSet>> meet_sets(const space::BodyPart& part);
 /// As rules of a place: in the convex set moved by p, with how deep; outside it.
-TouchingRule convex(const space::BodyPart& set, const space::Vector& p);
+TouchingRule convex_constraint(const space::BodyPart& set, const space::Vector& p);
 /// The distance to the set moved by p; inside it minus how deep, so that what is flat on both sides is decided at once.
 TouchingRule gap_to(const space::BodyPart& set, const space::Vector& p);
-ConvexDistance reverse_convex(const space::BodyPart& set, const space::Vector& p);
+ConvexDistance reverse_convex_constraint(const space::BodyPart& set, const space::Vector& p);
 
 /// Whether the closed part holds the place, exactly.
 bool holds(const space::CsgPart& part, const space::RealVector& x);

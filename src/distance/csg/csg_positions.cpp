@@ -278,7 +278,7 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
         pair.fixed.insert(pair.fixed.end(), fixed->begin(), fixed->end());
       }
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
-      pair.in = convex(s, {});
+      pair.in = convex_constraint(s, {});
       pair.part = &part;
       const Vector from = part.low() - pair.high, to = part.high() - pair.low;
       low = {std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};

@@ -154,6 +154,8 @@ Number read_total(Cursor& cursor) {
     result.more.push_back(read_number(cursor));
     result.span.end = cursor.end();
   }
+  if (cursor.accept(Token::Kind::kTimes))
+    cursor.fail_syntax("a number is meant after '*', as in 2 * 0.25mm; found {}", cursor.found());
   return result;
 }
 

@@ -60,6 +60,8 @@ class SumReader {
       ++count_;
       return;
     }
+    if (!digits.unit.empty() && (cursor_.at(K::kNumber) || cursor_.at(K::kOpen)))
+      cursor_.fail(ErrorCode::kBadValue, digits.unit_span, "a unit stands behind the whole product: 2 * 3mm");
     if (!digits.unit.empty())
       cursor_.fail(ErrorCode::kBadValue, digits.unit_span, "the factor of a distance carries no unit");
     distance(level_of(cursor_, context_, digits, Quantity::kPure).value, false);

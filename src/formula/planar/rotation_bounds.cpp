@@ -26,6 +26,15 @@ using plane::RotationMap;
 
 namespace {
 
+/// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
+struct BestRotation {
+  std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
+  double bound = 0;             // no angle of within.outer has a better one
+  bool none = false;            // proven: there are no values, or none is the last
+  plane::RotationMap possible;  // all best angles are among these
+};
+BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense);
+
 double way_of(const plane::RotationInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
   return d < 0 ? d + 360 : d;
@@ -96,8 +105,6 @@ BoundedRotations bounded_map(const RotationMaps& maps, const SignMap& wanted) {
                                        world.which(d), centre_of(world, d), wanted.level);
 }
 
-}  // namespace
-
 BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense) {
   const int rotation = sense == Sense::kMinimum ? 1 : -1;
   BestRotation out{std::nullopt, 0, false, RotationMap::uniform(0)};
@@ -127,6 +134,8 @@ BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const Ro
                                 [rotation](std::span<const Mark> m) { return Mark(m[1] > 0 && rotation * m[0] <= 0); });
   return out;
 }
+
+}  // namespace
 
 RotationBounds rotation_bounds(const RotationMaps& rotation, const Formula& formula) {
   std::vector<BoundedRotations> maps;

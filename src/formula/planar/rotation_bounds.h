@@ -25,16 +25,6 @@ struct SolvedAngles {
 };
 SolvedAngles solve_angles(const RotationMaps& maps, const Formula& formula);
 
-/// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
-struct BestRotation {
-  std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
-  double bound = 0;             // no angle of within.outer has a better one
-  bool none = false;            // proven: there are no values, or none is the last
-  plane::RotationMap possible;  // all best angles are among these
-};
-BestRotation best_rotation(const RotationMaps& maps, const Distance& distance, const RotationBounds& within,
-                           distance::Sense sense);
-
 /// The least or greatest value over solved angles, and the angles that take it.
 struct BestAngles {
   std::optional<double> value;  // in the scene's unit, or in degrees; nothing where there is none

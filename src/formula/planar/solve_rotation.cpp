@@ -146,16 +146,14 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
              false,
              {},
              maps.rotations_twice(d) ? distance::Way::kSearch : distance::Way::kAngles};
-  const RotationMap all = RotationMap::uniform(1);
+  const BestAngles best = best_angles(maps, d, {RotationMap::uniform(1), std::nullopt}, distance::Sense::kMinimum);
   std::optional<double> least_value;  // not proven
-  if (maps.rotations_twice(d)) {
-    least_value = best_rotation(maps, d, {all, all}, distance::Sense::kMinimum)
-                      .value.value_or(-std::numeric_limits<double>::infinity());
-  } else if (const plane::RotationLeast found = maps.least(d, all); found.exists && found.proven) {
-    out.holds = mark_at(found.at, exact::Angle::of_degrees(pose_.degrees)) > 0;
-  } else if (found.exists) {
-    least_value = found.value.to_double();
-  }
+  if (best.at.outer)
+    least_value = best.value.value_or(-std::numeric_limits<double>::infinity());
+  else if (best.value && best.proven)
+    out.holds = mark_at(best.at.angles, exact::Angle::of_degrees(pose_.degrees)) > 0;
+  else
+    least_value = best.value;
   const auto value = out.distance.value();
   if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
     refuse(d,

@@ -342,6 +342,7 @@ BuildResult build(const Shape& shape, double step, std::uint64_t work) {
     return result;
   };
   if (shape.children.empty()) return make();  // made sooner than found
+  // Not the step: it stands in messages alone, of shapes that have no result.
   const auto content = [&](ByteWriter& out) {
     out.put(work);
     return ShapeContent(out).put(shape);

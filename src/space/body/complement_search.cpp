@@ -21,7 +21,7 @@ double division(double low, double high, double near, double reach) {
 }
 
 /// How far the box is from the sides of the one around it, at least; below 0 where it is not in it.
-double room_in(const Extent& around, const Extent& box) {
+double slack_in(const Extent& around, const Extent& box) {
   return std::min({box.low.x - around.low.x, box.low.y - around.low.y, box.low.z - around.low.z,
                    around.high.x - box.high.x, around.high.y - box.high.y, around.high.z - box.high.z});
 }
@@ -52,7 +52,7 @@ bool ComplementSearch::likely_covered(const Cell& cell) const {
   if (!cell.box.bounded()) return false;
   std::vector<std::pair<double, std::size_t>> likely;
   for (const std::size_t k : cell.sets) {
-    if (const double room = room_in(cover_.extent(k), cell.box); room > 0) likely.emplace_back(-room, k);
+    if (const double slack = slack_in(cover_.extent(k), cell.box); slack > 0) likely.emplace_back(-slack, k);
   }
   const auto last = likely.begin() + std::min(kLikely, static_cast<long>(likely.size()));
   std::partial_sort(likely.begin(), last, likely.end());
