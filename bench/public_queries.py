@@ -9,7 +9,7 @@ usage: PYTHONPATH=build/release/python /usr/bin/python3 bench/public_queries.py 
 1. A formula of ten atoms over shapes of 100 vertices, asked at a million positions: findspace; with --cpp the same
    question from C++; where GEOS can say it (the same ten clearances as buffered unions), Shapely's prepared contains.
 2. `contains` of a million positions in a region of 10,000 edges: findspace and Shapely's vectorised prepared contains.
-3. 10,000 polygons of 20 corners: from arrays, from text, and from arrays through text.
+3. 10,000 polygons of 20 corners: from arrays one by one and at once, from text, and from arrays through text.
 """
 import argparse
 import json
@@ -89,6 +89,9 @@ def building(rng):
     rings = [star(0, 0, 5, 20, rng) for _ in range(10000)]
     texts = [json.dumps({"polygon": r.tolist()}) for r in rings]
     arrays = least(lambda: [fs.Shape.polygon(r) for r in rings], 2)
+    at_once = least(lambda: fs.Shape.polygons(rings))
+    one_array = np.array(rings)
+    of_one = least(lambda: fs.Shape.polygons(one_array))
     text = least(lambda: [fs.Shape.json(t) for t in texts], 1)
     through = least(lambda: [fs.Shape.json(json.dumps({"polygon": r.tolist()})) for r in rings], 1)
     theirs = least(lambda: [Polygon(r) for r in rings], 2)
@@ -96,6 +99,9 @@ def building(rng):
     row("10,000 polygons from text", text * 1e3, "ms", f"{text / arrays:.1f} times as long")
     row("10,000 polygons through text: arrays printed, then read", through * 1e3, "ms",
         f"{through / arrays:.1f} times as long")
+    row("10,000 polygons at once, of a list of arrays", at_once * 1e3, "ms",
+        f"through text {through / at_once:.1f} times as long")
+    row("10,000 polygons at once, of one array", of_one * 1e3, "ms", f"through text {through / of_one:.1f} times as long")
     row("10,000 polygons of Shapely, unchecked", theirs * 1e3, "ms", f"{theirs / arrays:.1f} times as long")
 
 

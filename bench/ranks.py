@@ -144,9 +144,8 @@ def map_units(options, folder, name, resolution, rows):
     """Of the map on resolution² lines; the costs of its rows are those of a map on rows² lines."""
     def command(n):
         return ["map", f"{name}.json", "--resolution", n, "-o", "map.json"]
-    runs = {n: Timed(ranked(n, options.program_mpi, *command(resolution)), folder, options.repeat) for n in (1, 2)}
     few = Timed(ranked(1, options.program_mpi, *command(8)), folder, options.repeat)
-    Timed(ranked(1, options.program_mpi, *command(resolution)), folder)
+    runs = {n: Timed(ranked(n, options.program_mpi, *command(resolution)), folder, options.repeat) for n in (1, 2)}
     compare(f"map '{name}' of a mesh of {options.triangles} triangles, {resolution}² lines", runs[1], runs[2])
     made, making, slowest, taken, taking, _ = account_of(runs[2].run.stderr)
     longer = rows / resolution  # a row
@@ -260,7 +259,7 @@ def main(argv):
         print("| job | 1 rank, s | 2 ranks, s | efficiency | 1 rank, processor s | 2 ranks, processor s | efficiency by processor |\n|---|---|---|---|---|---|---|")
         mesh_scenes(folder, options.triangles)
         units = {"map": map_units(options, folder, "mesh", options.resolution, options.resolution),
-                 "level": map_units(options, folder, "level", options.resolution // 4, options.resolution), "batch": batch_units(options, folder)}
+                 "level": map_units(options, folder, "level", options.resolution, options.resolution), "batch": batch_units(options, folder)}
         if options.units:
             Path(options.units).write_text(json.dumps(units) + "\n")
 

@@ -39,6 +39,8 @@ RESULTS = {
     "Region.bounds": "tuple[float, float, float, float] | None",
     "SpaceRegion.bounds": "tuple[list[float], list[float]] | None",
     "SpaceRegion.boxes": "list[tuple[list[float], list[float], list[bool], list[bool]]]",
+    "AdjustedPhi.evaluate": "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]",
+    "Shape.polygons": "list[Shape]",
     "Phi.evaluate": "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]",
     "Region.__geo_interface__": "dict[str, Any]",
     "Shape.__geo_interface__": "dict[str, Any]",
@@ -52,7 +54,7 @@ def typed(text, argument):
         return text
     text = re.sub(r"(positions|ring|points|vertices|faces): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
                   r"\1: numpy.typing.ArrayLike", text)
-    return re.sub(r"formula: Formula\b", "formula: Formula | str", text)
+    return re.sub(r"(?<!self: )\bFormula\b", "Formula | str", text)
 
 
 def signatures(name, doc):

@@ -80,7 +80,7 @@ def check(program, seed, folder):
     path = os.path.join(folder, "problem.json")
     with open(path, "w", encoding="utf-8") as file:
         json.dump({"name": "lattice", "strip_height": height, "items": items}, file)
-    done = subprocess.run([program, "pack", path, "--json", "-q", "--threads", "1", "--work", "5"], capture_output=True,
+    done = subprocess.run([program, "pack", path, "--json", "-q", "--threads", "1", "--work", "25"], capture_output=True,
                           text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"pack_lattice: instance {seed}: {done.stderr}")

@@ -31,7 +31,7 @@ CASES = os.path.join(ROOT, "tests", "cases")
 DISTANCES = {"gamma1", "gamma2", "eta1", "eta2", "delta1", "delta2", "mu", "hausdorff", "d1", "d2", "dstar", "h",
              "diameter", "penetration"}
 STANDS_FOR = {"overlaps": "gamma1", "touches": "gamma1", "disjoint": "gamma1", "clear": "gamma1", "within": "gamma1",
-              "gap": "gamma1", "inside": "eta1", "margin": "eta1", "covers": "delta1", "reach": "gamma2",
+              "near": "gamma1", "far": "gamma1", "keepout": "gamma1", "group": "diameter", "gap": "gamma1", "inside": "eta1", "margin": "eta1", "covers": "delta1", "reach": "gamma2",
               "distance": "d1"}
 EXPECTED = {"attained", "distances", "encloses", "exit", "intervals", "phi", "positions", "region", "regions", "says", "true"}
 SOLIDS = {"polytope", "ball", "prism", "mesh"}
@@ -99,7 +99,7 @@ def dimension(scene):
             return bool(SOLIDS & node.keys()) or any(solid(n) for n in node.values())
         if isinstance(node, list):
             return len(node) == 3 and all(isinstance(n, (int, float)) for n in node) or any(solid(n) for n in node)
-        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf"))
+        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf", ".glb"))
     return 3 if solid(scene.get("shapes")) else 2
 
 

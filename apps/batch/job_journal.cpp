@@ -170,7 +170,7 @@ void JobJournal::record(std::size_t job, std::string_view line) {
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       const int reason = n == 0 ? ENOSPC : errno;
-      if (ftruncate(own_file_, static_cast<off_t>(own_size_)) != 0) own_file_ = -1;  // the rest is no whole line
+      if (ftruncate(own_file_, static_cast<off_t>(own_size_)) != 0) own_file_ = -1;  // the rest is not a whole line
       errno = reason;
       fail(parts_[own_part_].path, "cannot be written");
     }

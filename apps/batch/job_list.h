@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The questions of `findspace batch`: a JSON object a line, with a verb, its scene and its options in the words of the
-// command line. A line that is no question is a job as well: its result says what is wrong with it.
+// command line. A line that is not a question is a job as well: its result says what is wrong with it.
 // Cost: linear in the text; one line at a time is held as a tree. Keywords: JSON Lines, NDJSON, job array.
 #pragma once
 

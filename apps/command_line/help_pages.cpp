@@ -161,7 +161,7 @@ One more argument counts some motions only: gap(B, A, along=(1, 0)).
 
 In a scene with a motion, inf gap(B, A) is the least value over time, sup gap(B, A) the largest.
 
-A name of a shape that is no plain word stands in quotes: gap(B, "my part").
+A name of a shape that is not a plain word stands in quotes: gap(B, "my part").
 A1+A2 is the union of two shapes: gap(B, A1+A2).
 
 docs/formula.md is the manual; docs/distances.md has the definitions.
@@ -217,7 +217,7 @@ constexpr Line kSpaceShapes[] = {{"polytope", "the convex hull of points [[X, Y,
                                  {"ball", "{\"center\": [X, Y, Z], \"radius\": R}"},
                                  {"prism", "{\"polygon\": [..], \"holes\": [..], \"z\": [LOW, HIGH]}"},
                                  {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
-                                 {"file", "a .stl .obj .off .ply .3mf; with unit"}};
+                                 {"file", "a .stl .obj .off .ply .3mf .glb; with unit"}};
 
 constexpr Line kMadeShapes[] = {
     {"union, intersection", "of a list of shapes"},

@@ -250,21 +250,34 @@ void add_conversions(CLI::App& command, Options& o) {
       ->group(kPlaneGroup);
 }
 
+bool asks_a_formula(std::string_view verb) {
+  constexpr std::array<std::string_view, 6> kOthers{"describe", "convert", "phi", "batch", "pack", "verify"};
+  return std::find(kOthers.begin(), kOthers.end(), verb) == kOthers.end();
+}
+
+void add_formulas(CLI::App& command, std::string_view verb, Options& o) {
+  const auto text = [&](const char* name, std::string& value, const char* about, const char* type) {
+    const auto given = [](const std::string& formula) { return formula.empty() ? "it is empty" : ""; };
+    command.add_option(name, value, about)->type_name(type)->check(given)->group(kCommon);
+  };
+  text("--where", o.where, "the formula that must hold (default: the file's)", "FORMULA");
+  if (verb == "map" || verb == "place")
+    text("--minimize", o.minimize, "the objective to make least (default: the file's)", "OBJECTIVE");
+  if (verb == "map")
+    text("--maximize", o.maximize, "the objective to make greatest (default: the file's)", "OBJECTIVE");
+}
+
 /// What is asked of a board, which says no question itself.
 void add_board(CLI::App& command, std::string_view verb, Options& o) {
-  constexpr std::array<std::string_view, 6> kOthers{"describe", "convert", "phi", "batch", "pack", "verify"};
-  if (std::find(kOthers.begin(), kOthers.end(), verb) != kOthers.end()) return;
   const auto text = [&](const char* name, auto& value, const char* about, const char* type) {
     return command.add_option(name, value, about)->type_name(type)->group(kBoard);
   };
-  text("--move", o.move, "the parts that move together, by reference (default: the file's)", "PART[,PART]")
+  text("--move", o.move, "the parts that move together, by reference, or a group (default: the file's)", "PART[,PART]")
       ->delimiter(',');
-  text("--where", o.where, "the formula that must hold (default: the file's)", "FORMULA");
-  if (verb == "map" || verb == "place")
-    text("--minimize", o.minimize, "the objective to make least (default: none)", "OBJECTIVE");
-  if (verb == "map") {
-    text("--maximize", o.maximize, "the objective to make greatest (default: none)", "OBJECTIVE");
-  }
+  text("--fixed", o.fixed, "parts that must not move, beside those locked in the board (default: none)", "PART[,PART]")
+      ->delimiter(',');
+  text("--group", o.groups, "a group of parts, beside those of the board (default: none); once a group",
+       "NAME=PART[,PART]");
   if (verb == "map" || verb == "place") {
     text("--free", o.free, "angles to add to the part's own, in degrees (default: none)", "DEG[,DEG]")->delimiter(',');
   }
@@ -352,7 +365,10 @@ void add_options(CLI::App& command, std::string_view verb, Options& o) {
   if (verb != "pack" && verb != "verify") add_drawings(command, o);
   add_question(command, verb, o);
   add_forms(command, verb, o);
-  add_board(command, verb, o);
+  if (asks_a_formula(verb)) {
+    add_formulas(command, verb, o);
+    add_board(command, verb, o);
+  }
   add_lines(command, verb, o);
   command.add_option("--threads", o.threads, "threads to use, 0 to 4096 (default 0: one for each core)")
       ->type_name("N")

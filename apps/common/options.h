@@ -29,10 +29,11 @@ struct Options {
   std::optional<std::string> time;                        // an instant of the motion, a decimal
   std::optional<std::string> min_distance, max_distance;  // of phi: allowed distances, decimals
   std::vector<std::string> move, free;         // of a board: parts that move; angles they may have, in degrees
-  std::string where, minimize, maximize;       // of a board: formulas
+  std::vector<std::string> fixed, groups;      // of a board: parts that must not move; "NAME=PART,PART"
+  std::string where, minimize, maximize;       // formulas, before those of a scene; of a board
   bool place = false;                          // the verb is `place`
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
-  std::optional<std::string> unit, id, layer;  // of convert, for a file that is no scene
+  std::optional<std::string> unit, id, layer;  // of convert, for a file that is not a scene
   std::optional<unsigned> index;
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively

@@ -38,8 +38,9 @@ class ProcessTeam {
   /// Of the leader: digests of all rows in order, made by all.
   virtual void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
                            const std::function<void(int, RowDigest&&)>& take) = 0;
-  /// Of the others: gives rows or digests on the grids that the leader names, until it has ended.
-  virtual void serve(const Source& source, const RowDigester& digester) = 0;
+  /// Of the others: gives rows or digests on the grids that the leader names, until it has ended. The `first` of these
+  /// is known: all make its source at the same time.
+  virtual void serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) = 0;
 };
 
 }  // namespace findspace::app

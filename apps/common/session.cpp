@@ -24,8 +24,8 @@ namespace {
 
 using exact::Real;
 
-constexpr std::array<std::string_view, 9> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl",
-                                                    ".obj", ".off", ".ply", ".3mf"};
+constexpr std::array<std::string_view, 10> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl",
+                                                     ".obj", ".off", ".ply", ".3mf",     ".glb"};
 
 /// A scene that holds the one shape of a drawing.
 std::string scene_around(const std::filesystem::path& drawing, const Options& o) {
@@ -42,9 +42,25 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
 }
 
+/// "power=U3,C7,C8".
+io::PartGroup group_of(const std::string& text) {
+  const std::size_t is = text.find('=');
+  io::PartGroup out{text.substr(0, is), {}};
+  for (std::size_t at = is; at != text.npos;) {
+    const std::size_t end = text.find(',', at + 1);
+    out.parts.push_back(text.substr(at + 1, end == text.npos ? end : end - at - 1));
+    at = end;
+  }
+  const bool has_empty = std::find(out.parts.begin(), out.parts.end(), "") != out.parts.end();
+  if (out.name.empty() || out.parts.empty() || has_empty)
+    throw Error(ErrorCode::kUsage, fmt::format("--group {}: NAME=PART,PART is meant, such as power=U3,C7", text));
+  return out;
+}
+
 /// What the command line asks of a board.
 io::BoardQuestion question_of_board(const Options& o) {
-  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, o.place, {}};
+  io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, o.place, {}, o.fixed, {}};
+  for (const std::string& text : o.groups) question.groups.push_back(group_of(text));
   for (const std::string& angle : o.free) {
     try {
       question.angles.push_back(Real::parse_decimal(angle));
@@ -55,20 +71,36 @@ io::BoardQuestion question_of_board(const Options& o) {
   return question;
 }
 
+/// The scene with the formulas of the command line in the place of its own.
+io::Scene asked(io::Scene scene, const Options& o) {
+  if (!o.minimize.empty() && !o.maximize.empty())
+    throw Error(ErrorCode::kUsage, "--minimize and --maximize: one objective is meant");
+  if (scene.place.given() && !(o.where.empty() && o.minimize.empty()))
+    throw Error(ErrorCode::kUsage, "--where and --minimize: a scene with \"place\" says them there");
+  if (!o.where.empty()) {
+    scene.where = {o.where, "--where", 1, 1};
+    scene.conditions.clear();
+  }
+  if (!o.minimize.empty() || !o.maximize.empty()) {
+    scene.minimize = {o.minimize, "--minimize", 1, 1};
+    scene.maximize = {o.maximize, "--maximize", 1, 1};
+  }
+  return scene;
+}
+
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
   if (o.scene_text) {
     io::ReadOptions limits = reading(o);
     if (limits.root.empty()) limits.root = std::filesystem::current_path();
-    return io::read_scene_text(*o.scene_text, limits.root, o.scene, limits);
+    return asked(io::read_scene_text(*o.scene_text, limits.root, o.scene, limits), o);
   }
   if (is_board(path))
     return io::board_scene(
         std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),
         question_of_board(o));
-  if (!o.move.empty() || !o.where.empty() || !o.minimize.empty() || !o.maximize.empty() || !o.free.empty())
-    throw Error(ErrorCode::kUsage,
-                "--move, --where, --minimize, --maximize and --free are for boards; a scene says them itself");
+  if (!o.move.empty() || !o.free.empty() || !o.fixed.empty() || !o.groups.empty())
+    throw Error(ErrorCode::kUsage, "--move, --free, --fixed and --group are for boards; a scene says them itself");
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
@@ -76,12 +108,12 @@ io::Scene read(const Options& o) {
   if (o.scene == "-") {
     const std::filesystem::path folder = std::filesystem::current_path();
     if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
-    return io::read_scene_text(io::read_standard_input(o.input_limit), folder, "standard input", limits);
+    return asked(io::read_scene_text(io::read_standard_input(o.input_limit), folder, "standard input", limits), o);
   }
-  if (!drawing) return io::read_scene(path, limits);
+  if (!drawing) return asked(io::read_scene(path, limits), o);
   limits.files = true;  // the one that is named
   limits.root.clear();
-  return io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string(), limits);
+  return asked(io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string(), limits), o);
 }
 
 /// "LINE:COLUMN" within the formula, as a place in the scene file.
@@ -233,9 +265,11 @@ formula::Motion motion_of(const io::Scene& scene) {
 
 }  // namespace
 
-formula::World Session::world() const { return scene_.named_only ? world_of(where()) : world_with(scene_.shapes); }
+formula::World Session::world() const {
+  return scene_.named_only ? world_of(where()) : world_with(scene_.shapes, true);
+}
 
-formula::World Session::world_of(const formula::Formula& formula) const {
+formula::World Session::world_of(const formula::Formula& formula, bool parts) const {
   std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
   const std::optional<Goal> goal = this->goal();
   named.merge(formula.shapes());
@@ -254,10 +288,10 @@ formula::World Session::world_of(const formula::Formula& formula) const {
   std::vector<plane::ShapePtr> wanted;
   for (const plane::ShapePtr& s : scene_.shapes)
     if (named.count(s->name) != 0 || (!scene_.named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
-  return world_with(wanted);
+  return world_with(wanted, parts);
 }
 
-formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes) const {
+formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const {
   reporter_.stage("building the shapes");
   formula::World world;
   std::vector<plane::Region> built = regions(shapes);
@@ -267,11 +301,11 @@ formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes) c
   world.motion = motion_of(scene_);
   world.instant = asked_instant(*this);
   for (const plane::ShapePtr& s : shapes) {
-    if (!s->collection) continue;
-    std::vector<plane::Region> parts = regions(s->children);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (!s->collection || !parts) continue;
+    std::vector<plane::Region> built_parts = regions(s->children);
+    for (std::size_t k = 0; k < built_parts.size(); ++k) {
       const std::string& name = s->children[k]->name;
-      world.parts[s->name].emplace_back(name.empty() ? std::to_string(k) : name, std::move(parts[k]));
+      world.parts[s->name].emplace_back(name.empty() ? std::to_string(k) : name, std::move(built_parts[k]));
     }
   }
   return world;

@@ -15,7 +15,7 @@
 #include "common/reporter.h"
 #include "formula/language/parse.h"
 #include "formula/language/parse_goal.h"
-#include "formula/planar/optimize.h"
+#include "formula/planar/solve_region.h"
 #include "io/scene/scene.h"
 #include "io/text/spool.h"
 #include "io/write/write_svg.h"
@@ -55,8 +55,9 @@ class Session {
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
   formula::World world() const;
-  /// The same without shapes that the formula does not name and that others are made of.
-  formula::World world_of(const formula::Formula& formula) const;
+  /// The same without shapes that the formula does not name and that others are made of; without the parts of
+  /// collections, unless a report or a picture needs them.
+  formula::World world_of(const formula::Formula& formula, bool parts = true) const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`; or such
@@ -65,7 +66,7 @@ class Session {
   bool in_space() const { return scene_.dimension == 3; }
 
  private:
-  formula::World world_with(const std::vector<plane::ShapePtr>& shapes) const;
+  formula::World world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const;
 
   const Options& options_;
   Reporter& reporter_;

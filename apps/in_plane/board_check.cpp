@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "exact/margins/boards.h"
 #include "exact/margins/rounding.h"
 #include "io/board/board.h"
 #include "io/draw/draw_layout.h"
@@ -24,16 +25,15 @@
 namespace findspace::app {
 namespace {
 
-constexpr const char *kSelf = "self", *kHoles = "holes";
+constexpr const char *kSelf = "self", *kHoles = "holes", *kKeepOuts = "keepouts";
 
-/// What the rules are without --where. Where a part stands at an angle its points are put on the grid of a millionth of
-/// a millimetre, so that bodies drawn side by side may overlap by up to two steps.
+/// What the rules are without --where.
 std::string own_rules(const io::Board& board) {
   const bool turned = std::any_of(board.parts.begin(), board.parts.end(), [](const io::Part& p) {
     const exact::Real quarters = p.degrees / exact::Real(90);
     return p.body && !(exact::Real(floor(quarters)) == quarters);
   });
-  const char* room = turned ? ", -0.000002mm" : "";
+  const std::string room = turned ? fmt::format(", -{:f}mm", margin::kTurnedBodies) : "";
   return fmt::format("inside(self, board{0}) and clear(self, others{0}){1}", room,
                      board.keep_outs.empty() ? "" : fmt::format(" and clear(self, keepouts{})", room));
 }
@@ -45,8 +45,8 @@ struct StandingPart {
   plane::PieceBox box;
 };
 
-/// A drilled hole; `part` owns it, or is empty.
-struct DrilledHole {
+/// A drilled hole or a keep-out; `part` owns it, or is empty.
+struct OwnedArea {
   std::string part;
   plane::Region region;
   plane::PieceBox box;
@@ -122,11 +122,12 @@ class BoardCheck {
     }
   }
 
-  /// The shapes of which the rules speak that are no lists of parts.
+  /// The shapes of which the rules speak that are not lists of parts.
   void build_named() {
     if (bodies_.empty()) return;
     const formula::Formula formula = session_.formula(rules_, context(bodies_.front(), {}));
     if (formula.shapes().count(kHoles) > 0) build_holes();
+    if (formula.shapes().count(kKeepOuts) > 0) build_keep_outs();
     std::vector<plane::ShapePtr> shapes;
     for (const std::string& name : formula.shapes())
       if (const plane::ShapePtr shape = session_.scene().find(name); shape && !is_parts(name)) shapes.push_back(shape);
@@ -144,8 +145,26 @@ class BoardCheck {
       if (!box) continue;
       const std::string name = fmt::format("hole at {} {}", io::shown((box->x0 + box->x1) / 2 * step),
                                            io::shown((box->y0 + box->y1) / 2 * step));
-      holes_.insert_or_assign(name, DrilledHole{board_.holes[k].part, std::move(built[k]), *box});
+      add_owned(kHoles, name, {board_.holes[k].part, std::move(built[k]), *box});
     }
+  }
+
+  void build_keep_outs() {
+    std::vector<plane::ShapePtr> shapes;
+    for (const io::KeepOut& k : board_.keep_outs) shapes.push_back(k.area);
+    std::vector<plane::Region> built = session_.regions(shapes);
+    for (std::size_t k = 0; k < built.size(); ++k) {
+      const io::KeepOut& area = board_.keep_outs[k];
+      const auto box = plane::extent(built[k]);
+      const bool taken = by_name_.count(area.name) > 0;
+      if (box)
+        add_owned(kKeepOuts, taken ? "keep-out " + area.name : area.name, {area.part, std::move(built[k]), *box});
+    }
+  }
+
+  void add_owned(const std::string& list, const std::string& name, OwnedArea area) {
+    owned_lists_[list].push_back(name);
+    owned_.insert_or_assign(name, std::move(area));
   }
 
   /// A list whose members are bodies: not `holes` or the copper of a net.
@@ -163,8 +182,8 @@ class BoardCheck {
     std::erase_if(context.shapes, gone);
     std::erase(context.shapes, "others");
     if (empty.count("others") == 0) context.shapes.push_back("others");
-    context.all.clear();
-    for (const StandingPart* other : members("others", self)) context.all.push_back(other->part->name);
+    context.all.emplace();
+    for (const StandingPart* other : members("others", self)) context.all->push_back(other->part->name);
     context.empty.insert(context.empty.end(), empty.begin(), empty.end());
     for (auto& [list, names] : context.groups)
       std::replace(names.begin(), names.end(), self.part->name, std::string(kSelf));
@@ -189,9 +208,10 @@ class BoardCheck {
     for (const std::string& name : atom.distance.second) {
       if (const auto part = by_name_.find(name); part != by_name_.end())
         add(bodies_[part->second]);
-      else if (name == kHoles)
-        for (const auto& [hole, drilled] : holes_) {
-          if (drilled.part != self.part->name && is_near(drilled.box, atom.level, self)) out.insert(hole);
+      else if (const auto list = owned_lists_.find(name); list != owned_lists_.end())
+        for (const std::string& member : list->second) {
+          const OwnedArea& area = owned_.at(member);
+          if (area.part != self.part->name && is_near(area.box, atom.level, self)) out.insert(member);
         }
       else if (!is_parts(name))
         out.insert(name);
@@ -222,6 +242,7 @@ class BoardCheck {
     for (const std::string& other : others(atom, self)) {
       formula::Atom pair = atom;
       pair.distance.second = {other};
+      if (!pair.distance.lists.empty()) pair.distance.lists = {pair.distance.first.front(), other};
       out.operands.push_back(add(std::move(pair)));
     }
     if (out.operands.size() == 1) return formula::Node(out.operands.front());
@@ -255,8 +276,8 @@ class BoardCheck {
       if (!is_parts(name)) {
         if (const auto part = by_name_.find(name); part != by_name_.end())
           world.shapes.emplace(name, bodies_[part->second].region);
-        else if (const auto hole = holes_.find(name); hole != holes_.end())
-          world.shapes.emplace(name, hole->second.region);
+        else if (const auto area = owned_.find(name); area != owned_.end())
+          world.shapes.emplace(name, area->second.region);
         else
           world.shapes.emplace(name, named_.at(name));
         continue;
@@ -277,7 +298,8 @@ class BoardCheck {
   std::vector<StandingPart> bodies_;
   std::map<std::string, std::size_t> by_name_;  // of bodies
   std::map<std::string, plane::Region> named_;
-  std::map<std::string, DrilledHole> holes_;
+  std::map<std::string, OwnedArea> owned_;                       // by the names that results have
+  std::map<std::string, std::vector<std::string>> owned_lists_;  // of `holes` and `keepouts`
 };
 
 std::string anchor(const io::Part& part, const exact::Real& step) {
@@ -291,7 +313,7 @@ std::string text_of(const Session& session, const BoardCheck& board, const std::
       fmt::format("{} of {} parts break the rules: {}\n", broken.size(), board.bodies().size(), board.rules());
   for (const Broken& b : broken)
     out += check_text(b.check, fmt::format("{} at {}", b.body->part->name, anchor(*b.body->part, session.step())), {},
-                      session.unit(), nullptr, session.options().explain);
+                      session.unit(), {}, session.options().explain);
   return out;
 }
 
@@ -300,7 +322,7 @@ std::string json_of(const Session& session, const BoardCheck& board, const std::
                                 broken.empty(), io::json_string(board.rules()));
   const char* between = "\n";
   for (const Broken& b : broken) {
-    std::string check = io::check_json(b.check, {exact::Real(0), exact::Real(0)}, session.unit(), std::nullopt, nullptr,
+    std::string check = io::check_json(b.check, {exact::Real(0), exact::Real(0)}, session.unit(), std::nullopt, {},
                                        session.options().explain);
     while (!check.empty() && check.back() == '\n') check.pop_back();
     out += fmt::format("{}{{\"part\": {}, \"check\": {}}}", between, io::json_string(b.body->part->name), check);

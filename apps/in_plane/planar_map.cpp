@@ -2,17 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "in_plane/planar_map.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "findspace/error.h"
-#include "formula/planar/feasible_near.h"
-#include "formula/planar/optimize.h"
-#include "formula/planar/sums.h"
-#include "plane/build/path_region.h"
-#include "plane/complex/overlay.h"
+#include "formula/planar/solve_region.h"
 #include "plane/query/in_order.h"
-#include "plane/query/locate.h"
 #include "plane/query/topology.h"
 #include "report/report.h"
 
@@ -28,23 +20,14 @@ plane::Region applied(plane::Region region, const std::string& operation) {
   return region;
 }
 
-/// Two points of the line, about 2^36 steps either way from where it goes through: beyond them nothing is looked for.
-std::array<exact::RealPoint, 2> ends_of_line(const io::Free& free) {
-  const std::int64_t most = std::max({std::abs(free.direction[0]), std::abs(free.direction[1]), std::int64_t(1)});
-  const std::int64_t times = std::max<std::int64_t>(1, (std::int64_t(1) << 36) / most);
-  const auto end = [&](std::int64_t way) {
-    return exact::RealPoint{exact::Real(free.through[0] + way * free.direction[0]),
-                            exact::Real(free.through[1] + way * free.direction[1])};
-  };
-  return {end(-times), end(times)};
+formula::PlanarLine line_of(const io::Free& free) {
+  return {{free.through[0], free.through[1]}, {free.direction[0], free.direction[1]}};
 }
 
 }  // namespace
 
 plane::Region on_line(const plane::Region& region, const io::Free& free) {
-  const plane::Region line = plane::region_of_path(ends_of_line(free));
-  const std::array<const plane::Region*, 2> both{&region, &line};
-  return plane::intersect(both);
+  return formula::on_line(region, line_of(free));
 }
 
 std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const io::Free& free) {
@@ -64,94 +47,67 @@ constexpr const char* kCompared =
     "\"outer\" "
     "the possible ones";
 
-/// `bounded`: where shapes rotate, or distances are summed.
-io::ExtremeValue value_of(const formula::Optimum& optimum, bool maximum, Reporter& reporter, bool bounded = false) {
-  if (optimum.value && !optimum.proven) reporter.note(bounded ? kBetweenBounds : kNoRoots);
-  io::ExtremeValue out = io::extreme_value(optimum, maximum);
-  out.proven = out.proven || optimum.unbounded || (!bounded && !optimum.value);
-  if (out.proven || optimum.unbounded) return out;
-  if (bounded || optimum.within != 0) out.bound = optimum.bound;
-  if (optimum.within != 0 && std::isfinite(optimum.within)) out.within = optimum.within;
-  return out;
+/// What is said about an optimum that is enclosed, by the way that found it.
+void note_enclosed(const formula::Optimum& best, Reporter& reporter) {
+  if (best.exists() && !best.proven())
+    reporter.note(best.answer->way == distance::Way::kMap ? kNoRoots : kBetweenBounds);
 }
 
-/// An optimum at an end of the line is none: it goes on.
-formula::Optimum within_line(formula::Optimum best, const io::Free& free) {
-  for (const exact::RealPoint& end : ends_of_line(free)) {
-    if (!best.value || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
-    best.value.reset();
-    best.unbounded = true;
-    best.attained = false;
-    best.at = plane::Region::uniform(0);
-  }
-  return best;
-}
-
-/// Of shapes that rotate, or distances compared with each other: regions, and what is best in them, between bounds.
-PlanarMap map_between_bounds(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
-                             const formula::RegionBounds* known) {
-  Reporter& reporter = session.reporter();
-  const std::optional<Session::Goal> goal = session.goal();
-  if (!session.options().apply.empty())
-    throw Error(
-        ErrorCode::kUnsupported,
-        "--apply: only bounds of the region are known, as shapes rotate or distances are compared with each other",
-        session.scene().file);
-  formula::RegionBounds bounds = known != nullptr ? *known : solver.feasible_bounds(formula);
-  const bool sums = formula::has_sums(formula);
-  if (!goal && sums && formula::same_sets(bounds))
-    return {plane::in_order(bounds.inner), std::nullopt, std::nullopt, std::nullopt};
-  if (!goal) {
-    reporter.note(sums ? kCompared : kRotating);
-    std::optional<io::ExtremeValue> extreme;
-    if (const auto least = formula::minimum_of(formula, solver)) extreme = value_of(*least, false, reporter, true);
-    return {plane::in_order(bounds.inner), std::nullopt, extreme, plane::in_order(bounds.outer)};
-  }
-  reporter.stage("optimizing");
+/// The region of the formula on the scene's line, and its best positions.
+PlanarMap best_map(const Session& session, const formula::Solver& solver, formula::SolvedRegion found,
+                   const Session::Goal& goal) {
+  session.reporter().stage("optimizing");
+  formula::BestQuery query{goal.objective, goal.sense, std::nullopt};
   if (session.scene().free.kind == io::Free::Kind::kLine) {
-    bounds.inner = on_line(bounds.inner, session.scene().free);
-    bounds.outer = on_line(bounds.outer, session.scene().free);
+    query.line = line_of(session.scene().free);
+    found = formula::on_line(found, *query.line);
   }
-  formula::Optimum best = formula::optimize(bounds, goal->objective, goal->sense, solver);
-  const io::ExtremeValue extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter, true);
-  return {plane::in_order(best.at), plane::in_order(bounds.outer), extreme, std::nullopt};
+  formula::Optimum best = formula::optimize(solver, found, query);
+  note_enclosed(best, session.reporter());
+  PlanarMap map{std::move(best.at), std::nullopt, best, std::nullopt};
+  map.feasible = plane::in_order(found.outer ? *std::move(found.outer) : std::move(found.region));
+  return map;
 }
 
 }  // namespace
 
 PlanarMap planar_map(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
-                     const formula::RegionBounds* known) {
+                     const formula::SolvedRegion* known) {
   Reporter& reporter = session.reporter();
   const std::optional<Session::Goal> goal = session.goal();
+  const std::string& apply = session.options().apply;
   reporter.stage("solving");
-  if (solver.known_between_bounds(formula) || (goal && formula::is_bounded(goal->objective, solver)))
-    return map_between_bounds(session, solver, formula, known);
-  PlanarMap map{known != nullptr ? known->inner : formula::feasible_near(solver, formula), std::nullopt, std::nullopt,
-                std::nullopt};
+  formula::SolvedRegion found = known != nullptr ? *known : formula::solve_region(solver, formula);
+  if (found.outer && !apply.empty())
+    throw Error(
+        ErrorCode::kUnsupported,
+        "--apply: only bounds of the region are known, as shapes rotate or distances are compared with each other",
+        session.scene().file);
+  if (found.outer && !goal) reporter.note(found.compared ? kCompared : kRotating);
+  PlanarMap map;
   if (goal) {
-    reporter.stage("optimizing");
-    const bool line = session.scene().free.kind == io::Free::Kind::kLine;
-    if (line) map.region = on_line(map.region, session.scene().free);
-    formula::Optimum best = formula::optimize(map.region, goal->objective, goal->sense, solver);
-    if (line) best = within_line(std::move(best), session.scene().free);
-    const bool sum = goal->objective.kind == formula::Objective::Kind::kSum;
-    map.extreme = value_of(best, goal->sense == distance::Sense::kMaximum, reporter, sum);
-    map.feasible = plane::in_order(std::exchange(map.region, std::move(best.at)));
-  } else if (const auto least = formula::minimum_of(formula, solver)) {
-    map.extreme = value_of(*least, false, reporter);
+    map = best_map(session, solver, std::move(found), *goal);
+  } else {
+    map.region = std::move(found.region);
+    if (found.outer) map.outer = plane::in_order(*std::move(found.outer));
+    if (const auto least = formula::minimum_of(formula, solver)) {
+      note_enclosed(*least, reporter);
+      map.extreme = *least;
+    }
   }
   // What is known has its order.
-  if (known == nullptr || goal || !session.options().apply.empty())
-    map.region = plane::in_order(applied(std::move(map.region), session.options().apply));
+  if (known == nullptr || goal || !apply.empty()) map.region = plane::in_order(applied(std::move(map.region), apply));
   return map;
 }
 
-std::string planar_map_json(const Session& session, const PlanarMap& map) {
-  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
+std::string planar_map_json(const Session& session, const PlanarMap& map, const plane::Summary* known) {
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const bool line = session.scene().free.kind == io::Free::Kind::kLine;
-  const auto json = [&](const plane::Region& region, const io::ExtremeValue* best, bool exact) {
+  const auto json = [&](const plane::Region& region, const distance::OptimalValue* best, bool exact) {
     if (line)
       return io::intervals_json(intervals_on_line(region, session.scene().free), session.step(), session.unit(), best);
+    if (known != nullptr && &region == &map.region)
+      return io::region_json(region, *known, session.step(), session.unit(), best, exact);
     const plane::Summary summary = plane::summarize(region, session.step());
     return io::region_json(region, summary, session.step(), session.unit(), best, exact);
   };

@@ -15,6 +15,7 @@
 #include "formula/planar/solve.h"
 #include "io/write/write_json.h"
 #include "plane/query/locate_line.h"
+#include "plane/query/summary.h"
 
 namespace findspace::app {
 
@@ -22,15 +23,15 @@ namespace findspace::app {
 struct PlanarMap {
   plane::Region region;
   std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
-  std::optional<io::ExtremeValue> extreme;
+  std::optional<distance::OptimalValue> extreme;
   std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
 };
 
-/// `known`: the region of the formula where it has been made already, with `outer` where it is known between bounds.
+/// `known`: the region of the formula where it has been made already, its cells in order.
 PlanarMap planar_map(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
-                     const formula::RegionBounds* known = nullptr);
-/// As `map --json` prints it.
-std::string planar_map_json(const Session& session, const PlanarMap& map);
+                     const formula::SolvedRegion* known = nullptr);
+/// As `map --json` prints it. `known`: the summary of the map's region, where it has been made already.
+std::string planar_map_json(const Session& session, const PlanarMap& map, const plane::Summary* known = nullptr);
 /// The part of a region on the scene's line.
 plane::Region on_line(const plane::Region& region, const io::Free& free);
 /// The lengths along the scene's line that belong to a region.

@@ -116,6 +116,11 @@ std::string stack_text(const Session& session, const PoseStack& stack) {
   for (const PoseSlice& s : stack.slices)
     out += fmt::format("  at {}°: {}{}\n", io::shown(s.degrees.to_double()), area_text(s.region, session.step()),
                        s.outer ? ", possible within " + area_text(*s.outer, session.step()) : "");
+  if (session.scene().board != nullptr) {  // at these angles alone
+    std::vector<const plane::Region*> regions;
+    for (const PoseSlice& s : stack.slices) regions.push_back(&s.region);
+    return out + fmt::format("  at one of them: {}\n", area_text(plane::unite(regions), session.step()));
+  }
   for (const PoseSector& s : stack.sectors) {
     out += fmt::format("  {}° to {}°: at all angles {}; at some within {} (bound {} {})\n",
                        io::shown(s.from.to_double()), io::shown(s.to.to_double()), area_text(s.inner, session.step()),

@@ -19,6 +19,7 @@
 #include "report/position_picture.h"
 #include "report/position_report.h"
 #include "report/report.h"
+#include "report/report_text.h"
 #include "report/scenery.h"
 
 namespace findspace::app {
@@ -133,9 +134,7 @@ formula::World shown_world(const formula::Solver& solver, const formula::Rotatio
 bool asks_for_angle(const Session& session) {
   if (session.options().angle || rotations(session.scene().free)) return true;
   if (session.scene().motion.given()) return false;
-  const formula::Formula formula = session.where();
-  return std::any_of(formula.atoms().begin(), formula.atoms().end(),
-                     [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
+  return formula::has_rotations(session.where());
 }
 
 Outcome measure_at_angle(const Session& session) {
@@ -168,7 +167,7 @@ Outcome check_at_angle(const Session& session) {
   const formula::Check check = rotated.check(formula);
   say_rounding(session, rotated.rounding());
   const auto json = [&] {
-    return io::check_json(check, distance::coordinates(pose.at), session.unit(), pose.degrees.to_double(), nullptr,
+    return io::check_json(check, distance::coordinates(pose.at), session.unit(), pose.degrees.to_double(), {},
                           session.options().explain);
   };
   const auto svg = [&] {
@@ -178,7 +177,7 @@ Outcome check_at_angle(const Session& session) {
   return {session.options().json
               ? json()
               : check_text(check, io::shown_point(distance::coordinates(pose.at)), distance::coordinates(pose.at),
-                           session.unit(), nullptr, session.options().explain),
+                           session.unit(), {}, session.options().explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -200,21 +199,18 @@ namespace {
 
 struct AngleMap {
   formula::SolvedAngles set;
-  std::optional<io::ExtremeValue> best;
+  std::optional<distance::OptimalValue> best;
 };
 
 /// The angles at which the formula holds, or the best of them.
 AngleMap solve(const Session& session, const formula::RotationMaps& maps, const formula::Formula& formula) {
   AngleMap map{formula::solve_angles(maps, formula), std::nullopt};
   if (const auto goal = session.goal()) {
-    const bool maximum = goal->sense == distance::Sense::kMaximum, negated = goal->objective.negated;
-    formula::BestAngles best =
-        formula::best_angles(maps, goal->objective.distance, map.set,
-                             maximum != negated ? distance::Sense::kMaximum : distance::Sense::kMinimum);
-    const double sense = negated ? -1 : 1;
-    map.best = io::ExtremeValue{maximum, std::nullopt, false, best.attained, best.proven};
-    if (best.value) map.best->value = sense * *best.value;
-    if (best.bound) map.best->bound = sense * *best.bound;
+    const bool negated = goal->objective.negated;
+    const distance::Sense sense = negated ? opposite(goal->sense) : goal->sense;
+    formula::BestAngles best = formula::best_angles(maps, goal->objective.distance, map.set, sense);
+    if (negated) best.negate();
+    map.best = best;
     map.set = std::move(best.at);
   }
   if (map.set.outer)
@@ -233,7 +229,7 @@ Outcome map_of_angles(const Session& session) {
   const exact::RealPoint at = asked_position(session);
   const formula::RotationSolver rotated(solver, {at, {}, about(session)});
   AngleMap map = solve(session, rotated.maps(formula), formula);
-  const io::ExtremeValue* extreme = map.best ? &*map.best : nullptr;
+  const distance::OptimalValue* extreme = map.best ? &*map.best : nullptr;
   const auto json = [&] {
     std::string text = io::rotations_json(map.set.angles, extreme);
     return map.set.outer ? bounded_json(std::move(text), io::rotations_json(*map.set.outer)) : text;
@@ -242,8 +238,7 @@ Outcome map_of_angles(const Session& session) {
   const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   std::string text = rotations_text(session, angles, map.set.outer ? &*map.set.outer : nullptr);
-  if (map.best && map.best->value)
-    text += fmt::format("{} {}\n", map.best->maximum ? "maximum" : "minimum", io::shown(*map.best->value));
+  if (map.best) text += optimum_text(*map.best, "");
   const bool possible = map.set.outer && !io::degree_intervals(*map.set.outer).empty();
   return {session.options().json ? json() : text, !angles.empty() ? kDone : possible ? kLimit : kEmpty};
 }

@@ -193,7 +193,7 @@ struct RaysShown {
   const Session& session;
   const RaySet& set;
   std::shared_ptr<const Cast> cast;
-  std::optional<io::RayOptimum> optimum;
+  std::optional<distance::OptimalValue> optimum;
   double step;
 
   /// Does not refer to the session or the set: it may be written after them.
@@ -246,7 +246,10 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const Options& options = session.options();
   check_ray_outputs(options, asked);
   if (options.team != nullptr && !options.team->leads()) {
-    options.team->serve(asked.source, digester_of(session.step().to_double()));
+    const LineChoice& lines = asked.lines;
+    const space::RayGrid first =
+        lines.axes ? lines.lattice(asked.low, asked.high).grid(0) : lines.grid(asked.low, asked.high);
+    options.team->serve(asked.source, first, digester_of(session.step().to_double()));
     return {};
   }
   const RaySet set = options.team == nullptr ? asked : shared_by(*options.team, asked);
@@ -259,7 +262,7 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
   if (options.team != nullptr)
     if (const std::string account = options.team->account(); !account.empty()) session.reporter().note(account);
   if (set.objective) session.reporter().stage("looking for the best place");
-  const auto optimum = set.objective ? best_of(set, *cast, step)
+  const auto optimum = set.objective ? std::optional(best_of(set, *cast, step))
                        : set.aim     ? std::optional(optimum_of(set, *cast, step))
                                      : set.least;
   const RaysShown shown{session, set, cast, optimum, step};
@@ -269,7 +272,7 @@ Outcome rays_outcome(const Session& session, const RaySet& asked) {
   const ExitStatus status = proven_empty ? kEmpty : kDone;
   if (options.json) return {{}, status, shown.json()};
   std::string text = summary_text(set, cast->summary, step, session.unit());
-  if (optimum && optimum->value) text += optimum_text(*optimum, set.aim || set.objective);
+  if (optimum && optimum->value()) text += optimum_text(*optimum);
   return {std::move(text), status};
 }
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "exact/margins/rounding.h"
 #include "formula/solid/optimize_rays.h"
 
 namespace findspace::app {
@@ -26,52 +25,41 @@ space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
 
 namespace {
 
-/// What the places on the lines say of the whole region, if the cells about them are on one side of it: a goal changes
-/// by no more than the length of a step.
-void take_side(const RaySet& set, double step, io::RayOptimum& found) {
-  if (set.side == formula::Side::kInner) found.bound.reset();
-  if (set.side != formula::Side::kOuter || !found.value) return;
-  const double radius = cell_radius(set).to_double() * step * margin::kUpward,
-               from = found.bound.value_or(*found.value);
-  found.bound = found.maximum ? from + radius : from - radius;
-  found.attained = false;
+formula::LinesOfRegion lines_of(const RaySet& set, const Cast& cast) {
+  return {cast.on_lines, set.side, cell_radius(set)};
+}
+
+distance::OptimalValue none(distance::Sense sense) {
+  distance::OptimalValue out;
+  out.sense = sense;
+  return out;
 }
 
 }  // namespace
 
-std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step) {
-  io::RayOptimum out;
-  out.maximum = set.objective->greatest != (set.objective->sign < 0);
-  if (set.unbounded && set.objective->greatest) return out;
-  const auto best = formula::best_on_lines(std::move(cast.intervals), set.objective->greatest, set.objective->value);
-  if (!best) return out;
-  out.attained = best->attained;
-  out.value = best->value * step * set.objective->sign;
-  out.bound = best->bound * step * set.objective->sign;
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = best->at[k] * step;
-  take_side(set, step, out);
-  return out;
+distance::OptimalValue best_of(const RaySet& set, Cast& cast, double step) {
+  const RayObjective& objective = *set.objective;
+  const auto sense = objective.greatest != (objective.sign < 0) ? distance::Sense::kMaximum : distance::Sense::kMinimum;
+  if (set.unbounded && objective.greatest) return none(sense);
+  auto best = formula::best_on_lines(std::move(cast.intervals), objective.greatest, objective.value);
+  if (!best) return none(sense);
+  best->value *= objective.sign;
+  best->bound *= objective.sign;
+  return formula::best_over_region(*best, sense, lines_of(set, cast), step);
 }
 
-io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step) {
-  io::RayOptimum out;
-  out.maximum = set.aim->greatest;
+distance::OptimalValue optimum_of(const RaySet& set, const Cast& cast, double step) {
+  const auto sense = set.aim->greatest ? distance::Sense::kMaximum : distance::Sense::kMinimum;
   // Of a coordinate there is no bound where the region goes on for ever.
-  if (!cast.extreme || (set.unbounded && set.aim->axis >= 0)) return out;
-  out.attained = cast.extreme->attained;
-  out.value = cast.extreme->value * step;
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = cast.extreme->at[k] * step;
-  take_side(set, step, out);
-  return out;
+  if (!cast.extreme || (set.unbounded && set.aim->axis >= 0)) return none(sense);
+  const auto& found = *cast.extreme;
+  return formula::best_over_region({found.value, found.value, found.at, found.attained}, sense, lines_of(set, cast),
+                                   step);
 }
 
-io::RayOptimum least_of(const formula::LeastOf& found) {
-  io::RayOptimum out;
-  if (!found.least) return out;
-  out.attained = true;
-  out.value = found.least->value.to_double();
-  if (!found.least->proven) out.bound = found.least->bounds().lower->to_double();
-  for (std::size_t k = 0; k < 3; ++k) out.at[k] = found.least->at[k].to_double();
+distance::OptimalValue least_of(const formula::LeastOf& found) {
+  distance::OptimalValue out;
+  if (found.least) out.set_found(in_scene(*found.least, exact::Real(1)));
   return out;
 }
 
@@ -93,10 +81,13 @@ RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goa
   return out;
 }
 
-std::string optimum_text(const io::RayOptimum& found, bool on_lines) {
-  return fmt::format("  {}{}: {} at ({}, {}, {}){}\n", found.maximum ? "greatest" : "least",
-                     on_lines ? " on the lines" : " over all positions", *found.value, found.at[0], found.at[1],
-                     found.at[2], found.bound ? fmt::format("; none is beyond {}", *found.bound) : "");
+std::string optimum_text(const distance::OptimalValue& found) {
+  const bool on_lines = found.answer->way == distance::Way::kLines;
+  const auto at = [&](std::size_t k) { return found.answer->at.at(k).to_double(); };
+  const auto bound = found.bound();
+  return fmt::format("  {}{}: {} at ({}, {}, {}){}\n", found.maximum() ? "greatest" : "least",
+                     on_lines ? " on the lines" : " over all positions", found.value()->to_double(), at(0), at(1),
+                     at(2), bound ? fmt::format("; none is beyond {}", bound->to_double()) : "");
 }
 
 }  // namespace findspace::app

@@ -29,12 +29,12 @@ struct Cast {
 
 /// Of a coordinate or the distance to a point.
 space::RayAim aim_of(const Session& session, const Session::Goal& goal);
-io::RayOptimum optimum_of(const RaySet& set, const Cast& cast, double step);
+distance::OptimalValue optimum_of(const RaySet& set, const Cast& cast, double step);
 /// Of a distance. Refers to the solver.
 RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goal& goal);
-std::optional<io::RayOptimum> best_of(const RaySet& set, Cast& cast, double step);
+distance::OptimalValue best_of(const RaySet& set, Cast& cast, double step);
 /// Of an atom with `-> min`.
-io::RayOptimum least_of(const formula::LeastOf& found);
-std::string optimum_text(const io::RayOptimum& found, bool on_lines);
+distance::OptimalValue least_of(const formula::LeastOf& found);
+std::string optimum_text(const distance::OptimalValue& found);
 
 }  // namespace findspace::app

@@ -36,7 +36,7 @@ struct RaySet {
   bool somewhere = false;                          // it is known not to be empty
   formula::Side on_lines = formula::Side::kExact;  // of the set on the lines, whatever its source says
   formula::Side side = formula::Side::kNone;       // of the cells about the lines
-  std::optional<io::RayOptimum> least;             // of a formula with `-> min`
+  std::optional<distance::OptimalValue> least;     // of a formula with `-> min`
   std::function<formula::RegionOnLines(const space::RayGrid&)> source;  // at most 0 in the set
 };
 

@@ -82,7 +82,7 @@ Outcome map_space(const Session& session) {
   session.reporter().stage("solving");
   SpaceMap map = space_map(session, solver, formula, wants_surface(session));
   if (map.way == distance::Way::kLines) return map_rays(session, lines_unasked(session, "map"));
-  const io::ExtremeValue* shown = map.extreme ? &*map.extreme : nullptr;
+  const distance::OptimalValue* shown = map.extreme ? &*map.extreme : nullptr;
   const std::string title = title_of(session);
   if (map.way == distance::Way::kConvex) return polytope_outcome(session, *map.convex, map.step, title, shown);
   const space::BoxComplex& region = map.boxes;

@@ -28,7 +28,7 @@ Outcome map_space_line(const Session& session);
 struct SpaceLineMap {
   std::vector<plane::LineInterval> intervals;  // lengths from where the line goes through, in grid steps
   formula::Side side = formula::Side::kExact;  // of the true set
-  std::optional<io::ExtremeValue> extreme;
+  std::optional<distance::OptimalValue> extreme;
 };
 SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& solver,
                             const formula::Formula& formula);

@@ -9,6 +9,7 @@
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
 #include "report/report.h"
+#include "report/report_text.h"
 
 namespace findspace::app {
 
@@ -24,8 +25,9 @@ SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& 
   SpaceLineMap map{plane::intervals(found.marks, exact::Real(1)), found.side, std::nullopt};
   const auto goal = session.goal();
   if (!goal) return map;
-  formula::LineOptimum best = formula::optimize(map.intervals, line, session.step(), goal->objective, goal->sense);
-  map.extreme = io::extreme_value(best, goal->sense == distance::Sense::kMaximum);
+  formula::LineOptimum best =
+      formula::optimize(map.intervals, line, session.step(), goal->objective, goal->sense, map.side);
+  map.extreme = best;
   map.intervals = std::move(best.at);
   return map;
 }
@@ -47,12 +49,11 @@ Outcome map_space_line(const Session& session) {
     session.reporter().note("protrusions are found by search: ends may be off by 2^-30 of the sizes");
   std::string title = fmt::format("Positions of {} on the line", fmt::join(session.scene().moving, ", "));
   if (const auto goal = session.goal())
-    title += fmt::format(" with the {} {}", map.extreme->maximum ? "greatest" : "least", goal->text);
+    title += fmt::format(" with the {} {}", map.extreme->maximum() ? "greatest" : "least", goal->text);
   const auto json = [&] { return space_line_json(session, map); };
   write_outputs(options, {{".json", json}});
   std::string text = intervals_text(title, map.intervals, session.step(), session.unit());
-  if (map.extreme && map.extreme->value)
-    text += fmt::format("{} {}\n", map.extreme->maximum ? "maximum" : "minimum", io::shown(*map.extreme->value));
+  if (map.extreme) text += optimum_text(*map.extreme, session.unit());
   return {options.json ? json() : text, map.intervals.empty() ? kEmpty : kDone};
 }
 

@@ -40,7 +40,7 @@ SpaceMap space_map(const Session& session, const formula::SpaceSolver& solver, c
   SpaceMap out;
   out.way = found.way;
   if (out.way == distance::Way::kLines) return out;
-  if (found.extreme) out.extreme = io::extreme_value(*found.extreme, goal && goal->sense == distance::Sense::kMaximum);
+  out.extreme = found.extreme;
   const std::string& apply = session.options().apply;
   if (out.way == distance::Way::kConvex) {
     out.convex = applied(apply, std::move(found.convex->set));
@@ -52,7 +52,7 @@ SpaceMap space_map(const Session& session, const formula::SpaceSolver& solver, c
 }
 
 std::string space_map_json(const Session& session, const SpaceMap& map) {
-  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
   if (map.way == distance::Way::kConvex)
     return io::space_json(*map.convex, space::summarize(*map.convex, map.step), map.step, session.unit(), extreme);
   return io::space_json(map.boxes, space::summarize(map.boxes, session.step()), session.step(), session.unit(),

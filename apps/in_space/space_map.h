@@ -20,7 +20,7 @@ struct SpaceMap {
   space::BoxComplex boxes;                    // in grid steps
   std::optional<space::ConvexSet> convex;
   exact::Real step;  // one unit of the coordinates of `convex` in the scene's unit
-  std::optional<io::ExtremeValue> extreme;
+  std::optional<distance::OptimalValue> extreme;
 };
 
 /// `flat`: the boundary is wanted as flat faces.

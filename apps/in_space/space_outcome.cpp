@@ -38,13 +38,13 @@ void note_rounding(const Session& session, const std::string& name, const formul
 }
 
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
-                         const std::string& title, const io::ExtremeValue* extreme) {
+                         const std::string& title, const distance::OptimalValue* best) {
   const Options& options = session.options();
   const space::SpaceSummary summary = space::summarize(set, step);
-  const auto json = [&] { return io::space_json(set, summary, step, session.unit(), extreme); };
+  const auto json = [&] { return io::space_json(set, summary, step, session.unit(), best); };
   const auto surface = [&] { return io::convex_surface(set, step); };
   write_outputs(options, space_writers(json, surface, title, session.unit()));
-  return {options.json ? json() : space_summary_text(title, summary, session.unit(), extreme),
+  return {options.json ? json() : space_summary_text(title, summary, session.unit(), best),
           summary.empty ? kEmpty : kDone};
 }
 

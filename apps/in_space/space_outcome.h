@@ -22,9 +22,9 @@ std::vector<std::string> space_formats();
 Writers space_writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
                       const std::string& unit);
 void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape);
-/// `extreme` may be null.
+/// `best` may be null.
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const exact::Real& step,
-                         const std::string& title, const io::ExtremeValue* extreme);
+                         const std::string& title, const distance::OptimalValue* best);
 /// Whether more than JSON is asked for, which the facets of a grown polytope do not give.
 bool wants_surface(const Session& session);
 /// The lines of a map (or shape) that has no exact form, where none were asked for; a note says so.

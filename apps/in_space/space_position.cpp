@@ -81,11 +81,11 @@ Outcome check_space(const Session& session) {
   const formula::SpaceSolver solver(space_world(session));
   session.reporter().stage("checking");
   const formula::Check check = solver.check(formula, at);
-  const auto nearest = check.holds ? std::nullopt : formula::nearest_feasible(solver, formula, at);
+  formula::AskedNearest nearest;
+  if (!check.holds) nearest = formula::nearest_feasible(solver, formula, at);
   note_late_rounding(session, solver);
-  const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
   const auto json = [&] {
-    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, near, options.explain);
+    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, nearest, options.explain);
   };
   const auto svg = [&] {
     std::vector<std::string> lines;
@@ -102,7 +102,7 @@ Outcome check_space(const Session& session) {
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json
               ? json()
-              : check_text(check, where_text(at), distance::coordinates(at), session.unit(), near, options.explain),
+              : check_text(check, where_text(at), distance::coordinates(at), session.unit(), nearest, options.explain),
           check.holds ? kDone : kEmpty};
 }
 

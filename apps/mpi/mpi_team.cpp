@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -82,10 +83,22 @@ bool same(const space::RayGrid& a, const space::RayGrid& b) {
          a.nu == b.nu && a.nv == b.nv;
 }
 
-std::vector<space::RayRow> rows_of(const space::RaySource& source, int begin, int count) {
+std::vector<space::RayRow> rows_of(const MpiTeam& team, const space::RaySource& source, int begin, int count) {
   std::vector<space::RayRow> out(static_cast<std::size_t>(count));
-  plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = source.row(begin + static_cast<int>(k)); });
+  plane::parallel_for(out.size(), [&](std::size_t k) {
+    out[k] = source.row(begin + static_cast<int>(k));
+    team.progress();
+  });
   return out;
+}
+
+/// That of a row, and messages move on meanwhile.
+RowDigester with_progress(const MpiTeam& team, const RowDigester& digester) {
+  return [&team, &digester](const space::RayGrid& grid, int j, const space::RayRow& row, bool written) {
+    RowDigest digest = digester(grid, j, row, written);
+    team.progress();
+    return digest;
+  };
 }
 
 }  // namespace
@@ -106,6 +119,12 @@ class SharedBlocks {
     rows_ = std::clamp(grid.nv / (team.count_ * kBlocksARank), 1, kMostRows);
     blocks_ = (grid.nv + rows_ - 1) / rows_;
   }
+  /// After an error blocks may be on their way still.
+  ~SharedBlocks() {
+    for (Coming& message : coming_) MPI_Wait(&message.request, MPI_STATUS_IGNORE);
+  }
+  SharedBlocks(const SharedBlocks&) = delete;
+  SharedBlocks& operator=(const SharedBlocks&) = delete;
   void run();
 
  private:
@@ -117,14 +136,24 @@ class SharedBlocks {
   Items own_items(int block);
   void hear(bool wait);
   void give();
-  void receive(const MPI_Status& message);
+  bool begin_to_receive();
+  bool receive_what_has_come();
+  void understand(int rank, int tag, std::string_view bytes);
   void hand_on(Items items);
+
+  /// A message on its way. Its sender may come to send it between two of its blocks only, so nothing waits for it.
+  struct Coming {
+    std::string bytes;
+    int rank = 0, tag = 0;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
 
   MpiTeam& team_;
   const space::RayGrid& grid_;
   Way way_;
   int rows_ = 1, blocks_ = 0, next_ = 0, taken_ = 0;
   std::map<int, Items> made_;
+  std::list<Coming> coming_;
 };
 
 template <class Item>
@@ -154,39 +183,62 @@ void SharedBlocks<Item>::give() {
   }
 }
 
+/// One message, if there is one.
 template <class Item>
-void SharedBlocks<Item>::receive(const MPI_Status& message) {
-  int size = 0;
-  MPI_Get_count(&message, MPI_BYTE, &size);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  MPI_Recv(bytes.data(), size, MPI_BYTE, message.MPI_SOURCE, message.MPI_TAG, team_.ranks_, MPI_STATUS_IGNORE);
-  if (message.MPI_TAG == kAsk) {
-    team_.waiting_.push_back(message.MPI_SOURCE);
-    return;
+bool SharedBlocks<Item>::begin_to_receive() {
+  int there = 0, size = 0;
+  MPI_Status status;
+  MPI_Message message = MPI_MESSAGE_NULL;
+  MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &there, &message, &status);
+  if (there == 0) return false;
+  MPI_Get_count(&status, MPI_BYTE, &size);
+  Coming& next = coming_.emplace_back();
+  next.bytes.resize(static_cast<std::size_t>(size));
+  next.rank = status.MPI_SOURCE;
+  next.tag = status.MPI_TAG;
+  MPI_Imrecv(next.bytes.data(), size, MPI_BYTE, &message, &next.request);
+  return true;
+}
+
+/// Whether anything has.
+template <class Item>
+bool SharedBlocks<Item>::receive_what_has_come() {
+  bool any = false;
+  for (auto i = coming_.begin(); i != coming_.end();) {
+    int here = 0;
+    MPI_Test(&i->request, &here, MPI_STATUS_IGNORE);
+    if (here == 0) {
+      ++i;
+      continue;
+    }
+    understand(i->rank, i->tag, i->bytes);
+    i = coming_.erase(i);
+    any = true;
   }
+  return any;
+}
+
+template <class Item>
+void SharedBlocks<Item>::understand(int rank, int tag, std::string_view bytes) {
+  if (tag == kAsk) return team_.waiting_.push_back(rank);
+  if (tag == kBye) return void(++team_.ended_);
   std::int64_t begin = 0;
   std::memcpy(&begin, bytes.data(), sizeof begin);
   const int block = static_cast<int>(begin) / rows_;
-  if (message.MPI_TAG == kFailed) {  // here it fails as well, with its message
+  if (tag == kFailed) {  // here it fails as well, with its message
     made_.emplace(block, own_items(block));
     return;
   }
   const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
-  made_.emplace(block,
-                way_.read(static_cast<int>(begin), count_of(block), std::string_view(bytes).substr(sizeof begin)));
+  made_.emplace(block, way_.read(static_cast<int>(begin), count_of(block), bytes.substr(sizeof begin)));
 }
 
 template <class Item>
 void SharedBlocks<Item>::hear(bool wait) {
-  for (bool first = true;; first = false) {
-    int there = 1;
-    MPI_Status message;
-    if (wait && first)
-      MPI_Probe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &message);
-    else
-      MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, team_.ranks_, &there, &message);
-    if (there == 0 || message.MPI_TAG == kBye) return;  // a rank that has ended is heard at the end
-    receive(message);
+  for (bool heard = false; !heard; std::this_thread::yield()) {
+    while (begin_to_receive()) {
+    }
+    heard = receive_what_has_come() || !wait;
     give();
   }
 }
@@ -226,7 +278,7 @@ class SharedRows : public space::RaySource {
   exact::Tried<space::RayRow> try_row(int j) const override { return own_->try_row(j); }
   bool searched() const override { return own_->searched(); }
   void each_row(const std::function<void(int, space::RayRow&&)>& take) const override {
-    const auto make = [&](int begin, int count) { return rows_of(*own_, begin, count); };
+    const auto make = [&](int begin, int count) { return rows_of(team_, *own_, begin, count); };
     const auto read = [&](int begin, int count, std::string_view bytes) {
       std::vector<space::RayRow> rows;
       for (int k = 0; k < count; ++k) rows.push_back(reader_.read(begin + k, bytes));
@@ -249,6 +301,11 @@ MpiTeam::MpiTeam(MPI_Comm ranks) : ranks_(ranks) {
 space::RaySourcePointer MpiTeam::shared(space::RaySourcePointer rows) {
   if (count_ == 1 || rows->grid().oblique) return rows;
   return std::make_unique<SharedRows>(*this, std::move(rows));
+}
+
+void MpiTeam::progress() const {
+  int there = 0;
+  if (std::this_thread::get_id() == main_) MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, ranks_, &there, MPI_STATUS_IGNORE);
 }
 
 /// Of any size: MPI counts bytes in an int.
@@ -307,7 +364,8 @@ std::string MpiTeam::account() const {
 void MpiTeam::each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
                           const std::function<void(int, RowDigest&&)>& take) {
   if (count_ == 1 || own.grid().oblique) return app::each_digest(own, digester, written, take);
-  const auto make = [&](int begin, int count) { return digests_of(own, digester, written, begin, count); };
+  const RowDigester moving_on = with_progress(*this, digester);
+  const auto make = [&](int begin, int count) { return digests_of(own, moving_on, written, begin, count); };
   const auto read = [](int, int count, std::string_view bytes) {
     std::vector<RowDigest> digests;
     plane::ByteReader in(bytes);
@@ -328,11 +386,12 @@ std::string MpiTeam::answer(const BlockRequest& request, const RowDigester& dige
   const int begin = static_cast<int>(request.begin), count = static_cast<int>(request.count);
   std::string bytes;
   if (request.kind == kWholeRows) {
-    for (const space::RayRow& row : rows_of(rays, begin, count)) space::append_bytes(row, bytes);
+    for (const space::RayRow& row : rows_of(*this, rays, begin, count)) space::append_bytes(row, bytes);
     return bytes;
   }
   plane::ByteWriter out;
-  for (const RowDigest& digest : digests_of(rays, digester, request.kind == kWrittenDigests, begin, count))
+  const RowDigester moving_on = with_progress(*this, digester);
+  for (const RowDigest& digest : digests_of(rays, moving_on, request.kind == kWrittenDigests, begin, count))
     put_digest(digest, out);
   return std::move(out).take();
 }
@@ -354,9 +413,13 @@ void MpiTeam::serve_block(const Source& source, const RowDigester& digester, con
   MPI_Isend(block.bytes.data(), static_cast<int>(block.bytes.size()), MPI_BYTE, 0, tag, ranks_, &block.request);
 }
 
-void MpiTeam::serve(const Source& source, const RowDigester& digester) {
+void MpiTeam::serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) {
   made_ = std::make_unique<Made>();
   for (int k = 0; k < kInHand; ++k) MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
+  try {
+    make_source(source, first);
+  } catch (const std::exception&) {  // rank 0 says so
+  }
   while (true) {
     BlockRequest request{};
     MPI_Recv(&request, sizeof request, MPI_BYTE, 0, kBlock, ranks_, MPI_STATUS_IGNORE);
@@ -377,10 +440,10 @@ void MpiTeam::finish() {
     return;
   }
   for (int rank = 1; rank < count_; ++rank) MPI_Send(&end, sizeof end, MPI_BYTE, rank, kBlock, ranks_);
-  for (int left = count_ - 1; left > 0;) {
+  while (ended_ < count_ - 1) {
     MPI_Status message;
     MPI_Recv(nullptr, 0, MPI_BYTE, MPI_ANY_SOURCE, MPI_ANY_TAG, ranks_, &message);  // asks for blocks, too
-    if (message.MPI_TAG == kBye) --left;
+    if (message.MPI_TAG == kBye) ++ended_;
   }
 }
 

@@ -11,6 +11,8 @@
 
 #include <mpi.h>
 
+#include <thread>
+
 #include "common/process_team.h"
 
 namespace findspace::app {
@@ -28,7 +30,11 @@ class MpiTeam : public ProcessTeam, private packing::IslandPeers {
   std::string account() const override;
   void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
                    const std::function<void(int, RowDigest&&)>& take) override;
-  void serve(const Source& source, const RowDigester& digester) override;
+  void serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) override;
+
+  /// Between two rows: a large message moves only while both ends call MPI. Of the thread that made the team; others
+  /// pass.
+  void progress() const;
 
   /// At the end of the program, of every rank: rank 0 releases the others and hears from them all.
   void finish();
@@ -51,8 +57,10 @@ class MpiTeam : public ProcessTeam, private packing::IslandPeers {
   };
 
   MPI_Comm ranks_;
+  std::thread::id main_ = std::this_thread::get_id();
   Account account_;
   int rank_ = 0, count_ = 1;
+  int ended_ = 0;             // of rank 0: ranks that are at their end
   bool released_ = false;     // of the others
   std::vector<int> waiting_;  // of rank 0: ranks that asked for a block, once for each
   struct Made;

@@ -62,7 +62,7 @@ std::string picture(const Session& session, const Problem& problem, const Answer
   std::vector<plane::Region> parts;
   if (const io::Board* board = session.scene().board.get()) {
     std::vector<std::string> moved;
-    for (const auto& body : problem.bodies) moved.push_back(body.shapes[0]);
+    for (const auto& body : problem.bodies) moved.insert(moved.end(), body.shapes.begin(), body.shapes.end());
     std::vector<plane::ShapePtr> shapes;
     for (const io::Part& part : board->parts)
       if (part.body && std::find(moved.begin(), moved.end(), part.name) == moved.end())
@@ -90,20 +90,23 @@ void count_as_seen(Answer& answer) {
     if (r.angle) r.angle = -r.angle->degrees;
 }
 
-/// The board's file with the parts at their new positions.
+/// The board's file with the parts at their new positions; those of a group keep theirs to each other.
 std::string board_text(const Session& session, const Problem& problem, const Answer& answer) {
+  const io::Board& board = *session.scene().board;
   std::map<std::string, io::NewPlace> places;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const auto& pose = answer.poses[b];
-    if (!pose)
-      throw Error(ErrorCode::kGeometry,
-                  fmt::format("'{}' fits nowhere: no board is written", problem.bodies[b].shapes[0]));
+    const planning::Body& body = problem.bodies[b];
+    if (!pose) throw Error(ErrorCode::kGeometry, fmt::format("'{}' fits nowhere: no board is written", body.name));
     const auto x = pose->at.x.integer(), y = pose->at.y.integer();
     if (!x || !y)
-      throw Error(ErrorCode::kGeometry, fmt::format("'{}' fits at no point of the board's grid: no board is written",
-                                                    problem.bodies[b].shapes[0]));
-    places[problem.bodies[b].shapes[0]] = {{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
-                                           -problem.bodies[b].angles[pose->angle].degrees};
+      throw Error(ErrorCode::kGeometry,
+                  fmt::format("'{}' fits at no point of the board's grid: no board is written", body.name));
+    const io::NewPlace place{{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
+                             -body.angles[pose->angle].degrees};
+    for (const std::string& name : body.shapes)
+      if (const io::Part* part = board.find(name))
+        places[name] = place_beside(*part, *board.find(body.shapes[0]), place);
   }
   return io::moved_board(io::read_text(session.options().scene, session.options().input_limit), session.options().scene,
                          places);

@@ -51,7 +51,7 @@ std::size_t widest(const std::vector<std::string>& texts) {
 }  // namespace
 
 std::string check_text(const formula::Check& check, std::string_view at, const distance::Coordinates& place,
-                       std::string_view unit, const formula::NearestFeasible* nearest, bool explain) {
+                       std::string_view unit, const formula::AskedNearest& nearest, bool explain) {
   std::vector<std::string> texts;
   for (const auto& a : check.atoms) texts.push_back(formula::written(a.atom));
   const std::size_t width = widest(texts);
@@ -71,13 +71,7 @@ std::string check_text(const formula::Check& check, std::string_view at, const d
     if (!where.empty()) out += fmt::format("       {:<{}}  between {}\n", "", width, where);
     if (!way.empty()) out += fmt::format("       {:<{}}  {}\n", "", width, way);
   }
-  if (nearest != nullptr) {
-    const std::string away = io::shown(nearest->distance.to_double());
-    out += fmt::format("nearest feasible position {}, {} away{}\n", io::shown_point(nearest->at),
-                       unit.empty() ? away : fmt::format("{} {}", away, unit),
-                       nearest->attained ? "" : ", not feasible itself: the region is open there");
-  }
-  return out;
+  return out + io::nearest_words(nearest, unit);
 }
 
 std::string measure_text(const std::vector<formula::DistanceAt>& distances, std::string_view at,

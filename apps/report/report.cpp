@@ -47,22 +47,27 @@ std::string size_text(double value, std::string_view unit, const char* power) {
   return unit.empty() ? shown(value) : fmt::format("{} {}{}", shown(value), unit, power);
 }
 
-std::string extreme_text(const io::ExtremeValue& e, std::string_view unit) {
-  const char* name = e.maximum ? "maximum" : "minimum";
-  if (e.unbounded) return fmt::format("{}: there is none, the values have no bound\n", name);
-  if (!e.value) return "";
-  const std::string bound =
-      e.proven || !e.bound ? ""
-                           : fmt::format(", certain to {}: no position passes {}",
-                                         size_text(std::abs(*e.value - *e.bound), unit), size_text(*e.bound, unit));
-  return fmt::format("{} {}{}{}\n", name, size_text(*e.value, unit), bound,
-                     e.attained ? "" : ", not attained: these are the positions on the closure");
+std::string optimum_text(const distance::OptimalValue& best, std::string_view unit) {
+  const char* name = best.maximum() ? "maximum" : "minimum";
+  if (best.unbounded) return fmt::format("{}: there is none, the values have no bound\n", name);
+  const auto value = best.value(), bound = best.bound();
+  if (!value) return "";
+  const std::string beyond =
+      bound ? fmt::format(", certain to {}: no position passes {}", size_text(abs(*value - *bound).to_double(), unit),
+                          size_text(bound->to_double(), unit))
+      : best.proven() ? ""
+                      : ", and others may be better";
+  const bool near = best.answer->side == distance::Side::kNone;
+  const char* taken = best.attained ? ""
+                      : near        ? ", perhaps not attained"
+                                    : ", not attained: these are the positions on the closure";
+  return fmt::format("{} {}{}{}\n", name, size_text(value->to_double(), unit), beyond, taken);
 }
 
 std::string summary_text(std::string_view title, const plane::Summary& s, std::string_view unit,
-                         const io::ExtremeValue* extreme) {
+                         const distance::OptimalValue* best) {
   std::string out = fmt::format("{}\n", title);
-  if (extreme != nullptr) out += extreme_text(*extreme, unit);
+  if (best != nullptr) out += optimum_text(*best, unit);
   if (s.empty) return out + "empty: there is none\n";
   if (s.whole) return out + "the whole plane\n";
   put(out, "{}, {}, {}, {}; {}, {}\n", s.bounded ? "bounded" : "unbounded", s.open ? "open" : "not open",

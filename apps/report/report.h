@@ -15,9 +15,9 @@
 
 namespace findspace::app {
 
-/// `extreme` may be null.
+/// `best` may be null.
 std::string summary_text(std::string_view title, const plane::Summary& summary, std::string_view unit,
-                         const io::ExtremeValue* extreme = nullptr);
+                         const distance::OptimalValue* best = nullptr);
 std::string intervals_text(std::string_view title, const std::vector<plane::LineInterval>& intervals,
                            const exact::Real& step, std::string_view unit);
 /// A certified bound from either side: the inner set's JSON, with the outer one in it.

@@ -22,7 +22,7 @@ using io::put;
 /// "12.5 mm²" with `power` "²".
 std::string size_text(double value, std::string_view unit, const char* power = "");
 /// The line of a least or greatest value, if there is something to say.
-std::string extreme_text(const io::ExtremeValue& e, std::string_view unit);
+std::string optimum_text(const distance::OptimalValue& best, std::string_view unit);
 
 /// A line for each of the first components.
 template <class Components, class Text>

@@ -51,6 +51,16 @@ bool is_behind(const io::Board* board, std::string_view part) {
   return found != nullptr && found->courtyard.back && !found->courtyard.front;
 }
 
+namespace {
+
+/// Whether a member of a list is called so: holes and tracks of a board have numbers only.
+bool has_own_name(const io::Board* board, std::string_view member) {
+  if (board == nullptr || board->find(member) != nullptr) return true;
+  return std::any_of(board->keep_outs.begin(), board->keep_outs.end(), [&](const auto& k) { return k.name == member; });
+}
+
+}  // namespace
+
 void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
                  const formula::Formula* formula) {
   picture.step = world.step;
@@ -73,7 +83,10 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
     if (board != nullptr && name == "board") return picture.fixed.push_back({"", &*world.shapes.at(name)});
     if (parts == world.parts.end() || (!named_only && !by_parts))
       return picture.fixed.push_back({name, &*world.shapes.at(name)});
-    for (const auto& [part, region] : parts->second) picture.fixed.push_back({part, &region, is_behind(board, part)});
+    for (const auto& [part, region] : parts->second) {
+      if (named_only && named.count(part) > 0) continue;  // it is drawn itself
+      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, is_behind(board, part)});
+    }
   };
   // The names of a board's pads are said where the formula speaks of them.
   const auto shown_name = [&](const std::string& name) {
@@ -81,6 +94,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   };
   for (const plane::ShapePtr& s : session.scene().shapes) {
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
+    if (moves && session.scene().groups.count(s->name) > 0) continue;  // its members are drawn
     if (moves)
       picture.moving.push_back({shown_name(s->name), &*world.shapes.at(s->name)});
     else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)

@@ -34,9 +34,9 @@ std::string component_text(const space::SpaceComponent& c, std::string_view unit
 }  // namespace
 
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& s, std::string_view unit,
-                               const io::ExtremeValue* extreme) {
+                               const distance::OptimalValue* best) {
   std::string out = fmt::format("{}\n", title);
-  if (extreme != nullptr) out += extreme_text(*extreme, unit);
+  if (best != nullptr) out += optimum_text(*best, unit);
   if (s.empty) return out + "empty: there is none\n";
   if (s.whole) return out + "everywhere\n";
   put(out, "set     {}{}\n",

@@ -14,8 +14,8 @@
 
 namespace findspace::app {
 
-/// `extreme` may be null.
+/// `best` may be null.
 std::string space_summary_text(std::string_view title, const space::SpaceSummary& summary, std::string_view unit,
-                               const io::ExtremeValue* extreme);
+                               const distance::OptimalValue* best);
 
 }  // namespace findspace::app

@@ -59,13 +59,13 @@ plane::Region marked_curve(const plane::Region& shape, const plane::CurveNet::Cu
     out.vertices[out.edges[h / 2].v0].mark = 1;
     out.vertices[out.edges[h / 2].v1].mark = 1;
   }
-  return plane::simplify(out);
+  return plane::simplify(std::move(out));
 }
 
 plane::Region marked_vertex(const plane::Region& shape, plane::Index vertex) {
   plane::Region out = unmarked(shape);
   out.vertices[vertex].mark = 1;
-  return plane::simplify(out);
+  return plane::simplify(std::move(out));
 }
 
 std::string curve_json(const plane::CurveNet& net, const plane::CurveNet::Curve& curve, const plane::Place& by) {

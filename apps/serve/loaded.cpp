@@ -11,6 +11,7 @@
 #include "formula/language/names.h"
 #include "in_space/space_commands.h"
 #include "io/write/json_text.h"
+#include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
 #include "serve/loaded_space.h"
@@ -130,10 +131,10 @@ std::string Loaded::place_json(double seconds) const {
 
 std::string Loaded::nearest_json(const Spot& spot) const {
   require_moving();
-  const auto near = nearest(spot);
-  if (!near) return R"({"nearest_feasible": null})";
-  return fmt::format(R"({{"nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}}}})",
-                     io::json_point(near->at), io::json_number(near->distance.to_double()), io::truth(near->attained));
+  const formula::TriedNearest near = nearest(spot);
+  if (near) return "{" + io::nearest_member(*near) + "}";
+  return fmt::format(R"({{"not_computed": {{"nearest_feasible": {}}}}})",
+                     io::json_string(near.refusal().error.message()));
 }
 
 std::string with_member(std::string object, std::string_view name, std::string_view value) {

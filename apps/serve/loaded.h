@@ -90,7 +90,7 @@ class Loaded {
   [[noreturn]] void refuse(const std::string& what) const;
 
   /// Nothing where it is not computed, or no position is feasible.
-  virtual std::optional<formula::NearestFeasible> nearest(const Spot& spot) const = 0;
+  virtual formula::TriedNearest nearest(const Spot& spot) const = 0;
   /// A shape as it is drawn, as JSON.
   virtual std::string drawing_of(const std::string& shape) const = 0;
   /// The formula is another one now.

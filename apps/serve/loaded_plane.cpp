@@ -9,8 +9,8 @@
 
 #include "findspace/error.h"
 #include "formula/explain/explain.h"
-#include "formula/planar/feasible_near.h"
 #include "formula/planar/rotation_bounds.h"
+#include "formula/planar/solve_region.h"
 #include "formula/planar/solve_rotation.h"
 #include "in_plane/planar_map.h"
 #include "io/draw/draw_region.h"
@@ -55,11 +55,6 @@ std::string places_json(const std::vector<plane::Place>& places) {
 }
 
 RealPoint point_of(const Spot& spot) { return {spot.at[0], spot.at[1]}; }
-
-bool has_rotations(const formula::Formula& formula) {
-  return std::any_of(formula.atoms().begin(), formula.atoms().end(),
-                     [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
-}
 
 }  // namespace
 
@@ -156,10 +151,11 @@ std::string LoadedPlane::map_json(const RegionQuery& query) const {
   Options options;
   options.apply = query.apply;
   return with_session(options, [&](const Session& session) {
-    std::optional<formula::RegionBounds> known;
+    std::optional<formula::SolvedRegion> known;
     if (!query.where) {
       const RegionAnswers& all = answers(world);
-      known = {all.in_order(), all.outer() ? plane::in_order(*all.outer()) : plane::Region{}};
+      known = {all.in_order()};
+      if (all.outer()) known->outer = plane::in_order(*all.outer());
     }
     PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
     if (query.brief) {
@@ -172,12 +168,14 @@ std::string LoadedPlane::map_json(const RegionQuery& query) const {
   });
 }
 
-std::optional<formula::NearestFeasible> LoadedPlane::nearest(const Rotated& rotated, const RealPoint& at) const {
+formula::TriedNearest LoadedPlane::nearest(const Rotated& rotated, const RealPoint& at) const {
   const Real& step = solver().world().step;
-  const auto near = answers(rotated).nearest({at.x / step, at.y / step});
-  if (!near) return std::nullopt;
-  return formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)), near->distance * step,
-                                  near->attained};
+  const RegionAnswers& known = answers(rotated);
+  const auto near = known.nearest({at.x / step, at.y / step});
+  if (!near && known.outer()) return exact::Refusal("the region is known between bounds, and no position is certain");
+  if (!near) return std::optional<formula::NearestFeasible>();
+  return std::optional(formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)),
+                                                near->distance * step, near->attained});
 }
 
 formula::Check LoadedPlane::check(const Spot& spot, const RealPoint& at) const {
@@ -189,7 +187,7 @@ formula::Check LoadedPlane::check(const Spot& spot, const RealPoint& at) const {
     world.instant = *spot.time;
     return formula::Solver(std::move(world)).check(formula(), at);
   }
-  if (!has_rotations(formula())) return rotated(spot.angle).solver->check(formula(), at);
+  if (!formula::has_rotations(formula())) return rotated(spot.angle).solver->check(formula(), at);
   formula::Pose pose{at, spot.angle.value_or(Real()), std::nullopt};
   const Real& step = solver().world().step;
   if (scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose)
@@ -207,14 +205,14 @@ std::string LoadedPlane::check_json(const Spot& spot, const CheckQuery& query) c
     if (near) at = distance::times(step, *near);
   }
   const formula::Check found = check(spot, at);
-  const auto near = query.nearest && !found.holds && !spot.time ? nearest(world, at) : std::nullopt;
+  formula::AskedNearest near;
+  if (query.nearest && !found.holds && !spot.time) near = nearest(world, at);
   const bool turns = spot.angle || scene().free.kind == Kind::kAngle || scene().free.kind == Kind::kPose;
   return io::check_json(found, distance::coordinates(at), unit(),
-                        turns ? std::optional(spot.angle.value_or(Real()).to_double()) : std::nullopt,
-                        near ? &*near : nullptr);
+                        turns ? std::optional(spot.angle.value_or(Real()).to_double()) : std::nullopt, near);
 }
 
-std::optional<formula::NearestFeasible> LoadedPlane::nearest(const Spot& spot) const {
+formula::TriedNearest LoadedPlane::nearest(const Spot& spot) const {
   return nearest(rotated(spot.angle), point_of(spot));
 }
 

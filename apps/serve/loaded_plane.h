@@ -40,7 +40,7 @@ class LoadedPlane final : public Loaded {
   };
 
   std::string drawing_of(const std::string& shape) const override;
-  std::optional<formula::NearestFeasible> nearest(const Spot& spot) const override;
+  formula::TriedNearest nearest(const Spot& spot) const override;
   void forget_answers() override;
 
   const formula::Solver& solver() const { return *upright_.solver; }
@@ -51,7 +51,7 @@ class LoadedPlane final : public Loaded {
   exact::RealPoint about() const;
   bool is_rotating(const formula::Formula& formula) const;
   formula::Check check(const Spot& spot, const exact::RealPoint& at) const;
-  std::optional<formula::NearestFeasible> nearest(const Rotated& rotated, const exact::RealPoint& at) const;
+  formula::TriedNearest nearest(const Rotated& rotated, const exact::RealPoint& at) const;
   std::string drawing_json(const plane::Region& region) const;
 
   Rotated upright_;

@@ -123,8 +123,8 @@ const SpaceMap& LoadedSpace::region() const {
   return *region_;
 }
 
-std::optional<formula::NearestFeasible> LoadedSpace::nearest(const RealVector& at) const {
-  if (scene().free.kind == io::Free::Kind::kLine || region().way == distance::Way::kLines) return std::nullopt;
+formula::TriedNearest LoadedSpace::nearest(const RealVector& at) const {
+  if (scene().free.kind == io::Free::Kind::kLine) return exact::Refusal("positions are free on a line only");
   return formula::nearest_feasible(*solver_, formula(), at);
 }
 
@@ -133,20 +133,19 @@ std::string LoadedSpace::check_json(const Spot& spot, const CheckQuery& query) c
   if (spot.angle || spot.time) refuse("an angle or an instant in space");
   RealVector at = vector_of(spot);
   formula::Check check = solver_->check(formula(), at);
-  std::optional<formula::NearestFeasible> near;
+  formula::AskedNearest near;
   if (!check.holds && (query.nearest || query.snap.sign() > 0)) near = nearest(at);
-  if (near && near->attained && near->distance <= query.snap) {
-    at = {near->at[0], near->at[1], near->at[2]};
+  const formula::NearestFeasible* there = found(near);
+  if (there != nullptr && there->attained && there->distance <= query.snap) {
+    at = {there->at[0], there->at[1], there->at[2]};
     check = solver_->check(formula(), at);
     near.reset();
   }
-  return io::check_json(check, distance::coordinates(at), unit(), std::nullopt,
-                        near && query.nearest ? &*near : nullptr);
+  if (!query.nearest) near.reset();
+  return io::check_json(check, distance::coordinates(at), unit(), std::nullopt, near);
 }
 
-std::optional<formula::NearestFeasible> LoadedSpace::nearest(const Spot& spot) const {
-  return nearest(vector_of(spot));
-}
+formula::TriedNearest LoadedSpace::nearest(const Spot& spot) const { return nearest(vector_of(spot)); }
 
 std::string LoadedSpace::measure_json(const Spot& spot) const {
   require_moving();

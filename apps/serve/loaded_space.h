@@ -31,12 +31,12 @@ class LoadedSpace final : public Loaded {
 
  private:
   std::string drawing_of(const std::string& shape) const override;
-  std::optional<formula::NearestFeasible> nearest(const Spot& spot) const override;
+  formula::TriedNearest nearest(const Spot& spot) const override;
   void forget_answers() override { region_.reset(); }
   const SpaceMap& region() const;
   SpaceWindow window() const;
   SpaceMap solved(const formula::Formula& formula, const std::string& apply) const;
-  std::optional<formula::NearestFeasible> nearest(const space::RealVector& at) const;
+  formula::TriedNearest nearest(const space::RealVector& at) const;
   std::string map_of_line(const RegionQuery& query, const formula::Formula& formula) const;
 
   std::shared_ptr<const formula::SpaceSolver> solver_;

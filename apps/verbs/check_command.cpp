@@ -17,18 +17,6 @@
 #include "report/position_report.h"
 
 namespace findspace::app {
-namespace {
-
-/// Nothing also where the region is not computed, as of shapes that rotate in time.
-std::optional<formula::NearestFeasible> nearest_feasible(const formula::Solver& solver, const formula::Formula& formula,
-                                                         const exact::RealPoint& at, Reporter& reporter) {
-  reporter.stage("looking for the nearest feasible position");
-  auto found = solver.nearest_feasible(formula, at);
-  return found ? *std::move(found) : std::nullopt;
-}
-
-}  // namespace
-
 Outcome run_check(const Options& options, Reporter& reporter) {
   if (is_board(options.scene)) refuse_orientation(options);
   if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
@@ -50,17 +38,19 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   const formula::Solver solver(session.world_of(formula));
   reporter.stage("checking");
   const formula::Check check = solver.check(formula, at);
-  const std::optional<formula::NearestFeasible> nearest =
-      check.holds ? std::nullopt : nearest_feasible(solver, formula, at, reporter);
-  const formula::NearestFeasible* near = nearest ? &*nearest : nullptr;
+  formula::AskedNearest nearest;
+  if (!check.holds) {
+    reporter.stage("looking for the nearest feasible position");
+    nearest = solver.nearest_feasible(formula, at);
+  }
   const auto json = [&] {
-    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, near, options.explain);
+    return io::check_json(check, distance::coordinates(at), session.unit(), std::nullopt, nearest, options.explain);
   };
-  const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, near); };
+  const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, formula::found(nearest)); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json()
                        : check_text(check, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
-                                    session.unit(), near, options.explain),
+                                    session.unit(), nearest, options.explain),
           check.holds ? kDone : kEmpty};
 }
 

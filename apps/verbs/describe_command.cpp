@@ -9,6 +9,7 @@
 #include "common/line_choice.h"
 #include "common/session.h"
 #include "in_space/space_commands.h"
+#include "io/board/board.h"
 #include "io/export/write_drawing.h"
 #include "io/export/write_wkt.h"
 #include "io/write/write_constructive.h"
@@ -25,8 +26,13 @@ std::string chosen_shape(const Session& session) {
   if (o.shapes.size() == 1) return o.shapes[0];
   const auto& shapes = session.scene().shapes;
   if (o.shapes.empty() && shapes.size() == 1) return shapes[0]->name;
+  // Of a board the parts and the lists of them, without pads and nets.
+  const io::Board* const board = session.scene().board.get();
   std::string names;
-  for (const auto& s : shapes) names += (names.empty() ? "" : ", ") + s->name;
+  for (const auto& s : shapes)
+    if (board == nullptr || board->find(s->name) != nullptr ||
+        (session.scene().groups.count(s->name) > 0 && s->name.find(' ') == std::string::npos))
+      names += (names.empty() ? "" : ", ") + s->name;
   throw Error(ErrorCode::kUsage, fmt::format("which shape? The scene has {}", names));
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/asked_numbers.h"
 #include "common/commands.h"
 #include "common/line_choice.h"
@@ -16,6 +18,7 @@
 #include "io/export/write_wkt.h"
 #include "plane/query/topology.h"
 #include "report/report.h"
+#include "report/report_text.h"
 #include "report/scenery.h"
 
 namespace findspace::app {
@@ -41,8 +44,7 @@ Outcome map_of_line(const Session& session, const PlanarMap& map) {
   const auto json = [&] { return planar_map_json(session, map); };
   write_outputs(session.options(), {{".json", json}});
   std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
-  if (map.extreme && map.extreme->value)
-    text += fmt::format("{} {}\n", map.extreme->maximum ? "maximum" : "minimum", io::shown(*map.extreme->value));
+  if (map.extreme) text += optimum_text(*map.extreme, session.unit());
   const bool possible = map.outer && !intervals_on_line(*map.outer, free).empty();
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : possible ? kLimit : kEmpty};
 }
@@ -67,8 +69,8 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
 Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula::World& world,
                      const formula::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
-  const io::ExtremeValue* extreme = map.extreme ? &*map.extreme : nullptr;
-  const auto json = [&] { return planar_map_json(session, map); };
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  const auto json = [&] { return planar_map_json(session, map, &summary); };
   const auto svg = [&] {
     io::Picture picture;
     picture.title = title(session) + (summary.empty ? ": none" : "");
@@ -136,7 +138,9 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   if (time && session.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", scene.file);
   require_question(session);
   const formula::Formula formula = session.where();
-  const formula::Solver solver(session.world_of(formula));
+  const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
+                                 [](const auto& path) { return path.extension() == ".svg"; });
+  const formula::Solver solver(session.world_of(formula, drawn));
   if (time) return map_of_time(session, solver, formula);
   const PlanarMap map = planar_map(session, solver, formula);
   return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);

@@ -56,6 +56,8 @@ class Distance {
  public:
   /// By its word in the formula language: "gap", "gamma1", "distance", ...
   Distance(std::string_view word, std::string_view first, std::string_view second);
+  /// Text of the formula language, as text() gives it. Read by the world that it is asked of.
+  explicit Distance(std::string text) : text_(std::move(text)) {}
   /// Moved both ways along a direction, or one way.
   Distance along(const Point& direction) const { return with("along", direction); }
   Distance toward(const Point& direction) const { return with("toward", direction); }
@@ -77,7 +79,6 @@ class Distance {
   friend Formula operator>(const Distance& d, const Level& level) { return d.compared(">", level); }
 
  private:
-  explicit Distance(std::string text) : text_(std::move(text)) {}
   Distance with(std::string_view mode, const Point& vector) const;
   Formula compared(std::string_view relation, const Level& level) const;
 
@@ -117,6 +118,12 @@ Formula disjoint(std::string_view a, std::string_view b);
 Formula clear(std::string_view a, std::string_view b, const Level& level = 0);
 /// gap <= level: at most so far apart.
 Formula within(std::string_view a, std::string_view b, const Level& level);
+/// The same, of parts of a board: `near` as `within`, `far` and `keepout` as `clear`.
+Formula near(std::string_view a, std::string_view b, const Level& level);
+Formula far(std::string_view a, std::string_view b, const Level& level);
+Formula keepout(std::string_view a, std::string_view b, const Level& level = 0);
+/// diameter <= level: both together at most so far across.
+Formula group(std::string_view a, std::string_view b, const Level& level);
 /// margin >= level: a inside b with so much to spare.
 Formula inside(std::string_view a, std::string_view b, const Level& level = 0);
 /// cover >= level: a around b with so much to spare.

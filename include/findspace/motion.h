@@ -44,7 +44,7 @@ struct RegionBounds {
 struct Instants {
   std::vector<Interval> certain;   // in order
   std::vector<Interval> possible;  // a set that holds them all; the same where `exact`
-  bool exact = true;               // no shape turns, or all instants are told
+  bool exact = true;               // no shape turns, or all instants are decided
 };
 
 /// Positions at some angles of the moving shape, and between neighbouring ones.

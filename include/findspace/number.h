@@ -24,7 +24,7 @@ class Number {
   /// A decimal as written: "-1.25", "3e-2".
   Number(const char* decimal) : text_(decimal) {}             // NOLINT
   Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
-  /// Text that is no number is refused where it is used, with Error(kSyntax).
+  /// Text that is not a number is refused where it is used, with Error(kSyntax).
   const std::string& text() const { return text_; }
 
  private:

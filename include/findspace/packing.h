@@ -69,7 +69,7 @@ struct PackGap {
   /// Names of parts.
   std::string first, second;
   /// The distance.
-  Number gap;
+  Number gap = 0;
 };
 
 /// What holds for two copies beside their gap: a formula of docs/formula.md, such as "gap(self, other) <= 8". On
@@ -180,8 +180,8 @@ struct PackOptions {
 };
 
 /// The best layout found. Nothing where no part is wanted, none fits a sheet, or no layout was found in which all
-/// conditions hold. Error where a part is no simple polygon, is higher than the strip, a name is unknown, or the fixed
-/// parts overlap.
+/// conditions hold. Error where a part is not a simple polygon, is higher than the strip, a name is unknown, or the
+/// fixed parts overlap.
 std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options = {});
 
 /// What is wrong with a layout, a sentence each; nothing where it is feasible, by exact signs.

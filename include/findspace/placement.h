@@ -44,7 +44,7 @@ struct Demands {
   std::vector<Body> bodies;             // in this order
   std::optional<Formula> each{};        // holds for every body, called "self"
   std::optional<Formula> pairs{};       // holds for every body, "self", and each one before it, "other"
-  std::vector<Formula> constraints{};   // between bodies by name
+  std::vector<Formula> constraints{};   // between bodies by name, or of each, "self"
   std::vector<std::string> minimize{};  // objectives, the first first: "y", "-x", "gap(self, rim)", "x = 5", "grid"
   bool together = false;                // all at once; else one after another
   int lines = 128;                      // each way, where positions of space are taken on lines
@@ -81,6 +81,19 @@ class Placement {
   std::string json() const;
   /// What stands still and what was placed, as a picture.
   std::string svg() const;
+
+  /// All that it says as one plain value, to be stored or sent, and a placement that says the same again.
+  struct Told {
+    /// As the functions above.
+    std::vector<Placed> placed{};
+    std::vector<Positions> positions{};
+    bool complete = false;
+    std::string unproven{}, json{}, svg{};
+  };
+  /// With both texts.
+  Told told() const;
+  /// What was told, for instance by another process.
+  explicit Placement(Told told);
 
   struct Data;
   explicit Placement(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

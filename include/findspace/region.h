@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "findspace/number.h"
@@ -31,6 +32,9 @@ class Exact {
   double value() const;
   /// "3", "-5/3", "(1+2*sqrt(5))/3"; of numbers that are more nested the nearest decimal, with a leading "~".
   std::string text() const;
+  /// Every number in full, over several lines where it is nested, and the same number back. Error(kSyntax).
+  std::string full_text() const;
+  static Exact read(std::string_view full_text);
   friend bool operator==(const Exact& a, const Exact& b);
   friend std::weak_ordering operator<=>(const Exact& a, const Exact& b);
 
@@ -70,7 +74,7 @@ class Region {
   /// Bounded components of the complement.
   std::size_t holes() const;
 
-  /// Exact, on boundaries too; p need not lie on the grid. Error(kSyntax) for what is no decimal.
+  /// Exact, on boundaries too; p need not lie on the grid. Error(kSyntax) for what is not a decimal.
   bool contains(const Point& p) const;
   template <std::same_as<Position> P>
   bool contains(const P& p) const {

@@ -39,6 +39,8 @@ class Shape {
                        const Grid& grid = {});
   /// The same of rings that may have arcs.
   static Shape polygon(const Contour& ring, const std::vector<Contour>& holes = {}, const Grid& grid = {});
+  /// A polygon of each ring, made side by side; the place of an error begins with "polygon K".
+  static std::vector<Shape> polygons(std::span<const std::span<const Position>> rings, const Grid& grid = {});
   /// Closed; the radius is more than 0.
   static Shape disc(const Point& center, const Number& radius, const Grid& grid = {});
   /// Closed, with sides along the axes and an area.

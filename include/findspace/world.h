@@ -40,6 +40,11 @@ struct WorldOptions {
 
 struct Optimum {
   std::optional<double> value;  // the infimum; nothing where the region is empty or there is no lower bound
+  bool exact = false;           // the infimum is known exactly, `value` is that rounded
+  double lower = 0, upper = 0;  // of a value: what the infimum lies between
+  std::string closed_form;      // "2*sqrt(2)": of an exact value that has one; else empty
+  std::string side = "exact";   // of an enclosed value "inner": a position has it; "outer": only the bounds are known
+  bool unbounded = false;       // there is no lower bound
   bool attained = false;        // a position of the region takes it
   Region at;                    // all that do; else those of the region's closure
 };
@@ -94,7 +99,8 @@ class World {
   Region solve(const Formula& formula) const;
   /// The sign of the distance minus the level, in the unit, at every position. kUnsupported as for solve.
   SignMap sign_map(std::string_view distance, const Number& level) const;
-  /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds.
+  /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds; enclosed where
+  /// that region is known between bounds.
   Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
   /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
   SpaceRegion solve_space(const Formula& formula) const;
@@ -178,8 +184,9 @@ class Query {
 
   /// {p : the formula holds at p}, of the plane.
   const Region& region() const;
-  /// The nearest feasible position, or of the closure of those; nothing where the formula holds nowhere. In space only
-  /// where the region is made of boxes or is a convex polytope (kUnsupported).
+  /// The nearest feasible position, or of the closure of those; nothing where the formula holds nowhere. kUnsupported
+  /// where it is not computed: in space where the region is neither made of boxes nor a convex polytope and contacts do
+  /// not decide.
   std::optional<Region::Nearest> nearest(const Position& from) const;
   std::optional<Nearest3> nearest(const Position3& from) const;
 

@@ -9,19 +9,21 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (AtomValue, Body, Check, Component, Distance, DistanceValue, Edge, Error, Feature, Formula,
-                         Instants, Interval, LeftOutPart, LineMap, Optimum, PackLayout, PackPart, PackProblem,
-                         PackSheet, PackZone, Phi, PhiValue, PlacedPart, Placement, PoseMap, Query, Region, Ring,
-                         Shape, SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
-                         distance, gap, hausdorff, inside, margin, overlaps, pack, place, protrusion, reach, touches, within)
+from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Check, Component, Distance, DistanceValue,
+                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum,
+                         PackLayout, PackPart, PackProblem, PackSheet, PackZone, Phi, PhiValue, PlacedPart, Placement,
+                         PoseMap, Query, Region, Ring, Shape, SpaceRegion, Stopped, Surface, World, clear, cover,
+                         covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff, inside, keepout,
+                         margin, near, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _page, _plot, _shapely
 
-__all__ = ["AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue", "Edge", "Error", "Feature",
-           "Formula", "Instants", "Interval", "LeftOutPart", "LineMap", "Optimum", "PackLayout", "PackPart", "PackProblem",
-           "PackSheet", "PackZone", "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query",
-           "Region", "Ring", "Shape", "SpaceRegion", "Stopped", "Surface", "World", "clear", "cover", "covers",
-           "depth", "diameter", "disjoint", "distance", "gap", "hausdorff", "inside", "margin", "overlaps", "pack", "place",
-           "protrusion", "reach", "shape", "touches", "within"]
+__all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue",
+           "Edge", "Error", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LineMap",
+           "Optimum", "PackLayout", "PackPart", "PackProblem", "PackSheet", "PackZone", "Phi", "PhiValue",
+           "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped",
+           "Surface", "World", "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "far", "gap",
+           "group", "hausdorff", "inside", "keepout", "margin", "near", "overlaps", "pack", "place", "protrusion",
+           "reach", "shape", "touches", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region

@@ -55,7 +55,7 @@ def _cut_off(boxes, shapes):
 
 
 def _region(region, shapes):
-    """Its surface, and the sheets, curves and points that are no part of it; and a position of it, or None."""
+    """Its surface, and the sheets, curves and points that are not part of it; and a position of it, or None."""
     out = _drawing(region.surface)
     boxes = _cut_off(region.boxes, shapes)
     solid = [b for b in boxes if all(b[0][k] < b[1][k] for k in range(3))]

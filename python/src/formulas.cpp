@@ -31,18 +31,24 @@ void bind_predicates(py::module_& m) {
   m.def("overlaps", &overlaps, py::arg("a"), py::arg("b"), "gap < 0: the insides meet.");
   m.def("touches", &touches, py::arg("a"), py::arg("b"), "gap = 0: only boundaries meet.");
   m.def("disjoint", &disjoint, py::arg("a"), py::arg("b"), "gap > 0: no common point.");
-  const auto with_level = [&](const char* name, Formula (*make)(std::string_view, std::string_view, const Level&),
-                              const char* doc) {
-    m.def(
-        name, [make](std::string_view a, std::string_view b, const py::object& l) { return make(a, b, level(l)); },
-        py::arg("a"), py::arg("b"), py::arg("level") = 0, doc);
+  using Make = Formula (*)(std::string_view, std::string_view, const Level&);
+  const auto taking = [](Make make) {
+    return [make](std::string_view a, std::string_view b, const py::object& l) { return make(a, b, level(l)); };
+  };
+  const auto with_level = [&](const char* name, Make make, const char* doc) {
+    m.def(name, taking(make), py::arg("a"), py::arg("b"), py::arg("level") = 0, doc);
+  };
+  const auto needs_level = [&](const char* name, Make make, const char* doc) {
+    m.def(name, taking(make), py::arg("a"), py::arg("b"), py::arg("level"), doc);
   };
   with_level("clear", clear, "gap >= level: at least so far apart; touching is allowed at 0.");
   with_level("inside", inside, "margin >= level: a inside b with so much to spare; touching is allowed at 0.");
   with_level("covers", covers, "cover >= level: a around b with so much to spare.");
-  m.def(
-      "within", [](std::string_view a, std::string_view b, const py::object& l) { return within(a, b, level(l)); },
-      py::arg("a"), py::arg("b"), py::arg("level"), "gap <= level: at most so far apart.");
+  with_level("keepout", keepout, "gap >= level: a stays out of b, and so far away from it.");
+  needs_level("within", within, "gap <= level: at most so far apart.");
+  needs_level("near", near, "gap <= level: at most so far apart.");
+  needs_level("far", far, "gap >= level: at least so far apart.");
+  needs_level("group", group, "diameter <= level: both together at most so far across.");
 }
 
 }  // namespace
@@ -83,6 +89,8 @@ void bind_formulas(py::module_& m) {
       .def("__ne__", [](const Distance& d, const py::object& l) { return d != level(l); })
       .def("__ge__", [](const Distance& d, const py::object& l) { return d >= level(l); })
       .def("__gt__", [](const Distance& d, const py::object& l) { return d > level(l); })
+      .def(py::pickle([](const Distance& d) { return py::make_tuple(d.text()); },
+                      [](const py::tuple& t) { return Distance(t[0].cast<std::string>()); }))
       .def("__str__", &Distance::text)
       .def("__repr__", [](const Distance& d) { return "<Distance " + d.text() + ">"; });
   bind_words(m);

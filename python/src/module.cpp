@@ -23,28 +23,37 @@ void bind_packing(py::module_& m);
 
 namespace {
 
-/// Errors get a class and the attributes `place` and `code`.
+/// An exception of the class with what the error says.
+py::object made(const py::object& of, const Error& e) {
+  static const char* const kCodes[] = {"usage",        "syntax", "unknown name", "bad value", "geometry",
+                                       "out of range", "file",   "unsupported",  "limit"};
+  py::object out = of(e.what());
+  out.attr("message") = e.message();
+  out.attr("place") = e.place();
+  out.attr("code") = kCodes[static_cast<int>(e.code())];
+  py::list points;
+  for (const auto& [x, y] : e.geometry()) points.append(py::make_tuple(x, y));
+  out.attr("geometry") = points;
+  return out;
+}
+
+/// Errors get a class, `Stopped` one of its own.
 void bind_errors(py::module_& m) {
   static py::exception<Error> error(m, "Error", PyExc_ValueError);
   error.attr("__doc__") =
-      "Bad input or wrong usage. `message` says what is wrong, `place` where, `code` of what kind it is.";
+      "Bad input or wrong usage. `message` says what is wrong, `place` where, `code` of what kind it is, `geometry` "
+      "the points that show it.";
   static py::exception<Stopped> stopped(m, "Stopped", error.ptr());
   stopped.attr("__doc__") = "A question that ended at a limit: `limit` is 'time', 'memory' or 'cancelled'.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Stopped& e) {
-      const py::object made = py::reinterpret_borrow<py::object>(stopped)(e.what());
-      made.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
-      PyErr_SetObject(stopped.ptr(), made.ptr());
+      const py::object raised = made(stopped, e);
+      raised.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
+      PyErr_SetObject(stopped.ptr(), raised.ptr());
     } catch (const Error& e) {
-      static const char* const kCodes[] = {"usage",        "syntax", "unknown name", "bad value", "geometry",
-                                           "out of range", "file",   "unsupported",  "limit"};
-      const py::object made = py::reinterpret_borrow<py::object>(error)(e.what());
-      made.attr("message") = e.message();
-      made.attr("place") = e.place();
-      made.attr("code") = kCodes[static_cast<int>(e.code())];
-      PyErr_SetObject(error.ptr(), made.ptr());
+      PyErr_SetObject(error.ptr(), made(error, e).ptr());
     }
   });
 }

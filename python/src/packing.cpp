@@ -14,6 +14,7 @@
 
 #include "interruptible.h"
 #include "numbers.h"
+#include "pickles.h"
 
 namespace findspace::python {
 namespace {
@@ -40,10 +41,12 @@ std::vector<Number> numbers(const py::sequence& values) {
 }
 
 using NamedGap = std::tuple<std::string, std::string, py::object>;
+using NamedCondition = std::tuple<std::string, std::string, Formula>;
 
 PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
                        const py::object& gap, const py::object& edge, std::string name, bool box,
-                       const std::vector<NamedGap>& gaps) {
+                       const std::vector<NamedGap>& gaps, const std::vector<NamedCondition>& conditions,
+                       std::vector<FixedPart> fixed) {
   PackProblem problem;
   problem.name = std::move(name);
   problem.height = number(height);
@@ -53,7 +56,23 @@ PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, st
   problem.gap = number(gap);
   problem.edge = number(edge);
   for (const auto& [first, second, distance] : gaps) problem.gaps.push_back({first, second, number(distance)});
+  for (const auto& [first, second, where] : conditions) problem.conditions.push_back({first, second, where.text()});
+  problem.fixed = std::move(fixed);
   return problem;
+}
+
+py::tuple packed_problem(const PackProblem& p) {
+  py::list gaps, conditions;
+  for (const PackGap& g : p.gaps) gaps.append(py::make_tuple(g.first, g.second, packed(g.gap)));
+  for (const PackCondition& c : p.conditions) conditions.append(py::make_tuple(c.first, c.second, c.where));
+  return py::make_tuple(p.parts, packed(p.height), p.sheets, packed(p.gap), packed(p.edge), p.name, p.box, gaps,
+                        conditions, p.fixed);
+}
+
+PackProblem unpacked_problem(const py::tuple& t) {
+  return problem_of(t[0].cast<std::vector<PackPart>>(), t[1], t[2].cast<std::vector<PackSheet>>(), t[3], t[4],
+                    t[5].cast<std::string>(), t[6].cast<bool>(), t[7].cast<std::vector<NamedGap>>(),
+                    t[8].cast<std::vector<NamedCondition>>(), t[9].cast<std::vector<FixedPart>>());
 }
 
 void bind_problem(py::module_& m) {
@@ -65,13 +84,20 @@ void bind_problem(py::module_& m) {
            }),
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none())
+      .def(pickled<PackPart>(&PackPart::name, &PackPart::rings, &PackPart::count, &PackPart::angles,
+                             &PackPart::mirrored, &PackPart::value))
       .def_readonly("name", &PackPart::name, "Its name in problems and layouts.")
       .def_readwrite("count", &PackPart::count, "How many copies are wanted.");
-  py::class_<PackZone>(m, "PackZone", "What the parts named may not enter.")
-      .def(py::init([](const py::sequence& outline, std::vector<std::string> keeps_out) {
-             return PackZone{rings_of(outline, py::tuple()), std::move(keeps_out)};
+  py::class_<PackZone>(m, "PackZone", "What the parts named may not enter, or may not leave.")
+      .def(py::init([](const py::sequence& outline, std::vector<std::string> keeps_out, std::vector<std::string> holds,
+                       const py::sequence& holes) {
+             return PackZone{rings_of(outline, holes), std::move(keeps_out), std::move(holds)};
            }),
-           py::arg("outline"), py::arg("keeps_out"));
+           py::arg("outline"), py::arg("keeps_out") = py::list(), py::arg("holds") = py::list(),
+           py::arg("holes") = py::tuple())
+      .def(pickled<PackZone>(&PackZone::rings, &PackZone::keeps_out, &PackZone::holds))
+      .def_readonly("keeps_out", &PackZone::keeps_out, "Names of the parts that stay out.")
+      .def_readonly("holds", &PackZone::holds, "Names of the parts that lie within it.");
   py::class_<PackSheet>(m, "PackSheet", "A kind of sheet; the box of its outline begins at (0, 0).")
       .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
                        const py::object& cost, std::vector<PackZone> zones) {
@@ -79,11 +105,55 @@ void bind_problem(py::module_& m) {
            }),
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("cost") = py::none(), py::arg("zones") = std::vector<PackZone>())
+      .def(pickled<PackSheet>(&PackSheet::name, &PackSheet::rings, &PackSheet::count, &PackSheet::cost,
+                              &PackSheet::zones))
       .def_readonly("name", &PackSheet::name, "Its name in layouts.");
-  py::class_<PackProblem>(m, "PackProblem", "What is to be packed: into a strip of a height, a box, or onto sheets.")
+  py::class_<FixedPart>(m, "FixedPart", "A copy that stands where it stands; it counts as one of its part's.")
+      .def(py::init([](std::string part, const py::sequence& at, const py::object& angle, bool mirrored,
+                       std::string sheet, int sheet_number) {
+             const Point to = point(at);
+             return FixedPart{std::move(part), to.x, to.y, number(angle), mirrored, std::move(sheet), sheet_number};
+           }),
+           py::arg("part"), py::arg("at"), py::arg("angle") = 0, py::arg("mirrored") = false, py::arg("sheet") = "",
+           py::arg("number") = 1)
+      .def(pickled<FixedPart>(&FixedPart::part, &FixedPart::x, &FixedPart::y, &FixedPart::angle, &FixedPart::mirrored,
+                              &FixedPart::sheet, &FixedPart::number))
+      .def_readonly("part", &FixedPart::part, "The name of its kind.");
+  py::class_<PackProblem>(m, "PackProblem", R"doc(What is to be packed: into a strip of a height, a box, or onto sheets.
+
+Parameters
+----------
+parts : list of PackPart
+height : number
+    Of the strip.
+sheets : list of PackSheet
+    Instead of a strip.
+gap, edge : number
+    The least distance of two parts, and of a part to the sides of what holds it.
+name : str
+    How files call it.
+box : bool
+    Instead of either: a rectangle of the least area.
+gaps : list of (str, str, number)
+    Wider gaps of two kinds of parts.
+conditions : list of (str, str, Formula or str)
+    Of two kinds of parts, "self" and "other": such as "gap(self, other) <= 8".
+fixed : list of FixedPart
+    Copies that stand already.
+
+Examples
+--------
+>>> import findspace as fs
+>>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+>>> parts = [fs.PackPart("plug", square), fs.PackPart("socket", square)]
+>>> near = ("plug", "socket", fs.gap("self", "other") <= 0.5)
+>>> fs.pack(fs.PackProblem(parts, height=1, gap=0.25, conditions=[near]), work=1).length
+'2.25'
+)doc")
       .def(py::init(&problem_of), py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(),
            py::arg("gap") = 0, py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false,
-           py::arg("gaps") = py::list())
+           py::arg("gaps") = py::list(), py::arg("conditions") = py::list(), py::arg("fixed") = py::list())
+      .def(py::pickle(&packed_problem, &unpacked_problem))
       .def_static(
           "json", [](const std::string& text) { return pack_problem(text); }, py::arg("text"),
           "A problem as nesting JSON.")
@@ -93,6 +163,8 @@ void bind_problem(py::module_& m) {
 
 void bind_layout(py::module_& m) {
   py::class_<PlacedPart>(m, "PlacedPart", "A copy of a part: q goes to at + R(angle) M q.")
+      .def(pickled<PlacedPart>(&PlacedPart::part, &PlacedPart::copy, &PlacedPart::sheet, &PlacedPart::angle,
+                               &PlacedPart::mirrored, &PlacedPart::x, &PlacedPart::y))
       .def_readonly("part", &PlacedPart::part, "The name of its kind.")
       .def_readonly("copy", &PlacedPart::copy, "Which copy of it, from 1.")
       .def_readonly("sheet", &PlacedPart::sheet, "The sheet that it lies on, from 0.")
@@ -108,10 +180,13 @@ void bind_layout(py::module_& m) {
           },
           "Exact coordinates as text.");
   py::class_<LeftOutPart>(m, "LeftOutPart", "Copies that are not in a layout, and why.")
+      .def(pickled<LeftOutPart>(&LeftOutPart::part, &LeftOutPart::copies, &LeftOutPart::why))
       .def_readonly("part", &LeftOutPart::part, "The name of its kind.")
       .def_readonly("copies", &LeftOutPart::copies, "How many are left out.")
       .def_readonly("why", &LeftOutPart::why, "Why, in words.");
   py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
+      .def(pickled<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out, &PackLayout::sheets,
+                               &PackLayout::height, &PackLayout::density))
       .def_property_readonly(
           "length", [](const PackLayout& l) { return l.length.text(); }, "Of the strip or box, exactly, as text.")
       .def_property_readonly(

@@ -251,6 +251,42 @@ True
           "The surface of the region on a lattice of cubes, so many along its longest side.");
 }
 
+py::tuple packed_place(const Placement::Placed& p) {
+  py::list exactly;
+  for (const Exact& c : p.exact_at) exactly.append(c.full_text());
+  return py::make_tuple(p.body, p.copy, p.degrees, p.at, exactly, p.attained);
+}
+
+Placement::Placed unpacked_place(const py::tuple& t) {
+  Placement::Placed out{
+      t[0].cast<std::string>(), t[1].cast<int>(), t[2].cast<double>(), t[3].cast<std::optional<Place>>(), {},
+      t[5].cast<bool>()};
+  for (const py::handle& c : t[4]) out.exact_at.push_back(Exact::read(c.cast<std::string>()));
+  return out;
+}
+
+py::tuple packed_placement(const Placement& found) {
+  const Placement::Told told = found.told();
+  py::list positions;
+  for (const Placement::Positions& at : told.positions)
+    positions.append(py::make_tuple(at.placed, at.degrees, at.region));
+  return py::make_tuple(told.placed, positions, told.complete, told.unproven, told.json, told.svg);
+}
+
+Placement unpacked_placement(const py::tuple& t) {
+  Placement::Told told{t[0].cast<std::vector<Placement::Placed>>(),
+                       {},
+                       t[2].cast<bool>(),
+                       t[3].cast<std::string>(),
+                       t[4].cast<std::string>(),
+                       t[5].cast<std::string>()};
+  for (const py::handle& item : t[1]) {
+    const auto at = item.cast<py::tuple>();
+    told.positions.push_back({at[0].cast<std::size_t>(), at[1].cast<double>(), at[2].cast<Region>()});
+  }
+  return Placement(std::move(told));
+}
+
 void bind_placement(py::module_& m) {
   py::class_<Body>(m, "Body", "What has one position: a shape, or several that move together.")
       .def(py::init([](const py::object& shapes, const py::iterable& angles, int count) {
@@ -283,6 +319,7 @@ void bind_placement(py::module_& m) {
             return out;
           },
           "The position in full, as text.")
+      .def(py::pickle(&packed_place, &unpacked_place))
       .def("__repr__", [](const Placement::Placed& p) {
         return "<" + p.body + " at " + std::string(py::str(py::cast(p.at))) + ">";
       });
@@ -299,6 +336,7 @@ void bind_placement(py::module_& m) {
             return out;
           },
           "(index in `placed`, degrees, region): all positions that a body had when its turn came; of the plane.")
+      .def(py::pickle(&packed_placement, &unpacked_placement))
       .def_property_readonly("json", &Placement::json, "As `findspace place --json` writes it.")
       .def_property_readonly("svg", &Placement::svg, "What stands still and what was placed.");
   m.def(

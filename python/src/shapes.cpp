@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "interruptible.h"
 #include "numbers.h"
 
 namespace findspace::python {
@@ -17,6 +18,26 @@ Shape polygon(const Array& ring, const std::vector<Array>& holes, const py::obje
   std::vector<std::span<const Position>> inner;
   for (const Array& hole : holes) inner.push_back(positions(hole, "holes"));
   return Shape::polygon(positions(ring, "the vertices of a ring"), inner, grid(step));
+}
+
+py::list polygons(const py::object& rings, const py::object& step) {
+  std::vector<Array> held;
+  std::vector<std::span<const Position>> spans;
+  if (py::isinstance<py::array>(rings) && rings.cast<py::array>().ndim() == 3) {
+    const Array& all = held.emplace_back(rings.cast<Array>());
+    if (all.shape(2) != 2) throw py::value_error("rings have the shape (k, n, 2)");
+    const auto* first = reinterpret_cast<const Position*>(all.data());
+    const std::size_t corners = std::size_t(all.shape(1));
+    for (std::size_t k = 0; k < std::size_t(all.shape(0)); ++k) spans.emplace_back(first + k * corners, corners);
+  } else {
+    held = rings.cast<std::vector<Array>>();
+    for (const Array& ring : held) spans.push_back(positions(ring, "the vertices of a ring"));
+  }
+  const Grid on = grid(step);
+  std::vector<Shape> made = interruptible([&] { return Shape::polygons(spans, on); });
+  py::list out(made.size());
+  for (std::size_t k = 0; k < made.size(); ++k) out[k] = std::move(made[k]);
+  return out;
 }
 
 /// A list of steps: (x, y) is a segment; a dict with "to" and "bulge", "through", or "center" an arc.
@@ -72,6 +93,26 @@ Examples
 >>> import findspace as fs
 >>> fs.Shape.polygon([[0, 0], [4, 0], [4, 3]]).region.area
 6.0
+)doc")
+      .def_static("polygons", &polygons, py::arg("rings"), py::arg("grid") = kStep,
+                  R"doc(A polygon of each ring, on all threads: the quick way to make thousands.
+
+Parameters
+----------
+rings : array_like, shape (k, n, 2), or sequence of array_like, shape (n, 2)
+grid : number
+    As of polygon.
+
+Raises
+------
+Error
+    Its place begins with "polygon K".
+
+Examples
+--------
+>>> import findspace as fs
+>>> [s.region.area for s in fs.Shape.polygons([[[0, 0], [4, 0], [4, 3]], [[0, 0], [2, 0], [2, 2], [0, 2]]])]
+[6.0, 4.0]
 )doc")
       .def_static(
           "contour",

@@ -77,8 +77,8 @@ Examples
           py::arg("position"));
 }
 
-template <std::size_t N>
-py::tuple evaluated(const Phi& phi, const Array& at) {
+template <std::size_t N, class Function>
+py::tuple evaluated(const Function& phi, const Array& at) {
   using Row = std::array<double, N>;
   const std::span<const Row> all = rows<Row>(at, "positions");
   Array values{py::ssize_t(all.size())}, gradients({py::ssize_t(all.size()), py::ssize_t(N)});
@@ -89,6 +89,59 @@ py::tuple evaluated(const Phi& phi, const Array& at) {
     return true;
   });
   return py::make_tuple(values, gradients);
+}
+
+void bind_adjusted(py::module_& m, py::class_<Phi>& phi) {
+  using Value = AdjustedPhi::Value;
+  using Limit = AdjustedPhi::Limit;
+  py::class_<Value>(m, "AdjustedPhiValue", "A Phi-function that is adjusted for a limit, at a position.")
+      .def_readonly("value", &Value::value, "Not negative where the limit is kept.")
+      .def_readonly("sign", &Value::sign, "-1, 0 or 1, exactly.")
+      .def_readonly("gradient", &Value::gradient, "Of length 1, or 0 where it is not defined.")
+      .def("__float__", [](const Value& v) { return v.value; })
+      .def(pickled<Value>(&Value::value, &Value::sign, &Value::gradient))
+      .def("__repr__",
+           [](const Value& v) { return "<AdjustedPhiValue " + std::string(py::repr(py::cast(v.value))) + ">"; });
+  py::class_<AdjustedPhi>(m, "AdjustedPhi", R"doc(A Phi-function adjusted for a limit of the distance.
+
+`Phi.at_least` and `Phi.at_most` make it: the distance minus the limit, or the limit minus the distance. Inside, the
+distance is the normalised form.
+)doc")
+      .def(
+          "__call__",
+          [](const AdjustedPhi& f, const py::sequence& u) {
+            return py::len(u) == 3 ? f.at(point3(u)) : f.at(point(u));
+          },
+          py::arg("position"))
+      .def(
+          "evaluate",
+          [](const AdjustedPhi& f, const Array& at) {
+            return f.phi().dimension() == 3 ? evaluated<3>(f, at) : evaluated<2>(f, at);
+          },
+          py::arg("positions"), "(values, gradients) at each position, side by side.")
+      .def_property_readonly("phi", &AdjustedPhi::phi, "What is adjusted.")
+      .def_property_readonly(
+          "limit", [](const AdjustedPhi& f) { return f.limit() == Limit::kLeast ? "least" : "greatest"; },
+          "'least' or 'greatest'.")
+      .def_property_readonly(
+          "distance", [](const AdjustedPhi& f) { return f.distance().text(); }, "The limit, as text.")
+      .def(py::pickle(
+          [](const AdjustedPhi& f) { return py::make_tuple(f.phi(), int(f.limit()), f.distance().text()); },
+          [](const py::tuple& t) { return AdjustedPhi(t[0].cast<Phi>(), Limit(t[1].cast<int>()), number(t[2])); }));
+  phi.def(
+         "at_least", [](const Phi& f, const py::object& distance) { return f.at_least(number(distance)); },
+         py::arg("distance"), R"doc(The function adjusted for a least distance: not negative where the shapes keep it.
+
+Examples
+--------
+>>> import findspace as fs
+>>> phi = fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.box((0, 0), (1, 1)))
+>>> phi.at_least(5)((7, 6)).value, phi.at_least(5)((7, 6)).gradient, phi.at_most(5)((7, 6)).sign
+(0.0, [0.6, 0.8], 0)
+)doc")
+      .def(
+          "at_most", [](const Phi& f, const py::object& distance) { return f.at_most(number(distance)); },
+          py::arg("distance"), "The function adjusted for a greatest distance; overlap keeps it too.");
 }
 
 void bind_phi(py::module_& m) {
@@ -103,14 +156,15 @@ void bind_phi(py::module_& m) {
           },
           "'overlap', 'contact' or 'apart', exactly.")
       .def_readonly("gradient", &Phi::Value::gradient, "Of length 1, or 0 where it is not defined.")
+      .def_readonly("normalised_gradient", &Phi::Value::normalised_gradient, "That of `normalised`.")
       .def_readonly("pair", &Phi::Value::pair, "Which two convex parts are nearest.")
       .def_readonly("active", &Phi::Value::active, "Their facets that are highest.")
       .def("__float__", [](const Phi::Value& v) { return v.value; })
       .def(pickled<Phi::Value>(&Phi::Value::value, &Phi::Value::normalised, &Phi::Value::state, &Phi::Value::gradient,
-                               &Phi::Value::pair, &Phi::Value::active))
+                               &Phi::Value::normalised_gradient, &Phi::Value::pair, &Phi::Value::active))
       .def("__repr__",
            [](const Phi::Value& v) { return "<PhiValue " + std::string(py::repr(py::cast(v.value))) + ">"; });
-  py::class_<Phi>(m, "Phi", R"doc(The Phi-function of two shapes, of the translation of the second.
+  py::class_<Phi> phi(m, "Phi", R"doc(The Phi-function of two shapes, of the translation of the second.
 
 Negative where they overlap, 0 where they touch, positive where they are apart.
 
@@ -130,8 +184,8 @@ Examples
 >>> values, gradients = phi.evaluate([[7, 1], [2, 7]])
 >>> values
 array([2., 4.])
-)doc")
-      .def(py::init<const Shape&, const Shape&>(), py::arg("a"), py::arg("b"))
+)doc");
+  phi.def(py::init<const Shape&, const Shape&>(), py::arg("a"), py::arg("b"))
       .def(
           "__call__",
           [](const Phi& phi, const py::sequence& u) { return py::len(u) == 3 ? phi.at(point3(u)) : phi.at(point(u)); },
@@ -152,7 +206,11 @@ array([2., 4.])
       .def_property_readonly("b", &Phi::b, "The shape that moves.")
       .def(py::pickle([](const Phi& phi) { return py::make_tuple(phi.a(), phi.b()); },
                       [](const py::tuple& t) { return Phi(t[0].cast<Shape>(), t[1].cast<Shape>()); }))
+      .def_property_readonly(
+          "form", [](const Phi& phi) { return phi.form() == Phi::Form::kParts ? "parts" : "curves"; },
+          "'parts': all convex parts of both; 'curves': the curves of contact, with nothing active.")
       .def_property_readonly("dimension", &Phi::dimension, "2 or 3.");
+  bind_adjusted(m, phi);
 }
 
 void bind_surface(py::module_& m) {

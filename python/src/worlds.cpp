@@ -64,7 +64,7 @@ void bind_values(py::module_& m) {
             static const char* const kKinds[] = {"vertex", "edge", "arc", "inside"};
             return kKinds[static_cast<int>(f.kind)];
           },
-          "'vertex', 'edge', 'arc', or 'inside' where it is no boundary.")
+          "'vertex', 'edge', 'arc', or 'inside' where it is not a boundary.")
       .def_readonly("shape", &Feature::shape, "The shape's name.")
       .def_readonly("part", &Feature::part, "The part of a collection, else empty.")
       .def_readonly("points", &Feature::points, "In the shape's own coordinates: a vertex, two ends, or a centre.")
@@ -101,12 +101,17 @@ void bind_values(py::module_& m) {
       .def("__bool__", [](const Check& c) { return c.holds; });
   py::class_<Optimum>(m, "Optimum", "The least value of an objective over a region.")
       .def_readonly("value", &Optimum::value, "The infimum; None where there is none.")
+      .def_readonly("exact", &Optimum::exact, "Whether the infimum is known exactly.")
+      .def_readonly("lower", &Optimum::lower, "The infimum is not less.")
+      .def_readonly("upper", &Optimum::upper, "The infimum is not more.")
+      .def_readonly("closed_form", &Optimum::closed_form, "'2*sqrt(2)': of an exact value that has one; else empty.")
+      .def_readonly("side", &Optimum::side, "'exact', or of an enclosed value 'inner': a position has it; 'outer'.")
+      .def_readonly("unbounded", &Optimum::unbounded, "Whether there is no lower bound.")
       .def_readonly("attained", &Optimum::attained, "Whether a position of the region takes it.")
       .def_readonly("at", &Optimum::at, "The positions, as a region.")
-      .def(py::pickle([](const Optimum& o) { return py::make_tuple(o.value, o.attained, o.at); },
-                      [](const py::tuple& t) {
-                        return Optimum{t[0].cast<std::optional<double>>(), t[1].cast<bool>(), t[2].cast<Region>()};
-                      }));
+      .def(pickled_whole<Optimum>(&Optimum::value, &Optimum::exact, &Optimum::lower, &Optimum::upper,
+                                  &Optimum::closed_form, &Optimum::side, &Optimum::unbounded, &Optimum::attained,
+                                  &Optimum::at));
   py::class_<Interval>(m, "Interval", "A part of a line, by the length gone.")
       .def_readonly("start", &Interval::from, "None: it goes on for ever.")
       .def_readonly("end", &Interval::to, "None: it goes on for ever.")

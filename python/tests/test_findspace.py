@@ -73,6 +73,14 @@ def test_errors_have_a_place():
         bool(fs.clear("a", "b") and fs.clear("a", "b"))
 
 
+def test_words_of_boards():
+    world = fs.World({"A": fs.Shape.box((-4, -3), (4, 3)), "B": fs.Shape.box((-1, -1), (1, 1))}, moving="B")
+    holds = lambda formula: world.holds(formula, (0, 5))
+    assert holds(fs.near("B", "A", 1) & fs.far("B", "A", 1) & fs.keepout("B", "A") & fs.keepout("B", "A", 1))
+    assert not holds(fs.near("B", "A", "0.9")) and not holds(fs.far("B", "A", "1.1")) and not holds(fs.keepout("B", "A", "1.1"))
+    assert holds(fs.group("B", "A", "10.2957")) and not holds(fs.group("B", "A", "10.2956"))
+
+
 def test_everything_pickles(world):
     region = world.solve("gap(peg, plate) <= 3 and not overlaps(peg, plate)")
     assert pickle.loads(pickle.dumps(region)) == region
@@ -193,7 +201,7 @@ def test_worlds_of_space():
     assert exact and str(intervals) == "[[1.0, 3.0), (7.0, 9.0]]"
     assert world.query("inside(crate, room)").nearest((0, 5, 12))[0] == (1, 5, 9)
     assert world.query("inside(crate, room, 6)").nearest((0, 5, 12)) is None
-    with pytest.raises(fs.Error, match="not computed"):
+    with pytest.raises(fs.Error, match="do not decide"):
         world.query("clear(crate, room, 1)").nearest((0, 5, 5))
     with pytest.raises(ValueError, match=r"\(n, 3\)"):
         query.holds(np.zeros((3, 2)))
@@ -235,6 +243,13 @@ def test_phi_has_the_gradient_of_its_values():
         slope = (phi.evaluate(at + step)[0] - phi.evaluate(at - step)[0]) / (2 * h)
         assert np.mean(np.abs(slope - gradients[:, k]) < 1e-3) > 0.98
     assert [float(phi(p)) for p in at[:9].tolist()] == values[:9].tolist()
+
+
+def test_phi_of_arcs_that_bound_no_disc_goes_by_curves():
+    half = fs.Shape.subtract([fs.Shape.disc((0, 0), 2), fs.Shape.box((-3, -3), (3, 0))])
+    phi = fs.Phi(half, fs.Shape.box((0, 0), (1, 1)))
+    assert phi.form == "curves" and fs.Phi(phi.b, phi.b).form == "parts"
+    assert (phi((-0.5, 3)).value, phi((-0.5, 0)).value, phi((-0.5, 2)).state) == (1, -1, "contact")
 
 
 def test_stubs_are_those_of_the_module():
@@ -283,6 +298,32 @@ def test_pack_on_sheets_and_into_a_strip():
     with pytest.raises(fs.Error):
         fs.pack(fs.PackProblem([domino], height="0.5"), work=1)
     assert fs.pack(fs.PackProblem([], height=4), work=1) is None
+
+
+def test_pack_with_conditions_fixed_parts_and_zones():
+    square, block = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (4, 0), (4, 4), (0, 4)]
+    parts = [fs.PackPart("a", square), fs.PackPart("b", square), fs.PackPart("block", block, angles=[0, "90"])]
+    near = ("a", "b", fs.gap("self", "other") <= 0.5)
+    problem = fs.PackProblem(parts, height=4, conditions=[near])
+    layout = fs.pack(problem, work=2)
+    assert layout.length == "5" and layout.faults(problem) == []
+    wide = fs.PackProblem(parts, height=4, conditions=[("a", "b", "gap(self, other) >= 3.5")])
+    assert "condition" in layout.faults(wide)[0]
+    with pytest.raises(fs.Error, match="nobody"):
+        fs.pack(fs.PackProblem(parts, height=4, conditions=[("a", "nobody", near[2])]), work=1)
+    fixed = fs.PackProblem(parts, height=4, fixed=[fs.FixedPart("a", (6, 1), angle=45)])
+    layout = fs.pack(fixed, work=2)
+    assert [i.at for i in layout.items if i.part == "a"] == [("6", "1")] and layout.faults(fixed) == []
+    zone = fs.PackZone([(5, 0), (9, 0), (9, 4), (5, 4)], holds=["block"])
+    plate = fs.PackSheet("plate", [(0, 0), (9, 0), (9, 4), (0, 4)], zones=[zone])
+    held = fs.PackProblem(parts, sheets=[plate], conditions=[near], gaps=[("a", "block", 1)])
+    layout = fs.pack(held, work=2)
+    assert [i.at for i in layout.items if i.part == "block"] == [("5", "0")] and layout.faults(held) == []
+    same, there = pickle.loads(pickle.dumps((held, layout)))
+    assert there.json(same) == layout.json(held) and there.svg(same) == layout.svg(held)
+    assert fs.pack(same, work=2).json(same) == layout.json(held)
+    again = pickle.loads(pickle.dumps(fixed))
+    assert fs.pack(again, work=2).json(again) == fs.pack(fixed, work=2).json(fixed)
 
 
 def test_packing_tells_and_ends():

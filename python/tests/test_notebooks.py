@@ -23,14 +23,24 @@ def test_there_are_notebooks():
     assert {p.stem for p in NOTEBOOKS} >= {"board", "nest", "fixture", "insertion", "phi"}
 
 
-def test_readme_lines_run(capsys):
+def test_readme_lines_run(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     pytest.importorskip("matplotlib").use("Agg")
     lines = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
     exec(lines, {})
     assert capsys.readouterr().out.startswith("[[50. 30.]]")
+    assert (tmp_path / "region.png").stat().st_size > 1000
 
 
 def test_lines_of_the_library_page_run(capsys):
     for lines in re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "library.md").read_text(), re.S):
         exec(lines, {})
     assert capsys.readouterr().out.startswith("[<A at [0.0, 0.0]>, <A at [9.0, 0.0]>")
+
+
+def test_lines_of_the_nesting_page_run(capsys):
+    for lines in re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "nesting.md").read_text(), re.S):
+        exec(lines, {})
+    first, second = capsys.readouterr().out.splitlines()
+    assert first.startswith("['plate") and first.endswith(" []")
+    assert "('plug', ('2', '0.5'))" in second and second.endswith(" []")

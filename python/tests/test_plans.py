@@ -182,6 +182,84 @@ def test_every_value_pickles(passing):
     assert again(fs.Body("A", [0, "0.1"], 2)).count == 2
 
 
+def test_placements_pickle():
+    shapes = {"sheet": fs.Shape.box((0, 0), (30, 20)), "A": fs.Shape.disc((0, 0), 2), "B": fs.Shape.disc((0, 0), 3)}
+    found = fs.place(shapes, ["A", "B"], each="inside(self, sheet)", pairs="gap(self, other) >= 0", minimize=["y", "x"])
+    same = again(found)
+    assert [(p.body, p.at, p.exact_at, p.degrees) for p in same.placed] == [
+        (p.body, p.at, p.exact_at, p.degrees) for p in found.placed]
+    assert any("sqrt" in c for p in same.placed for c in p.exact_at)
+    assert same.positions == found.positions and same.json == found.json and same.svg == found.svg
+    assert same.complete and same.unproven == "" and again(same).json == found.json
+    box = fs.Shape.box((0, 0, 0), (2, 2, 2))
+    found = fs.place({"room": fs.Shape.box((0, 0, 0), (9, 2, 9)), "A": box}, ["A"], each="inside(self, room)",
+                     minimize=["x", "y", "z"])
+    assert again(found).placed[0].at == found.placed[0].at and again(found).json == found.json
+
+
+def test_every_class_pickles():
+    assert str(again(fs.gap("A", "B").along((1, "0.1")))) == str(fs.gap("A", "B").along((1, "0.1")))
+    classes = [value for name in fs.__all__ if isinstance(value := getattr(fs, name), type)]
+    assert len(classes) > 30
+    inner = [value for of in classes for value in vars(of).values() if isinstance(value, type)]
+    for of in classes + inner:
+        assert issubclass(of, Exception) or "__setstate__" in vars(of), of
+
+
+def test_many_polygons_at_once():
+    rings = np.array([[[0, 0], [k + 1, 0], [k + 0.1, k + 0.25]] for k in range(200)])
+    made = fs.Shape.polygons(rings)
+    assert [s.region.area for s in made] == [fs.Shape.polygon(r).region.area for r in rings]
+    assert [s.region for s in fs.Shape.polygons(list(rings[:3]))] == [s.region for s in made[:3]]
+    assert fs.Shape.polygons([]) == [] and len(fs.Shape.polygons(np.zeros((0, 4, 2)))) == 0
+    with pytest.raises(fs.Error) as caught:
+        fs.Shape.polygons([rings[0], [[0, 0], [4, 4], [4, 0], [0, 4]]])
+    assert caught.value.place.startswith("polygon 1")
+    with pytest.raises(ValueError, match="shape"):
+        fs.Shape.polygons(np.zeros((2, 4, 3)))
+
+
+def test_errors_pickle():
+    with pytest.raises(fs.Error) as caught:
+        fs.Shape.polygon([[0, 0], [4, 4], [4, 0], [0, 4]])
+    error = again(caught.value)
+    assert type(error) is type(caught.value) and str(error) == str(caught.value)
+    assert (error.code, error.message, error.place, error.geometry) == (
+        caught.value.code, caught.value.message, caught.value.place, caught.value.geometry)
+
+
+def test_adjusted_phi_has_the_gradient_of_its_values():
+    bent = fs.Shape.polygon([[0, 0], [6, 0], [6, 1], [1, 1], [1, 5], [0, 5]])
+    tower = fs.Shape.unite([fs.Shape.box((0, 0, 0), (3, 1, 1)), fs.Shape.box((0, 0, 0), (1, 1, 4))])
+    rng = np.random.default_rng(5)
+    for a, b in ((bent, fs.Shape.polygon([[0, 0], [2, 0], [0, 1]])), (bent, fs.Shape.disc((0, 0), 1)),
+                 (tower, fs.Shape.box((0, 0, 0), (1, 1, 1))), (tower, fs.Shape.ball((0, 0, 0), 1))):
+        phi = fs.Phi(a, b).at_least("0.75")
+        at = rng.random((150, a.dimension)) * 14 - 4
+        values, gradients = phi.evaluate(at)
+        for k in range(a.dimension):
+            step = np.zeros(a.dimension)
+            step[k] = 1e-6
+            slope = (phi.evaluate(at + step)[0] - phi.evaluate(at - step)[0]) / 2e-6
+            assert np.mean(np.abs(slope - gradients[:, k]) < 1e-4) > 0.97
+        assert [float(phi(p)) for p in at[:9].tolist()] == values[:9].tolist()
+
+
+def test_adjusted_phi():
+    phi = fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.box((0, 0), (1, 1)))
+    least, greatest = phi.at_least(5), phi.at_most("4.5")
+    assert (least((7, 6)).value, least((7, 6)).sign, least((7, 6)).gradient) == (0, 0, [0.6, 0.8])
+    assert least((7, "6.0000001")).sign == 1
+    assert float(greatest((7, 6))) == -0.5 and greatest((0, 0)).sign == 1
+    values, gradients = greatest.evaluate([[7, 6], [2, 7]])
+    assert values.tolist() == [-0.5, -0.5] and gradients.tolist() == [[-0.6, -0.8], [0, -1]]
+    same = again(greatest)
+    assert (same.limit, same.distance, same((7, 6)).value) == ("greatest", "4.5", -0.5)
+    assert again(least((7, 6))).gradient == [0.6, 0.8] and again(phi((7, 6))).normalised_gradient == [0.6, 0.8]
+    with pytest.raises(fs.Error):
+        phi.at_least(-1)
+
+
 def test_limits_of_input_have_a_code():
     with pytest.raises(fs.Error) as caught:
         fs.Shape.json(json.dumps({"union": [{"disc": {"center": [0, 0], "radius": "-1"}}]}))

@@ -19,6 +19,8 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 PROGRAM = None
 KILLS, QUESTIONS = 6, 120
+# Shadow memory needs more address space than a limit leaves: nothing can be said of such limits under sanitizers.
+SANITIZED = bool(os.environ.get("FINDSPACE_SANITIZE"))
 
 
 def batch(folder, *options, jobs="jobs.jsonl", results="results.jsonl"):
@@ -98,9 +100,10 @@ class Batch(unittest.TestCase):
             ({"verb": "map", "path": peg, "options": {"output": str(self.path / "full.svg")}}, "bad input", "full.svg"),
             ({"verb": "map", "path": str(EXAMPLES / "rooms.json"),
               "options": {"resolution": 8192, "axes": True, "time-limit": 0.1}}, "limit", "time limit"),
-            ({"verb": "map", "path": str(EXAMPLES / "rooms.json"),
-              "options": {"resolution": 8192, "axes": True, "memory-limit": "250M"}}, "limit", "memory limit"),
         ]
+        if not SANITIZED:
+            rows.append(({"verb": "map", "path": str(EXAMPLES / "rooms.json"),
+                          "options": {"resolution": 8192, "axes": True, "memory-limit": "250M"}}, "limit", "memory limit"))
         good = {"verb": "check", "path": peg, "options": {"at": [50, 30]}}
         run, results = self.ask([q for row in rows for q in (row[0], good)])
         self.assertEqual(run.returncode, 3)
@@ -109,6 +112,7 @@ class Batch(unittest.TestCase):
             self.assertIn(why, result["error"], question)
         self.assertEqual({r["status"] for r in results[1::2]}, {"done"})
 
+    @unittest.skipIf(SANITIZED, "limits memory")
     def test_what_ends_a_question_ends_no_other(self):
         """A disk that is full, a scene that cannot be read, a question of 10 GB, one that hangs."""
         rooms, peg = str(EXAMPLES / "rooms.json"), str(EXAMPLES / "peg.json")
@@ -228,17 +232,19 @@ class Batch(unittest.TestCase):
 
     def test_a_killed_worker_costs_no_question(self):
         write(self.path, questions(QUESTIONS, 6))
-        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl"], cwd=self.path,
-                                   stdout=subprocess.DEVNULL)
+        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl", "--as-they-come"], cwd=self.path,
+                                   stdout=subprocess.PIPE, text=True)
         for _ in range(5):
-            time.sleep(0.02)
+            for _ in range(12):  # answers between two kills: none strikes a question twice, which would end it
+                running.stdout.readline()
             children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True)
             for pid in children.stdout.split()[:1]:
                 try:
                     os.kill(int(pid), signal.SIGKILL)
                 except ProcessLookupError:
                     pass
-        self.assertEqual(running.wait(), 0)
+        running.communicate()
+        self.assertEqual(running.returncode, 0)
         self.assertEqual(len(read(self.path / "results.jsonl")), QUESTIONS)
 
 

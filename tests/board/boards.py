@@ -173,7 +173,8 @@ class WholeBoards(Folder):
         text = boxes("10 10", "14.3 10", "30 10")
         near = {("R1", "gap(self, R2) >= 0.5"), ("R2", "gap(self, R1) >= 0.5")}
         self.assertEqual(set(self.check(text, "--where", "gap(self, others) >= 0.5mm")), near)
-        self.assertEqual(set(self.check(text, "--where", "between(front, front) >= 0.5mm")), near)
+        self.assertEqual(set(self.check(text, "--where", "between(front, front) >= 0.5mm")),
+                         {("R1", "between(self, R2) >= 0.5"), ("R2", "between(self, R1) >= 0.5")})
         self.assertEqual(set(self.check(text, "--where", "gap(self, all except R3) >= 0.5mm and clear(self, others)")),
                          near)
         # A rule that names a part asks nothing of that part.
@@ -215,6 +216,196 @@ class WholeBoards(Folder):
         wanted = self.run_program("map", self.write(boxes("10 10", "20 10", "30 10")), "--move", "R1", "--where",
                                   "inside(R1, board) and clear(R1, R2)", "--json")
         self.assertEqual(json.loads(done.stdout)["area"], json.loads(wanted.stdout)["area"])
+
+
+def grouped(number, group, locked=""):
+    """The board in a format of KiCad 6 to 9 whose footprints have the ids r1, r2, r3, with these groups."""
+    text, form = board(number), FORMATS[number]
+    new = number >= 8
+    for k in range(3):
+        text = text.replace('"0a-1"' if new else "0a-1)", f'"r{k + 1}"' if new else f"r{k + 1})", 1)
+    out = ""
+    for name, members in group.items():
+        quoted_ids = " ".join(f'"{m}"' if new else m for m in members)
+        mark = f'(uuid "g{name}")' if new else f"(id g{name})"
+        out += f'  (group "{name}" {locked} {mark} (members {quoted_ids}))\n'
+    return text[:text.rindex(")")] + out + ")\n"
+
+
+class Words(Folder):
+    """keepout, fixed and group, of formulas, of the command line and of the board's file."""
+
+    def answer(self, verb, text, *arguments, status=0):
+        done = self.run_program(verb, self.write(text), *arguments, "--json")
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return json.loads(done.stdout)
+
+    def area(self, text, *arguments):
+        return self.answer("map", text, *arguments)["area"]
+
+    def test_keepout_of_parts_and_pads(self):
+        for thing in ("R1", "R1.2"):
+            for area in ("keepouts", "antenna", "R2", "R2.1"):
+                areas = [self.area(board(8), "--move", "R1", "--where", f"inside(R1, board) and {rule}")
+                         for rule in (f"keepout({thing}, {area}, 2mm)", f"gap({thing}, {area}) >= 2mm", "true")]
+                self.assertEqual(areas[0], areas[1], (thing, area))
+                self.assertLess(areas[0], areas[2] - 1, (thing, area))
+        plain = [self.area(board(8), "--move", "R1", "--where", f"inside(R1, board) and {rule}")
+                 for rule in ("keepout(R1, antenna)", "clear(R1, keepouts)")]
+        self.assertEqual(plain[0], plain[1])
+
+    def test_group_of_two(self):
+        near = [self.area(board(8), "--move", "R1", "--where", f"inside(R1, board) and {rule}")
+                for rule in ("group(R1, R2, 9mm)", "diameter(R1, R2) <= 9mm")]
+        self.assertEqual(near[0], near[1])
+        self.assertGreater(near[0], 1)
+        # Side by side two parts of 4 x 2 mm are the root of 32 across.
+        text = boxes("10 10", "10 14", "30 10")
+        for limit, status in ((5.6568, 1), (5.6569, 0)):
+            done = self.run_program("check", self.write(text), "--move", "R1", "--where", f"group(R1, R2, {limit}mm)",
+                                    "--at", "10,12")
+            self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+
+    def test_groups_of_the_file(self):
+        where = "inside(R1, board) and clear(R1, power) and clear(R1, others)"
+        wanted = None
+        for number in (6, 7, 8, 9):
+            text = grouped(number, {"power": ["r2", "no-footprint"]})
+            area = self.area(text, "--move", "R1", "--where", where)
+            alike = self.area(text, "--move", "R1", "--where", where.replace("power", "R2"))
+            self.assertEqual(area, alike)
+            wanted = wanted or area
+            self.assertEqual(area, wanted, f"KiCad {number}")
+
+    def test_groups_in_groups_and_their_names(self):
+        text = grouped(8, {"all of it": ["ginner", "gR2"], "inner": ["r1", "gall of it"], "R2": ["r2"], "empty": []})
+        both = self.answer("map", text, "--move", "all of it", "--where", "inside('all of it', board)")
+        wanted = self.answer("map", text, "--move", "R1,R2", "--where", "inside(R1+R2, board)")
+        self.assertEqual(both["cells"], wanted["cells"])
+        self.assertEqual(both["bbox"], [[1, 2], [28, 18]])  # the position is that of R1, which is first in the file
+        # A group named as a part, or as a word, is called 'group NAME'.
+        self.answer("check", text, "--where", "clear(R1, 'group R2')", "--fixed", "group R2", "--move", "R1", "--at", "5,10")
+        copper = grouped(8, {"F.Cu": ["r2"]})
+        self.answer("check", copper, "--where", "clear(R1, 'F.Cu group')", "--move", "R1", "--at", "5,10")
+        done = self.run_program("map", self.write(text), "--move", "empty", "--where", "true")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("there is no part or group 'empty'", done.stderr)
+
+    def test_a_group_of_the_command_line_moves_as_one(self):
+        text = boxes("10 10", "16 10", "30 10")
+        where = "inside(pair, board) and clear(pair, others, 1mm)"
+        moved = self.answer("map", text, "--group", "pair=R1,R2", "--move", "pair", "--where", where)
+        wanted = self.answer("map", text, "--move", "R1,R2", "--where", where.replace("pair", "R1+R2"))
+        self.assertEqual(moved["cells"], wanted["cells"])
+        # One of them alone: the group is the rest of it.
+        alone = self.area(text, "--group", "pair=R1,R2", "--move", "R1", "--where", "inside(R1, board) and clear(R1, pair)")
+        self.assertEqual(alone, self.area(text, "--move", "R1", "--where", "inside(R1, board) and clear(R1, R2)"))
+
+    def test_a_group_is_placed_as_one(self):
+        text = boxes("10 10", "13 14 90", "30 10")
+        for turn, places in (("0", ("2 3", "5 7 90")), ("90", ("1.6 8", None))):
+            done = self.run_program("place", self.write(text), "--group", "pair=R1,R2", "--move", "pair", "--free", turn,
+                                    "--minimize", "x", "-o", self.path("placed.kicad_pcb"))
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            with open(self.path("placed.kicad_pcb"), encoding="utf-8") as file:
+                after = file.read()
+            old = [("10", "10", "0"), ("13", "14", "90")]
+            new = [re.search(rf'\(at ([-\d.]+) ([-\d.]+) ?([-\d.]*)\) \(attr smd\)\s+\(property "Reference" "R{k}"', after).groups()
+                   for k in (1, 2)]
+            dx, dy = (float(new[1][c]) - float(new[0][c]) for c in (0, 1))
+            self.assertEqual((round(dx, 6), round(dy, 6)), {"0": (3, 4), "90": (4, -3)}[turn])
+            for was, now in zip(old, new):
+                self.assertEqual((float(now[2] or 0) - float(was[2])) % 360, float(turn))
+            rest = re.sub(r"\(at [^()]*\)", "", after)
+            self.assertEqual(rest, re.sub(r"\(at [^()]*\)", "", text))
+            self.assertEqual(after.count("(at 30 10)"), 1)
+            self.assertEqual(self.run_program("check", self.path("placed.kicad_pcb")).returncode, 0)
+
+    def test_fixed(self):
+        text = boxes("10 10", "16 10", "30 10")
+        for verb in (["map"], ["check", "--at", "10,10"], ["place"]):
+            done = self.run_program(verb[0], self.write(text), "--move", "R1", "--fixed", "R3,R1", *verb[1:])
+            self.assertEqual(done.returncode, 3, done.stdout)
+            self.assertIn("the part 'R1' is fixed, and it is to move", done.stderr)
+        near = self.area(text, "--move", "R1", "--fixed", "R2,R3", "--where", "inside(R1, board) and far(R1, fixed, 2mm)")
+        self.assertEqual(near, self.area(text, "--move", "R1", "--where", "inside(R1, board) and far(R1, R2+R3, 2mm)"))
+        broken = self.answer("check", text, "--fixed", "R2", "--where", "clear(self, fixed, 4mm)", status=1)
+        self.assertEqual([b["part"] for b in broken["broken"]], ["R1"])
+        done = self.run_program("check", self.write(text), "--fixed", "R9")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("there is no part or group 'R9'", done.stderr)
+
+    def test_locked_parts_are_fixed(self):
+        for number, form in FORMATS.items():
+            head = form["part"].format(layer="F.Cu")
+            text = board(number)
+            yes = text.replace(head, head.replace(" (layer", " locked (layer") if number < 8 else head + " (locked yes)", 1)
+            no = text.replace(head, head + (" (locked no)" if number >= 8 else ""), 1)
+            for given, status in ((yes, 3), (no, 0)):
+                out = self.path(f"out{number}-{status}.kicad_pcb")
+                done = self.run_program("place", self.write(given), "--move", "R1", "-o", out)
+                self.assertEqual(done.returncode, status, f"KiCad {number}: {done.stderr}")
+                self.assertEqual(os.path.exists(out), status == 0)
+            where = ["--move", "R2", "--where", "far(R2, fixed, 20mm)", "--at", "20,10"]
+            self.answer("check", yes, *where, status=1)
+            self.answer("check", no, *where)
+            self.assertIn("locked", self.run_program("map", self.write(yes), "--move", "R1", "--where", "clear(R1, R2)").stderr)
+        for number in (7, 8, 9):
+            text = grouped(number, {"locked": ["r1"]}, "locked" if number == 7 else "(locked yes)")
+            done = self.run_program("place", self.write(text), "--move", "R1")
+            self.assertEqual(done.returncode, 3, f"KiCad {number}")
+            text = grouped(number, {"locked": ["r1"]})
+            self.assertEqual(self.run_program("place", self.write(text), "--move", "R1").returncode, 0, f"KiCad {number}")
+
+    def test_groups_said_wrong(self):
+        for group, says in (("pair", "NAME=PART"), ("=R1", "NAME=PART"), ("a=R1,,R2", "NAME=PART"), ("R2=R1", "name of its own"),
+                            ("smd=R1", "name of its own"), ("a=R7", "no part or group 'R7'")):
+            done = self.run_program("check", self.write(board(8)), "--group", group)
+            self.assertIn(done.returncode, (2, 3))
+            self.assertIn(says, done.stderr)
+
+    def test_a_part_does_not_mind_its_own_keep_out(self):
+        zone = ('(zone (net 0) (net_name "") (layers "F.Cu") (name "mine") (hatch edge 0.5) (keepout (tracks allowed) (vias allowed)'
+                ' (pads allowed) (copperpour allowed) (footprints not_allowed)) (polygon (pts (xy 8 9) (xy 13 9) (xy 13 11) (xy 8 11))))')
+        text = boxes("10 10", "20 10").replace("(attr smd)", f"(attr smd) {zone}", 1)
+        self.assertTrue(self.answer("check", text)["holds"])
+        done = self.run_program("check", self.write(text), "--move", "R1", "--where", "clear(R1, keepouts) and clear(R1, others)",
+                                "--at", "11,10")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        broken = self.answer("check", text.replace("(at 20 10)", "(at 14 10)"), status=1)["broken"]
+        self.assertEqual([b["part"] for b in broken], ["R2"])
+        self.assertIn("clear(self, mine)", [a["text"] for a in broken[0]["check"]["atoms"]])
+
+    def test_keep_outs_move_with_their_part(self):
+        zone = ('(zone (net 0) (net_name "") (layers "F.Cu") (name "mine") (hatch edge 0.5) (keepout (tracks allowed) (vias allowed)'
+                ' (pads allowed) (copperpour allowed) (footprints not_allowed)) (polygon (pts (xy 8 9) (xy 13 9) (xy 13 11)'
+                ' (arc (start 12 11) (mid 10 11.5) (end 8 11)))))')
+        text = boxes("10 10", "20 10").replace("(attr smd)", f"(attr smd) {zone}", 1)
+        for turn, moved in (("0", "(xy 0 0) (xy 5 0) (xy 5 2) (arc (start 4 2) (mid 2 2.5) (end 0 2))"),
+                            ("90", "(xy 0 5) (xy 0 0) (xy 2 0) (arc (start 2 1) (mid 2.5 3) (end 2 5))")):
+            done = self.run_program("place", self.write(text), "--move", "R1", "--free", turn, "--minimize", "x", "--where",
+                                    "inside(R1, board)", "-o", self.path("placed.kicad_pcb"))
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            with open(self.path("placed.kicad_pcb"), encoding="utf-8") as file:
+                after = file.read()
+            at = re.search(r"\(at ([-\d.]+) ([-\d.]+)", after)
+            x, y = (round((float(at.group(1)) - (2 if turn == "0" else 1)) * 1e6), round((float(at.group(2)) - (1 if turn == "0" else 3)) * 1e6))
+            points = re.search(r"\(pts (.*)\)\)\)", after).group(1)
+            numbers = [round(float(n) * 1e6) for n in re.findall(r"[-\d.]+", points)]
+            wanted = [round(float(n) * 1e6) + (y if k % 2 else x) for k, n in enumerate(re.findall(r"[\d.]+", moved))]
+            self.assertEqual(numbers, wanted, turn)
+
+    def test_a_lone_part_has_no_others(self):
+        # R3 is alone on the back: `all except R1` is empty there, not the board.
+        done = self.run_program("check", self.write(board(8)), "--move", "R3", "--where", "clear(R3, all except R1)", "--at", "20,10")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_a_zone_that_crosses_itself_is_left_out(self):
+        text = board(8).replace("(zone ", '(zone (net 1) (net_name "GND") (layer "F.Cu") (hatch edge 0.5) (polygon (pts (xy 2 2)'
+                                ' (xy 9 2) (xy 2 5) (xy 9 5))))\n  (zone ', 1)
+        done = self.run_program("check", self.write(text))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, r"b\.kicad_pcb:\d+:\d+: a zone of net 'GND' is left out: its outline touches or crosses itself")
 
 
 class Pictures(Folder):
@@ -279,6 +470,34 @@ class Copies(Folder):
                                 "distance(R1.1, R2.1) + 2 * distance(R1.2, R2.2)", "-o", self.path("placed.kicad_pcb"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(os.path.exists(self.path("placed.kicad_pcb")))
+
+
+class Placements(Folder):
+    def placed(self, *arguments):
+        done = self.run_program("place", self.write(boxes("10 10", "20 10", "30 10")), *arguments, "--json")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return [p["at"] for p in json.loads(done.stdout)["positions"]]
+
+    def test_conditions_of_each_part_and_of_parts_by_name(self):
+        # Leftmost: R1 stands at the edge with 0.5 mm to spare, R2 right above or below it with 1 mm between.
+        where = "inside(self, board, 0.5mm) and clear(self, others, 0.25mm) and far(R1, R2, 1mm) and near(self, R1, 1mm)"
+        first, second = self.placed("--move", "R1,R2", "--where", where, "--minimize", "x")
+        self.assertEqual((first[0], second[0]), (2.5, 2.5))
+        self.assertAlmostEqual(abs(first[1] - second[1]), 3, places=6)
+
+    def test_rules_by_class(self):
+        first, second = self.placed("--move", "R1,R2", "--where", "between(smd, smd) >= 2mm", "--minimize", "x")
+        self.assertEqual((first[0], second[0]), (2, 2))
+        self.assertAlmostEqual(abs(first[1] - second[1]), 4, places=6)
+        # As one body they have no distance to keep, and R3 is 2 mm away.
+        pair, = self.placed("--group", "pair=R1,R2", "--move", "pair", "--where", "between(smd, smd) >= 2mm", "--minimize", "-x")
+        self.assertEqual(pair[0], 28)
+
+    def test_a_condition_counts_as_soon_as_its_parts_stand(self):
+        # Without it R1 would go to the left edge, and R2 could not be near both.
+        first, second = self.placed("--move", "R1,R2", "--where", "near(R1, R3, 1mm) and near(R2, R1, 1mm)", "--minimize", "x")
+        self.assertEqual(first[0], 25)
+        self.assertGreater(first[0], second[0])
 
 
 class Malformed(Folder):

@@ -59,7 +59,7 @@ inline Region whole_sum(const Region& a, bool (*wanted)(Mark), const Region& b) 
   for (auto k : w.faces) m.faces.push_back(k > 0);
   for (auto k : w.edges) m.edges.push_back(k > 0);
   for (auto k : w.vertices) m.vertices.push_back(k != kUnwanted && k > 0);
-  return extract(arranged, m);
+  return extract(std::move(arranged), m);
 }
 
 inline void expect_same(const SignMap& found, Mark inside, const Region& expected, const std::string& what) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Any bytes are a board or an Error. A board becomes a scene; its file with nothing moved is the same bytes.
+// Any bytes are a board or an Error. A board becomes a scene, also with a group or a part that moves, in a map and in a
+// placement. Its file with nothing moved is the same bytes.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -20,6 +21,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!board->outline) std::abort();
     if (io::moved_board(text, "fuzz", {}) != text) std::abort();
     if (io::board_scene(board, {}).shapes.empty()) std::abort();
+    io::BoardQuestion question;
+    for (const io::Part& part : board->parts)
+      if (part.body && question.move.empty()) question.move = {part.name};
+    if (!board->groups.empty()) question.move = {board->groups.back().name};
+    for (const bool place : {false, true}) {
+      question.place = place;
+      if (!question.move.empty() && io::board_scene(board, question).moving.empty() != place) std::abort();
+    }
   } catch (const Error& error) {
     if (error.message().empty()) std::abort();
   }

@@ -34,6 +34,6 @@ void read_as(const std::string& bytes, const char* ending) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf"}) read_as(bytes, ending);
+  for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf", ".glb"}) read_as(bytes, ending);
   return 0;
 }

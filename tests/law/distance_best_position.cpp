@@ -79,15 +79,15 @@ TEST(BestPosition, OfRotationEnclosesALattice) {
       continue;
     }
     if (e.unbounded) continue;  // between the lattice's positions
-    if (!e.exists) {
+    if (!e.exists()) {
       EXPECT_EQ(lattice, kNone) << "seed " << seed;
       continue;
     }
     ++finite;
-    EXPECT_LE(rotation * e.bound, lattice + 1e-7) << "seed " << seed;
-    EXPECT_LE(rotation * near_value(e.level), lattice + 1) << "seed " << seed;
+    EXPECT_LE(rotation * e.bound()->to_double(), lattice + 1e-7) << "seed " << seed;
+    EXPECT_LE(rotation * near_value(e.answer->value), lattice + 1) << "seed " << seed;
     const auto& p = e.at.point(0);
-    EXPECT_NEAR(truth(p.x / kUnit, p.y / kUnit), near_value(e.level), 1e-5) << "seed " << seed;
+    EXPECT_NEAR(truth(p.x / kUnit, p.y / kUnit), near_value(e.answer->value), 1e-5) << "seed " << seed;
   }
   EXPECT_GE(finite, 3);
 }
@@ -105,21 +105,21 @@ TEST(BestPosition, OfAShapeThatTurnsInTimeIsItsNearestCorner) {
   const double far = 40.0 * kUnit;
   const Extremum e = best_position(range, {s, s}, Sense::kMinimum, {{-far, -far, far, far}, true, 1, 80});
   const double truth = 4 - std::sqrt(5) - 1;
-  ASSERT_TRUE(e.exists);
-  EXPECT_LE(e.bound / kUnit, truth + 1e-6);
-  EXPECT_GE(near_value(e.level) / kUnit, truth - 1e-6);
-  EXPECT_LE((near_value(e.level) - e.bound) / kUnit, 0.2);
+  ASSERT_TRUE(e.exists());
+  EXPECT_LE(e.bound()->to_double() / kUnit, truth + 1e-6);
+  EXPECT_GE(near_value(e.answer->value) / kUnit, truth - 1e-6);
+  EXPECT_LE((near_value(e.answer->value) - e.bound()->to_double()) / kUnit, 0.2);
 }
 
 TEST(BestPosition, OfASetBetweenTwoTakesCertainPositionsOnly) {
   const DiscRange x = [](const RealPoint& p, double r) { return ValueRange{near_value(p.x) - r, near_value(p.x) + r}; };
   const Region certain = box(2, 0, 4, 1), possible = box(1, 0, 5, 1);
   const Extremum least = best_position(x, {certain, possible}, Sense::kMinimum, {{}, true, 1e-3, 400});
-  EXPECT_NEAR(near_value(least.level), 2 * kUnit, 1);
-  EXPECT_LE(least.bound, 1 * kUnit);
-  EXPECT_GE(least.bound, 1 * kUnit - 3.0);  // boxes are not halved below a grid step
+  EXPECT_NEAR(near_value(least.answer->value), 2 * kUnit, 1);
+  EXPECT_LE(least.bound()->to_double(), 1 * kUnit);
+  EXPECT_GE(least.bound()->to_double(), 1 * kUnit - 3.0);  // boxes are not halved below a grid step
   const Region none = Region::uniform(0);
-  EXPECT_FALSE(best_position(x, {none, possible}, Sense::kMinimum, {{}, true, 1e-3, 40}).exists);
+  EXPECT_FALSE(best_position(x, {none, possible}, Sense::kMinimum, {{}, true, 1e-3, 40}).exists());
   const Extremum all =
       best_position(x, {Region::uniform(1), Region::uniform(1)}, Sense::kMaximum, {{-9, -9, 9, 9}, true});
   EXPECT_TRUE(all.unbounded);

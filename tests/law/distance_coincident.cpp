@@ -85,13 +85,14 @@ TEST(CoincidentCircles, NoPositionIsBetterThanTheLeast) {
       SCOPED_TRACE(::testing::Message() << "case " << k << " distance " << int(w));
       const auto f = pair->distance(w);
       const Extremum e = least(*f);
-      if (!e.exists || e.unbounded) continue;
+      if (!e.exists() || e.unbounded) continue;
       for (int i = 0; i < 6; ++i) {
-        EXPECT_GE(at.measure(w, random.position())->value.to_double(), e.level.to_double() - 1e-11);
+        EXPECT_GE(at.measure(w, random.position())->value.to_double(), e.answer->value.to_double() - 1e-11);
       }
       for (const auto& v : e.at.vertices) {
         if (v.mark > 0) {
-          EXPECT_NEAR(at.measure(w, e.at.geometry.exact(v.point))->value.to_double(), e.level.to_double(), 1e-11);
+          EXPECT_NEAR(at.measure(w, e.at.geometry.exact(v.point))->value.to_double(), e.answer->value.to_double(),
+                      1e-11);
         }
       }
     }

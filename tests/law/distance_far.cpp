@@ -82,11 +82,11 @@ TEST(DistanceFar, LeastLevelsAndMinimisers) {
     const ShapePair here(b, a), there(plane::moved(b, by.b), plane::moved(a, by.a));
     for (const Which w : kAll) {
       const Extremum e = least(*here.distance(w)), f = least(*there.searched(w));
-      ASSERT_EQ(e.exists, f.exists) << int(w);
-      if (!e.exists) continue;
-      EXPECT_NEAR(e.level.to_double(), f.level.to_double(), 1e-12) << int(w);
-      EXPECT_EQ(e.proven, f.proven) << int(w);
-      if (!e.proven || !f.proven) continue;
+      ASSERT_EQ(e.exists(), f.exists()) << int(w);
+      if (!e.exists()) continue;
+      EXPECT_NEAR(e.answer->value.to_double(), f.answer->value.to_double(), 1e-12) << int(w);
+      EXPECT_EQ(e.proven(), f.proven()) << int(w);
+      if (!e.proven() || !f.proven()) continue;
       EXPECT_EQ(e.attained, f.attained);
       EXPECT_TRUE(is_same_set(plane::moved(e.at, by.step()), f.at)) << int(w) << " case " << k;
       ++proven;

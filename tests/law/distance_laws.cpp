@@ -157,13 +157,13 @@ TEST(DistanceLaws, LeastLevelsAreLeast) {
     for (Which w : kAll) {
       auto f = pair.distance(w);
       Extremum e = least(*f);
-      EXPECT_EQ(e.exists, f->defined());
-      if (!e.exists) continue;
-      for (int i = 0; i < 10; ++i) EXPECT_GE(value(pair, w, random.position()), e.level.to_double() - 1e-11);
+      EXPECT_EQ(e.exists(), f->defined());
+      if (!e.exists()) continue;
+      for (int i = 0; i < 10; ++i) EXPECT_GE(value(pair, w, random.position()), e.answer->value.to_double() - 1e-11);
       ASSERT_TRUE(!plane::is_empty(e.at));
       if (e.at.vertices.empty()) continue;
       double there = value(pair, w, e.at.geometry.exact(e.at.vertices[0].point));
-      EXPECT_NEAR(there, e.level.to_double(), 1e-11) << int(w);
+      EXPECT_NEAR(there, e.answer->value.to_double(), 1e-11) << int(w);
     }
   }
 }
@@ -197,9 +197,9 @@ TEST(DistanceLaws, LeastOfMuIsMinusTheInradiusOrPositive) {
     auto eta1 = pair.distance(Which::kEta1);
     Extremum mu = least(*pair.distance(Which::kMu));
     if (eta1->defined())
-      EXPECT_NEAR(mu.level.to_double(), least(*eta1).level.to_double(), 1e-12);
+      EXPECT_NEAR(mu.answer->value.to_double(), least(*eta1).answer->value.to_double(), 1e-12);
     else
-      EXPECT_GT(mu.level.sign(), 0);
+      EXPECT_GT(mu.answer->value.sign(), 0);
   }
 }
 

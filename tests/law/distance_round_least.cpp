@@ -81,11 +81,11 @@ bool grows_around(const TDistance& f, const RealPoint& p, double level, double r
 }
 
 void expect_right(const TDistance& f, const Extremum& e) {
-  ASSERT_TRUE(e.exists);
-  const double level = e.level.to_double();
-  if (!e.proven) {
-    EXPECT_LE(level - e.bound, 1e-12 * std::abs(level) + 1e-12);
-    EXPECT_FALSE(plane::any_mark(f.sign_map(Real::from_double(e.bound)), [](plane::Mark m) { return m <= 0; }));
+  ASSERT_TRUE(e.exists());
+  const double level = e.answer->value.to_double();
+  if (!e.proven()) {
+    EXPECT_LE(level - e.bound()->to_double(), 1e-12 * std::abs(level) + 1e-12);
+    EXPECT_FALSE(plane::any_mark(f.sign_map(*e.bound()), [](plane::Mark m) { return m <= 0; }));
     EXPECT_LT(e.within, 1e-8);
   }
   for (const auto& v : e.at.vertices) {
@@ -93,7 +93,7 @@ void expect_right(const TDistance& f, const Extremum& e) {
     const RealPoint p = e.at.geometry.exact(v.point);
     EXPECT_NEAR(f.value(p)->value.to_double(), level, 1e-10);
     if (e.at.edges.empty()) {
-      EXPECT_TRUE(grows_around(f, p, level, 1)) << "proven " << e.proven;
+      EXPECT_TRUE(grows_around(f, p, level, 1)) << "proven " << e.proven();
     }
   }
 }
@@ -109,7 +109,7 @@ TEST(RoundLeast, GeneralShapes) {
       const Extremum e = least(*f);
       expect_right(*f, e);
       points += e.at.edges.empty();
-      proven += e.proven;
+      proven += e.proven();
     }
   }
   EXPECT_GT(points, 15);
@@ -126,7 +126,7 @@ TEST(RoundLeast, ShapesThatAreTheirMirrorImages) {
       const auto f = pair.distance(w);
       const Extremum e = least(*f);
       expect_right(*f, e);
-      proven += e.proven;
+      proven += e.proven();
     }
   }
   EXPECT_GT(proven, 25);

@@ -85,17 +85,18 @@ TEST(DistanceSums, LeastOnesEncloseALattice) {
     const Example e{fine(shapes.rectangle()), fine(shapes.shape()), fine(shapes.shape()), 2};  // drawn in this order
     const Region s = testing::polygon({{-9000, -8000}, {7000, -9000}, {8000, 9000}, {-2000, 7000}});
     const Extremum best = best_position(e.sum, {s, s}, Sense::kMinimum, 40.0 * kFine);
-    ASSERT_TRUE(best.exists);
-    const double level = near_value(best.level);
-    EXPECT_LE(best.bound, level);
-    EXPECT_LT(level - best.bound, 16) << "seed " << seed;  // grid steps, of shapes of 18,000: the boxes are used up
+    ASSERT_TRUE(best.exists());
+    const double level = near_value(best.answer->value);
+    EXPECT_LE(best.bound()->to_double(), level);
+    EXPECT_LT(level - best.bound()->to_double(), 16)
+        << "seed " << seed;  // grid steps, of shapes of 18,000: the boxes are used up
     double lattice = exact::kInfinity;
     for (int x = -9000; x <= 8000; x += 500)
       for (int y = -9000; y <= 9000; y += 500) {
         const RealPoint p{Real(x), Real(y)};
         if (mark_of(s, locate(s, p)) > 0) lattice = std::min(lattice, near_value(*e.sum.value(p)));
       }
-    EXPECT_LE(best.bound, lattice) << "seed " << seed;
+    EXPECT_LE(best.bound()->to_double(), lattice) << "seed " << seed;
     EXPECT_LE(level, lattice + 2) << "seed " << seed;
     // Some place that is given has the value.
     double found = exact::kInfinity;

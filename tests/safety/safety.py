@@ -22,6 +22,10 @@ import zipfile
 
 from safety_test import GIGABYTE, SECONDS, SECRET, SQUARE, TETRAHEDRON, SafetyTest
 
+# Under sanitizers nothing can be said of such limits: shadow memory needs more address space, LeakSanitizer a thread.
+SANITIZED = bool(os.environ.get("FINDSPACE_SANITIZE"))
+
+
 class Reading(SafetyTest):
     """What a scene may read."""
 
@@ -253,6 +257,7 @@ class Limits(SafetyTest):
         self.assertEqual(child.returncode, 4, err)
         self.assertIn("what was printed is not whole", err)
 
+    @unittest.skipIf(SANITIZED, "limits memory")
     def test_memory_limit(self):
         result = self.expect(4, "the memory limit", "map", self.long_scene(), "--memory-limit", "60M")
         self.assertLess(result.kilobytes, 66 << 10)
@@ -262,6 +267,7 @@ class Limits(SafetyTest):
         shapes = {"S%d" % i: {"polygon": self.star(100 + i)} for i in range(50)}
         return self.scene(shapes, moving="S0", where="gap(S0, S1 + S2 + S3) >= 0")
 
+    @unittest.skipIf(SANITIZED, "limits memory")
     def test_any_memory_limit(self):
         scene = self.many_shapes()
         statuses = set()
@@ -271,6 +277,7 @@ class Limits(SafetyTest):
             statuses.add(result.status)
         self.assertEqual(statuses, {0, 4})
 
+    @unittest.skipIf(SANITIZED, "limits memory")
     def test_memory_limit_while_reading(self):
         with open(self.folder / "a.svg", "w") as text:
             text.write('<svg xmlns="http://www.w3.org/2000/svg">')
@@ -352,6 +359,7 @@ class Limits(SafetyTest):
         self.expect(3, nowhere, "describe", scene, "--resolution", "64", "--json", env={"TMPDIR": nowhere})
 
     @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "threads are limited for other users only")
+    @unittest.skipIf(SANITIZED, "limits threads")
     def test_threads_that_cannot_be_started(self):
         self.folder.chmod(0o755)
         self.many_shapes().chmod(0o644)

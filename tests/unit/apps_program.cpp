@@ -169,7 +169,32 @@ TEST_F(Program, CheckInSpaceSaysWhatLacksAndWhereItWouldHold) {
   EXPECT_EQ(box.at("nearest_feasible"), json::parse(R"({"at": [3, 1, 1], "distance": 2, "attained": false})"));
   const json corner = check(R"({"polytope": [[0, 0, 0], [6, 0, 0], [0, 6, 0], [0, 0, 6]]})", "2,2,2");
   EXPECT_EQ(corner.at("nearest_feasible").at("at"), json::parse("[1, 1, 1]"));
-  EXPECT_FALSE(check(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})", "0,0,0").contains("nearest_feasible"));
+  const json none = check(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})", "0,0,0");
+  EXPECT_TRUE(none.at("nearest_feasible").is_null());
+  EXPECT_FALSE(none.contains("not_computed"));
+}
+
+TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {
+  const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"ball": {"center": [0, 0, 0], "radius": 3}},
+    "B": {"ball": {"center": [0, 0, 0], "radius": 1}}}, "moving": "B", "where": "gap(B, A) >= 1 or gap(B, A) = 0.5"})json";
+  const json round = json::parse(run("check scene.json --at 2,0,0 --json", scene).out);
+  EXPECT_FALSE(round.contains("nearest_feasible"));
+  EXPECT_FALSE(round.at("not_computed").at("nearest_feasible").get<std::string>().empty());
+  EXPECT_TRUE(contains(run("check scene.json --at 2,0,0", scene).out, "nearest feasible position: not computed"));
+  const std::string empty = R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}},
+    "B": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}, "moving": "B", "where": "inside(B, A)"})json";
+  EXPECT_TRUE(contains(run("check scene.json --at 2,0,0", empty).out, "no position is feasible"));
+}
+
+TEST_F(Program, MeasureTellsUndefinedFromNotComputed) {
+  // A long box does not fit into a lens, and the diameter of a cut solid is not computed.
+  const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"intersection": [
+    {"ball": {"center": [0, 0, 0], "radius": 3}}, {"ball": {"center": [2, 0, 0], "radius": 3}}]},
+    "B": {"box": {"min": [0, 0, 0], "max": [9, 1, 1]}}}, "moving": "B", "where": "true"})json";
+  const json found = json::parse(run("measure scene.json --at 1,0,0 --json", scene).out);
+  for (const char* name : {"diameter(B, A)", "margin(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
+  EXPECT_FALSE(found.at("not_computed").at("diameter(B, A)").get<std::string>().empty());
+  EXPECT_FALSE(found.at("not_computed").contains("margin(B, A)"));
 }
 
 TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "distance/answer/answer.h"
+#include "distance/answer/optimum.h"
 
 namespace findspace::distance {
 namespace distance_answer {
@@ -20,10 +20,11 @@ TEST(Answer, ExactValuesAreTheirOwnBounds) {
 TEST(Answer, ErrorsReachToBothSides) {
   Answer a;
   a.value = Real(5);
-  a.proven = false;
+  a.set_unproven();
   a.error = 0.25;
   EXPECT_EQ(*a.bounds().lower, Real::ratio(19, 4));
   EXPECT_EQ(*a.bounds().upper, Real::ratio(21, 4));
+  EXPECT_EQ(a.side, Side::kMixed);
 }
 
 TEST(Answer, MinusTurnsTheEnclosure) {
@@ -71,6 +72,44 @@ TEST(Answer, LeastValuesLieAboveTheirBound) {
   EXPECT_EQ(*a.bounds().lower, Real(2));
   EXPECT_EQ(*a.bounds().upper, Real(3));
   EXPECT_EQ(a.way, Way::kSearch);
+  EXPECT_EQ(a.side, Side::kInner);
+  const Answer exact = least_answer(Real(3), Real(3), true, {}, Way::kBoxes);
+  EXPECT_EQ(exact.way, Way::kBoxes);
+  EXPECT_EQ(exact.side, Side::kExact);
+}
+
+TEST(Optimum, SaysOnWhichSideItsValueIsCertain) {
+  OptimalValue best;
+  best.set_exact(Real(2), Way::kMap);
+  EXPECT_EQ(best.answer->side, Side::kExact);
+  EXPECT_FALSE(best.bound());
+  best.set_enclosed(Real(3), Real(2), Way::kMap);
+  EXPECT_EQ(best.answer->side, Side::kInner);
+  EXPECT_EQ(*best.value(), Real(3));
+  EXPECT_EQ(*best.bound(), Real(2));
+  best.set_enclosed(std::nullopt, Real(2), Way::kSearch);
+  EXPECT_EQ(best.answer->side, Side::kOuter);
+  EXPECT_FALSE(best.exists());
+  EXPECT_EQ(*best.bound(), Real(2));
+  best.set_nearby(Real(5), std::nullopt, Way::kLines);
+  EXPECT_EQ(best.answer->side, Side::kNone);
+  EXPECT_EQ(*best.value(), Real(5));
+  EXPECT_FALSE(best.bound());
+  EXPECT_EQ(best.answer->way, Way::kLines);
+}
+
+TEST(Optimum, KeepsWhatASearchHasFound) {
+  Answer least = least_answer(Real(3), Real(2), false, {Real(1), Real(2), Real(3)});
+  least.way = Way::kSurfaces;
+  least.witness = point_pair({Real(1), Real(), Real()}, {Real(), Real(), Real()});
+  OptimalValue best;
+  best.set_found(in_scene(least, Real(2)));
+  EXPECT_TRUE(best.attained);
+  EXPECT_EQ(*best.value(), Real(6));
+  EXPECT_EQ(*best.bound(), Real(4));
+  EXPECT_EQ(best.answer->way, Way::kSurfaces);
+  EXPECT_EQ(best.answer->witness.size(), 2u);
+  EXPECT_EQ(best.answer->at, (Coordinates{Real(2), Real(4), Real(6)}));
 }
 
 }  // namespace distance_answer

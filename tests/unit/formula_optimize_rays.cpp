@@ -41,6 +41,29 @@ TEST(OptimizeRays, ASinglePlaceCounts) {
   EXPECT_EQ(least->at, (Place{0, 1, 1}));
 }
 
+TEST(OptimizeRays, SaysOnWhichSideAPlaceIsCertain) {
+  using distance::Sense;
+  const RayBest found{4, 3, {1, 2, 3}, true};
+  const auto least = [&](Side on_lines, Side cells) {
+    return best_over_region(found, Sense::kMinimum, {on_lines, cells, exact::Real(1)}, 0.5);
+  };
+  const distance::OptimalValue inner = least(Side::kExact, Side::kNone);
+  EXPECT_EQ(inner.answer->side, Side::kInner);
+  EXPECT_EQ(inner.answer->way, distance::Way::kLines);
+  EXPECT_EQ(*inner.value(), exact::Real(2));
+  EXPECT_FALSE(inner.bound());  // between the lines there may be better ones
+  EXPECT_TRUE(inner.attained);
+  EXPECT_EQ(inner.answer->at,
+            (distance::Coordinates{exact::Real::ratio(1, 2), exact::Real(1), exact::Real::ratio(3, 2)}));
+  const distance::OptimalValue outer = least(Side::kExact, Side::kOuter);
+  EXPECT_EQ(outer.answer->side, Side::kNone);
+  EXPECT_NEAR(outer.bound()->to_double(), 1, 1e-12);
+  EXPECT_FALSE(outer.attained);
+  EXPECT_EQ(least(Side::kOuter, Side::kNone).answer->side, Side::kNone);
+  const RayBest lowest{-INFINITY, -INFINITY, {}, true};
+  EXPECT_TRUE(best_over_region(lowest, Sense::kMinimum, {Side::kExact, Side::kNone, exact::Real(1)}, 1).unbounded);
+}
+
 /// The distance to the nearest of some points, which has many local optima.
 TEST(OptimizeRays, AgreesWithSampling) {
   std::mt19937 random(3);

@@ -132,6 +132,11 @@ TEST(Parse, Predicates) {
   EXPECT_EQ(canonical("clear(B, A)"), "gamma1(B, A) >= 0");
   EXPECT_EQ(canonical("clear(B, A, 1cm)"), "gamma1(B, A) >= 10");
   EXPECT_EQ(canonical("within(B, A, 2)"), "gamma1(B, A) <= 2");
+  EXPECT_EQ(canonical("near(B, A, 2)"), "gamma1(B, A) <= 2");
+  EXPECT_EQ(canonical("far(B, A, 2)"), "gamma1(B, A) >= 2");
+  EXPECT_EQ(canonical("keepout(B, A)"), "gamma1(B, A) >= 0");
+  EXPECT_EQ(canonical("keepout(B, A, 2)"), "gamma1(B, A) >= 2");
+  EXPECT_EQ(canonical("group(B, A, 2)"), "diameter(B, A) <= 2");
   EXPECT_EQ(canonical("inside(B, A)"), "eta1(B, A) <= 0");
   EXPECT_EQ(canonical("inside(B, A, 0.5)"), "eta1(B, A) <= -0.5");
   EXPECT_EQ(canonical("inside(A, B, -0.5)"), "eta1(A, B) <= 0.5");
@@ -334,6 +339,8 @@ TEST(Written, KeepsTheNamesOfTheWriter) {
   EXPECT_EQ(as_written("m2(B, A) <= 3"), "m2(B, A) <= 3");
   EXPECT_EQ(as_written("protrusion(A, B) = 0"), "protrusion(A, B) = 0");
   EXPECT_EQ(as_written("gap(B, A) -> min"), "gap(B, A) -> min");
+  EXPECT_EQ(as_written("between(B,A)<=1"), "between(B, A) <= 1");
+  EXPECT_EQ(as_written("between(A, B) >= 0.2"), "between(A, B) >= 0.2");
 }
 
 TEST(Written, PlainWordsOfCanonicalText) {
@@ -351,6 +358,22 @@ TEST(Parse, LongFormulasAreLinear) {
   const Formula formula = parse_formula(sentence, scene());
   EXPECT_EQ(formula.atoms().size(), 20000u);
   EXPECT_EQ(formula.sign_maps().size(), 100u);
+}
+
+TEST(Parse, ARuleBetweenListsKeepsItsNames) {
+  Context board;
+  board.shapes = {"R1", "R2", "C1", "J1", "smd", "tht"};
+  board.moving = {"R1", "R2"};
+  board.groups = {{"smd", {"R1", "R2", "C1"}}, {"tht", {"J1"}}};
+  const Formula one = parse_formula("between(tht, smd) >= 0.2", board);
+  ASSERT_EQ(one.atoms().size(), 1u);
+  EXPECT_EQ(one.atoms()[0].distance.first, (std::vector<std::string>{"R1", "R2"}));
+  EXPECT_EQ(written(one), "between(tht, smd) >= 0.2");
+  EXPECT_EQ(parse_formula(written(one), board), one);
+  board.independent = true;
+  board.body_of = {{"R1", 0}, {"R2", 1}};
+  const Formula pairs = parse_formula("between(tht, smd) >= 0.2", board);
+  EXPECT_EQ(written(pairs), "between(R1, J1) >= 0.2 and between(R2, J1) >= 0.2");
 }
 
 }  // namespace formula_parse

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "findspace/error.h"
 #include "io/board/board_scene.h"
@@ -59,8 +60,63 @@ TEST(ReadBoard, RefusesOutlines) {
   expect_refused(board("(gr_line (start 0 0) (end 5 0) (layer \"Edge.Cuts\"))"), "it is open at (0, 0)");
   expect_refused(board(std::string(kOutline) + "(gr_circle (center 30 30) (end 35 30) (layer \"Edge.Cuts\"))"),
                  "2 separate pieces");
+  // Shorter than the gap that is joined; an arc that goes nearly round is closed.
+  expect_refused(board("(gr_arc (start 5 5) (end 5 3) (angle 0.1) (layer \"Edge.Cuts\"))"), "it is open at (5, 3)");
+  EXPECT_NEAR(
+      area(read_board(board("(gr_arc (start 5 5) (end 5 3) (angle 359.9) (layer \"Edge.Cuts\"))"), "b").outline),
+      4 * std::acos(-1.0), 0.01);
+  EXPECT_NEAR(
+      area(read_board(board("(gr_arc (start 5 3) (mid 5 7) (end 4.997 3) (layer \"Edge.Cuts\"))"), "b").outline),
+      4 * std::acos(-1.0), 0.01);
+  expect_refused(board("(gr_line (start 5 5) (end 5 5.001) (layer \"Edge.Cuts\"))"), "it is open at (5, 5");
   expect_refused(board("(gr_curve (pts (xy 0 0) (xy 1 0) (xy 1 1)) (layer \"Edge.Cuts\"))"), "four control points",
                  "b.kicad_pcb:3:1");
+}
+
+/// A part with an id, of 1 x 1 mm.
+std::string grouped_part(const std::string& name, const std::string& id, const std::string& more = "") {
+  return part(name, "(tstamp " + id + ")" + more + "(fp_rect (start 0 0) (end 1 1) (layer \"F.CrtYd\"))");
+}
+
+std::vector<std::string> members(const Board& b, const std::string& group) {
+  for (const PartGroup& g : b.groups)
+    if (g.name == group) return g.parts;
+  return {"no such group"};
+}
+
+TEST(ReadBoard, Groups) {
+  using Names = std::vector<std::string>;
+  const Board b =
+      read_board(board(std::string(kOutline) + grouped_part("R1", "1") + grouped_part("R2", "2") + part("R3", "") +
+                       "(group \"\" (id 10) (members 2 1 99))(group \"\" (id 11) (members 10))"
+                       "(group \"locked\" (id 12) (members 2))(group \"a\" locked (id 13) (members 14))"
+                       "(group \"b\" (id 14) (members 13 1))(group \"texts\" (id 15) (members 99))(group \"none\")"),
+                 "b");
+  ASSERT_EQ(b.groups.size(), 5U);
+  EXPECT_EQ(members(b, "group"), (Names{"R1", "R2"}));
+  EXPECT_EQ(members(b, "group 2"), (Names{"R1", "R2"}));
+  EXPECT_EQ(members(b, "locked"), (Names{"R2"}));
+  EXPECT_EQ(members(b, "a"), (Names{"R1"}));  // around each other: all that is in either
+  EXPECT_EQ(members(b, "b"), (Names{"R1"}));
+  EXPECT_TRUE(b.find("R1")->locked);   // in a locked group
+  EXPECT_FALSE(b.find("R2")->locked);  // in a group of that name
+  expect_refused(board(std::string(kOutline) + "(group \"a\" (id (b)))"), "a word is meant here", "b.kicad_pcb:3:");
+}
+
+TEST(ReadBoard, ManyMembersOfGroupsInGroupsAreRefused) {
+  std::string chain;
+  for (int k = 0; k < 3000; ++k)
+    chain += "(group \"g\" (id g" + std::to_string(k) + ") (members g" + std::to_string(k + 1) + "))\n";
+  expect_refused(board(std::string(kOutline) + chain), "groups with so many members", "");
+}
+
+TEST(ReadBoard, LockedInAllNotations) {
+  for (const auto& [text, locked] : std::map<std::string, bool>{
+           {"locked ", true}, {"(locked yes) ", true}, {"(locked) ", true}, {"(locked no) ", false}, {"", false}}) {
+    const std::string footprint = part("R1", "(fp_rect (start 0 0) (end 1 1) (layer \"F.CrtYd\"))");
+    const std::string given = "(footprint \"F\" " + text + footprint.substr(std::string("(footprint \"F\" ").size());
+    EXPECT_EQ(read_board(board(std::string(kOutline) + given), "b").find("R1")->locked, locked) << text;
+  }
 }
 
 TEST(ReadBoard, CurvesAreSegmentsThatHardlyDepart) {

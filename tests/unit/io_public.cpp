@@ -102,6 +102,7 @@ TEST(Public, Minimum) {
   EXPECT_DOUBLE_EQ(*best.value, 14);
   EXPECT_FALSE(best.attained);
   EXPECT_TRUE(best.at.contains({6, 0}));
+  EXPECT_EQ(best.side, "exact");
 }
 
 TEST(Public, ShapesAreMadeOfShapes) {

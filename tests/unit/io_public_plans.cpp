@@ -43,6 +43,16 @@ TEST(PublicPlacement, OneAfterAnother) {
   EXPECT_NE(found.svg().find("<svg"), std::string::npos);
 }
 
+TEST(PublicPlacement, WhatItSaysIsAValue) {
+  const Placement found = place(parts(), bottom_left({"A1", "A2"}), {.unit = "mm"});
+  const Placement same(found.told());
+  EXPECT_EQ(same.json(), found.json());
+  EXPECT_EQ(same.svg(), found.svg());
+  EXPECT_EQ(same.complete(), found.complete());
+  EXPECT_EQ(same.placed()[1].exact_at[0], found.placed()[1].exact_at[0]);
+  EXPECT_EQ(*same.positions()[0].region.area(), 22 * 12);
+}
+
 TEST(PublicPlacement, AnglesAndCopies) {
   const Placement found = place(parts(), bottom_left({Body({"bar"}, {0, 90}, 2), Body({"A1"}, {0, 360})}));
   ASSERT_EQ(found.placed().size(), 3u);
@@ -183,6 +193,13 @@ TEST(PublicMotion, ShapesThatTurnAreBounded) {
   EXPECT_TRUE((hit.inner - hit.outer).empty());
   EXPECT_TRUE(hit.inner.contains(Point{3, 0}));
   EXPECT_FALSE(hit.outer.contains(Point{5, 0}));
+  // Between the wings the ball touches both: its centre is (-2, 2).
+  const Optimum best = world.minimize("distance to [0, 0]", "inf gap(ball, door) >= 0");
+  EXPECT_EQ(best.side, "inner");
+  EXPECT_LE(best.lower, std::sqrt(8.0));
+  EXPECT_GE(best.upper, std::sqrt(8.0));
+  EXPECT_LT(best.upper - best.lower, 0.2);
+  EXPECT_THROW(world.solve("inf gap(ball, door) >= 0"), Error);
   const Instants near = world.instants("gap(ball, door) < 0", {0, 3});
   ASSERT_FALSE(near.possible.empty());
   EXPECT_EQ(*near.possible.back().to, 1);

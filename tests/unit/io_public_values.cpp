@@ -136,6 +136,33 @@ TEST(PublicRegion, ExactCoordinates) {
   EXPECT_TRUE(lens.exact(0).x == lens.exact(1).x);
 }
 
+TEST(PublicShape, ManyPolygonsAreThoseMadeOneByOne) {
+  std::vector<std::vector<Position>> rings;
+  for (int k = 0; k < 300; ++k) rings.push_back({{0., 0.}, {k + 1., 0.}, {k + 0.1, k + 0.25}});
+  std::vector<std::span<const Position>> spans(rings.begin(), rings.end());
+  const std::vector<Shape> made = Shape::polygons(spans);
+  ASSERT_EQ(made.size(), 300u);
+  for (std::size_t k = 0; k < 300; k += 77) EXPECT_EQ(made[k].region(), Shape::polygon(rings[k]).region());
+  rings[299] = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  spans[299] = rings[299];
+  EXPECT_NE(message_of([&] { return Shape::polygons(spans); }).find("polygon 299: the ring"), std::string::npos);
+  EXPECT_TRUE(Shape::polygons({}).empty());
+}
+
+TEST(PublicRegion, ExactCoordinatesInFullAreReadBack) {
+  const Region lens = Shape::disc({0, 0}, 2).region() & Shape::disc({2, 0}, 2).region();
+  const Region grown = lens.offset("0.5") & Shape::box({-9, -9}, {9, "2.2"}).region();
+  int nested = 0;
+  for (std::size_t v = 0; v < grown.vertices().size(); ++v)
+    for (const Exact& c : {grown.exact(v).x, grown.exact(v).y}) {
+      EXPECT_EQ(Exact::read(c.full_text()), c);
+      nested += c.text().starts_with('~');
+    }
+  EXPECT_GT(nested, 0);
+  EXPECT_THROW(Exact::read("#0"), Error);
+  EXPECT_THROW(Exact::read("2*"), Error);
+}
+
 TEST(PublicRegion, SetAlgebra) {
   const Region a = Shape::box({0, 0}, {4, 4}).region(), b = Shape::disc({4, 2}, 1).region();
   EXPECT_EQ((a | b) - b, a - b);

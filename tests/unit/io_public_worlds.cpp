@@ -39,6 +39,20 @@ Formula clear_of_all(int obstacles) {
   return all;
 }
 
+TEST(PublicWorld, WordsOfBoards) {
+  const World world = boxes();
+  const Point at{0, 5};  // B lies from 4 to 6, A ends at 3: the gap is 1, and both are 10 wide or high at most
+  EXPECT_TRUE(world.holds(near("B", "A", 1), at));
+  EXPECT_FALSE(world.holds(near("B", "A", "0.999"), at));
+  EXPECT_TRUE(world.holds(far("B", "A", 1), at));
+  EXPECT_FALSE(world.holds(far("B", "A", "1.001"), at));
+  EXPECT_TRUE(world.holds(keepout("B", "A"), at) && world.holds(keepout("B", "A", 1), at));
+  EXPECT_FALSE(world.holds(keepout("B", "A", "1.001"), at));
+  // The corners of A at (4, -3) and of B at (-1, 6) are the root of 106 apart, its own corners that of 100.
+  EXPECT_TRUE(world.holds(group("B", "A", "10.2957"), at));
+  EXPECT_FALSE(world.holds(group("B", "A", "10.2956"), at));
+}
+
 TEST(PublicWorld, ChangesAndItsCopiesDoNot) {
   World world = boxes();
   const World before = world;
@@ -90,6 +104,25 @@ TEST(PublicWorld, ValuesHaveBounds) {
   EXPECT_EQ(whole.lower, 1);
   EXPECT_EQ(whole.upper, 1);
   EXPECT_EQ(boxes().distance("cover(B, A)", {0, 0}).value, -INFINITY);
+}
+
+TEST(PublicWorld, TheLeastBetweenBoundsIsEnclosed) {
+  // |p - C| - |p - A| >= 2: a branch of a hyperbola, whose vertex is (1, 0).
+  const World world({{"A", Shape::disc({6, 0}, 1)},
+                     {"C", Shape::disc({-6, 0}, 3)},
+                     {"B", Shape::points({{0, 0}})},
+                     {"W", Shape::box({-20, -20}, {20, 20})}},
+                    "B");
+  const Formula nearer = "inside(B, W) and gap(B, A) <= gap(B, C)";
+  EXPECT_THROW(world.solve(nearer), Error);
+  const Optimum best = world.minimize("x", nearer);
+  ASSERT_TRUE(best.value);
+  EXPECT_FALSE(best.exact);
+  EXPECT_EQ(best.side, "inner");
+  EXPECT_LE(best.lower, 1);
+  EXPECT_GE(best.upper, 1);
+  EXPECT_LT(best.upper - best.lower, 0.1);
+  EXPECT_FALSE(best.at.empty());
 }
 
 TEST(PublicWorld, ChecksAtomByAtom) {
@@ -302,6 +335,87 @@ TEST(PublicPhi, OfThePlane) {
   phi.evaluate(at, values, gradients);
   EXPECT_EQ(values, (std::vector<double>{2, 0, 4}));
   EXPECT_EQ(gradients[2], (Position{0, 1}));
+}
+
+TEST(PublicPhi, AdjustedForLimitsOfTheDistance) {
+  const Phi phi(Shape::box({0, 0}, {4, 2}), Shape::box({0, 0}, {1, 1}));
+  const Phi::Value corner = phi.at(Point{7, 6});  // (3, 4) beyond the corner of the contacts
+  EXPECT_EQ(corner.value, 4);
+  EXPECT_EQ(corner.gradient, (Place{0, 1}));
+  EXPECT_EQ(corner.normalised, 5);
+  EXPECT_EQ(corner.normalised_gradient, (Place{0.6, 0.8}));
+  const AdjustedPhi least = phi.at_least(5), greatest = phi.at_most("4.5");
+  EXPECT_EQ(least.at(Point{7, 6}).sign, 0);
+  EXPECT_EQ(least.at(Point{7, "6.0000001"}).sign, 1);
+  EXPECT_EQ(greatest.at(Point{7, 6}).value, -0.5);
+  EXPECT_EQ(greatest.at(Point{7, 6}).sign, -1);
+  EXPECT_EQ(greatest.at(Point{7, 6}).gradient, (Place{-0.6, -0.8}));
+  EXPECT_EQ(greatest.at(Point{0, 0}).sign, 1);  // overlap is near
+  EXPECT_EQ(phi.at_least(0).at(Point{4, 0}).sign, 0);
+  EXPECT_EQ(phi.at_most(0).at(Point{4, 0}).sign, 0);
+  EXPECT_THROW(phi.at_least(-1), Error);
+  const std::vector<Position> at{{7, 6}, {2, 7}};
+  std::vector<double> values(2);
+  std::vector<Position> gradients(2);
+  least.evaluate(at, values, gradients);
+  EXPECT_EQ(values, (std::vector<double>{0, 0}));
+  EXPECT_EQ(gradients, (std::vector<Position>{{0.6, 0.8}, {0, 1}}));
+}
+
+TEST(PublicPhi, TheNearestPairHasTheNormalisedGradient) {
+  const Shape b = Shape::box({0, 0}, {1, 1});
+  const Phi phi(Shape::unite({Shape::box({0, 0}, {1, 1}), Shape::box({-9, 9}, {9, 10})}), b);
+  const Phi::Value found = phi.at(Point{4, 4});  // 3 beyond the corner each way; 4 below the bar
+  EXPECT_EQ(found.pair, 0u);
+  EXPECT_EQ(found.value, 3);
+  EXPECT_EQ(found.normalised, 4);
+  EXPECT_EQ(found.normalised_gradient, (Place{0, -1}));
+}
+
+TEST(PublicPhi, AdjustedInSpace) {
+  const Phi phi(Shape::box({0, 0, 0}, {1, 1, 1}), Shape::box({0, 0, 0}, {1, 1, 1}));
+  const AdjustedPhi least = phi.at_least(2), greatest = phi.at_most(3);
+  EXPECT_EQ(least.at(Point3{2, 3, 3}).sign, 1);
+  EXPECT_EQ(greatest.at(Point3{2, 3, 3}).sign, 0);  // 1, 2, 2 apart
+  const Place steep = least.at(Point3{2, 3, 3}).gradient;
+  const AdjustedPhi far = phi.at_least(5), near = phi.at_most(5);
+  const Point3 corner{4, 5, 0};  // gaps 3 and 4
+  EXPECT_EQ(far.at(corner).sign, 0);
+  EXPECT_EQ(near.at(corner).sign, 0);
+  EXPECT_EQ(far.at(corner).value, 0);
+  EXPECT_EQ(far.at(Point3{5, 5, 0}).sign, 1);
+  EXPECT_EQ(near.at(Point3{5, 5, 0}).sign, -1);
+  EXPECT_EQ(far.at(Point3{0, 0, 0}).sign, -1);
+  EXPECT_EQ(near.at(Point3{0, 0, 0}).sign, 1);
+  EXPECT_THROW(phi.at_least(-1), Error);
+  ASSERT_EQ(steep.size(), 3u);
+  EXPECT_NEAR(steep[0], 1 / 3., 1e-15);
+  EXPECT_NEAR(steep[2], 2 / 3., 1e-15);
+}
+
+TEST(PublicPhi, OfArcsThatBoundNoDiscByCurves) {
+  const Shape half = Shape::subtract({Shape::disc({0, 0}, 2), Shape::box({-3, -3}, {3, 0})});
+  const Shape box = Shape::box({0, 0}, {1, 1});
+  const Phi phi(half, box);
+  EXPECT_EQ(phi.form(), Phi::Form::kCurves);
+  EXPECT_EQ(phi.parts_of_a(), 0u);
+  const Phi::Value above = phi.at(Point{"-0.5", 3});
+  EXPECT_EQ(above.value, 1);
+  EXPECT_EQ(above.state, Phi::State::kApart);
+  EXPECT_EQ(above.gradient, (Place{0, 1}));
+  EXPECT_TRUE(above.active.empty());
+  EXPECT_EQ(phi.at(Point{"-0.5", 2}).state, Phi::State::kContact);
+  EXPECT_EQ(phi.at(Point{"-0.5", 2}).gradient, (Place{0, 0}));
+  const Phi::Value within = phi.at(Point{"-0.5", 0});
+  EXPECT_EQ(within.value, -1);
+  EXPECT_EQ(within.state, Phi::State::kOverlap);
+  EXPECT_EQ(within.gradient, (Place{0, -1}));
+  EXPECT_EQ(phi.compare({"-0.5", 3}, 1), 0);
+  EXPECT_EQ(phi.compare({"-0.5", 3}, "1.0000001"), -1);
+  const World world({{"A", half}, {"B", box}}, "B");
+  for (int x = -3; x < 4; ++x)
+    for (int y = -3; y < 4; ++y) EXPECT_EQ(phi.at(Point{x, y}).value, *world.distance("gap(B, A)", Point{x, y}).value);
+  EXPECT_EQ(Phi(box, box).form(), Phi::Form::kParts);
 }
 
 TEST(PublicPhi, OfSpaceAgreesWithGap) {

@@ -47,10 +47,32 @@ TEST(WritePosition, ExactValuesThatAreNoDecimalsCarryTheirClosedForm) {
   EXPECT_FALSE(out.contains("lower"));
 }
 
-TEST(WritePosition, UndefinedAndRefusedValuesAreNull) {
+TEST(WritePosition, UndefinedValuesAreNullAndRefusedOnesSayWhy) {
+  formula::DistanceAt refused = formula::distance_at("eta1(B, A)", std::nullopt);
+  refused.refused = "too round";
   const json out =
-      json::parse(measure_json({formula::distance_at("gamma1(B, A)", std::nullopt)}, {Real(), Real()}, ""));
+      json::parse(measure_json({formula::distance_at("gamma1(B, A)", std::nullopt), refused}, {Real(), Real()}, ""));
   EXPECT_TRUE(out.at("distances").at("gamma1(B, A)").is_null());
+  EXPECT_TRUE(out.at("distances").at("eta1(B, A)").is_null());
+  EXPECT_EQ(out.at("not_computed"), (json{{"eta1(B, A)", "too round"}, {"margin(B, A)", "too round"}}));
+  const json all =
+      json::parse(measure_json({formula::distance_at("gamma1(B, A)", std::nullopt)}, {Real(), Real()}, ""));
+  EXPECT_FALSE(all.contains("not_computed"));
+}
+
+TEST(WritePosition, NoneAndNotComputedAreToldApart) {
+  formula::Check check;
+  const auto said = [&](const formula::AskedNearest& near) {
+    return json::parse(check_json(check, {Real(), Real()}, "", {}, near));
+  };
+  EXPECT_FALSE(said({}).contains("nearest_feasible"));
+  EXPECT_TRUE(said(std::optional<formula::NearestFeasible>()).at("nearest_feasible").is_null());
+  const json refused = said(exact::Refusal("too round"));
+  EXPECT_FALSE(refused.contains("nearest_feasible"));
+  EXPECT_EQ(refused.at("not_computed"), (json{{"nearest_feasible", "too round"}}));
+  const formula::NearestFeasible there{{Real(1), Real(2)}, Real(3), true};
+  EXPECT_EQ(said(std::optional(there)).at("nearest_feasible"),
+            (json{{"at", {1, 2}}, {"distance", 3}, {"attained", true}}));
 }
 
 /// The value of a sum stands under the sum alone, in the words and the sense in which it was written.

@@ -21,7 +21,7 @@ inline Region closed_set(const PieceBuilder& b, const std::vector<Index>& isolat
   for (std::int32_t w : face_windings(a, b.forward, 0)) marks.faces.push_back(w > 0);
   marks.edges.assign(a.edge_count(), 1);
   marks.vertices.assign(a.vertex_count(), 1);
-  return extract(a, marks);
+  return extract(std::move(a), marks);
 }
 
 /// Counter-clockwise corners.

@@ -113,21 +113,6 @@ TEST(PhiUnion, SeamsNeedNoRule) {
   EXPECT_EQ(phi.normalised({22, 0, 0}), 1);
 }
 
-TEST(AdjustedPhi, LimitsTheDistanceFromBothSides) {
-  const std::vector<Polytope> a{box(0, 0, 0, 1, 1, 1)};
-  const PhiUnion phi(a, a);
-  const AdjustedPhi far(phi, AdjustedPhi::Limit::kMinimum, Real(5)), near(phi, AdjustedPhi::Limit::kMaximum, Real(5));
-  const RealVector corner{Real(4), Real(5), Real(0)};  // gaps 3 and 4
-  EXPECT_EQ(far.sign_at(corner), 0);
-  EXPECT_EQ(near.sign_at(corner), 0);
-  EXPECT_EQ(far.value({4, 5, 0}), 0);
-  EXPECT_EQ(far.sign_at({Real(5), Real(5), Real(0)}), 1);
-  EXPECT_EQ(near.sign_at({Real(5), Real(5), Real(0)}), -1);
-  EXPECT_EQ(far.sign_at({Real(0), Real(0), Real(0)}), -1);
-  EXPECT_EQ(near.sign_at({Real(0), Real(0), Real(0)}), 1);
-  EXPECT_THROW(AdjustedPhi(phi, AdjustedPhi::Limit::kMinimum, Real(-1)), Error);
-}
-
 TEST(ClosedForms, TheTwoRectangleDiscFormsAgree) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> draw(-4, 4), size(0, 2);

@@ -127,10 +127,10 @@ planning::SpaceProblem solid_problem(const std::map<std::string, Shape>& shapes,
 
 /// What planning says of each body, in the unit.
 void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& data) {
-  data.complete = outcome.complete();
-  data.unproven = outcome.unproven.value_or("");
+  data.told.complete = outcome.complete();
+  data.told.unproven = outcome.unproven.value_or("");
   for (const planning::BodyOutcome& b : outcome.placed) {
-    Placement::Placed& placed = data.placed.emplace_back();
+    Placement::Placed& placed = data.told.placed.emplace_back();
     placed.body = b.shape;
     placed.copy = b.copy;
     placed.attained = b.attained;
@@ -147,8 +147,8 @@ void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& d
 void add_positions(std::size_t body, const std::vector<planning::AtAngle>& all, const plane::Grid& grid,
                    Placement::Data& data) {
   for (const planning::AtAngle& at : all)
-    data.positions.push_back({body, data.planar.bodies[body].angles[at.angle].degrees.to_double(),
-                              api::make_region(at.region, grid, data.unit)});
+    data.told.positions.push_back({body, data.planar.bodies[body].angles[at.angle].degrees.to_double(),
+                                   api::make_region(at.region, grid, data.unit)});
 }
 
 void place_planar(const Demands& demands, const plane::Grid& grid, const planning::Limit& limit,
@@ -199,9 +199,22 @@ Placement place(const std::map<std::string, Shape>& shapes, const Demands& deman
   });
 }
 
-const std::vector<Placement::Placed>& Placement::placed() const { return data_->placed; }
-bool Placement::complete() const { return data_->complete; }
-const std::string& Placement::unproven() const { return data_->unproven; }
-const std::vector<Placement::Positions>& Placement::positions() const { return data_->positions; }
+Placement::Told Placement::told() const {
+  Told out = data_->told;
+  out.json = json();
+  out.svg = svg();
+  return out;
+}
+
+Placement::Placement(Told told) {
+  auto data = std::make_shared<Data>();
+  data->told = std::move(told);
+  data_ = std::move(data);
+}
+
+const std::vector<Placement::Placed>& Placement::placed() const { return data_->told.placed; }
+bool Placement::complete() const { return data_->told.complete; }
+const std::string& Placement::unproven() const { return data_->told.unproven; }
+const std::vector<Placement::Positions>& Placement::positions() const { return data_->told.positions; }
 
 }  // namespace findspace

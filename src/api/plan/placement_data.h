@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What stands behind a public Placement: the problem, in the plane or in space, and what was found by one method.
+// What stands behind a public Placement: the problem, in the plane or in space, and what was found by one method. One
+// that was told has no problem: its texts are there.
 #pragma once
 
 #include <optional>
@@ -25,10 +26,7 @@ struct Placement::Data {
   std::optional<Planar> in_plane{};
   std::optional<Solid> in_space{};
 
-  std::vector<Placed> placed{};
-  std::vector<Positions> positions{};
-  bool complete = false;
-  std::string unproven{};
+  Told told{};  // without texts where they can be made
 };
 
 }  // namespace findspace

@@ -5,7 +5,7 @@
 
 #include "api/query/world_data.h"
 #include "api/values/region_data.h"
-#include "formula/planar/feasible_near.h"
+#include "formula/planar/solve_region.h"
 #include "plane/query/locate_line.h"
 #include "planning/pose/pose_stack.h"
 

@@ -70,6 +70,10 @@ Formula checked(std::string atom) {
 
 std::string with_level(const Level& level) { return ", " + level.text(); }
 
+Formula with_word(std::string_view word, std::string_view a, std::string_view b, const Level& level) {
+  return checked(call(word, a, b, with_level(level)));
+}
+
 }  // namespace
 
 Formula operator&&(const Formula& a, const Formula& b) { return fmt::format("({}) and ({})", a.text_, b.text_); }
@@ -98,18 +102,16 @@ namespace words {
 Formula overlaps(std::string_view a, std::string_view b) { return checked(call("overlaps", a, b)); }
 Formula touches(std::string_view a, std::string_view b) { return checked(call("touches", a, b)); }
 Formula disjoint(std::string_view a, std::string_view b) { return checked(call("disjoint", a, b)); }
-Formula clear(std::string_view a, std::string_view b, const Level& level) {
-  return checked(call("clear", a, b, with_level(level)));
+Formula clear(std::string_view a, std::string_view b, const Level& level) { return with_word("clear", a, b, level); }
+Formula within(std::string_view a, std::string_view b, const Level& level) { return with_word("within", a, b, level); }
+Formula near(std::string_view a, std::string_view b, const Level& level) { return with_word("near", a, b, level); }
+Formula far(std::string_view a, std::string_view b, const Level& level) { return with_word("far", a, b, level); }
+Formula keepout(std::string_view a, std::string_view b, const Level& level) {
+  return with_word("keepout", a, b, level);
 }
-Formula within(std::string_view a, std::string_view b, const Level& level) {
-  return checked(call("within", a, b, with_level(level)));
-}
-Formula inside(std::string_view a, std::string_view b, const Level& level) {
-  return checked(call("inside", a, b, with_level(level)));
-}
-Formula covers(std::string_view a, std::string_view b, const Level& level) {
-  return checked(call("covers", a, b, with_level(level)));
-}
+Formula group(std::string_view a, std::string_view b, const Level& level) { return with_word("group", a, b, level); }
+Formula inside(std::string_view a, std::string_view b, const Level& level) { return with_word("inside", a, b, level); }
+Formula covers(std::string_view a, std::string_view b, const Level& level) { return with_word("covers", a, b, level); }
 
 }  // namespace words
 }  // namespace findspace

@@ -13,12 +13,6 @@ namespace {
 
 using exact::Real;
 
-double below(const Real& v) {
-  const double d = v.to_double();
-  return Real::from_double(d) > v ? std::nextafter(d, -exact::kInfinity) : d;
-}
-double above(const Real& v) { return -below(-v); }
-
 Place place(const distance::Coordinates& p) {
   Place out;
   for (const Real& c : p) out.push_back(c.to_double());
@@ -32,15 +26,16 @@ Feature feature(const formula::FeatureAt& f) {
   return out;
 }
 
-void set_bounds(const distance::SceneAnswer& a, DistanceValue& out) {
+template <class Value>
+void set_bounds(const distance::SceneAnswer& a, Value& out) {
   out.exact = a.proven && !a.minus_infinity;
   if (a.minus_infinity) {
     out.lower = out.upper = -exact::kInfinity;
     return;
   }
-  const distance::Enclosure e = a.bounds();
-  out.lower = e.lower ? below(*e.lower) : -exact::kInfinity;
-  out.upper = e.upper ? above(*e.upper) : exact::kInfinity;
+  const distance::OutwardEnds ends = distance::outward(a.bounds());
+  out.lower = ends.lower;
+  out.upper = ends.upper;
 }
 
 }  // namespace
@@ -68,6 +63,16 @@ DistanceValue public_value(const formula::DistanceAt& d) {
   if (d.answer->witness.size() == 2)
     for (const auto& w : d.answer->witness) out.points.push_back(place(w.at));
   out.features = features_of(d);
+  return out;
+}
+
+Optimum public_optimum(const distance::OptimalValue& best, Region at) {
+  Optimum out{{}, false, 0, 0, {}, "exact", best.unbounded, best.attained, std::move(at)};
+  if (const auto value = best.value()) out.value = value->to_double();
+  if (!best.answer) return out;
+  set_bounds(*best.answer, out);
+  out.closed_form = distance::closed_form(*best.answer).value_or("");
+  out.side = distance::name(best.answer->side);
   return out;
 }
 

@@ -12,7 +12,7 @@
 
 #include "api/query/world_data.h"
 #include "formula/language/lexer.h"
-#include "formula/planar/sums.h"
+#include "formula/planar/solve_region.h"
 #include "plane/base/parallel.h"
 
 namespace findspace {
@@ -98,13 +98,11 @@ struct Query::Data {
     const World::Data& of = world.data();
     const formula::Solver& solver = of.plane("the region of a formula");
     std::call_once(made, [&] {
-      known = api::limited(of.options, [&] { return of.region(formula::exact_region(solver, asked())); });
+      known = api::limited(of.options, [&] { return of.region(formula::exact_region(solver, asked()).or_throw()); });
     });
     return *known;
   }
-  bool has_region() const {
-    return world.dimension() == 2 && !world.data().planar->known_between_bounds(asked()) && !api::rotating(asked());
-  }
+  bool has_region() const { return world.dimension() == 2 && !world.data().planar->known_between_bounds(asked()); }
 
   template <std::size_t N>
   void holds(std::span<const std::array<double, N>> positions, std::span<bool> out) const {
@@ -218,8 +216,7 @@ std::optional<Region::Nearest> Query::nearest(const Position& from) const {
 
 std::optional<Nearest3> Query::nearest(const Position3& from) const {
   const auto found = data_->nearest(from);
-  if (!found && data_->world.solve_space(data_->written).empty()) return std::nullopt;
-  if (!found) throw Error(ErrorCode::kUnsupported, "the nearest position of this region in space is not computed");
+  if (!found) return std::nullopt;
   return Nearest3{{found->at[0].to_double(), found->at[1].to_double(), found->at[2].to_double()},
                   found->distance.to_double(),
                   found->attained};

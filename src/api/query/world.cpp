@@ -13,10 +13,9 @@
 #include "api/values/region_data.h"
 #include "formula/language/lexer.h"
 #include "formula/language/text.h"
-#include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
+#include "formula/planar/solve_region.h"
 #include "formula/planar/solve_rotation.h"
-#include "formula/planar/sums.h"
 #include "formula/solid/solve_rays.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"
@@ -55,7 +54,7 @@ std::shared_ptr<const World::Data> changed(const World::Data& before, const std:
   data->context = named_context(data->shapes, before.context.moving, before.unit());
   data->context.motion = before.context.motion;
   if (shape) data->grid = api::common_grid(before.grid, shape->data().grid);
-  // Parts of collections are told by their solver alone.
+  // Parts of collections are decided by their solver alone.
   const bool parts =
       (shape && api::tree_of(*shape)->collection) || (before.planar && before.planar->world().parts.count(name) > 0);
   if (data->dimension() == 2 && !parts && data->grid.step() == before.grid.step()) {
@@ -88,11 +87,6 @@ Coordinates place_of(const World::Data& world, std::span<const double> p) {
   return out;
 }
 
-bool rotating(const formula::Formula& f) {
-  return std::any_of(f.atoms().begin(), f.atoms().end(),
-                     [](const formula::Atom& a) { return a.distance.mode == formula::Mode::kRotation; });
-}
-
 }  // namespace api
 
 // ---- World::Data
@@ -122,13 +116,12 @@ formula::Objective World::Data::distance(std::string_view text) const {
 
 bool World::Data::holds(const formula::Formula& f, const Coordinates& p) const {
   if (solid) return solid->check(f, findspace::solid(p)).holds;
-  return api::rotating(f) ? check(f, p).holds : planar->holds(f, findspace::planar(p));
+  return planar->holds(f, findspace::planar(p));
 }
 
 formula::Check World::Data::check(const formula::Formula& f, const Coordinates& p) const {
   if (solid) return solid->check(f, findspace::solid(p));
-  const exact::RealPoint at = findspace::planar(p);
-  return api::rotating(f) ? formula::RotationSolver(*planar, {at, {}, {}}).check(f) : planar->check(f, at);
+  return planar->check(f, findspace::planar(p));
 }
 
 formula::DistanceAt World::Data::value(const formula::Objective& wanted, const Coordinates& p) const {
@@ -146,9 +139,7 @@ formula::DistanceAt World::Data::value(const formula::Objective& wanted, const C
     return signed_as_wanted(
         formula::distance_at(formula::text(d), found ? std::optional(distance::in_scene(*found, step)) : std::nullopt));
   }
-  if (d.mode != formula::Mode::kRotation) return signed_as_wanted(planar->distance_at(d, findspace::planar(p)));
-  const formula::Formula atom(formula::compare(d, formula::Relation::kGreaterEqual, Real()));
-  return signed_as_wanted(check(atom, p).atoms.front().distance);
+  return signed_as_wanted(planar->distance_at(d, findspace::planar(p)));
 }
 
 Region World::Data::region(plane::Region cells) const { return api::make_region(std::move(cells), grid, unit()); }
@@ -216,8 +207,9 @@ Check World::check(const Formula& f, const Point3& p) const { return check_of(*d
 
 Region World::solve(const Formula& formula) const {
   const formula::Solver& solver = data_->plane("the region of a formula");
-  return api::limited(data_->options,
-                      [&] { return data_->region(formula::exact_region(solver, data_->formula(formula.text()))); });
+  return api::limited(data_->options, [&] {
+    return data_->region(formula::exact_region(solver, data_->formula(formula.text())).or_throw());
+  });
 }
 
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
@@ -236,10 +228,10 @@ Optimum World::minimize(std::string_view objective, const Formula& formula) cons
   const formula::Solver& solver = data_->plane("an optimum");
   const formula::Objective wanted = formula::parse_objective(objective, data_->context);
   return api::limited(data_->options, [&] {
-    formula::Optimum best = formula::optimize(formula::exact_region(solver, data_->formula(formula.text())), wanted,
-                                              distance::Sense::kMinimum, solver);
-    return Optimum{best.value ? std::optional(best.value->to_double()) : std::nullopt, best.attained,
-                   data_->region(std::move(best.at))};
+    const formula::SolvedRegion where = formula::solve_region(solver, data_->formula(formula.text()));
+    formula::Optimum best = formula::optimize(solver, where, {wanted});
+    Region at = data_->region(std::move(best.at));
+    return api::public_optimum(best, std::move(at));
   });
 }
 

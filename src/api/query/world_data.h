@@ -60,7 +60,7 @@ plane::Grid grid_of(const std::map<std::string, Shape>& shapes);
 plane::Region region_on(const Shape& shape, const plane::Grid& grid, const std::string& name);
 /// Where it is not computed, `refused` says why: its surface may do.
 formula::SpaceShape solid_on(const plane::Shape& tree);
-/// kBadValue, kUnknownName for what is no motion of these shapes; in steps of the grid.
+/// kBadValue, kUnknownName for what is not a motion of these shapes; in steps of the grid.
 formula::Motion motion_of(const World::Data& world, const Motion& motion);
 /// The solver of the data, which has all but that. Shapes of `before` whose trees are the same are taken over.
 void make_solver(World::Data& data, const World::Data* before = nullptr);
@@ -71,12 +71,11 @@ distance::Coordinates place_of(const World::Data& world, const Point3& p);
 /// The decimals that doubles stand for.
 distance::Coordinates place_of(const World::Data& world, std::span<const double> p);
 
-/// A distance in rotation is among the atoms.
-bool rotating(const formula::Formula& f);
 /// What the two points of a witness lie on; none where that is not known.
 std::vector<Feature> features_of(const formula::DistanceAt& d);
 /// Throws Error(kUnsupported) for a value that is refused.
 DistanceValue public_value(const formula::DistanceAt& d);
+Optimum public_optimum(const distance::OptimalValue& best, Region at);
 Check public_check(const formula::Check& check);
 
 }  // namespace api

@@ -44,6 +44,23 @@ std::string Exact::text() const {
   return text.starts_with('#') ? "~" + fmt::format("{}", value()) : text;
 }
 
+std::string Exact::full_text() const {
+  exact::RealWriter writer;
+  const std::string text = writer.text(data_->value);
+  std::string out;
+  for (const std::string& definition : writer.definitions()) out += definition + "\n";
+  return out + text;
+}
+
+Exact Exact::read(std::string_view full_text) {
+  exact::RealReader reader;
+  for (std::size_t end = full_text.find('\n'); end != std::string_view::npos; end = full_text.find('\n')) {
+    reader.define(full_text.substr(0, end));
+    full_text.remove_prefix(end + 1);
+  }
+  return Exact(std::make_shared<const Data>(Data{reader.read(full_text)}));
+}
+
 bool operator==(const Exact& a, const Exact& b) { return a.data_->value == b.data_->value; }
 
 std::weak_ordering operator<=>(const Exact& a, const Exact& b) {

@@ -25,7 +25,7 @@ using plane::Mark;
 namespace api {
 
 Region make_region(plane::Region cells, const plane::Grid& grid, std::string unit) {
-  return Region(std::make_shared<const Region::Data>(plane::in_order(cells), grid, std::move(unit)));
+  return Region(std::make_shared<const Region::Data>(plane::in_order(std::move(cells)), grid, std::move(unit)));
 }
 
 std::optional<Mark> Marks::quick(const Position& p) const {

@@ -7,11 +7,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
+#include "plane/base/parallel.h"
 #include "plane/build/build.h"
 #include "plane/contour/contour.h"
 #include "plane/contour/grid_points.h"
@@ -195,6 +198,24 @@ Shape Shape::polygon(std::span<const Position> ring, const std::vector<std::span
 }
 Shape Shape::polygon(const Contour& ring, const std::vector<Contour>& holes, const Grid& grid) {
   return rings(ring, holes, grid);
+}
+
+std::vector<Shape> Shape::polygons(std::span<const std::span<const Position>> given, const Grid& grid) {
+  constexpr std::size_t kBlock = 64;
+  std::vector<std::shared_ptr<const Data>> made(given.size());
+  plane::parallel_for((given.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min(given.size(), (block + 1) * kBlock); ++k) {
+      try {
+        made[k] = rings(given[k], std::array<std::span<const Position>, 0>{}, grid).data_;
+      } catch (const Error& e) {
+        throw e.within(fmt::format("polygon {}", k));
+      }
+    }
+  });
+  std::vector<Shape> out;
+  out.reserve(made.size());
+  for (auto& data : made) out.push_back(Shape(std::move(data)));
+  return out;
 }
 
 Shape Shape::disc(const Point& center, const Number& radius, const Grid& grid) {

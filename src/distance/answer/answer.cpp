@@ -6,11 +6,25 @@
 #include <cmath>
 
 #include "exact/margins/formula.h"
+#include "exact/number/real_text.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::distance {
 
 double rounding_of(const exact::Real& value) { return margin::kSideOfLevel * std::fabs(value.to_double()); }
+
+OutwardEnds outward(const Enclosure& ends) {
+  const auto below = [](const exact::Real& v) {
+    const double d = v.to_double();
+    return exact::Real::from_double(d) > v ? std::nextafter(d, -exact::kInfinity) : d;
+  };
+  return {ends.lower ? below(*ends.lower) : -exact::kInfinity, ends.upper ? -below(-*ends.upper) : exact::kInfinity};
+}
+
+std::optional<std::string> closed_form(const SceneAnswer& a) {
+  if (!a.proven || a.minus_infinity || !a.value.is_closed()) return std::nullopt;
+  return exact::RealWriter().text(a.value);
+}
 
 void exchange_roles(Answer& answer, const SpacePosition& p) {
   if (answer.witness.empty()) return;

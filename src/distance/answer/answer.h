@@ -10,10 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "distance/answer/side.h"
 #include "distance/answer/way.h"
 #include "exact/number/tried.h"
 #include "exact/planar/geometry.h"
@@ -40,10 +42,17 @@ struct Enclosure {
   std::optional<exact::Real> lower, upper;
 };
 
+/// The ends as doubles that are not within; infinite where there is none.
+struct OutwardEnds {
+  double lower, upper;
+};
+OutwardEnds outward(const Enclosure& ends);
+
 template <class V>
 struct AnswerOf {
   exact::Real value;
   bool proven = true;           // the exact number; else `enclosed`, or within 2^-34 relative or within `error`
+  Side side = Side::kExact;     // of the value, where it is not proven
   bool minus_infinity = false;  // and `value` means nothing
   std::optional<V> nearest;     // signed distances: the nearest position where they are 0, if the value is not
   std::optional<V> farthest;    // eta2, delta2: the position of the farthest touching
@@ -54,6 +63,10 @@ struct AnswerOf {
   Way way = Way::kParts;
   V at{};  // of a least value: a position that takes it
 
+  void set_unproven(Side where = Side::kMixed) {
+    proven = false;
+    side = where;
+  }
   /// What the value at a position may be off, with room for its rounding; 0 where it is proven.
   double slack() const { return proven ? 0 : std::max(rounding_of(value), error); }
   Enclosure bounds() const {
@@ -87,6 +100,7 @@ auto in_unit(const AnswerOf<V>& a, const exact::Real& unit, const Place& place)
   AnswerOf<std::invoke_result_t<Place, const V&>> out;
   out.value = a.value * unit;
   out.proven = a.proven;
+  out.side = a.side;
   out.minus_infinity = a.minus_infinity;
   if (a.nearest) out.nearest = place(*a.nearest);
   if (a.farthest) out.farthest = place(*a.farthest);
@@ -99,6 +113,9 @@ auto in_unit(const AnswerOf<V>& a, const exact::Real& unit, const Place& place)
   out.at = place(a.at);
   return out;
 }
+
+/// "(1+2*sqrt(5))/3": of an exact value that has one.
+std::optional<std::string> closed_form(const SceneAnswer& answer);
 
 /// In another unit of length: `unit` of the old ones are one of the new ones.
 template <class V>
@@ -119,6 +136,7 @@ AnswerOf<V> narrowed(AnswerOf<V> a, const exact::Real& level, int sign) {
   if (sign == 0) {
     a.value = level;
     a.proven = true;
+    a.side = Side::kExact;
     a.error = 0;
     a.enclosed.reset();
     return a;
@@ -148,7 +166,7 @@ AnswerOf<V> exact_answer(exact::Real value, Way way, std::optional<V> nearest = 
 /// A value that a search leaves between two numbers, in whichever order.
 inline PlanarAnswer enclosed_answer(exact::Real value, exact::Real a, exact::Real b) {
   PlanarAnswer out = exact_answer(std::move(value), Way::kSearch);
-  out.proven = false;
+  out.set_unproven();
   out.error = abs(b - a).to_double();
   out.enclosed = a < b ? Enclosure{std::move(a), std::move(b)} : Enclosure{std::move(b), std::move(a)};
   return out;
@@ -181,14 +199,14 @@ inline std::vector<FeatureOf<SpacePosition>> point_pair(SpacePosition of_b, Spac
 /// The points of the same pair with the roles exchanged: of what was A, moved by p, and of what was B - p.
 void exchange_roles(Answer& answer, const SpacePosition& p);
 
-/// A least value that is taken at `at`; no position has less than `bound`.
-inline Answer least_answer(exact::Real value, exact::Real bound, bool proven, SpacePosition at) {
+/// A least value that is taken at `at`; no position has less than `bound`. `way`: of one that is proven.
+inline Answer least_answer(exact::Real value, exact::Real bound, bool proven, SpacePosition at, Way way = Way::kParts) {
   Answer out;
   if (!proven) out.enclosed = Enclosure{std::move(bound), value};
   out.value = std::move(value);
-  out.proven = proven;
   out.at = std::move(at);
-  if (!proven) out.way = Way::kSearch;
+  out.way = proven ? way : Way::kSearch;
+  if (!proven) out.set_unproven(Side::kInner);
   return out;
 }
 
@@ -221,7 +239,7 @@ AnswerOf<V> greater(AnswerOf<V> a, AnswerOf<V> b) {
   if (a.minus_infinity || (!b.minus_infinity && a.value < b.value)) std::swap(a, b);
   if (b.minus_infinity || (a.proven && b.proven)) return a;
   const Enclosure f = a.bounds(), g = b.bounds();
-  a.proven = false;
+  a.set_unproven();
   a.enclosed = Enclosure{!f.lower || (g.lower && *f.lower < *g.lower) ? g.lower : f.lower,
                          f.upper && g.upper ? std::optional(std::max(*f.upper, *g.upper)) : std::nullopt};
   return a;

@@ -25,8 +25,8 @@ enum class Way {
 
 /// In plain words.
 constexpr std::string_view name(Way way) {
-  constexpr std::string_view kNames[] = {"none",     "boxes",     "convex", "parts", "surfaces", "features",
-                                         "contacts", "cut parts", "search", "map",   "lines",    "angles"};
+  constexpr std::string_view kNames[] = {"none",     "boxes",    "convex", "parts", "surfaces", "features",
+                                         "contacts", "cut-outs", "search", "map",   "lines",    "angles"};
   return kNames[static_cast<int>(way)];
 }
 

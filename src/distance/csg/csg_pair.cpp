@@ -32,7 +32,7 @@ CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
     : b_(std::move(b)), a_(std::move(a)), cut_moves_(cut_moves) {
   size_ = cut_size(*b_, *a_);
   for (const CsgPart& part : a_->parts) {
-    CutSearch search = cut_search(part, size_);
+    CsgPartSearch search = csg_part_search(part, size_);
     if (!search.empty) parts_.push_back(std::move(search));
   }
   const auto pairs = [&](const std::vector<Body>& all, std::vector<std::unique_ptr<const SolidPair>>& out) {
@@ -166,7 +166,7 @@ bool CsgPair::too_large() const {
           return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
         };
         double most = -exact::kInfinity;
-        for (const CutSearch& part : parts_) most = std::max(most, part.places.farthest_from(ahead).value);
+        for (const CsgPartSearch& part : parts_) most = std::max(most, part.places.farthest_from(ahead).value);
         wide += most;
       }
       if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;

@@ -102,7 +102,7 @@ class CsgPair : public PairDistances {
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;
   bool cut_moves_ = false;
-  std::vector<CutSearch> parts_;
+  std::vector<CsgPartSearch> parts_;
   std::vector<std::unique_ptr<const SolidPair>> containers_, obstacles_;
   double size_ = 1;
   mutable std::once_flag fits_made_;

@@ -60,9 +60,9 @@ Answer CsgPair::apart(const RealVector& p) const {
   const Vector by = space::rounded(p);
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
-    for (const CutSearch& part : parts_) {
+    for (const CsgPartSearch& part : parts_) {
       if (best && distance(box, {part.low(), part.high()}) > best->value.to_double()) continue;
-      const TouchingRule to = gap_to(s, by);
+      const TouchingConstraint to = gap_to(s, by);
       const BoundaryPlace found = part.places.nearest_to(to, {});
       if (!found.found) continue;
       Answer v = searched_answer(found, size_);
@@ -90,8 +90,8 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
   const Until until{level, margin::kRoughShare};
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
-    const TouchingRule to = gap_to(s, by);
-    for (const CutSearch& part : parts_) {
+    const TouchingConstraint to = gap_to(s, by);
+    for (const CsgPartSearch& part : parts_) {
       const double least = distance(box, {part.low(), part.high()});
       if (least > out.low) continue;
       if (least - level > margin::kFarByBoxes * size_) {
@@ -112,7 +112,7 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   double most = 0;
   for (const BodyPart& s : b_->parts) {
     const Box box = box_of(s, by);
-    for (const CutSearch& part : parts_) {
+    for (const CsgPartSearch& part : parts_) {
       if (distance(box, {part.low(), part.high()}) > 0) continue;
       most = std::max(most, part.places.also_in(convex_constraint(s, by)).deepest({enough * size_}).value);
     }
@@ -137,7 +137,7 @@ Answer CsgPair::reach_of_parts(const RealVector& p) const {
       const RealVector at = space::plus(space::real(v), p);
       const Vector near = space::rounded(at);
       const double radius = s.radius.to_double();
-      for (const CutSearch& part : parts_) {
+      for (const CsgPartSearch& part : parts_) {
         const Vector far{std::max(near.x - part.low().x, part.high().x - near.x),
                          std::max(near.y - part.low().y, part.high().y - near.y),
                          std::max(near.z - part.low().z, part.high().z - near.z)};
@@ -180,7 +180,7 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   const Vector by = space::rounded(p);
   const ConvexDistance beyond = reverse_convex_constraint(b_->parts[0], by);
   std::optional<Answer> best;
-  for (const CutSearch& part : parts_) {
+  for (const CsgPartSearch& part : parts_) {
     const BoundaryPlace found = part.places.farthest_from(beyond);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
     Answer v = searched_answer(found, size_);
@@ -208,7 +208,7 @@ Answer CsgPair::protrusion_out(const RealVector& p) const {
   const Vector& place = out.found.place;
   Answer v;
   v.value = Real::from_double(out.found.value);
-  v.proven = false;
+  v.set_unproven();
   v.error = out.found.bound - out.found.value + margin::kFoundError * size_;
   v.enclosed = Enclosure{Real::from_double(out.found.value - margin::kFoundError * size_),
                          Real::from_double(out.found.bound + margin::kFoundError * size_)};

@@ -45,8 +45,8 @@ class CsgPair::GapNear : public NearRule {
     const double sense = pair_->cut_moves_ ? -1 : 1;
     const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
     for (const Moving& s : parts_) {
-      const TouchingRule gap = s.swept.gap(start, from, to);
-      for (const CutSearch& part : pair_->parts_) {
+      const TouchingConstraint gap = s.swept.gap(start, from, to);
+      for (const CsgPartSearch& part : pair_->parts_) {
         const double boxes = distance(s, start, unit, from, to, part) - error - level_;
         if (boxes > 0 || boxes > out.low) {
           out.low = std::min(out.low, boxes);
@@ -71,7 +71,7 @@ class CsgPair::GapNear : public NearRule {
   };
 
   static double distance(const Moving& s, const Vector& start, const Vector& unit, double from, double to,
-                         const CutSearch& part) {
+                         const CsgPartSearch& part) {
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
     const auto off = [](double u, double v, double low, double high, double other_low, double other_high) {
       return between_spans(std::min(u, v) + low, std::max(u, v) + high, other_low, other_high);

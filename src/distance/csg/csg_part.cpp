@@ -46,12 +46,12 @@ double cut_size(const Body& b, const space::CsgSolid& a) {
   return size;
 }
 
-TouchingRule convex_constraint(const BodyPart& set, const Vector& p) {
+TouchingConstraint convex_constraint(const BodyPart& set, const Vector& p) {
   return flat_sided(set) ? highest_plane(set.planes(), p) : touching_distance(set, p, set.radius.to_double());
 }
 
-TouchingRule gap_to(const BodyPart& set, const Vector& p) {
-  TouchingRule away = touching_distance(set, p, set.radius.to_double());
+TouchingConstraint gap_to(const BodyPart& set, const Vector& p) {
+  TouchingConstraint away = touching_distance(set, p, set.radius.to_double());
   if (!flat_sided(set)) return away;
   return [inside = highest_plane(set.planes(), p), away = std::move(away)](const Vector& x) {
     const Touching at = inside(x);
@@ -65,16 +65,17 @@ ConvexDistance reverse_convex_constraint(const BodyPart& set, const Vector& p) {
   };
 }
 
-CutSearch cut_search(const CsgPart& part, double size) {
+CsgPartSearch csg_part_search(const CsgPart& part, double size) {
   const space::Bounds3 box = bounds(part);
   const double slack = margin::kAroundPart * size;
   const Vector by{slack, slack, slack};
-  Constraints rules;
-  for (const BodyPart& set : part.within) rules.convex.push_back(convex_constraint(set, {}));
-  for (const BodyPart& set : part.without) rules.reverse_convex.push_back(reverse_convex_constraint(set, {}));
-  CutSearch out{&part, PositionSet::of_rules(std::move(rules),
-                                             {space::rounded(box.low) - by, space::plus(space::rounded(box.high), by)},
-                                             size, [&part](const RealVector& x) { return holds(part, x); })};
+  Constraints constraints;
+  for (const BodyPart& set : part.within) constraints.convex.push_back(convex_constraint(set, {}));
+  for (const BodyPart& set : part.without) constraints.reverse_convex.push_back(reverse_convex_constraint(set, {}));
+  CsgPartSearch out{
+      &part, PositionSet::of_constraints(std::move(constraints),
+                                         {space::rounded(box.low) - by, space::plus(space::rounded(box.high), by)},
+                                         size, [&part](const RealVector& x) { return holds(part, x); })};
   const double none = margin::kNoInterior * size;
   out.empty = out.places.deepest({none}).value <= none;
   return out;
@@ -95,7 +96,7 @@ exact::Tried<std::vector<MeetSet>> meet_sets(const BodyPart& part) {
 bool is_empty(const space::CsgSolid& body) {
   const double size = cut_size({}, body);
   return std::all_of(body.parts.begin(), body.parts.end(),
-                     [&](const CsgPart& part) { return cut_search(part, size).empty; });
+                     [&](const CsgPart& part) { return csg_part_search(part, size).empty; });
 }
 
 namespace {

@@ -16,7 +16,7 @@
 
 namespace findspace::distance {
 
-struct CutSearch {
+struct CsgPartSearch {
   const space::CsgPart* sets = nullptr;
   PositionSet places;
   bool empty = false;
@@ -30,13 +30,13 @@ double cut_size(const space::Body& b, const space::CsgSolid& a);
 /// Whether no part of it has interior that doubles can see.
 bool is_empty(const space::CsgSolid& body);
 /// The part has to outlive it.
-CutSearch cut_search(const space::CsgPart& part, double size);
+CsgPartSearch csg_part_search(const space::CsgPart& part, double size);
 /// A polytope by its planes, or a ball. Refused for other sets.
 exact::Tried<std::vector<MeetSet>> meet_sets(const space::BodyPart& part);
-/// As rules of a place: in the convex set moved by p, with how deep; outside it.
-TouchingRule convex_constraint(const space::BodyPart& set, const space::Vector& p);
+/// As constraints on a place: in the convex set moved by p, with how deep; outside it.
+TouchingConstraint convex_constraint(const space::BodyPart& set, const space::Vector& p);
 /// The distance to the set moved by p; inside it minus how deep, so that what is flat on both sides is decided at once.
-TouchingRule gap_to(const space::BodyPart& set, const space::Vector& p);
+TouchingConstraint gap_to(const space::BodyPart& set, const space::Vector& p);
 ConvexDistance reverse_convex_constraint(const space::BodyPart& set, const space::Vector& p);
 
 /// Whether the closed part holds the place, exactly.

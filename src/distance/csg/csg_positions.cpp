@@ -41,11 +41,11 @@ namespace {
 /// A part of B and one of A.
 struct CsgPosition {
   std::vector<MeetSet> moving, fixed;
-  Tetrahedron about;              // holds the part of B
-  Vector low, high;               // likewise
-  TouchingRule in;                // the part of B
-  std::vector<TouchingRule> out;  // what is cut out, negative inside
-  const CutSearch* part = nullptr;
+  Tetrahedron about;                    // holds the part of B
+  Vector low, high;                     // likewise
+  TouchingConstraint in;                // the part of B
+  std::vector<TouchingConstraint> out;  // what is cut out, negative inside
+  const CsgPartSearch* part = nullptr;
 };
 struct CsgPositions {
   std::vector<CsgPosition> pairs;
@@ -61,7 +61,7 @@ class CsgConstraints : public LazyConstraints {
   }
 
   /// Those of the pairs that nothing is cut out of as they are.
-  Constraints rules() override {
+  Constraints constraints() override {
     Constraints out;
     out.more = this;
     for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
@@ -167,8 +167,8 @@ class CsgConstraints : public LazyConstraints {
   /// What is beyond the tangents at x. A plane that is below a convex function is 0 where that is 0 or more.
   Cut through(std::size_t k, const Vector& x) const {
     Cut out{k, {}, x, exact::kInfinity};
-    for (const TouchingRule& rule : all_->pairs[k].out) {
-      const Touching at = rule(x);
+    for (const TouchingConstraint& constraint : all_->pairs[k].out) {
+      const Touching at = constraint(x);
       const double long_by = space::length(at.slope);
       if (!(long_by > 0)) continue;  // so deep inside that any plane will do: the place is not one of A
       const Vector away = space::scaled(-1 / long_by, at.slope);
@@ -251,12 +251,12 @@ class CsgConstraints : public LazyConstraints {
   std::vector<PositionSet> common_;  // of what both parts of a pair hold
   mutable std::deque<Cut> recent_;
   mutable long cells_ = 0;  // of searches for deepest places
-  mutable Vector at_;       // of B, for the rules of common_
+  mutable Vector at_;       // of B, for the constraints of common_
 };
 
 }  // namespace
 
-exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CutSearch>& parts, double size) {
+exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CsgPartSearch>& parts, double size) {
   auto all = std::make_shared<CsgPositions>();
   all->size = size;
   Vector low{exact::kInfinity, exact::kInfinity, exact::kInfinity}, high = space::scaled(-1, low);
@@ -266,7 +266,7 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
     const space::Bounds3 box = bounds(one);
     auto moving = meet_sets(s);
     if (!moving) return moving.refusal();
-    for (const CutSearch& part : parts) {
+    for (const CsgPartSearch& part : parts) {
       CsgPosition& pair = all->pairs.emplace_back();
       pair.low = space::rounded(box.low);
       pair.high = space::rounded(box.high);

@@ -23,6 +23,6 @@ namespace findspace::distance {
 
 /// The positions at which B is free of the parts, which have to outlive it. Refused for round polyhedra and for what
 /// has no interior.
-exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CutSearch>& parts, double size);
+exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CsgPartSearch>& parts, double size);
 
 }  // namespace findspace::distance

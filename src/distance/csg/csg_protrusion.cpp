@@ -22,7 +22,7 @@ constexpr int kPlaceRounds = 3;
 struct NearestPlace {
   double least = exact::kInfinity;  // nothing of A is nearer
   Vector at;
-  const CutSearch* part = nullptr;
+  const CsgPartSearch* part = nullptr;
 };
 
 /// A place that nothing of a set is nearer than.
@@ -63,11 +63,11 @@ std::optional<Projection> out_of_ball(const space::HalfSpace& plane, const BallO
 
 /// What says without a search which place of a part is nearest, mostly.
 struct Sides {
-  const CutSearch* part = nullptr;
+  const CsgPartSearch* part = nullptr;
   std::vector<space::HalfSpace> planes;
   std::vector<BallOut> balls;
 
-  explicit Sides(const CutSearch& of) : part(&of) {
+  explicit Sides(const CsgPartSearch& of) : part(&of) {
     for (const space::BodyPart& set : of.sets->within) {
       const std::vector<space::HalfSpace> all = set.radius.sign() == 0 ? set.planes() : std::vector<space::HalfSpace>();
       planes.insert(planes.end(), all.begin(), all.end());
@@ -80,10 +80,10 @@ struct Sides {
   /// Of a set that holds the part, of what is out of a ball, or of both: where it belongs to the part it is the nearest
   /// place of that.
   std::optional<NearestPlace> nearest(const Vector& x, double size) const {
-    const Constraints& rules = part->places.rules();
+    const Constraints& constraints = part->places.constraints();
     Projection most{0, x};
-    for (const TouchingRule& rule : rules.convex) {
-      const Touching at = rule(x);
+    for (const TouchingConstraint& constraint : constraints.convex) {
+      const Touching at = constraint(x);
       if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
     }
     for (const BallOut& ball : balls) {
@@ -97,9 +97,9 @@ struct Sides {
       }
     }
     const double noise = margin::kDistanceNoise * size;
-    const bool belongs = std::all_of(rules.convex.begin(), rules.convex.end(),
-                                     [&](const TouchingRule& f) { return f(most.at).value <= noise; }) &&
-                         std::all_of(rules.reverse_convex.begin(), rules.reverse_convex.end(),
+    const bool belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),
+                                     [&](const TouchingConstraint& f) { return f(most.at).value <= noise; }) &&
+                         std::all_of(constraints.reverse_convex.begin(), constraints.reverse_convex.end(),
                                      [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
     if (!belongs) return std::nullopt;
     return NearestPlace{most.least, most.at, part};
@@ -114,8 +114,8 @@ double off_box(const Vector& x, const PositionSet::Box& box) {
 
 class PlacesOfCsg : public MaxMinTarget {
  public:
-  PlacesOfCsg(const std::vector<CutSearch>& a, double size, double near) : size_(size), share_(near / size / 4) {
-    for (const CutSearch& part : a) sides_.emplace_back(part);
+  PlacesOfCsg(const std::vector<CsgPartSearch>& a, double size, double near) : size_(size), share_(near / size / 4) {
+    for (const CsgPartSearch& part : a) sides_.emplace_back(part);
   }
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
@@ -157,8 +157,8 @@ class PlacesOfCsg : public MaxMinTarget {
   }
 
  private:
-  std::optional<NearestPlace> searched(const CutSearch& part, const Vector& x) const {
-    // Along the edge of what is cut out many places are nearly as near: they need not be told apart.
+  std::optional<NearestPlace> searched(const CsgPartSearch& part, const Vector& x) const {
+    // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
     const Until until{0, 1 - share_};
     const BoundaryPlace found = part.places.nearest_to(distance_to_point(x), {0, {}, &until});
     return NearestPlace{found.bound, found.place, &part};
@@ -203,7 +203,7 @@ class PlacesOfCsg : public MaxMinTarget {
 
 }  // namespace
 
-CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CutSearch>& a, double size, double near) {
+CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CsgPartSearch>& a, double size, double near) {
   const PlacesOfCsg target(a, size, near);
   TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, 0, 0, near));
   for (const Vector& v : b.corners) target.offer_in_b(v, search.best());

@@ -19,11 +19,11 @@ namespace findspace::distance {
 
 struct CsgProtrusion {
   SolidMaxMin found;
-  space::Vector nearest;            // place of A to that point
-  const CutSearch* part = nullptr;  // that it belongs to
+  space::Vector nearest;                // place of A to that point
+  const CsgPartSearch* part = nullptr;  // that it belongs to
 };
 
 /// Until value and bound are so near.
-CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CutSearch>& a, double size, double near);
+CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CsgPartSearch>& a, double size, double near);
 
 }  // namespace findspace::distance

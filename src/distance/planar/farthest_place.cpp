@@ -75,7 +75,7 @@ void for_meetings(std::span<const LevelCurve> level_curves, const std::optional<
 /// Where two parts of A and the edge meet at one distance, or three parts of A, the farthest of those places that lie
 /// in B. What was found itself, where no such place is as far.
 std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& f) {
-  const double tolerance = std::max(sets.scale * margin::kMeetingOff, kMeetingTolerance * f.error);
+  const double tolerance = std::max(sets.scale * margin::kMeetingOff, margin::kMeetingTolerance * f.error);
   const Spot at = f.seen.at;
   const auto parts = spread(sets.parts_near(at, f.seen.near.distance + tolerance), at);
   std::vector<LevelCurve> level_curves;

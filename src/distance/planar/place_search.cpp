@@ -228,7 +228,7 @@ std::optional<Index> PlaceSearch::look_inside(const Square& e) {
   const Seen seen{middle, look.inside ? 0 : look.near.distance, look.near, look.inside};
   if (in) best_ = std::max(best_, seen.value - 2 * slack_);  // the square with the max-min place stays
   if (half > scale_ * margin::kExactPlaceBox || seen.inside) return look.near.feature;
-  const bool few = sets_.parts_near(middle, seen.value + kMeetingTolerance * 4 * radius).size() <= kMostParts;
+  const bool few = sets_.parts_near(middle, seen.value + margin::kMeetingTolerance * 4 * radius).size() <= kMostParts;
   if (!few && half > scale_ * margin::kTinyPlaceBox) return look.near.feature;
   record(seen, {2, 0}, 4 * radius);
   return std::nullopt;

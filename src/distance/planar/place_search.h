@@ -17,7 +17,6 @@ namespace findspace::distance {
 inline constexpr std::size_t kMostParts = 10;  // of A at one place: their meetings are all tried
 /// A search ends after this many boxes, parts of edges and squares, and says what is still open.
 inline constexpr long kLeastSteps = 100000, kStepsPerFeature = 100;
-inline constexpr double kMeetingTolerance = 8;  // of a found place's error: so near to it parts of A are to meet
 
 /// B + p and A, as numbers.
 class PlacedSets {

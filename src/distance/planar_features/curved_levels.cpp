@@ -112,7 +112,10 @@ Rooted Elimination::root(const Bend& b, const Real& weight) {
   const auto same = [&](const Polynomial& t) { return t[0] == b.t[0] && t[1] == b.t[1] && t[2] == b.t[2]; };
   const auto known = std::find_if(t_.begin(), t_.end(), same);
   const auto at = std::size_t(known - t_.begin());
-  if (known == t_.end() && t_.size() == kMostRoots) return possible_ = false, out;
+  if (known == t_.end() && t_.size() == kMostRoots) {
+    possible_ = false;
+    return out;
+  }
   if (known == t_.end()) t_.push_back({b.t[0], b.t[1], b.t[2]});
   out[std::size_t(1) << at] = {weight};
   return out;

@@ -80,11 +80,11 @@ bool is_cell(const PieceBox& b) { return b.x1 - b.x0 <= 1 && b.y1 - b.y0 <= 1; }
 class PositionSearch {
  public:
   PositionSearch(const DiscRange& f, const PositionBounds& s, Sense sense, const SearchWindow& window)
-      : f_(f), s_(s), window_(window), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f), s_(s), window_(window), sense_(sense), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run() {
-    if (plane::is_empty(s_.possible)) return {};
-    if (!start()) return without_bound();
+    if (plane::is_empty(s_.possible)) return no_optimum<Region>(sense_);
+    if (!start()) return no_optimum<Region>(sense_, true);
     while (count_ < window_.most_boxes && !open_.empty() && worth_more()) step();
     return finished();
   }
@@ -208,24 +208,19 @@ class PositionSearch {
     std::stable_sort(open_.begin(), open_.end(), by_low);
   }
 
-  Extremum without_bound() const {
-    Extremum e;
-    e.unbounded = true;
-    return e;
-  }
-
   Extremum finished() {
     for (Node& n : open_) done_.push_back(std::move(n));
     std::erase_if(done_, [&](const Node& k) { return !is_possible(k.low); });
     double low = std::min(best_.value, outside_);
     for (const Node& n : done_) low = std::min(low, n.low);
-    Extremum e;
-    if (best_.value == -kInfinity) return without_bound();
-    e.proven = best_.value == kInfinity && low == kInfinity;  // undefined everywhere
-    e.bound = rotation_ * low;
+    if (best_.value == -kInfinity) return no_optimum<Region>(sense_, true);
+    Extremum e = no_optimum<Region>(sense_);
+    if (low == kInfinity) return e;  // undefined everywhere
+    const auto number = [&](double v) {
+      return std::isfinite(v) ? std::optional(Real::from_double(rotation_ * v)) : std::nullopt;
+    };
+    e.set_enclosed(number(best_.value), number(low), Way::kSearch);
     if (best_.value == kInfinity) return e;
-    e.exists = true;
-    e.level = Real::from_double(rotation_ * best_.value);
     places(e);
     return e;
   }
@@ -253,6 +248,7 @@ class PositionSearch {
   const DiscRange& f_;
   PositionBounds s_;
   const SearchWindow& window_;
+  Sense sense_;
   int rotation_;
   Sample best_;
   double outside_ = kInfinity;

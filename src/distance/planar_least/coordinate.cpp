@@ -99,7 +99,7 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
   m.faces.assign(a.face_count, 0);
   m.edges.assign(a.edge_count(), 1);
   m.vertices.assign(a.vertex_count(), 1);
-  return plane::extract(a, m);
+  return plane::extract(std::move(a), m);
 }
 
 }  // namespace
@@ -111,21 +111,16 @@ Region on_line(const Region& s, const LinearForm& form, const Real& value) {
 }
 
 Extremum linear_extremum(const Region& s, const LinearForm& form, Sense sense) {
-  Extremum e;
-  if (plane::is_empty(s)) return e;
-  if (s.faces[0].mark > 0) {
-    e.unbounded = true;
-    return e;
-  }
+  Extremum e = no_optimum<Region>(sense, !plane::is_empty(s) && s.faces[0].mark > 0);
+  if (plane::is_empty(s) || e.unbounded) return e;
   Region closed = plane::closure(s);
   std::optional<Real> best;
   for (const Real& c : values(closed, form, sense))
     if (!best || (sense == Sense::kMinimum ? c < *best : c > *best)) best = c;
-  e.exists = e.proven = true;
-  e.level = *best;
-  e.at = on_line(s, form, e.level);
+  e.set_exact(*best, Way::kMap);
+  e.at = on_line(s, form, *best);
   e.attained = !plane::is_empty(e.at);
-  if (!e.attained) e.at = on_line(closed, form, e.level);
+  if (!e.attained) e.at = on_line(closed, form, *best);
   return e;
 }
 

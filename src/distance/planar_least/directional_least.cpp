@@ -117,8 +117,7 @@ Extremum least_directional(const SignMap& base, const TranslationDirection& dire
     (has_mark(f->sign_map(levels[middle]), -1) ? high : low) = middle;
   }
   const SignMap at = f->sign_map(levels[low]);
-  e.exists = e.proven = true;
-  e.level = levels[low];
+  e.set_exact(levels[low], Way::kMap);
   e.attained = has_mark(at, 0);
   e.at = plane::remark(at, [](Mark m) { return Mark(m == 0); });
   return e;

@@ -76,7 +76,7 @@ std::optional<PlanarAnswer> DistanceSum::answer(const RealPoint& p) const {
     const auto v = s.f->value(place(s, p));
     if (!v || v->minus_infinity) return std::nullopt;
     out.value = out.value + s.weight * v->value;
-    out.proven = out.proven && v->proven;
+    if (!v->proven) out.set_unproven();
     const Enclosure within = v->bounds();
     if (!within.lower || !within.upper) return std::nullopt;
     const bool grows = s.weight.sign() > 0;
@@ -206,7 +206,7 @@ Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sens
   size = std::ceil(size);
   window.box = {-size, -size, size, size};
   Extremum out = best_position([&f](const RealPoint& p, double r) { return f.range(p, r); }, s, sense, window);
-  out.attained = out.exists;  // values are those of certain positions
+  out.attained = out.exists();  // values are those of certain positions
   return out;
 }
 

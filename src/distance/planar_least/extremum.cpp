@@ -45,6 +45,7 @@ class ExtremumSearch {
         s_(s),
         closure_(plane::closure(s)),
         whole_(plane::is_whole(s)),
+        sense_(sense),
         rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run(const std::optional<Bracket>& known);
@@ -58,6 +59,7 @@ class ExtremumSearch {
   bool reaches(const Real& level);
   bool accept(const Real& level);
   double extent() const;
+  Extremum none() const { return no_optimum<Region>(sense_); }
   Extremum infinite(bool below) const;
   bool bracket(const Real& value);
   bool take(const Bracket& known);
@@ -73,6 +75,7 @@ class ExtremumSearch {
   const Region& s_;
   Region closure_;
   bool whole_;
+  Sense sense_;
   int rotation_;
   double bad_ = 0, good_ = 0, scale_ = 1;  // rotated so that less is better: the extremum is in (bad, good]
   CellComplex reached_;                    // of the last level that was reached
@@ -119,9 +122,9 @@ double ExtremumSearch::extent() const {
 
 /// f is +infinity or, `below`, -infinity everywhere: it changes no faster than the position.
 Extremum ExtremumSearch::infinite(bool below) const {
-  Extremum e;
+  Extremum e = none();
   if (!below) return e;
-  e.exists = e.unbounded = e.attained = e.proven = true;
+  e.set_lowest(Way::kMap);
   e.at = s_;
   return e;
 }
@@ -184,9 +187,8 @@ bool ExtremumSearch::try_candidates() {
 
 /// At the level that was accepted.
 Extremum ExtremumSearch::proven() {
-  Extremum e;
-  e.exists = e.proven = true;
-  e.level = level_;
+  Extremum e = none();
+  e.set_exact(level_, Way::kMap);
   if (value_only_) return e;
   if (!whole_) e.at = on_level(probe(level_, s_));
   e.attained = whole_ || !plane::is_empty(e.at);
@@ -195,12 +197,9 @@ Extremum ExtremumSearch::proven() {
 }
 
 Extremum ExtremumSearch::enclosed() const {
-  Extremum e;
-  e.exists = true;
-  e.level = level_;
+  Extremum e = none();
+  e.set_enclosed(level_, beyond_, Way::kMap);
   if (value_only_) return e;
-  const auto beyond = beyond_.interval();
-  e.bound = rotation_ > 0 ? beyond.lo : beyond.hi;
   const ComponentPoints found = one_point_a_component(reached_);
   e.within = found.within;
   e.at = point_set(found.points);
@@ -214,8 +213,8 @@ Extremum ExtremumSearch::enclosed() const {
 bool ExtremumSearch::take_lowest(Extremum& out) const {
   const auto lowest = rotation_ > 0 ? f_.lowest() : std::nullopt;
   if (!lowest || (!whole_ && plane::mark_of(closure_, plane::locate(closure_, lowest->at)) <= 0)) return false;
-  out.exists = out.proven = true;
-  out.level = lowest->level;
+  out = none();
+  out.set_exact(lowest->level, Way::kMap);
   out.at = point_set({&lowest->at, 1});
   out.attained = whole_ || plane::mark_of(s_, plane::locate(s_, lowest->at)) > 0;
   return true;
@@ -252,12 +251,8 @@ void ExtremumSearch::pin_down() {
 
 Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
-  if (plane::is_empty(s_) || !f_.defined()) return {};
-  if (rotation_ < 0 && s_.faces[0].mark > 0) {
-    Extremum e;
-    e.unbounded = true;
-    return e;
-  }
+  if (plane::is_empty(s_) || !f_.defined()) return none();
+  if (rotation_ < 0 && s_.faces[0].mark > 0) return no_optimum<Region>(sense_, true);
   if (Extremum out; take_lowest(out)) return out;
   for (const Real& l : f_.special_levels())
     if (accept(l)) return proven();
@@ -265,7 +260,7 @@ Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   if (!known || !take(*known)) {
     const auto value = f_.value(start());
     if (!value || value->minus_infinity) return infinite(value.has_value());
-    if (Extremum out; !bracket(value->value)) return out.unbounded = true, out;
+    if (!bracket(value->value)) return no_optimum<Region>(sense_, true);
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;

@@ -7,28 +7,20 @@
 // has become small, the level curves that pass there are met in pairs and triples; each meeting is a candidate, and one
 // is accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
 // map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is enclosed by exact
-// sign maps on both sides (proven = false): at `level` a position of the closure of S is as good, at `bound`, within
+// sign maps on both sides: at value() a position of the closure of S is as good, at bound(), within
 // 1e-13 of the value or of the extent, none is; `at` has one such position for each component of those as good as
-// `level`, and all best positions lie `within` that distance of one of them. Cost: 20 to
+// value(), and all best positions lie `within` that distance of one of them. Cost: 20 to
 // 50 sign maps, a handful where a bracket is known. Keywords: argmin, constrained minimum, largest inscribed circle,
 // smallest enclosing circle, minimal Hausdorff distance.
 #pragma once
 
+#include "distance/answer/optimum.h"
 #include "distance/planar_features/t_distance.h"
 
 namespace findspace::distance {
 
-enum class Sense { kMinimum, kMaximum };
-
-struct Extremum {
-  bool exists = false;     // S is not empty, f is defined and bounded on S in this sense
-  bool unbounded = false;  // over an unbounded set; or f is -infinity everywhere, and S is `at`
-  exact::Real level;       // in grid steps
-  bool attained = false;   // by a position of S; where not proven, certainly
-  bool proven = false;
-  double bound = 0, within = 0;  // where not proven, in grid steps
-  plane::Region at;              // the positions
-};
+/// In grid steps.
+using Extremum = OptimumOf<plane::Region>;
 
 /// Numbers that the extremum is known to lie between: `reached` is taken (to rounding) and probably it, none is better
 /// than `bound`.

@@ -116,7 +116,7 @@ std::vector<Real> extremum_candidates(const TDistance& f, const Region* over, co
   double scale = 1;
   std::vector<Place> near = places(reached);
   for (const Place& p : near) scale = std::max({scale, std::abs(p.x), std::abs(p.y)});
-  double width = high - low, tolerance = 4 * (width + std::sqrt(width * scale));
+  double width = high - low, tolerance = margin::kCandidateCurves * (width + std::sqrt(width * scale));
   std::vector<LevelCurve> moving, still;
   for (const Place& p : near) {
     auto level_curves = f.level_curves({Real::from_double(p.x), Real::from_double(p.y)}, tolerance);

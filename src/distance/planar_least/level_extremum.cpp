@@ -24,17 +24,16 @@ namespace {
 class LevelSearch {
  public:
   LevelSearch(const PositionFunction& f, const Region& s, Sense sense)
-      : f_(f), s_(s), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f), s_(s), sense_(sense), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
 
   Extremum run(bool continuous) {
-    Extremum out;
+    Extremum out = no_optimum<Region>(sense_);
     if (plane::is_empty(s_) || !f_.defined()) return out;
     if (!bracket(out)) return out;
-    out.exists = true;
     narrow(0.25);
     if (whole_number(out, continuous)) return out;
     narrow(margin::kLevelWidth);
-    out.level = level(good_);
+    out.set_enclosed(level(good_), level(bad_), Way::kMap);
     out.attained = true;
     out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
     return out;
@@ -74,13 +73,14 @@ class LevelSearch {
     // Where S has nothing there, its closure may: an infimum, of which all that is beyond is reached.
     if (!out.attained && !continuous) return false;
     out.at = on_level(out.attained ? at : probe(level(whole), plane::closure(s_)));
-    out.level = level(whole);
-    out.proven = out.attained || !plane::is_empty(out.at);
-    return out.proven;
+    if (!out.attained && plane::is_empty(out.at)) return false;
+    out.set_exact(level(whole), Way::kMap);
+    return true;
   }
 
   const PositionFunction& f_;
   const Region& s_;
+  Sense sense_;
   int rotation_;
   double bad_ = 0, good_ = 0;
 };

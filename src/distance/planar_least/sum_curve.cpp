@@ -73,7 +73,7 @@ CellComplex constant(const plane::PieceBox& box, int sign) {
   return plane::remark(filled_box(box), [sign](Mark m) { return Mark(m > 0 ? sign : 0); });
 }
 
-/// a*x + b*y + c; nothing where the direction is no ratio of integers that fits the grid.
+/// a*x + b*y + c; nothing where the direction is not a ratio of integers that fits the grid.
 std::optional<CellComplex> of_line(const Real& a, const Real& b, const Real& c, const plane::PieceBox& box) {
   constexpr std::int64_t kLongest = std::int64_t{1} << 40;
   if (a.sign() == 0 && b.sign() == 0) return constant(box, c.sign());

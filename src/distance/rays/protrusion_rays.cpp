@@ -289,7 +289,7 @@ exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow*
     for (int e = all.first[column]; e < all.first[column + 1]; ++e) {
       const RayEvent& first = all.events[static_cast<std::size_t>(e)];
       if (first.here > 0) continue;
-      // Places where a vertex touches from inside are no ends.
+      // Places where a vertex touches from inside are not ends.
       while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
       const RayEvent& last = all.events[static_cast<std::size_t>(e)];
       const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known, seen[column]);

@@ -45,7 +45,7 @@ class RayRuns : public space::RaySource, private space::RayRoots {
   exact::Real level_;
   space::RayGrid grid_;
   mutable std::mutex guard_;
-  mutable std::deque<exact::Real> places_;  // those that are no small fractions
+  mutable std::deque<exact::Real> places_;  // those that are not small fractions
 };
 
 }  // namespace findspace::distance

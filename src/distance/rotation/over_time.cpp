@@ -147,9 +147,9 @@ class OverTime : public PositionFunction {
     RelativePath moved = path_;
     for (RealPoint& w : moved) w = w + p;
     const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_, bracket(moved));
-    if (!e.exists) return std::nullopt;
-    if (e.proven) return exact_answer(e.level, Way::kMap);
-    return enclosed_answer(e.level, e.level, Real::from_double(e.bound));
+    if (!e.exists()) return std::nullopt;
+    if (e.proven()) return exact_answer(e.answer->value, Way::kMap);
+    return enclosed_answer(*e.value(), *e.value(), *e.bound());
   }
 
  private:

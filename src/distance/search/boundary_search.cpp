@@ -37,21 +37,21 @@ struct BoundaryCell : TetrahedralCell {
 /// The objective is minimised: the distance, or minus the one that is to be great.
 class BoundarySearch {
  public:
-  BoundarySearch(const Constraints& rules, const TouchingRule* distance, const ConvexDistance* far, double size,
-                 const Incumbent& known)
-      : rules_(rules), distance_(distance), far_(far), size_(size), known_(known) {
+  BoundarySearch(const Constraints& constraints, const TouchingConstraint* distance, const ConvexDistance* far,
+                 double size, const Incumbent& known)
+      : constraints_(constraints), distance_(distance), far_(far), size_(size), known_(known) {
     best_.value = exact::kInfinity;
   }
 
   BoundaryPlace run(std::span<const Tetrahedron> domain, double floor, const Until* until = nullptr) {
     BoundaryCell all;
-    all.out.resize(rules_.reverse_convex.size());
-    all.in.resize(rules_.convex.size());
+    all.out.resize(constraints_.reverse_convex.size());
+    all.in.resize(constraints_.convex.size());
     std::iota(all.out.begin(), all.out.end(), 0);
     std::iota(all.in.begin(), all.in.end(), 0);
     domain_ = domain;
     until_ = until;
-    if (rules_.more) ask();
+    if (constraints_.more) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
     long count = 0;
@@ -59,7 +59,7 @@ class BoundarySearch {
       if (!(top.key < wanted())) return true;
       const bool enough = until && decided(*until, top.key);
       if (!enough && count++ == kAskAt) ask();
-      best_.complete = enough || !(rules_.more && rules_.more->spent());
+      best_.complete = enough || !(constraints_.more && constraints_.more->spent());
       if (!enough && best_.complete) return false;
       left = std::min(left, top.key);
       return true;
@@ -108,18 +108,18 @@ class BoundarySearch {
   bool allowed(const Vector& x, const BoundaryCell* cell) const {
     const double tolerance = margin::kAllowed * size_;
     const auto out = [&](const ConvexDistance& f) { return f(x) >= tolerance; };
-    const auto in = [&](const TouchingRule& f) { return f(x).value <= -tolerance; };
+    const auto in = [&](const TouchingConstraint& f) { return f(x).value <= -tolerance; };
     if (!cell)
-      return std::all_of(rules_.reverse_convex.begin(), rules_.reverse_convex.end(), out) &&
-             std::all_of(rules_.convex.begin(), rules_.convex.end(), in) &&
-             (!rules_.more || rules_.more->allows(x, {}));
+      return std::all_of(constraints_.reverse_convex.begin(), constraints_.reverse_convex.end(), out) &&
+             std::all_of(constraints_.convex.begin(), constraints_.convex.end(), in) &&
+             (!constraints_.more || constraints_.more->allows(x, {}));
     return std::all_of(cell->out.begin(), cell->out.end(),
-                       [&](int i) { return out(rules_.reverse_convex[static_cast<std::size_t>(i)]); }) &&
+                       [&](int i) { return out(constraints_.reverse_convex[static_cast<std::size_t>(i)]); }) &&
            std::all_of(cell->in.begin(), cell->in.end(),
-                       [&](int i) { return in(rules_.convex[static_cast<std::size_t>(i)]); }) &&
+                       [&](int i) { return in(constraints_.convex[static_cast<std::size_t>(i)]); }) &&
            std::all_of(cell->more.begin(), cell->more.end(),
-                       [&](int i) { return rules_.more->beyond(i, x) >= tolerance; }) &&
-           (!rules_.more || rules_.more->allows(x, cell->more));
+                       [&](int i) { return constraints_.more->beyond(i, x) >= tolerance; }) &&
+           (!constraints_.more || constraints_.more->allows(x, cell->more));
   }
 
   void offer(const Vector& x, const BoundaryCell& cell) {
@@ -174,7 +174,7 @@ class BoundarySearch {
                  BoundaryCell& cell, std::vector<Column>& columns) const {
     const Vector middle = centre(corner);
     for (const int i : out) {
-      const ConvexDistance& f = rules_.reverse_convex[static_cast<std::size_t>(i)];
+      const ConvexDistance& f = constraints_.reverse_convex[static_cast<std::size_t>(i)];
       Column c{};
       for (std::size_t v = 0; v < 4; ++v) c[v] = f(corner[v]);
       if (most(c) < -margin::kDistanceNoise * size_) return false;
@@ -183,7 +183,7 @@ class BoundarySearch {
       columns.push_back(c);
     }
     for (const int i : in) {
-      const Touching at = rules_.convex[static_cast<std::size_t>(i)](middle);
+      const Touching at = constraints_.convex[static_cast<std::size_t>(i)](middle);
       if (at.value < -edge - margin::kDistanceNoise * size_) continue;
       const Column c = less(0, tangent(at, middle, corner));
       if (most(c) < -margin::kDistanceNoise * size_) return false;
@@ -198,14 +198,14 @@ class BoundarySearch {
                       std::vector<Column>& columns) const {
     const auto take = [&](int i) {
       Column c{};
-      for (std::size_t v = 0; v < 4; ++v) c[v] = rules_.more->beyond(i, corner[v]);
+      for (std::size_t v = 0; v < 4; ++v) c[v] = constraints_.more->beyond(i, corner[v]);
       if (most(c) < -margin::kDistanceNoise * size_) return false;
       if (least(c) > edge + margin::kDistanceNoise * size_) return true;
       cell.more.push_back(i);
       columns.push_back(c);
       return true;
     };
-    const std::vector<int> made = rules_.more->near(centre(corner), edge, known);
+    const std::vector<int> made = constraints_.more->near(centre(corner), edge, known);
     return std::all_of(made.begin(), made.end(), take);
   }
 
@@ -231,7 +231,7 @@ class BoundarySearch {
     std::vector<Column> columns;
     const double edge = longest_edge(corner, a, b);
     if (!keep_near(corner, of.out, of.in, edge, cell, columns)) return;
-    if (rules_.more && !keep_near_more(corner, of.more, edge, cell, columns)) return;
+    if (constraints_.more && !keep_near_more(corner, of.more, edge, cell, columns)) return;
     offer(centre(corner), cell);
     // First what is a little better than the best, so that this comes as near to the least as rounding lets it; the
     // cell is kept only where something clearly better may be.
@@ -246,7 +246,7 @@ class BoundarySearch {
   /// Offers places at which the least of the columns is greatest, with tangents there; false where that is less than 0.
   bool try_best(std::vector<Column>& columns, double target, const Tetrahedron& corner, const BoundaryCell& cell) {
     if (columns.empty()) return true;
-    for (int round = 0; round < (rules_.more ? 1 : kRounds); ++round) {
+    for (int round = 0; round < (constraints_.more ? 1 : kRounds); ++round) {
       const HighestPlace high = highest_place(columns, corner);
       if (high.value < -margin::kDistanceNoise * size_ - margin::kLpNoise * high.spread) return false;
       offer(high.place, cell);
@@ -265,7 +265,7 @@ class BoundarySearch {
       if (at.value > target + tolerance) columns.push_back(less(target, tangent(at, x, corner)));
     }
     for (const int i : cell.in) {
-      const Touching at = rules_.convex[static_cast<std::size_t>(i)](x);
+      const Touching at = constraints_.convex[static_cast<std::size_t>(i)](x);
       if (at.value > tolerance) columns.push_back(less(0, tangent(at, x, corner)));
     }
     return columns.size() > before;
@@ -275,9 +275,9 @@ class BoundarySearch {
     for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell, cell.key, cell.depth + 1);
   }
 
-  const Constraints& rules_;
+  const Constraints& constraints_;
   std::span<const Tetrahedron> domain_;
-  const TouchingRule* distance_;
+  const TouchingConstraint* distance_;
   const ConvexDistance* far_;
   double size_;
   const Incumbent& known_;
@@ -289,15 +289,15 @@ class BoundarySearch {
 
 }  // namespace
 
-BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
-                              const TouchingRule& distance, double size, double floor, const Incumbent& known,
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
+                              const TouchingConstraint& distance, double size, double floor, const Incumbent& known,
                               const Until* until) {
-  return BoundarySearch(rules, &distance, nullptr, size, known).run(domain, floor, until);
+  return BoundarySearch(constraints, &distance, nullptr, size, known).run(domain, floor, until);
 }
 
-BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                                const ConvexDistance& distance, double size, const Incumbent& known) {
-  BoundaryPlace out = BoundarySearch(rules, nullptr, &distance, size, known).run(domain, -exact::kInfinity);
+  BoundaryPlace out = BoundarySearch(constraints, nullptr, &distance, size, known).run(domain, -exact::kInfinity);
   out.value = -out.value;
   out.bound = -out.bound;
   return out;

@@ -30,7 +30,7 @@ struct Touching {
   double value = 0;
   space::Vector slope;
 };
-using TouchingRule = std::function<Touching(const space::Vector&)>;
+using TouchingConstraint = std::function<Touching(const space::Vector&)>;
 
 struct Constraints;
 
@@ -40,7 +40,7 @@ class LazyConstraints {
  public:
   virtual ~LazyConstraints() = default;
   /// This, and convex functions that count in all cells.
-  virtual Constraints rules() = 0;
+  virtual Constraints constraints() = 0;
   /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
   virtual double beyond(int number, const space::Vector& x) const = 0;
   /// Those for a cell of one that had those of `known`: the numbers.
@@ -53,7 +53,7 @@ class LazyConstraints {
 
 struct Constraints {
   std::vector<ConvexDistance> reverse_convex;
-  std::vector<TouchingRule> convex;
+  std::vector<TouchingConstraint> convex;
   LazyConstraints* more = nullptr;
 };
 
@@ -80,11 +80,11 @@ struct Until {
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.
-BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
-                              const TouchingRule& distance, double size, double floor, const Incumbent& known = {},
-                              const Until* until = nullptr);
+BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
+                              const TouchingConstraint& distance, double size, double floor,
+                              const Incumbent& known = {}, const Until* until = nullptr);
 /// At which the distance is greatest.
-BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& rules,
+BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                                const ConvexDistance& distance, double size, const Incumbent& known = {});
 
 }  // namespace findspace::distance

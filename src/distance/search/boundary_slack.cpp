@@ -21,11 +21,11 @@ constexpr double kNear = 0.75;   // of the bound: a value that more tangents do 
 /// Over a cell the slack is at most the chords of what is to be kept out of, and the tangents of what is to be kept in.
 class SlackTarget : public MaxMinTarget {
  public:
-  explicit SlackTarget(const Constraints& rules) : rules_(rules) {}
+  explicit SlackTarget(const Constraints& constraints) : constraints_(constraints) {}
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& /*best*/) const override {
     ++looks_;
-    for (const ConvexDistance& f : rules_.reverse_convex) {
+    for (const ConvexDistance& f : constraints_.reverse_convex) {
       Column& c = cell.distances.emplace_back();
       for (std::size_t v = 0; v < 4; ++v) c[v] = f(cell.corner[v]);
     }
@@ -36,14 +36,14 @@ class SlackTarget : public MaxMinTarget {
 
   void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
     double least = exact::kInfinity;
-    for (const ConvexDistance& f : rules_.reverse_convex) least = std::min(least, f(x));
-    for (const TouchingRule& g : rules_.convex) least = std::min(least, -g(x).value);
+    for (const ConvexDistance& f : constraints_.reverse_convex) least = std::min(least, f(x));
+    for (const TouchingConstraint& g : constraints_.convex) least = std::min(least, -g(x).value);
     best.offer(x, least);
     if (!(least > kNear * cell.bound && least > 0)) touch(x, cell);
   }
 
   double distance(int set, const Vector& x) const override {
-    return rules_.reverse_convex[static_cast<std::size_t>(set)](x);
+    return constraints_.reverse_convex[static_cast<std::size_t>(set)](x);
   }
   double shortest_share() const override { return 1; }
   int rounds() const override { return kSlackRounds; }
@@ -51,17 +51,18 @@ class SlackTarget : public MaxMinTarget {
 
  private:
   void touch(const Vector& x, MaxMinCell& cell) const {
-    for (const TouchingRule& g : rules_.convex) cell.distances.push_back(less(0, tangent(g(x), x, cell.corner)));
+    for (const TouchingConstraint& g : constraints_.convex)
+      cell.distances.push_back(less(0, tangent(g(x), x, cell.corner)));
   }
 
-  const Constraints& rules_;
+  const Constraints& constraints_;
   mutable int looks_ = 0;
 };
 
 }  // namespace
 
-Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end) {
-  const SlackTarget target(rules);
+Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& constraints, const SlackEnd& end) {
+  const SlackTarget target(constraints);
   TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, end.enough, 1 - end.share, end.blur));
   for (const Tetrahedron& t : domain) search.add(t, nullptr, exact::kInfinity, {});
   const SolidMaxMin found = search.run(kMostSlackCells);

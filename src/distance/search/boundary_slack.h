@@ -26,6 +26,6 @@ struct SlackEnd {
   double share = 0.5;  // of the bound: a value that is more than enough and so much of it need not be more
   double blur = 0;     // as near as the bound has to come to the value
 };
-Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& rules, const SlackEnd& end);
+Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& constraints, const SlackEnd& end);
 
 }  // namespace findspace::distance

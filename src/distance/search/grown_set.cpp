@@ -38,7 +38,7 @@ ConvexDistance grown_distance(const GrownSet& set) {
   };
 }
 
-TouchingRule touching_distance(const space::BodyPart& part, const Vector& p, double radius) {
+TouchingConstraint touching_distance(const space::BodyPart& part, const Vector& p, double radius) {
   if (part.point()) {
     return [away = distance_to_point(space::plus(exact::approx(part.center), p)), radius](const Vector& x) {
       Touching at = away(x);
@@ -87,7 +87,7 @@ Answer GrownSet::to_boundary(const RealVector& p) const {
   return out;
 }
 
-TouchingRule highest_plane(std::vector<HalfSpace> planes, const Vector& p, double inward) {
+TouchingConstraint highest_plane(std::vector<HalfSpace> planes, const Vector& p, double inward) {
   return [planes = std::move(planes), p, inward](const Vector& x) {
     Touching best{-exact::kInfinity, {}};
     for (const HalfSpace& h : planes) {
@@ -98,7 +98,7 @@ TouchingRule highest_plane(std::vector<HalfSpace> planes, const Vector& p, doubl
   };
 }
 
-TouchingRule distance_to_point(const Vector& p) {
+TouchingConstraint distance_to_point(const Vector& p) {
   return [p](const Vector& x) {
     const double d = space::length(x - p);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - p) : Vector{}};

@@ -30,12 +30,12 @@ struct GrownSet {
 ConvexDistance grown_distance(const GrownSet& set);
 
 /// d(x, core) - radius of a part moved by p, with its slope.
-TouchingRule touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
+TouchingConstraint touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
 
 /// The highest of the planes, moved by p and inward by `inward`.
-TouchingRule highest_plane(std::vector<space::HalfSpace> planes, const space::Vector& p, double inward = 0);
+TouchingConstraint highest_plane(std::vector<space::HalfSpace> planes, const space::Vector& p, double inward = 0);
 
-TouchingRule distance_to_point(const space::Vector& p);
+TouchingConstraint distance_to_point(const space::Vector& p);
 
 /// Of the positions at which the two parts meet, the open set.
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b);

@@ -52,9 +52,9 @@ std::optional<Line> solved(std::span<const Row> rows) {
   return out;
 }
 
-class Game {
+class LeastSlack {
  public:
-  Game(std::span<const MeetSet> sets, const Tetrahedron& about) : sets_(sets), about_(about) {
+  LeastSlack(std::span<const MeetSet> sets, const Tetrahedron& about) : sets_(sets), about_(about) {
     best_.value = -exact::kInfinity;
     for (const MeetSet& set : sets_) {
       if (!set.ball) add(set, {});
@@ -186,7 +186,7 @@ class Game {
 }  // namespace
 
 MeetSlack meet_slack(std::span<const MeetSet> sets, const Tetrahedron& about, const Vector& start) {
-  return Game(sets, about).run(start);
+  return LeastSlack(sets, about).run(start);
 }
 
 }  // namespace findspace::distance

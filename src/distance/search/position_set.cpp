@@ -47,7 +47,7 @@ std::shared_ptr<const space::OpenUnion> sharp_cover(const std::vector<GrownSet>&
 Answer searched_answer(const BoundaryPlace& found, double size) {
   Answer out;
   out.value = Real::from_double(found.value);
-  out.proven = false;
+  out.set_unproven();
   out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
   return out;
 }
@@ -58,13 +58,14 @@ PositionSet::PositionSet(const RealVector& low, const RealVector& high)
 PositionSet PositionSet::outside(std::vector<GrownSet> sets, const RealVector& low, const RealVector& high) {
   PositionSet out(low, high);
   out.size_ = std::max(space::length(out.box_.low), space::length(out.box_.high)) + 1;
-  for (const GrownSet& set : sets) out.rules_.reverse_convex.push_back(grown_distance(set));
+  for (const GrownSet& set : sets) out.constraints_.reverse_convex.push_back(grown_distance(set));
   out.sharp_ = sharp_cover(sets);
   out.sets_ = std::move(sets);
-  out.holds_ = [sets = out.sets_, rules = out.rules_.reverse_convex, size = out.size_](const RealVector& p) {
+  out.holds_ = [sets = out.sets_, constraints = out.constraints_.reverse_convex,
+                size = out.size_](const RealVector& p) {
     const Vector near = space::rounded(p);
     for (std::size_t k = 0; k < sets.size(); ++k) {
-      if (rules[k](near) > margin::kOutOfSet * size) continue;
+      if (constraints[k](near) > margin::kOutOfSet * size) continue;
       if (sets[k].holds(p)) return false;
     }
     return true;
@@ -81,8 +82,8 @@ PositionSet PositionSet::inside(const space::Body& b, const space::BodyPart& a, 
     for (const space::Point& v : part.vertices()) {
       out.size_ = std::max(out.size_, space::length(exact::approx(v)));
       const bool round = a.point() || tolerance > 0;  // else planes say how deep a place is, distances do not
-      out.rules_.convex.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
-                                        : highest_plane(a.planes(), exact::approx(-v), -tolerance));
+      out.constraints_.convex.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
+                                              : highest_plane(a.planes(), exact::approx(-v), -tolerance));
     }
   }
   out.holds_ = [b, a](const RealVector& p) { return protrusion_of_convex(b, a, p).value.sign() <= 0; };
@@ -95,9 +96,11 @@ PositionSet PositionSet::common(std::span<const PositionSet> sets, const RealVec
   std::vector<Holds> all;
   for (const PositionSet& one : sets) {
     out.size_ = std::max(out.size_, one.size_);
-    out.rules_.reverse_convex.insert(out.rules_.reverse_convex.end(), one.rules_.reverse_convex.begin(),
-                                     one.rules_.reverse_convex.end());
-    out.rules_.convex.insert(out.rules_.convex.end(), one.rules_.convex.begin(), one.rules_.convex.end());
+    out.constraints_.reverse_convex.insert(out.constraints_.reverse_convex.end(),
+                                           one.constraints_.reverse_convex.begin(),
+                                           one.constraints_.reverse_convex.end());
+    out.constraints_.convex.insert(out.constraints_.convex.end(), one.constraints_.convex.begin(),
+                                   one.constraints_.convex.end());
     out.sets_.insert(out.sets_.end(), one.sets_.begin(), one.sets_.end());
     all.push_back(one.holds_);
   }
@@ -109,9 +112,9 @@ PositionSet PositionSet::common(std::span<const PositionSet> sets, const RealVec
   return out;
 }
 
-PositionSet PositionSet::of_rules(Constraints rules, const Box& box, double size, Holds holds) {
+PositionSet PositionSet::of_constraints(Constraints constraints, const Box& box, double size, Holds holds) {
   PositionSet out(space::real(box.low), space::real(box.high));
-  out.rules_ = std::move(rules);
+  out.constraints_ = std::move(constraints);
   out.askew_ = true;
   out.size_ = size;
   out.holds_ = std::move(holds);
@@ -119,7 +122,7 @@ PositionSet PositionSet::of_rules(Constraints rules, const Box& box, double size
 }
 
 PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size, std::string not_found) {
-  PositionSet out = of_rules({}, box, size, {});
+  PositionSet out = of_constraints({}, box, size, {});
   out.lazy_ = std::move(lazy);
   out.not_found_ = std::move(not_found);
   return out;
@@ -133,9 +136,9 @@ PositionSet PositionSet::within(const Box& box) const {
   return out;
 }
 
-PositionSet PositionSet::also_in(TouchingRule set) const {
+PositionSet PositionSet::also_in(TouchingConstraint set) const {
   PositionSet out = *this;
-  out.rules_.convex.push_back(std::move(set));
+  out.constraints_.convex.push_back(std::move(set));
   return out;
 }
 
@@ -164,17 +167,17 @@ PositionSet::Box PositionSet::around(const Vector& p) const {
   return {p - by, space::plus(p, by)};
 }
 
-BoundaryPlace PositionSet::nearest_to(const TouchingRule& to, const Query& query) const {
+BoundaryPlace PositionSet::nearest_to(const TouchingConstraint& to, const Query& query) const {
   const std::vector<Tetrahedron> domain = cells(query.box.value_or(box_));
-  if (!lazy_) return nearest_allowed(domain, rules_, to, size_, query.floor, query.known, query.until);
+  if (!lazy_) return nearest_allowed(domain, constraints_, to, size_, query.floor, query.known, query.until);
   const std::unique_ptr<LazyConstraints> lazy = lazy_();
-  return nearest_allowed(domain, lazy->rules(), to, size_, query.floor, query.known, query.until);
+  return nearest_allowed(domain, lazy->constraints(), to, size_, query.floor, query.known, query.until);
 }
 
 BoundaryPlace PositionSet::farthest_from(const ConvexDistance& from, const Incumbent& known) const {
-  if (!lazy_) return farthest_allowed(cells(box_), rules_, from, size_, known);
+  if (!lazy_) return farthest_allowed(cells(box_), constraints_, from, size_, known);
   const std::unique_ptr<LazyConstraints> lazy = lazy_();
-  return farthest_allowed(cells(box_), lazy->rules(), from, size_, known);
+  return farthest_allowed(cells(box_), lazy->constraints(), from, size_, known);
 }
 
 /// A place of zero clearance that belongs all the same, with simple coordinates.
@@ -214,7 +217,8 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
   const bool belongs = found.found && holds(place);
   if (off <= margin::kMostFoundError * size_ && (belongs || found.known)) {
     Answer out = searched_answer(found, size_ + std::fabs(found.bound));
-    const bool same = known && off <= 16 * slack && abs(known->value - out.value).to_double() <= out.error;
+    const bool same =
+        known && off <= margin::kSearchesAgree * slack && abs(known->value - out.value).to_double() <= out.error;
     if (same) out = *known;  // no sign: the same value
     if (!out.nearest && (belongs || known)) out.nearest = belongs ? place : known->nearest;
     return out;
@@ -222,7 +226,8 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
   if (!found.found && !found.known && !found.unresolved && found.complete) return std::nullopt;
   if (const auto exact = even_place(found)) {
     Answer out = at_place(*exact, p);
-    if (std::fabs(out.value.to_double() - found.bound) <= 16 * slack) return out;  // no sign: nothing is better
+    if (std::fabs(out.value.to_double() - found.bound) <= margin::kSearchesAgree * slack)
+      return out;  // no sign: nothing is better
   }
   if (belongs && !found.unresolved) return exact::Refusal(not_found_);
   return exact::Refusal(holds_ ? "whether a round shape fits with zero clearance is not decided" : not_found_);
@@ -230,14 +235,14 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
 
 double PositionSet::deepest_at(const Vector& p) const {
   double deepest = 0;
-  for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, rules_.reverse_convex[k](p));
+  for (std::size_t k = 0; k < sets_.size(); ++k) deepest = std::min(deepest, constraints_.reverse_convex[k](p));
   return deepest;
 }
 
 double PositionSet::beyond(const Vector& p) const {
   double most = -exact::kInfinity;
-  for (const ConvexDistance& f : rules_.reverse_convex) most = std::max(most, -f(p));
-  for (const TouchingRule& f : rules_.convex) most = std::max(most, f(p).value);
+  for (const ConvexDistance& f : constraints_.reverse_convex) most = std::max(most, -f(p));
+  for (const TouchingConstraint& f : constraints_.convex) most = std::max(most, f(p).value);
   return most;
 }
 
@@ -247,7 +252,7 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
   const Vector near = space::rounded(p);
   const double deepest = deepest_at(near);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
-    if (rules_.reverse_convex[k](near) > deepest + margin::kDeepestSets * size_) continue;
+    if (constraints_.reverse_convex[k](near) > deepest + margin::kDeepestSets * size_) continue;
     Answer v = sets_[k].to_boundary(p);
     if (!v.nearest || !holds(*v.nearest)) continue;
     v.value = -v.value;
@@ -266,7 +271,7 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
   return settled(nearest_to(distance_to_point(near), query), p, decided);
 }
 
-exact::Tried<Answer> PositionSet::least(const TouchingRule& of) const {
+exact::Tried<Answer> PositionSet::least(const TouchingConstraint& of) const {
   const BoundaryPlace found = nearest_to(of, {-exact::kInfinity});
   const double off = std::fabs(found.value - found.bound);
   if (!found.found || off > margin::kMostFoundError * size_ || !holds(space::real(found.place)))

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A closed set of positions (or of places) within a box, {x : each rule of x holds}, whatever says the rules, and the
-// questions that every one of them answers:
+// A closed set of positions (or of places) within a box, {x : each constraint on x holds}, whatever says the
+// constraints, and the questions that every one of them answers:
 //   holds      whether a place belongs, exactly;
 //   nearest    the place nearest to a position, or to a convex set;
 //   farthest   the place farthest from a position, or from a convex set;
 //   deepest    the place with the most slack, where no functions are made lazily.
-// Providers say the rules:
+// Providers say the constraints:
 //   outside    what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
 //              and E where A is not convex;
 //   inside     the positions at which a body lies in one convex round part, vertex by vertex;
 //   common     what such sets have in common;
-//   of_rules   convex functions, as of a part of a solid that round ones are cut out of (csg_part.h);
+//   of_constraints   convex functions, as of a part of a solid that round ones are cut out of (csg_part.h);
 //   lazily     functions that each search makes for the cells it looks at (csg_positions.h).
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
 // `error` says how far values may be off; whether a place belongs is decided exactly, where a provider can. A passage
@@ -57,11 +57,11 @@ class PositionSet {
   static PositionSet common(std::span<const PositionSet> sets, const space::RealVector& low,
                             const space::RealVector& high);
   /// `size`: of the coordinates and of what the functions are made of.
-  static PositionSet of_rules(Constraints rules, const Box& box, double size, Holds holds);
+  static PositionSet of_constraints(Constraints constraints, const Box& box, double size, Holds holds);
   /// `not_found`: why a value is refused where the search ends before it is known.
   static PositionSet lazily(MakeLazy lazy, const Box& box, double size, std::string not_found);
   /// What it has in common with a convex set.
-  PositionSet also_in(TouchingRule set) const;
+  PositionSet also_in(TouchingConstraint set) const;
   /// The same set, searched within another box.
   PositionSet within(const Box& box) const;
 
@@ -71,7 +71,7 @@ class PositionSet {
   TriedAnswer nearest(const space::RealVector& p, bool open, const Known& known = {}) const;
   TriedAnswer farthest(const space::RealVector& p) const;
   /// The least of a convex function at a place of the set.
-  exact::Tried<Answer> least(const TouchingRule& of) const;
+  exact::Tried<Answer> least(const TouchingConstraint& of) const;
 
   /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
   double beyond(const space::Vector& p) const;
@@ -82,14 +82,14 @@ class PositionSet {
     const Until* until = nullptr;
     std::optional<Box> box{};  // instead of the set's own
   };
-  BoundaryPlace nearest_to(const TouchingRule& to, const Query& query) const;
+  BoundaryPlace nearest_to(const TouchingConstraint& to, const Query& query) const;
   BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const;
   Slack deepest(const SlackEnd& end, std::optional<Box> box = {}) const {
-    return most_slack(cells(box.value_or(box_)), rules_, end);
+    return most_slack(cells(box.value_or(box_)), constraints_, end);
   }
 
   const Box& box() const { return box_; }
-  const Constraints& rules() const { return rules_; }
+  const Constraints& constraints() const { return constraints_; }
 
  private:
   PositionSet(const space::RealVector& low, const space::RealVector& high);
@@ -102,7 +102,7 @@ class PositionSet {
   Known sharp_place(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p) const;
   std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;
 
-  Constraints rules_;
+  Constraints constraints_;
   MakeLazy lazy_;
   std::vector<GrownSet> sets_;
   Holds holds_;

@@ -204,7 +204,7 @@ Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std:
   }
   Answer out;
   out.value = Real::from_double(max_min.value);
-  out.proven = false;
+  out.set_unproven();
   out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
   return out;
 }

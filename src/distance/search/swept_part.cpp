@@ -65,7 +65,7 @@ void SweptPart::add_silhouette(std::span<const Point> corners, const Vector& cor
   along_.push_back({n, -most});
 }
 
-TouchingRule SweptPart::gap(const Vector& start, double from, double to) const {
+TouchingConstraint SweptPart::gap(const Vector& start, double from, double to) const {
   if (point_) {
     return [away = distance_to_segment(space::plus(start, center_), unit_, from, to), r = radius_](const Vector& x) {
       Touching at = away(x);
@@ -93,7 +93,7 @@ TouchingRule SweptPart::gap(const Vector& start, double from, double to) const {
   };
 }
 
-TouchingRule distance_to_segment(const Vector& start, const Vector& unit, double from, double to) {
+TouchingConstraint distance_to_segment(const Vector& start, const Vector& unit, double from, double to) {
   return [=](const Vector& x) {
     Vector off = x - start;
     off = off - space::scaled(std::clamp(dot(off, unit), from, to), unit);

@@ -22,7 +22,7 @@ class SweptPart {
 
   /// The distance to the part on its way from start + from * unit to start + to * unit, less its radius; inside a part
   /// without one minus how deep.
-  TouchingRule gap(const space::Vector& start, double from, double to) const;
+  TouchingConstraint gap(const space::Vector& start, double from, double to) const;
 
  private:
   void add_silhouette(std::span<const space::Point> corners, const space::Vector& corner, const space::Vector& edge);
@@ -34,6 +34,6 @@ class SweptPart {
 };
 
 /// The distance to the segment from start + from * unit to start + to * unit.
-TouchingRule distance_to_segment(const space::Vector& start, const space::Vector& unit, double from, double to);
+TouchingConstraint distance_to_segment(const space::Vector& start, const space::Vector& unit, double from, double to);
 
 }  // namespace findspace::distance

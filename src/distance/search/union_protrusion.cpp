@@ -37,7 +37,7 @@ double beyond_faces(const Tetrahedron& t, const Vector& x) {
 
 }  // namespace
 
-TouchingRule signed_touching(const space::BodyPart& part) {
+TouchingConstraint signed_touching(const space::BodyPart& part) {
   const double radius = part.radius.to_double();
   if (part.vertices().size() <= 2) {
     return [core = round_solid(part, {})](const Vector& x) {
@@ -89,7 +89,7 @@ std::size_t UnionProtrusion::piece_of(const Vector& point) const {
 
 UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double precision, int most) const {
   std::vector<ConvexDistance> sets;
-  for (const TouchingRule& part : parts_)
+  for (const TouchingConstraint& part : parts_)
     sets.emplace_back([&part, &x](const Vector& y) { return part(plus(x, y)).value; });
   // Nothing is deeper than that: so all of it counts.
   const double depth = 2 * (size_ + space::length(x));
@@ -100,7 +100,7 @@ UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double prec
 
 double UnionProtrusion::beyond(const Vector& y) const {
   double least = exact::kInfinity;
-  for (const TouchingRule& part : parts_) least = std::min(least, part(y).value);
+  for (const TouchingConstraint& part : parts_) least = std::min(least, part(y).value);
   return least;
 }
 
@@ -125,7 +125,7 @@ Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const 
 
 std::vector<Touching> UnionProtrusion::touching(const Vector& y) const {
   std::vector<Touching> out;
-  for (const TouchingRule& part : parts_) out.push_back(part(y));
+  for (const TouchingConstraint& part : parts_) out.push_back(part(y));
   return out;
 }
 
@@ -177,7 +177,7 @@ std::vector<Column> UnionProtrusion::holders(const Witness& witness, const Tetra
     moved[v] = plus(cell[v], reach > 0 ? farthest_out(near, cell[v], there, at) : witness.point);
   at = centre(moved);
   std::vector<Column> out;
-  for (const TouchingRule& part : parts_) {
+  for (const TouchingConstraint& part : parts_) {
     const Touching t = part(at);
     Column c{};
     for (std::size_t v = 0; v < 4; ++v) c[v] = t.value + space::dot(t.slope, moved[v] - at);

@@ -21,7 +21,7 @@
 namespace findspace::distance {
 
 /// The signed distance to a core grown by a radius, with what touches it from below.
-TouchingRule signed_touching(const space::BodyPart& part);
+TouchingConstraint signed_touching(const space::BodyPart& part);
 
 class UnionProtrusion {
  public:
@@ -60,9 +60,9 @@ class UnionProtrusion {
   std::vector<Touching> touching(const space::Vector& y) const;
   std::size_t piece_of(const space::Vector& point) const;
 
-  std::vector<TouchingRule> parts_;  // of A
-  std::vector<Tetrahedron> cells_;   // of B's polyhedra
-  std::vector<RoundSolid> rounds_;   // B's other parts, numbered after the cells
+  std::vector<TouchingConstraint> parts_;  // of A
+  std::vector<Tetrahedron> cells_;         // of B's polyhedra
+  std::vector<RoundSolid> rounds_;         // B's other parts, numbered after the cells
   double size_ = 1;
 };
 

@@ -42,7 +42,7 @@ class PairDistances {
   virtual TriedAnswer fit(Inner inner, const SpacePosition& p) const = 0;
   virtual TriedAnswer farthest_fit(Inner inner, const SpacePosition& p) const = 0;
   virtual TriedAnswer protrusion(Inner inner, const SpacePosition& p, Depth depth) const = 0;
-  /// max(0, -fit), also where the fit itself is not told.
+  /// max(0, -fit), also where the fit itself is not decided.
   virtual TriedAnswer clearance(Inner inner, const SpacePosition& p) const;
   virtual TriedAnswer hausdorff(const SpacePosition& p) const;
 

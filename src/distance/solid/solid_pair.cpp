@@ -137,7 +137,7 @@ Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
   const TriedAnswer v = SolidPair(b_, std::make_shared<const Body>(std::move(core))).try_value(Which::kMu, p);
   if (!v) return v.refusal();
   out.value = (*v)->value + part.radius;
-  out.proven = (*v)->proven;
+  if (!(*v)->proven) out.set_unproven();
   out.error = (*v)->error;
   return out;
 }

@@ -48,7 +48,7 @@ TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& kno
     out.value = Real::from_double(sense * found.value);
     out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
                              Real::from_double(found.place.z)};
-    out.proven = false;
+    out.set_unproven();
     out.error = slack;
     return std::optional(std::move(out));
   }

@@ -122,10 +122,10 @@ class BallSearch {
 
   /// All of the box is on the right side.
   void search(const BallBox& box, const std::vector<int>& triangles) {
-    Constraints rules;
+    Constraints constraints;
     for (const int t : triangles)
-      rules.reverse_convex.push_back([this, t](const Vector& y) { return field_.distance(t, y) - radius_; });
-    const TouchingRule away = [&](const Vector& y) {
+      constraints.reverse_convex.push_back([this, t](const Vector& y) { return field_.distance(t, y) - radius_; });
+    const TouchingConstraint away = [&](const Vector& y) {
       const double d = space::length(y - near_);
       return Touching{d, d > 0 ? space::scaled(1 / d, y - near_) : Vector{}};
     };
@@ -133,18 +133,18 @@ class BallSearch {
     const auto domain = tetrahedra_of_box(box.of.low, box.of.high);
     BoundaryPlace found;
     if (farthest_) {
-      if (found_) rules.reverse_convex.push_back([&](const Vector& y) { return away(y).value + most; });
+      if (found_) constraints.reverse_convex.push_back([&](const Vector& y) { return away(y).value + most; });
       found = farthest_allowed(
-          domain, rules, [&](const Vector& y) { return away(y).value; }, size_);
+          domain, constraints, [&](const Vector& y) { return away(y).value; }, size_);
       found.value = -found.value;
       found.bound = -found.bound;
     } else {
       if (found_)
-        rules.convex.push_back([&](const Vector& y) {
+        constraints.convex.push_back([&](const Vector& y) {
           const Touching at = away(y);
           return Touching{at.value - most, at.slope};
         });
-      found = nearest_allowed(domain, rules, away, size_, box.key);
+      found = nearest_allowed(domain, constraints, away, size_, box.key);
     }
     if (found.found && found.value < best_) {
       best_ = found.value;
@@ -164,7 +164,7 @@ class BallSearch {
     }
     out.value = Real::from_double(std::fabs(best_));
     out.nearest = {Real::from_double(place_.x), Real::from_double(place_.y), Real::from_double(place_.z)};
-    out.proven = false;
+    out.set_unproven();
     out.error = margin::kFoundError * size_ + off;
     return out;
   }

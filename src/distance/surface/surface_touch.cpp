@@ -50,7 +50,7 @@ TriedAnswer of_contact(const SurfaceContact& contact, const RealVector& p, int s
   if (!contact.place) return std::nullopt;
   Answer out = signed_value(p, *contact.place, sign);
   if (contact.error > 0) {
-    out.proven = false;
+    out.set_unproven();
     out.error = contact.error;
   }
   return std::optional(std::move(out));

@@ -23,7 +23,7 @@ inline constexpr double kPairMeets = 0x1p-40;
 inline constexpr double kOneCentre = 0x1p-46;
 /// Centres this near are compared by their exact places. Filters; 2^6 times kOneCentre, as radii enter as well.
 inline constexpr double kNearCentres = 0x1p-40;
-/// A place this near to the boundary is not told to be in or out by doubles: 2^7 roundings. Filters.
+/// A place this near to the boundary is not decided to be in or out by doubles: 2^7 roundings. Filters.
 inline constexpr double kOnBoundary = 0x1p-46;
 /// A cross product, relative to its terms, or a ratio of distances beyond this has its sign; each takes 2^3 roundings
 /// of numbers that are off by up to 2^-45 themselves. Filters.
@@ -52,6 +52,12 @@ inline constexpr double kMaxMinGuess = 0x1p-24;
 /// What a guessed place may be off: kMaxMinGuess and a factor 2^3 for places at which the value is nearly level.
 /// Filters: features within it are all tried.
 inline constexpr double kGuessedPlace = 0x1p-21;
+/// Of a found place's error: parts of A that meet at the exact place are at most this farther from the found one; twice
+/// the error for the place and for each of two distances, and 2^2 to spare. Filters: all of them are tried.
+inline constexpr double kMeetingTolerance = 8;
+/// Of the width in which an extremum lies, and of the mean of that and the size: a place where level curves touch moves
+/// by the root of the width. Filters: level curves that pass nearer are candidates, which are compared exactly.
+inline constexpr double kCandidateCurves = 4;
 /// Max-min places of one cell that are this near are one place: 2^4 times kMaxMinGuess. Searches: the features near
 /// both are tried, and the exact place is one of theirs.
 inline constexpr double kSamePlace = 0x1p-20;

@@ -91,6 +91,15 @@ inline constexpr double kNearAngles = 1e-9;
 /// Of the coordinates: a tangency moves by the root of their rounding, which is 2^-26, here times 2^8. Filters: it only
 /// admits angles too many.
 inline constexpr double kTangencyTolerance = 0x1p-18;
+/// Of kRotatedTolerance: a distance and the curve it is taken to are off by one of it each; the rest is for their sums.
+/// Filters: what is nearer is decided exactly.
+inline constexpr double kRotatedSum = 10;
+/// Of kRotatedTolerance: where three curves meet at angles down to 1/10 of a radian. Filters: places that are off by
+/// more are not witnesses, and the places of roots are looked at as exactly either way.
+inline constexpr double kRotatedMeeting = 100;
+/// Of what a point travels over the angle by which the place of a root may be off: that is 2 du, to both sides.
+/// Filters.
+inline constexpr double kRootReach = 4;
 /// Of the sizes: a rotated point is off by less than 2^-50 of them. Filters.
 inline constexpr double kRotatedPoint = 0x1p-40;
 /// Of the chord and the radius: by how much a chord counts as upright or level, so that the box of the whole circle is

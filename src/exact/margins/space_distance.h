@@ -31,6 +31,10 @@ inline constexpr double kNearerAtAll = 0x1p-43;
 /// What a value found by search may be off: kNearerAtAll, kPlaceNoise and the rounding of shapes to doubles add up to
 /// less than 2^-42; the rest is room. Bounds.
 inline constexpr double kFoundError = 0x1p-40;
+/// Of kFoundError: two searches for one value are off by one of it each, in place and in value, and their difference
+/// by four; four times that. Searches: values nearer to each other are taken for one, and the exact one of them is
+/// said.
+inline constexpr double kSearchesAgree = 16;
 /// The greatest error that is accepted, where boundaries part so slowly from the sphere about the position that the
 /// search ends before. Decides whether there is an answer: beyond it the value is refused, never wrong.
 inline constexpr double kMostFoundError = 0x1p-32;
@@ -109,7 +113,7 @@ inline constexpr double kFacePlane = 0x1p-40;
 // -- solid: two bodies
 
 /// Of their distance: witness points whose distance differs from the value by more are those of another value, so that
-/// their direction is no slope. Searches: a value without slope ends the search by tangents.
+/// their direction is not a slope. Searches: a value without slope ends the search by tangents.
 inline constexpr double kWitnessAgrees = 0x1p-40;
 /// A least value is proven where tangents come this near to it. Bounds.
 inline constexpr double kTangentsMeet = 0x1p-40;
@@ -183,7 +187,7 @@ inline constexpr double kNoInterior = 0x1p-44;
 /// An overlap that is less deep counts as none: 2^4 times kDistanceNoise, as a depth is found from four planes.
 /// Decides: a position with a shallower overlap counts as free; the depth stated there is off by less than kFoundError.
 inline constexpr double kNoDepth = 0x1p-42;
-/// Depths below this are not told from none on the lines by which positions are looked for. Searches.
+/// Depths below this are not distinguished from none on the lines by which positions are looked for. Searches.
 inline constexpr double kDepthOnLines = 0x1p-32;
 /// Where boxes are apart by this, their distance is enough of a lower bound. Searches.
 inline constexpr double kFarByBoxes = 0x1p-4;

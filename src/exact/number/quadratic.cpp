@@ -51,7 +51,7 @@ Quadratic normalised(Quadratic a) {
   return a;
 }
 
-/// b written with sqrt(n): sqrt(m) = s/n sqrt(n) where s = sqrt(n*m). Nothing where that is no integer.
+/// b written with sqrt(n): sqrt(m) = s/n sqrt(n) where s = sqrt(n*m). Nothing where that is not an integer.
 std::optional<Quadratic> in_field(const Quadratic& b, const mpz_class& n) {
   const mpz_class product = n * b.n;
   if (!mpz_perfect_square_p(product.get_mpz_t())) return std::nullopt;
@@ -152,7 +152,7 @@ int sign(const Quadratic& a) {
   const int sign_p = sgn(a.p), sign_r = sgn(a.r);
   if (sign_r == 0) return sign_p;
   if (sign_p == 0 || sign_p == sign_r) return sign_r;
-  return cmp(a.p * a.p, a.r * a.r * a.n) > 0 ? sign_p : sign_r;  // never equal: n is no square
+  return cmp(a.p * a.p, a.r * a.r * a.n) > 0 ? sign_p : sign_r;  // never equal: n is not a square
 }
 
 Quadratic negate(const Quadratic& a) {

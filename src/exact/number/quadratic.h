@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The closed form (p + r*sqrt(n)) / q: one number of the field Q(sqrt n), or a rational where r = 0.
-// Invariant: q > 0; gcd(p, r, q) = 1; r = 0 exactly if n = 0; otherwise n > 1 is no perfect square and has no square
+// Invariant: q > 0; gcd(p, r, q) = 1; r = 0 exactly if n = 0; otherwise n > 1 is not a perfect square and has no square
 // factor 4, 9, 25, 49 (only to keep numbers short: fields are compared by "n*m is a square", which needs no factoring).
 // So equal numbers of one n have equal fields p, r, q, and the sign is found by comparing p^2 with r^2 n.
 // Internal to src/exact: this header brings in GMP.

@@ -11,7 +11,7 @@
 
 namespace findspace::formula {
 
-/// `enough`: an amount that is known to leave room, if one is. Precondition: there is no room for 0.
+/// `enough`: an amount that is known to leave a position, if one is. Precondition: 0 leaves none.
 CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands,
                                    const std::optional<exact::Real>& enough);
 

@@ -55,7 +55,7 @@ class SmallerConflict {
 
 }  // namespace
 
-bool leaves_room(const Demands& demands, const std::vector<MetDemands>& cells, const std::vector<bool>& kept) {
+bool is_satisfiable(const Demands& demands, const std::vector<MetDemands>& cells, const std::vector<bool>& kept) {
   return roomy(demands, cells, kept) != cells.end();
 }
 
@@ -63,7 +63,7 @@ Conflict find_conflict(const Demands& demands, const std::vector<MetDemands>& ce
   std::vector<bool> kept(demands.size(), true);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     kept[k] = false;
-    if (leaves_room(demands, cells, kept)) kept[k] = true;
+    if (is_satisfiable(demands, cells, kept)) kept[k] = true;
   }
   const std::size_t count = members(kept).size();
   SmallerConflict search(demands, cells);

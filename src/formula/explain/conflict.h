@@ -28,7 +28,7 @@ struct Conflict {
 };
 
 /// The formula holds in some cell where only the demands of `kept` count.
-bool leaves_room(const Demands& demands, const std::vector<MetDemands>& cells, const std::vector<bool>& kept);
+bool is_satisfiable(const Demands& demands, const std::vector<MetDemands>& cells, const std::vector<bool>& kept);
 
 /// Precondition: the formula holds in no cell. Empty if it is false without any atom.
 Conflict find_conflict(const Demands& demands, const std::vector<MetDemands>& cells);

@@ -10,8 +10,8 @@
 
 #include "formula/explain/common_relaxation.h"
 #include "formula/language/text.h"
-#include "formula/planar/optimize.h"
 #include "formula/planar/regions.h"
+#include "formula/planar/solve_region.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/summary.h"
@@ -108,18 +108,16 @@ class Explainer {
     LevelChange out;
     out.atom = k;
     const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
-    const Optimum best = optimize(region, objective, sense, solver_);
-    if (!best.value) {
+    const Optimum best = exact_optimum(solver_, region, {objective, sense});
+    if (!best.value()) {
       out.kind = best.unbounded ? Kind::kFree : Kind::kNone;
       return out;
     }
     const Relation relation = demands_.relation(k);
     const bool strict = relation == Relation::kLess || relation == Relation::kGreater;
     out.kind = Kind::kTo;
-    out.level = *best.value;
-    out.reached = best.attained && best.proven && !strict;
-    out.proven = best.proven;
-    out.bound = best.bound;
+    out.level = best;
+    out.reached = best.attained && best.proven() && !strict;
     const plane::Summary summary = plane::summarize(best.at, solver_.world().step);
     if (!summary.empty) {
       const RealPoint& p = summary.components.front().sample_point;
@@ -143,7 +141,7 @@ class Explainer {
     const LevelChange above = to_best(k, without(k, 1), Sense::kMinimum);
     const LevelChange below = to_best(k, without(k, -1), Sense::kMaximum);
     if (above.kind != Kind::kTo || below.kind != Kind::kTo) return below.kind == Kind::kTo ? below : above;
-    return above.level - level <= level - below.level ? above : below;
+    return above.to() - level <= level - below.to() ? above : below;
   }
   /// `=` cannot be tighter than it is.
   LevelChange slack(std::size_t k) const {
@@ -153,7 +151,7 @@ class Explainer {
     if (room_where(k, false)) return out;
     if (demands_.relation(k) != Relation::kEqual) return relax(k);
     out.kind = Kind::kTo;
-    out.level = demands_.formula().atoms()[k].level;
+    out.level.set_exact(demands_.formula().atoms()[k].level, distance::Way::kNone);
     out.reached = true;
     return out;
   }
@@ -162,8 +160,8 @@ class Explainer {
   std::optional<Real> enough(const std::vector<LevelChange>& relax) const {
     std::optional<Real> out;
     for (const LevelChange& c : relax) {
-      if (c.kind != Kind::kTo || !c.proven) continue;
-      const Real by = abs(c.level - demands_.formula().atoms()[c.atom].level);
+      if (c.kind != Kind::kTo || !c.level.proven()) continue;
+      const Real by = abs(c.to() - demands_.formula().atoms()[c.atom].level);
       if (!out || by < *out) out = by;
     }
     return out;
@@ -207,17 +205,17 @@ PositionExplanation explain_at(const Solver& solver, const Formula& formula, con
     met[k] = out.check.atoms[k].holds == plain;
   }
   out.change = find_correction(demands, met);
-  out.nearest = solver.nearest_feasible(formula, p).or_throw();
+  out.nearest = solver.nearest_feasible(formula, p);
   return out;
 }
 
 std::string written_at(const Demands& demands, const LevelChange& change, const Real& step) {
   Atom atom = demands.formula().atoms()[change.atom];
   const Relation relation = demands.relation(change.atom);
-  const bool up = relation == Relation::kEqual ? change.level > atom.level
+  const bool up = relation == Relation::kEqual ? change.to() > atom.level
                                                : relation == Relation::kLess || relation == Relation::kLessEqual;
   const Real unit = step / Real(kPartsOfAStep);
-  atom.level = rounded(change.level, unit, up);
+  atom.level = rounded(change.to(), unit, up);
   if (!change.reached && relation != Relation::kEqual) atom.level += up ? unit : -unit;
   atom.written.clear();
   if (atom.predicate != nullptr && atom.predicate->level == PredicateName::Level::kNone && atom.level.sign() != 0)

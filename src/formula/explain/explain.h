@@ -3,14 +3,15 @@
 //
 // Why a formula holds nowhere in the plane, and what would change that; where it holds, how far each level can move
 // before it holds nowhere. For a demand `d <= level` let R be the positions that the formula has without it. The least
-// change that makes room alone is to inf {d : R}; the tightest level that leaves room is the same number where R is the
+// change that alone leaves a position is to inf {d : R}; the tightest level that does is the same number where R is the
 // feasible region. For `>=` it is the supremum, for `=` the nearer of both.
 //
-// Guarantee: whether there is room, and which demands conflict, is exact. Levels are exact where `proven` (optimize.h).
-// The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no room, `upper` does, both by
-// exact regions. Refused: shapes that rotate in time and distances in rotation, whose regions are known between bounds.
-// Cost: one overlay and one least value for each demand; some fifteen regions for the common relaxation.
-// Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack, sensitivity.
+// Guarantee: whether there is room, and which demands conflict, is exact. Levels are exact where `proven`
+// (solve_region.h). The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no position,
+// `upper` does, both by exact regions. Refused: shapes that rotate in time and distances in rotation, whose regions are
+// known between bounds. Cost: one overlay and one least value for each demand; some fifteen regions for the common
+// relaxation. Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack,
+// sensitivity.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "distance/answer/optimum.h"
 #include "formula/explain/conflict.h"
 #include "formula/planar/solve.h"
 
@@ -32,17 +34,18 @@ struct LevelChange {
   };
   std::size_t atom = 0;
   Kind kind = Kind::kNone;
-  exact::Real level;                   // in the scene's unit, of the atom's canonical distance
+  distance::OptimalValue level;        // in the scene's unit, of the atom's canonical distance
   bool reached = false;                // there is room at this very level; else only beyond it, as near as you like
-  bool proven = true;                  // else the level lies between `level` and `bound`
-  double bound = 0;                    // where not proven
   std::optional<exact::RealPoint> at;  // the last remaining position, in the scene's unit
+
+  /// Of kTo.
+  const exact::Real& to() const { return level.answer->value; }
 };
 
 /// All levels move by one amount: there is none for `lower` and room for `upper`.
 struct CommonRelaxation {
   exact::Real lower;
-  std::optional<exact::Real> upper;    // nothing: no room for any amount that was tried
+  std::optional<exact::Real> upper;    // nothing: no amount that was tried leaves a position
   std::optional<exact::RealPoint> at;  // a position for `upper`, in the scene's unit
 };
 
@@ -61,13 +64,13 @@ Explanation explain(const Solver& solver, const Formula& formula);
 struct PositionExplanation {
   Check check;
   std::vector<std::size_t> change;  // a minimal set of demands without which the formula holds there
-  std::optional<NearestFeasible> nearest;
+  AskedNearest nearest;             // where not feasible
 };
 
 /// At a position in the scene's unit.
 PositionExplanation explain_at(const Solver& solver, const Formula& formula, const exact::RealPoint& p);
 
-/// The atom as its writer would put it at another level. One that is no short decimal is rounded to a thousandth of
+/// The atom as its writer would put it at another level. One that is not a short decimal is rounded to a thousandth of
 /// `step`, to the side on which there is more room, and moved by one such part where the level itself is not `reached`.
 std::string written_at(const Demands& demands, const LevelChange& change, const exact::Real& step);
 

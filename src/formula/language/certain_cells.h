@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What samples say for certain about the places around them: a T-distance changes by no more than the length of a step
+// What samples say for certain about the places around them: a T-distance is 1-Lipschitz
 // (distances.md 3.7). If `widened(f, w)` does not hold at q, f holds nowhere within w of q; if `narrowed(f, w)` holds
 // at q, f holds everywhere within w of q. So cells of radius w about the places where one or the other holds are an
 // outer and an inner bound of the region. Guarantee: exact, for formulas over plain T-distances. Keywords: Lipschitz

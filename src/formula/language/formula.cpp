@@ -138,6 +138,7 @@ Distance moving_first(const Distance& distance, std::span<const std::string> mov
   Distance result = distance;
   result.kind = exchanged(distance.kind);
   result.spelled = nullptr;
+  result.lists.clear();
   std::swap(result.first, result.second);
   return result;
 }

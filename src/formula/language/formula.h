@@ -45,6 +45,7 @@ struct Distance {
   std::string vector_text;                // "(1, 0)": the vector as it is printed; exact, no part of the value
   const DistanceName* spelled = nullptr;  // the word of its writer, where there is one; no part of the value
   bool turning = false;                   // so its writer calls kRotation, not "rotating"; no part of the value
+  std::vector<std::string> lists{};       // the two of a rule `between`, as its writer has them; no part of the value
 
   friend bool operator==(const Distance& a, const Distance& b) {
     return a.kind == b.kind && a.prefix == b.prefix && a.mode == b.mode && a.first == b.first && a.second == b.second &&
@@ -77,7 +78,7 @@ struct Atom {
   Relation relation = Relation::kEqual;
   exact::Real level;  // in the scene's unit; degrees if the distance rotates
   bool minimum = false;
-  std::string written;  // the level as it was written, for one that is no finite decimal ("1mm" in inches)
+  std::string written;  // the level as it was written, for one that is not a finite decimal ("1mm" in inches)
   const PredicateName* predicate = nullptr;  // the word of its writer, where that is one; no part of the value
   std::vector<SumTerm> more{};
 
@@ -87,7 +88,7 @@ struct Atom {
   }
 };
 
-/// A level that is no finite decimal is printed as `written`, or without that rounded.
+/// A level that is not a finite decimal is printed as `written`, or without that rounded.
 Atom compare(Distance distance, Relation relation, exact::Real level, std::string written = {});
 /// distance -> min: the set of global minimisers.
 Atom minimisers(Distance distance);

@@ -44,7 +44,7 @@ constexpr std::array<DistanceName, 28> kDistances{{
 constexpr std::size_t kPlainCount = 7;  // of the rows above
 
 using NameLevel = PredicateName::Level;
-constexpr std::array<PredicateName, 9> kPredicates{{
+constexpr std::array<PredicateName, 11> kPredicates{{
     {"overlaps", Kind::kGamma1, Relation::kLess, NameLevel::kNone, false},
     {"touches", Kind::kGamma1, Relation::kEqual, NameLevel::kNone, false},
     {"disjoint", Kind::kGamma1, Relation::kGreater, NameLevel::kNone, false},
@@ -52,6 +52,8 @@ constexpr std::array<PredicateName, 9> kPredicates{{
     {"within", Kind::kGamma1, Relation::kLessEqual, NameLevel::kRequired, false},
     {"far", Kind::kGamma1, Relation::kGreaterEqual, NameLevel::kRequired, false},
     {"near", Kind::kGamma1, Relation::kLessEqual, NameLevel::kRequired, false},
+    {"keepout", Kind::kGamma1, Relation::kGreaterEqual, NameLevel::kOptional, false},
+    {"group", Kind::kDiameter, Relation::kLessEqual, NameLevel::kRequired, false},
     {"inside", Kind::kEta1, Relation::kLessEqual, NameLevel::kOptional, true},
     {"covers", Kind::kDelta1, Relation::kLessEqual, NameLevel::kOptional, true},
 }};

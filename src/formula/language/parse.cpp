@@ -85,15 +85,20 @@ class Grammar {
     return distance_first();
   }
 
-  /// between(G, H) >= number: true where neither list has a shape that moves.
+  /// between(G, H) >= number: true where neither list has a shape that moves. Of several gaps the least is meant.
   Node between() {
-    std::optional<Term> term = calls_.between();
+    std::vector<Term> terms = calls_.between();
     if (!cursor_.at(K::kRelation))
       cursor_.fail_syntax("a relation is meant after 'between': between(G, H) >= 0.2, found {}", cursor_.found());
     const Relation relation = cursor_.take().relation;
     const Number number = level_number();
-    if (!term) return Node{Op::kTrue, 0, {}};
-    return add(comparison(*std::move(term), relation, number));
+    if (terms.empty()) return Node{Op::kTrue, 0, {}};
+    const bool all = relation == Relation::kGreater || relation == Relation::kGreaterEqual;
+    if (terms.size() > 1 && !all && relation != Relation::kLess && relation != Relation::kLessEqual)
+      cursor_.fail(ErrorCode::kUnsupported, terms.front().span, "'between' takes < <= >= > in a placement");
+    Node out{all ? Op::kAnd : Op::kOr, 0, {}};
+    for (Term& term : terms) out.operands.push_back(add(comparison(std::move(term), relation, number)));
+    return terms.size() == 1 ? Node(out.operands.front()) : out;
   }
 
   /// A distance to the empty set: +infinity.

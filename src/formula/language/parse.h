@@ -44,10 +44,11 @@ struct Context {
   std::vector<std::string> placed{};  // those that are placed themselves: not to be named in `each` and `pairs`
   std::vector<std::string> empty{};   // lists without a shape in them: the empty set
   std::map<std::string, std::vector<std::string>> groups{};  // lists of shapes, also of those that move
-  std::vector<std::string> all{};  // what `all` and `others` speak of, where that is not all shapes: a board's parts
-  bool independent = false;        // each moving shape has its own position (a placement's `constraints`)
-  bool motion = false;             // the scene has a motion: `inf` and `sup` mean something
-  std::optional<Unit> unit;        // the scene's unit; without one, numbers may not carry units
+  std::optional<std::vector<std::string>> all{};  // what `all` and `others` mean, if not all shapes: a board's parts
+  std::map<std::string, std::size_t> body_of{};   // of a placement: which body a moving shape belongs to
+  bool independent = false;  // each moving shape has its own position (a placement's `constraints`)
+  bool motion = false;       // the scene has a motion: `inf` and `sup` mean something
+  std::optional<Unit> unit;  // the scene's unit; without one, numbers may not carry units
   int dimension = 2;
   std::uint64_t work_limit = plane::kUsualWorkBudget;  // of a formula (plane/base/work_budget.h)
 };

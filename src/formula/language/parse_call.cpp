@@ -302,7 +302,7 @@ std::vector<std::string> CallReader::standing(const std::vector<std::string>& wi
       return w == name || (list != context_.groups.end() && contains(list->second, name));
     });
   };
-  for (const std::string& name : context_.all.empty() ? context_.shapes : context_.all)
+  for (const std::string& name : context_.all ? *context_.all : context_.shapes)
     if (!moves(context_, name) && context_.groups.count(name) == 0 && !left_out(name)) out.push_back(name);
   return out;
 }
@@ -316,41 +316,6 @@ std::vector<std::string> CallReader::listed_shapes(std::string_view word) {
   }
   std::erase_if(result, [&](const std::string& name) { return contains(context_.empty, name); });
   return result;
-}
-
-bool CallReader::at_between() const { return cursor_.at_word("between") && cursor_.peek(1).kind == K::kOpen; }
-
-std::optional<Term> CallReader::between() {
-  Term term;
-  term.span.begin = cursor_.peek().span.begin;
-  cursor_.take();
-  const Span open = cursor_.take().span;
-  std::vector<std::string> names{shape("between")};
-  if (!cursor_.accept(K::kComma)) cursor_.fail_syntax("'between' takes two lists of shapes: between(G, H)");
-  names.push_back(shape("between"));
-  if (!cursor_.accept(K::kClose)) cursor_.fail_unclosed(open);
-  term.span.end = cursor_.end();
-  if (context_.independent)
-    cursor_.fail(ErrorCode::kUnsupported, term.span, "'between' stands where one shape moves, not in a placement");
-  Distance& distance = term.distance;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto list = context_.groups.find(names[k]);
-    const std::vector<std::string> members =
-        list == context_.groups.end() ? std::vector<std::string>{names[k]} : list->second;
-    bool has_mover = false;
-    for (const std::string& member : members) {
-      if (!moves(context_, member)) continue;
-      has_mover = true;
-      if (!contains(distance.first, member)) distance.first.push_back(member);
-    }
-    const std::string& other = names[1 - k];
-    if (has_mover && contains(context_.shapes, other) && !moves(context_, other) && !contains(distance.second, other))
-      distance.second.push_back(other);
-  }
-  if (distance.first.empty() || distance.second.empty()) return std::nullopt;
-  distance.kind = Kind::kGamma1;
-  distance.spelled = &plain_name(Kind::kGamma1);
-  return term;
 }
 
 std::string CallReader::shape(std::string_view word) {
@@ -384,9 +349,10 @@ void CallReader::fail_unknown_shape(const Token& token) const {
   std::string hint = question(token.text, known);
   if (hint.empty()) hint = known.empty() ? "; the scene has no shapes" : "; the shapes are " + listed(known);
   if (token.text == "self" || token.text == "other") {
-    hint = token.text == "self"
-               ? "; it is the shape being placed, in a placement's \"each\", \"pairs\" and \"minimize\""
-               : "; it is a shape placed before, in a placement's \"pairs\"";
+    hint =
+        token.text == "self"
+            ? "; it is the shape being placed, in a placement's \"each\", \"pairs\", \"constraints\" and \"minimize\""
+            : "; it is a shape placed before, in a placement's \"pairs\"";
   }
   if (cursor_.peek(1).kind == K::kName) hint += "; a name with blanks stands in quotes";
   cursor_.fail(ErrorCode::kUnknownName, token.span, "unknown shape '{}'{}", printable(token.text), hint);

@@ -52,8 +52,9 @@ class CallReader {
   Term distance();
   /// Whether a rule between two lists of shapes stands here: between(G, H).
   bool at_between() const;
-  /// The gap of what moves in one of the lists to the other shapes of the other list; nothing where neither has any.
-  std::optional<Term> between();
+  /// The gaps of what moves in one of the lists to the other shapes of the other list, of which the least is meant:
+  /// one, or where shapes move on their own one a pair. None where neither list has a shape that moves.
+  std::vector<Term> between();
   /// A predicate's atom, from its name to its ')'.
   Atom predicate();
 

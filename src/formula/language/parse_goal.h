@@ -4,7 +4,7 @@
 // Reads the entries of a placement's "minimize": what `minimize` of a scene takes (parse.h), and besides
 //     goal    := ["-" | "+"] objective | linear ["=" number] | "grid"
 //     linear  := ["-" | "+"] term (("+" | "-") term)*        term := [DECIMAL] ("x" | "y" | "z")
-// "form = value" is no objective but a condition; "grid" asks for a grid point near the minimiser.
+// "form = value" is not an objective but a condition; "grid" asks for a grid point near the minimiser.
 // Guarantee: errors as parse_objective(). Keywords: linear form, lexicographic objectives.
 #pragma once
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "exact/number/real_text.h"
 #include "formula/language/evaluate.h"
 
 namespace findspace::formula {
@@ -16,8 +15,7 @@ std::optional<double> DistanceAt::value() const {
 }
 
 std::optional<std::string> DistanceAt::closed_form() const {
-  if (!answer || !answer->proven || answer->minus_infinity || !answer->value.is_closed()) return std::nullopt;
-  return exact::RealWriter().text(answer->value);
+  return answer ? distance::closed_form(*answer) : std::nullopt;
 }
 
 DistanceAt distance_at(std::string text, std::optional<distance::SceneAnswer> answer) {

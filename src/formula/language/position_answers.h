@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "distance/answer/answer.h"
+#include "exact/number/tried.h"
 #include "formula/language/formula.h"
 
 namespace findspace::formula {
@@ -69,5 +70,13 @@ struct NearestFeasible {
   exact::Real distance;
   bool attained = false;  // `at` itself is feasible, not only others as near to it as you like
 };
+/// Nothing where no position is feasible. Refused where it is not computed.
+using TriedNearest = exact::Tried<std::optional<NearestFeasible>>;
+/// Nothing where it was not asked for, as at a feasible position.
+using AskedNearest = std::optional<TriedNearest>;
+/// The position, where there is one; else null.
+inline const NearestFeasible* found(const AskedNearest& nearest) {
+  return nearest && *nearest && **nearest ? &***nearest : nullptr;
+}
 
 }  // namespace findspace::formula

@@ -142,6 +142,8 @@ std::string text(const Formula& formula, Script script) {
 bool negated(const Distance& distance) { return distance.spelled != nullptr && distance.spelled->negated; }
 
 std::string written(const Distance& distance) {
+  if (distance.lists.size() == 2)
+    return fmt::format("between({}, {})", shapes_text({distance.lists[0]}), shapes_text({distance.lists[1]}));
   if (distance.spelled == nullptr) return text(distance);
   Distance said = distance;
   if (distance.spelled->exchanged) std::swap(said.first, said.second);

@@ -29,7 +29,7 @@ exact::Refusal refused(const Distance& distance, const std::string& what);
 
 /// With along= or toward=.
 bool is_directional(const Distance& d);
-/// Their direction; throws Error(kUnsupported) where it is no ratio of integers below 2^53.
+/// Their direction; throws Error(kUnsupported) where it is not a ratio of integers below 2^53.
 distance::TranslationDirection direction(const Distance& d);
 
 /// Whether the second argument of a distance of moving_first() is the one that moves. Throws Error(kBadValue) where an

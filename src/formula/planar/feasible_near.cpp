@@ -248,7 +248,7 @@ Region feasible_near(const Solver& solver, const Formula& formula) { return Near
 
 std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
                                                   const exact::RealPoint& p) {
-  constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is no coordinate
+  constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is not a coordinate
   const double x = distance::near_value(p.x), y = distance::near_value(p.y);
   const auto sizes = window_sizes(world);
   Near near(world, formula);
@@ -267,12 +267,6 @@ std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, co
       return NearestInWindow{*found, mark_of(inside, locate(inside, found->at)) > 0};
   }
   return std::nullopt;
-}
-
-SolvedRegion solve_region(const Solver& solver, const Formula& formula) {
-  if (!solver.known_between_bounds(formula)) return {feasible_near(solver, formula), std::nullopt};
-  RegionBounds bounds = solver.feasible_bounds(formula);
-  return {std::move(bounds.inner), std::move(bounds.outer)};
 }
 
 }  // namespace findspace::formula

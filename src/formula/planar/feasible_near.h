@@ -5,8 +5,8 @@
 // obstacles". The containers bound the positions; an obstacle, or a part of a collection, that the moving shape cannot
 // come near from any of them is never summed. For gamma1 at a level >= 0 the sign at p depends on the obstacle within
 // the moving shape's reach alone (distances.md 5), in a motion on all of its way. Guarantee: the same set as
-// Solver::feasible. Cost: a box test an obstacle and part, and what feasible() costs for those that are near. Keywords:
-// findspace, locality, culling, spatial index, bounding box.
+// Solver::feasible. Cost: a box test an obstacle and part, and what feasible() costs for those that are near. Where a
+// formula has no exact region: solve_region.h. Keywords: findspace, locality, culling, spatial index, bounding box.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,6 @@ namespace findspace::formula {
 
 /// {p : the formula holds at p}, over the time of a motion where there is one.
 plane::Region feasible_near(const Solver& solver, const Formula& formula);
-
-/// The same as far as it is known: between bounds where shapes rotate, or distances are compared with each other.
-SolvedRegion solve_region(const Solver& solver, const Formula& formula);
 
 /// A point of the closure of a region, and whether it is one of the region itself.
 struct NearestInWindow {

@@ -124,7 +124,7 @@ distance::Extremum least(const PreparedWorld& world, const Distance& wanted) {
 }
 
 plane::SignMap minimiser_map(distance::Extremum least) {
-  if (!least.exists) return CellComplex::uniform(1);
+  if (!least.exists()) return CellComplex::uniform(1);
   return plane::remark(std::move(least.at), [](Mark k) { return Mark(k > 0 ? 0 : 1); });
 }
 

@@ -168,7 +168,7 @@ DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted, con
   const auto end = [&](double x) { return std::isinf(x) ? std::nullopt : std::optional(Real::from_double(x * unit)); };
   distance::SceneAnswer answer;
   answer.way = distance::Way::kSearch;
-  answer.proven = v->low == v->high;
+  if (v->low != v->high) answer.set_unproven();
   answer.minus_infinity = std::isinf(value);
   if (!answer.minus_infinity) answer.value = Real::from_double(value);
   answer.error = answer.proven ? 0 : (v->high - v->low) * unit;

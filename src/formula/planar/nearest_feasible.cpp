@@ -40,9 +40,8 @@ std::optional<NearestFeasible> from_contacts(const PreparedWorld& world, const F
 
 }  // namespace
 
-exact::Tried<std::optional<NearestFeasible>> nearest_feasible_to(const PreparedWorld& world, const Formula& formula,
-                                                                 const RealPoint& p) {
-  if (auto found = from_contacts(world, formula, p)) return found;
+TriedNearest nearest_feasible_to(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  if (auto near = from_contacts(world, formula, p)) return near;
   if (const auto why = between_bounds(world, formula)) return *why;
   if (const auto near = nearest_in_windows(world, formula, p))
     return nearest_in_scene(world, near->nearest, near->attained);

@@ -6,9 +6,6 @@
 // where these are no longer small. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
 #pragma once
 
-#include <optional>
-
-#include "exact/number/tried.h"
 #include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
 
@@ -16,7 +13,6 @@ namespace findspace::formula {
 
 /// The nearest position to p, in grid steps, at which the formula holds, or of the closure of those; nothing if it
 /// holds nowhere. Refused where the region is known between bounds only.
-exact::Tried<std::optional<NearestFeasible>> nearest_feasible_to(const PreparedWorld& world, const Formula& formula,
-                                                                 const exact::RealPoint& p);
+TriedNearest nearest_feasible_to(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
 
 }  // namespace findspace::formula

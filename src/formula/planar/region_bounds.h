@@ -19,7 +19,9 @@ struct RegionBounds {
 /// A region as far as it is known: exactly, or what certainly belongs and, in `outer`, what may.
 struct SolvedRegion {
   plane::Region region;
-  std::optional<plane::Region> outer;
+  std::optional<plane::Region> outer{};
+  /// With `outer`: as distances are compared with each other; else as shapes rotate, or distances are in rotation.
+  bool compared = false;
 };
 
 /// Instants that certainly and that possibly belong.

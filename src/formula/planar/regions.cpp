@@ -49,9 +49,9 @@ BoundedMaps bounded_minimisers(const PreparedWorld& world, const SignMap& wanted
     const auto below = [](Mark k) { return k < 0; };
     return {map(all.low, below), map(all.high, below)};
   }
-  if (!best.exists) return {CellComplex::uniform(best.proven ? 1 : 0), CellComplex::uniform(1)};
+  if (!best.exists()) return {CellComplex::uniform(best.proven() ? 1 : 0), CellComplex::uniform(1)};
   const bool rotation = wanted.distance.mode == Mode::kRotation;
-  const double level = distance::near_value(best.level);
+  const double level = distance::near_value(best.answer->value);
   const Real above = Real::from_double(level + (std::abs(level) + 1) * margin::kAboveLeast);
   const BoundedMaps near = bounded_maps(world, {wanted.distance, rotation ? above : above * world.step()});
   return {map(near.low, [](Mark k) { return k <= 0; }), CellComplex::uniform(1)};

@@ -16,6 +16,7 @@
 namespace findspace::formula {
 
 using distance::BoundedRotations;
+using distance::RotationOptimum;
 using distance::Sense;
 using distance::ValueRange;
 using exact::kInfinity;
@@ -26,14 +27,9 @@ using plane::RotationMap;
 
 namespace {
 
-/// The least or greatest value over a set of angles that is known between bounds, or of a distance that is.
-struct BestRotation {
-  std::optional<double> value;  // in the scene's unit, or in degrees: of an angle of within.inner; or none
-  double bound = 0;             // no angle of within.outer has a better one
-  bool none = false;            // proven: there are no values, or none is the last
-  plane::RotationMap possible;  // all best angles are among these
-};
-BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense);
+/// The best over a set of angles that is known between bounds, or of a distance that is. An angle of within.inner has
+/// the value, none of within.outer a better one than the bound. All best angles are among `at`.
+RotationOptimum enclosed_best(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense);
 
 double way_of(const plane::RotationInterval& i) {
   const double d = i.to.degrees() - i.from.degrees();
@@ -95,8 +91,8 @@ BoundedRotations bounded_map(const RotationMaps& maps, const SignMap& wanted) {
   }
   if (wanted.minimum) {
     const RotationMap all = RotationMap::uniform(1);
-    const BestRotation least = best_rotation(maps, wanted.distance, {all, all}, Sense::kMinimum);
-    const auto there = plane::remark(least.possible, [](Mark m) { return Mark(m > 0 ? 0 : 1); });
+    const RotationOptimum least = enclosed_best(maps, wanted.distance, {all, all}, Sense::kMinimum);
+    const auto there = plane::remark(least.at, [](Mark m) { return Mark(m > 0 ? 0 : 1); });
     return {there, RotationMap::uniform(1)};
   }
   const PreparedWorld& world = maps.world();
@@ -105,33 +101,34 @@ BoundedRotations bounded_map(const RotationMaps& maps, const SignMap& wanted) {
                                        world.which(d), centre_of(world, d), wanted.level);
 }
 
-BestRotation best_rotation(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense) {
-  const int rotation = sense == Sense::kMinimum ? 1 : -1;
-  BestRotation out{std::nullopt, 0, false, RotationMap::uniform(0)};
-  double value = kInfinity;
+std::optional<Real> finite(double v) { return std::isinf(v) ? std::nullopt : std::optional(Real::from_double(v)); }
+
+/// The best values over the inner and the outer set, negated for a maximum; +infinity where there is none.
+ValueRange best_values(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense) {
   if (maps.rotations_twice(d)) {
     const ValueRange outer = values_over(maps, d, within.outer, sense);
-    value = is_exact(within) ? outer.high : values_over(maps, d, within.inner, sense).high;
-    out.bound = rotation * outer.low;
-  } else {
-    const auto exact = [&](const RotationMap& set) {
-      return rotation > 0 ? maps.least(d, set) : maps.greatest(d, set);
-    };
-    const plane::RotationLeast inner = exact(within.inner), outer = exact(within.outer);
-    if (inner.exists) value = rotation * inner.value.to_double();
-    out.bound = outer.exists ? outer.value.to_double() : rotation * kInfinity;
+    return {outer.low, is_exact(within) ? outer.high : values_over(maps, d, within.inner, sense).high};
   }
-  if (std::isinf(value)) {
-    out.none = value < 0 || rotation * out.bound == kInfinity;
-    out.possible = within.outer;
-    return out;
-  }
-  out.value = rotation * value;
+  const auto number = [&](const RotationMap& set) {
+    const auto value = maps.best(d, set, sense).value();
+    return value ? (sense == Sense::kMinimum ? 1 : -1) * value->to_double() : kInfinity;
+  };
+  return {number(within.outer), number(within.inner)};
+}
+
+RotationOptimum enclosed_best(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense) {
+  const int rotation = sense == Sense::kMinimum ? 1 : -1;
+  const ValueRange best = best_values(maps, d, within, sense);
+  auto out = distance::no_optimum<RotationMap>(sense, best.high == -kInfinity);
+  out.at = within.outer;
+  if (out.unbounded || best.low == kInfinity) return out;
+  out.set_enclosed(finite(rotation * best.high), finite(rotation * best.low), distance::Way::kSearch);
+  if (std::isinf(best.high)) return out;
   const BoundedRotations near =
-      bounded_map(maps, {d, Real::from_double(rotation * value + rotation * margin::kBestOfAngles)});
+      bounded_map(maps, {d, Real::from_double(rotation * (best.high + margin::kBestOfAngles))});
   const RotationMap& bound = rotation > 0 ? near.low : near.high;
-  out.possible = plane::overlay(std::array<const RotationMap*, 2>{&bound, &within.outer},
-                                [rotation](std::span<const Mark> m) { return Mark(m[1] > 0 && rotation * m[0] <= 0); });
+  out.at = plane::overlay(std::array<const RotationMap*, 2>{&bound, &within.outer},
+                          [rotation](std::span<const Mark> m) { return Mark(m[1] > 0 && rotation * m[0] <= 0); });
   return out;
 }
 
@@ -155,21 +152,15 @@ SolvedAngles solve_angles(const RotationMaps& maps, const Formula& formula) {
 }
 
 BestAngles best_angles(const RotationMaps& maps, const Distance& d, const SolvedAngles& within, Sense sense) {
-  BestAngles out;
-  if (!within.outer && !maps.rotations_twice(d)) {
-    plane::RotationLeast best =
-        sense == Sense::kMinimum ? maps.least(d, within.angles) : maps.greatest(d, within.angles);
-    out.at.angles = std::move(best.at);
-    out.proven = !best.exists || best.proven;
-    out.attained = best.exists && best.attained;
-    if (best.exists) out.value = best.value.to_double();
-    return out;
-  }
-  BestRotation best = best_rotation(maps, d, {within.angles, within.outer ? *within.outer : within.angles}, sense);
-  out.value = best.value;
-  out.proven = best.none;
-  if (!best.none) out.bound = best.bound;
-  out.at = {RotationMap::uniform(0), std::move(best.possible)};
+  const bool exact = !within.outer && !maps.rotations_twice(d);
+  RotationOptimum best =
+      exact ? maps.best(d, within.angles, sense)
+            : enclosed_best(maps, d, {within.angles, within.outer ? *within.outer : within.angles}, sense);
+  BestAngles out{best, {}};
+  if (exact)
+    out.at = {std::move(best.at), std::nullopt};
+  else
+    out.at = {RotationMap::uniform(0), std::move(best.at)};
   return out;
 }
 

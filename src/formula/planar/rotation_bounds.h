@@ -25,14 +25,8 @@ struct SolvedAngles {
 };
 SolvedAngles solve_angles(const RotationMaps& maps, const Formula& formula);
 
-/// The least or greatest value over solved angles, and the angles that take it.
-struct BestAngles {
-  std::optional<double> value;  // in the scene's unit, or in degrees; nothing where there is none
-  bool attained = false;        // by an angle of the set
-  bool proven = false;
-  std::optional<double> bound;  // no angle has a better value; where that is not proven
-  SolvedAngles at;
-};
+/// The least or greatest value over solved angles in the scene's unit, or in degrees, and the angles that take it.
+using BestAngles = distance::OptimumOf<SolvedAngles>;
 BestAngles best_angles(const RotationMaps& maps, const Distance& distance, const SolvedAngles& within,
                        distance::Sense sense);
 

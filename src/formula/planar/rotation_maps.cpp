@@ -101,8 +101,8 @@ RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
   const Distance& d = wanted.distance;
   require_static(d);
   if (wanted.minimum) {
-    const plane::RotationLeast best = least(d, RotationMap::uniform(1));
-    return plane::remark(best.at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
+    const RotationMap all = RotationMap::uniform(1);
+    return plane::remark(best(d, all, distance::Sense::kMinimum).at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
   }
   if (d.mode == Mode::kRotation && !is_plain_level(wanted)) {
     if (rotations_twice(wanted)) refuse(d, "about another point than \"about\" names it is known between bounds only");
@@ -123,21 +123,14 @@ RotationMap RotationMaps::feasible(const Formula& formula) const {
   return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
 }
 
-plane::RotationLeast RotationMaps::least(const Distance& d, const RotationMap& within) const {
-  return plane::least_rotation(
-      [&](const Real& level) {
-        return sign_map({d, level});
-      },
-      within, step_of_values(world_, d));
-}
-
-plane::RotationLeast RotationMaps::greatest(const Distance& d, const RotationMap& within) const {
-  plane::RotationLeast best = plane::least_rotation(
-      [&](const Real& level) {
-        return plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
-      },
-      within, step_of_values(world_, d));
-  best.value = -best.value;
+distance::RotationOptimum RotationMaps::best(const Distance& d, const RotationMap& within,
+                                             distance::Sense sense) const {
+  const bool least = sense == distance::Sense::kMinimum;
+  const auto sign = [&](const Real& level) {
+    return least ? sign_map({d, level}) : plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
+  };
+  distance::RotationOptimum best = distance::least_rotation(sign, within, step_of_values(world_, d));
+  if (!least) best.negate();
   return best;
 }
 

@@ -8,8 +8,8 @@
 // orientation map.
 #pragma once
 
+#include "distance/rotation/rotation_least.h"
 #include "formula/planar/prepared_world.h"
-#include "plane/rotation/rotation_least.h"
 #include "plane/rotation/rotation_map.h"
 
 namespace findspace::formula {
@@ -28,10 +28,9 @@ class RotationMaps {
   plane::RotationMap sign_map(const SignMap& wanted) const;
   /// {angle : the formula holds}.
   plane::RotationMap feasible(const Formula& formula) const;
-  /// Where in a set of angles a distance is least; with its least value in the scene's unit, or in degrees.
-  plane::RotationLeast least(const Distance& distance, const plane::RotationMap& within) const;
-  /// Where it is greatest, likewise.
-  plane::RotationLeast greatest(const Distance& distance, const plane::RotationMap& within) const;
+  /// Where in a set of angles a distance is least or greatest; the value in the scene's unit, or in degrees.
+  distance::RotationOptimum best(const Distance& distance, const plane::RotationMap& within,
+                                 distance::Sense sense) const;
 
   /// The map of -, 0, + that a rotating distance about the centre is measured in.
   struct Contacts {

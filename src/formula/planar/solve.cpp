@@ -9,6 +9,7 @@
 #include "formula/planar/position_check.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/solve_rotation.h"
 #include "formula/planar/sums.h"
 #include "formula/planar/swing.h"
 
@@ -26,15 +27,21 @@ bool Solver::known_between_bounds(const Formula& formula) const {
   return has_sums(formula) || formula::rotations_in(prepared_, formula);
 }
 
+bool Solver::upright(const Formula& formula) const { return !world().motion.given() && has_rotations(formula); }
+
 Check Solver::check(const Formula& formula, const RealPoint& p) const {
+  if (upright(formula)) return RotationSolver(*this, {p, {}, {}}).check(formula);
   return check_at(prepared_, formula, prepared_.steps(p));
 }
 
 bool Solver::holds(const Formula& formula, const RealPoint& p) const {
+  if (upright(formula)) return check(formula, p).holds;
   return holds_at(prepared_, formula, prepared_.steps(p));
 }
 
 DistanceAt Solver::distance_at(const Distance& wanted, const RealPoint& p) const {
+  const Formula atom(compare(wanted, Relation::kGreaterEqual, exact::Real()));
+  if (upright(atom)) return check(atom, p).atoms.front().distance;
   return formula::distance_at(prepared_, wanted, prepared_.steps(p));
 }
 
@@ -42,8 +49,7 @@ std::vector<DistanceAt> Solver::measure(const RealPoint& p, const Formula& formu
   return measure_at(prepared_, prepared_.steps(p), formula);
 }
 
-exact::Tried<std::optional<NearestFeasible>> Solver::nearest_feasible(const Formula& formula,
-                                                                      const RealPoint& p) const {
+TriedNearest Solver::nearest_feasible(const Formula& formula, const RealPoint& p) const {
   return nearest_feasible_to(prepared_, formula, prepared_.steps(p));
 }
 

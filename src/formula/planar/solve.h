@@ -33,13 +33,13 @@ class Solver {
   /// feasible() is refused, feasible_bounds() is not (rotation_values.h, sums.h).
   bool known_between_bounds(const Formula& formula) const;
 
-  /// One position (position_check.h, measure.h, nearest_feasible.h).
+  /// One position (position_check.h, measure.h, nearest_feasible.h); of distances in rotation at rest with the moving
+  /// shape upright (solve_rotation.h).
   Check check(const Formula& formula, const exact::RealPoint& p) const;
   bool holds(const Formula& formula, const exact::RealPoint& p) const;
   DistanceAt distance_at(const Distance& wanted, const exact::RealPoint& p) const;
   std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {}) const;
-  exact::Tried<std::optional<NearestFeasible>> nearest_feasible(const Formula& formula,
-                                                                const exact::RealPoint& p) const;
+  TriedNearest nearest_feasible(const Formula& formula, const exact::RealPoint& p) const;
 
   /// One position over the time of a motion (instants.h, swing.h).
   plane::Section instants(const Formula& formula, const exact::RealPoint& p) const;
@@ -49,6 +49,9 @@ class Solver {
   SolvedInstants solve_instants(const Formula& formula, const exact::RealPoint& p) const;
 
  private:
+  /// A RotationSolver answers, at the angle 0.
+  bool upright(const Formula& formula) const;
+
   PreparedWorld prepared_;
 };
 

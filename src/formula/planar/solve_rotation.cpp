@@ -57,7 +57,7 @@ DistanceAt angle_answer(const Distance& d, double value) {
     answer.emplace();
     answer->way = distance::Way::kMap;
     answer->minus_infinity = std::isinf(value);
-    answer->proven = answer->minus_infinity || value == 0;
+    if (!answer->minus_infinity && value != 0) answer->set_unproven();
     if (!answer->minus_infinity) answer->value = Real::from_double(value);
     if (!answer->proven) answer->error = margin::kAngleValue * (std::abs(value) + 1);
   }
@@ -67,6 +67,11 @@ DistanceAt angle_answer(const Distance& d, double value) {
 }
 
 }  // namespace
+
+bool has_rotations(const Formula& formula) {
+  return std::any_of(formula.atoms().begin(), formula.atoms().end(),
+                     [](const Atom& a) { return a.distance.mode == Mode::kRotation; });
+}
 
 World rotated_world(World world, const RealPoint& about, const Real& degrees, plane::Rounding& rounding) {
   if (!is_grid(about))
@@ -148,12 +153,12 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
              maps.rotations_twice(d) ? distance::Way::kSearch : distance::Way::kAngles};
   const BestAngles best = best_angles(maps, d, {RotationMap::uniform(1), std::nullopt}, distance::Sense::kMinimum);
   std::optional<double> least_value;  // not proven
-  if (best.at.outer)
-    least_value = best.value.value_or(-std::numeric_limits<double>::infinity());
-  else if (best.value && best.proven)
+  if (best.exists() && best.proven())
     out.holds = mark_at(best.at.angles, exact::Angle::of_degrees(pose_.degrees)) > 0;
-  else
-    least_value = best.value;
+  else if (const auto value = best.value())
+    least_value = value->to_double();
+  else if (best.at.outer)
+    least_value = -std::numeric_limits<double>::infinity();
   const auto value = out.distance.value();
   if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
     refuse(d,

@@ -61,6 +61,9 @@ class RotationSolver {
   mutable plane::Rounding rounding_;
 };
 
+/// Whether some distance of the formula is one in rotation.
+bool has_rotations(const Formula& formula);
+
 /// The world with its moving shapes rotated about a point of the grid.
 World rotated_world(World world, const exact::RealPoint& about, const exact::Real& degrees, plane::Rounding& rounding);
 

@@ -4,7 +4,6 @@
 #include "formula/planar/sums.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -114,22 +113,6 @@ RegionBounds sum_region_bounds(const Solver& solver, const Formula& formula) {
     maps.push_back(std::move(signs.high));
   }
   return in(plain, others, maps);
-}
-
-bool same_sets(const RegionBounds& bounds) {
-  const std::array<const plane::Region*, 2> both{&bounds.outer, &bounds.inner};
-  return plane::is_empty(plane::subtract(both));
-}
-
-plane::Region exact_region(const Solver& solver, const Formula& formula) {
-  if (!has_sums(formula)) return feasible_near(solver, formula);
-  RegionBounds bounds = sum_region_bounds(solver, formula);
-  if (!same_sets(bounds))
-    throw Error(
-        ErrorCode::kUnsupported,
-        "distances are compared along a curve that is neither a line with a direction in integers nor a circle: the "
-        "region is known between two sets only");
-  return std::move(bounds.inner);
 }
 
 }  // namespace findspace::formula

@@ -30,10 +30,4 @@ double reach_of(const PreparedWorld& world, std::span<const SumTerm> terms);
 /// Precondition: no shape rotates. Over unbounded positions nothing is certain beyond a window about all shapes.
 RegionBounds sum_region_bounds(const Solver& solver, const Formula& formula);
 
-/// Whether no position belongs to the outer set alone.
-bool same_sets(const RegionBounds& bounds);
-
-/// {p : the formula holds at p}; also where sums are compared, if it is known exactly, else throws Error(kUnsupported).
-plane::Region exact_region(const Solver& solver, const Formula& formula);
-
 }  // namespace findspace::formula

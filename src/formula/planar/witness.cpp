@@ -23,7 +23,7 @@ double away(const Region& r, const RealPoint& at, bool inside) {
   return n ? n->distance.to_double() : std::numeric_limits<double>::infinity();
 }
 
-/// Ends of arcs where a circle was only cut into halves are no vertices.
+/// Ends of arcs where a circle was only cut into halves are not vertices.
 bool is_joint(const Region& r, Index v) {
   Index h = r.vertices[v].out;
   if (h == plane::kNone) return false;

@@ -21,7 +21,7 @@ struct ContainerPart {
   bool without = false;  // B has to keep out of it, not to lie in it
 };
 
-/// The shape itself where it is no difference or intersection (or one of a closure or regularization of such).
+/// The shape itself where it is not a difference or intersection (or one of a closure or regularization of such).
 std::vector<ContainerPart> container_parts(const plane::ShapePtr& shape);
 
 }  // namespace findspace::formula

@@ -64,8 +64,8 @@ std::optional<std::size_t> axis_of(Objective::Kind kind) {
 
 }  // namespace
 
-OptimumOf<BoxComplex> optimize(const BoxComplex& region, const Real& step, const Objective& objective,
-                               distance::Sense sense) {
+distance::OptimumOf<BoxComplex> optimize(const BoxComplex& region, const Real& step, const Objective& objective,
+                                         distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const std::vector<space::IntervalBox> boxes = region.boxes();
   const auto axis = axis_of(objective.kind);
@@ -75,10 +75,9 @@ OptimumOf<BoxComplex> optimize(const BoxComplex& region, const Real& step, const
   if (!axis)
     for (std::size_t k = 0; k < 3; ++k) p[k] = objective.point.at(k) / step;
   const Best best = axis ? last_plane(boxes, *axis, greatest) : nearest_points(boxes, p);
-  OptimumOf<BoxComplex> out;
-  out.unbounded = best.unbounded;
+  auto out = distance::no_optimum<BoxComplex>(sense, best.unbounded);
   if (!best.value) return out;
-  out.value = *best.value * step;
+  out.set_exact(*best.value * step, distance::Way::kBoxes);
   const auto within = [&](const BoxComplex& set) {
     return overlay(std::array<const BoxComplex*, 2>{&set, &best.at},
                    [](std::span<const Mark> m) { return Mark(m[0] && m[1]); })

@@ -30,13 +30,13 @@ ConvexRegion end_of(ConvexRegion region, std::size_t axis, bool greatest, Real& 
 
 }  // namespace
 
-std::optional<OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set, const Real& step,
-                                                    const Objective& objective, distance::Sense sense) {
+std::optional<distance::OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set, const Real& step,
+                                                              const Objective& objective, distance::Sense sense) {
   const bool greatest = sense == distance::Sense::kMaximum;
   const bool solid = set.region.dimension() == 3, held = set.frontier || (solid && set.inside);
   if (set.outside || set.radius.sign() > 0) return std::nullopt;
   // A frontier alone has the extrema of the whole.
-  OptimumOf<space::ConvexSet> out{{}, {ConvexRegion({}, {}), false, true, false, {}}};
+  auto out = distance::no_optimum<space::ConvexSet>(sense, false, {ConvexRegion({}, {}), false, true, false, {}});
   if (set.region.empty() || !held) {
     out.at.frontier = false;
     return out;
@@ -47,7 +47,7 @@ std::optional<OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set,
     const std::size_t axis = objective.kind == Kind::kX ? 0 : objective.kind == Kind::kY ? 1 : 2;
     Real value;
     out.at.region = end_of(set.region, axis, greatest, value);
-    out.value = value * step;
+    out.set_exact(value * step, distance::Way::kConvex);
     return out;
   }
   if (objective.kind != Kind::kDistanceToPoint || greatest) return std::nullopt;
@@ -59,7 +59,7 @@ std::optional<OptimumOf<space::ConvexSet>> optimize(const space::ConvexSet& set,
   const auto planes = set.region.planes();
   out.attained |= std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) { return h.value(*q).sign() < 0; });
   const RealVector off = space::minus(*q, p);
-  out.value = sqrt(space::dot(off, off)) * step;
+  out.set_exact(sqrt(space::dot(off, off)) * step, distance::Way::kConvex);
   out.at.region = ConvexRegion(*q, *q);
   return out;
 }

@@ -68,18 +68,26 @@ Real value_at(const Objective& objective, const SpaceLine& line, const Real& ste
   return sqrt(space::dot(off, off));
 }
 
+/// The value as far as a set on that side of the true one tells it.
+void set_value(LineOptimum& out, const Real& value, Side side) {
+  if (side == Side::kExact) return out.set_exact(value, distance::Way::kLines);
+  if (side == Side::kInner) return out.set_enclosed(value, std::nullopt, distance::Way::kLines);
+  out.set_nearby(value, side == Side::kOuter ? std::optional(value) : std::nullopt, distance::Way::kLines);
+  out.attained = false;
+}
+
 }  // namespace
 
 LineOptimum optimize(const std::vector<LineInterval>& set, const SpaceLine& line, const Real& step,
-                     const Objective& objective, distance::Sense sense) {
+                     const Objective& objective, distance::Sense sense, Side side) {
   const OnLine f = on_line(objective, line, step);
   const int way = sense == distance::Sense::kMaximum ? -1 : 1;
-  LineOptimum out;
+  auto out = distance::no_optimum<std::vector<LineInterval>>(sense);
   if (set.empty()) return out;
   if (!f.projection && f.rate.sign() == 0) {  // the same everywhere
-    out.value = value_at(objective, line, step, Real());
     out.attained = true;
     out.at = set;
+    set_value(out, value_at(objective, line, step, Real()), side);
     return out;
   }
   std::vector<LinePlace> places;
@@ -98,7 +106,7 @@ LineOptimum optimize(const std::vector<LineInterval>& set, const SpaceLine& line
   for (const LinePlace& p : places) {
     if (out.at.empty() || !(*out.at.back().from == p.t)) out.at.push_back({p.t, p.t, true, true});
   }
-  out.value = value_at(objective, line, step, best.t);
+  set_value(out, value_at(objective, line, step, best.t), side);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/margins/formula.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/base/subdivide.h"
 
@@ -196,6 +197,30 @@ std::optional<RayBest> best_on_lines(std::vector<RayInterval> intervals, bool gr
   std::stable_sort(intervals.begin(), intervals.end(),
                    [](const RayInterval& a, const RayInterval& b) { return a.axis < b.axis; });
   return Search(std::move(intervals), greatest ? -1 : 1, value).run();
+}
+
+distance::OptimalValue best_over_region(const RayBest& found, distance::Sense sense, const LinesOfRegion& lines,
+                                        double step) {
+  const auto real = [step](double v) { return exact::Real::from_double(v * step); };
+  distance::OptimalValue out;
+  out.sense = sense;
+  if (!std::isfinite(found.value)) {  // -infinity there
+    out.unbounded = true;
+    return out;
+  }
+  const double radius = lines.cell_radius.to_double() * margin::kUpward;
+  std::optional<exact::Real> bound;
+  if (lines.cells == Side::kOuter && std::isfinite(found.bound))
+    bound = real(out.maximum() ? found.bound + radius : found.bound - radius);
+  const bool certain =
+      lines.cells != Side::kOuter && (lines.on_lines == Side::kExact || lines.on_lines == Side::kInner);
+  if (certain)
+    out.set_enclosed(real(found.value), std::move(bound), distance::Way::kLines);
+  else
+    out.set_nearby(real(found.value), std::move(bound), distance::Way::kLines);
+  out.attained = certain && found.attained;
+  for (const double c : found.at) out.answer->at.push_back(real(c));
+  return out;
 }
 
 }  // namespace findspace::formula

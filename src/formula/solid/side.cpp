@@ -6,8 +6,6 @@
 
 namespace findspace::formula {
 
-Side both(Side a, Side b) { return a == Side::kExact || a == b ? b : b == Side::kExact ? a : Side::kMixed; }
-
 Side side_of_search(const Formula& formula, const std::vector<bool>& searched) {
   Side side = Side::kExact;
   each_atom(formula.root(), false, [&](std::size_t k, bool negated) {
@@ -16,21 +14,6 @@ Side side_of_search(const Formula& formula, const std::vector<bool>& searched) {
     side = both(side, holds(atom, 0) != negated ? Side::kOuter : Side::kInner);
   });
   return side;
-}
-
-std::string_view name(Side side) {
-  switch (side) {
-    case Side::kExact:
-      return "exact";
-    case Side::kInner:
-      return "inner";
-    case Side::kOuter:
-      return "outer";
-    case Side::kMixed:
-      return "mixed";
-    default:
-      return "none";
-  }
 }
 
 }  // namespace findspace::formula

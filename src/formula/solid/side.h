@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// On which side of the true set a set may lie whose sign maps are 0 near their levels as well as at them. Keywords:
-// inner and outer approximation.
+// On which side of the true set a set may lie (distance/answer/side.h) whose sign maps are 0 near their levels as well
+// as at them. Keywords: inner and outer approximation.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
+#include "distance/answer/side.h"
 #include "formula/language/formula.h"
 
 namespace findspace::formula {
 
-/// kNone: nothing is claimed.
-enum class Side { kExact, kInner, kOuter, kMixed, kNone };
-std::string_view name(Side side);
-Side both(Side a, Side b);
+using distance::both;
+using distance::name;
+using distance::Side;
 
 /// `searched`: for each sign map of the formula whether a search tells it.
 Side side_of_search(const Formula& formula, const std::vector<bool>& searched);

@@ -41,7 +41,7 @@ Refusal no_map(const SignMap& map, const std::string& why) {
   return Refusal(written(map.distance) + " has no ray map here: " + why);
 }
 
-/// All solids of the names; nothing where one of them is no union of solids.
+/// All solids of the names; nothing where one of them is not a union of solids.
 std::optional<std::vector<RaySolid>> solids(const RayWorld& world, const std::vector<std::string>& names) {
   std::vector<RaySolid> all;
   for (const std::string& name : names) {

@@ -31,7 +31,7 @@ namespace findspace::formula {
 class RayShape {
  public:
   explicit RayShape(plane::ShapePtr shape) : shape_(std::move(shape)) {}
-  /// Null where the shape is no union of solids.
+  /// Null where the shape is not a union of solids.
   const std::vector<space::RaySolid>* solids() const;
   /// Refused for shapes that have none.
   exact::Tried<const space::Body*> try_body() const;
@@ -72,7 +72,7 @@ struct RegionOnLines {
 exact::Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 RegionOnLines ray_region(const RayWorld& world, const Formula& formula, const space::RayGrid& grid);
 
-/// The one line along an axis through p; nothing where its coordinates are no fractions of small denominators.
+/// The one line along an axis through p; nothing where its coordinates are not fractions of small denominators.
 std::optional<space::RayGrid> grid_through(const space::RealVector& p, int axis);
 
 /// The signs of one sign map along a line.

@@ -26,7 +26,7 @@ struct SpaceRegion {
   distance::Way way = distance::Way::kLines;  // kBoxes, kConvex, or lines have to give it
   space::BoxComplex boxes;                    // in grid steps
   std::optional<SpaceSolver::ConvexMap> convex;
-  std::optional<OptimalValue> extreme;  // of the objective, or of the formula's `-> min`
+  std::optional<distance::OptimalValue> extreme;  // of the objective, or of the formula's `-> min`
 };
 
 /// The positions of the formula, the best ones of an objective.

@@ -309,18 +309,18 @@ SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const Space
   return {overlay_sections(all, rule), side_of_search(formula, searched)};
 }
 
-std::optional<OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const Formula& formula) const {
+std::optional<distance::OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const Formula& formula) const {
   for (const SignMap& m : formula.sign_maps()) {
     if (!m.minimum) continue;
-    OptimumOf<BoxComplex> out;
+    distance::OptimumOf<BoxComplex> out;
     // An infimum that no position takes is decided as well.
     if (is_directional(m.distance)) {
       if (const auto infimum = directional_least(*space_, m.distance).or_throw())
-        out.value = infimum->value * space_->world.step;
+        out.set_exact(infimum->value * space_->world.step, distance::Way::kBoxes);
     }
     BoxPair::Least found = least(*space_, m.distance).or_throw();
     if (!found.at.empty()) {
-      out.value = found.value * space_->world.step;
+      out.set_exact(found.value * space_->world.step, distance::Way::kBoxes);
       out.attained = true;
     }
     out.at = std::move(found.at);

@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
+#include "distance/answer/optimum.h"
 #include "distance/planar_least/extremum.h"
 #include "distance/solid/box_pair.h"
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
-#include "formula/language/optimum.h"
 #include "formula/language/position_answers.h"
 #include "formula/solid/lazy_body.h"
 #include "formula/solid/side.h"
@@ -94,7 +94,7 @@ class SpaceSolver {
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
   OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;
   /// The first `distance -> min` of the formula, if it has one.
-  std::optional<OptimumOf<space::BoxComplex>> minimum_of(const Formula& formula) const;
+  std::optional<distance::OptimumOf<space::BoxComplex>> minimum_of(const Formula& formula) const;
   /// The least value of a distance over all positions, as far as it is known; nothing where it is undefined. In the
   /// scene's unit.
   std::optional<distance::Answer> nearly_least(const Distance& distance) const;
@@ -106,13 +106,12 @@ class SpaceSolver {
   std::unique_ptr<const PreparedSpace> space_;
 };
 
-/// `p` in the scene's unit. Nothing if there is none, or the region is neither made of boxes nor a convex polytope and
-/// contacts do not decide.
-std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
-                                                const space::RealVector& p);
+/// `p` in the scene's unit. Refused where the region is neither made of boxes nor a convex polytope and contacts do not
+/// decide.
+TriedNearest nearest_feasible(const SpaceSolver& solver, const Formula& formula, const space::RealVector& p);
 
 /// Of x, y, z or the distance to a point over a region of boxes; `step` as SpaceWorld::step.
-OptimumOf<space::BoxComplex> optimize(const space::BoxComplex& region, const exact::Real& step,
-                                      const Objective& objective, distance::Sense sense);
+distance::OptimumOf<space::BoxComplex> optimize(const space::BoxComplex& region, const exact::Real& step,
+                                                const Objective& objective, distance::Sense sense);
 
 }  // namespace findspace::formula

@@ -116,12 +116,13 @@ Tried<std::optional<distance::Answer>> convex_directional_least(const PreparedSp
   if (zero->region.empty()) return std::nullopt;
   const Real unit = prepared.world.step / zero->scale;
   if (zero->region.dimension() < 3)
-    return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at));
+    return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at),
+                                  distance::Way::kConvex);
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
   const space::LongestChord chord = longest_chord(zero->region, direction);
   if (d.mode != Mode::kAlong || !chord.inside) return refused(wanted, kNotTaken);
   const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
-  return distance::least_answer(value, value, true, space::scaled(unit, chord.middle));
+  return distance::least_answer(value, value, true, space::scaled(unit, chord.middle), distance::Way::kConvex);
 }
 
 }  // namespace
@@ -165,7 +166,7 @@ Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSp
     at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
   }
   const Real value = found->value * prepared.world.step;
-  return distance::least_answer(value, value, true, space::scaled(prepared.world.step, at));
+  return distance::least_answer(value, value, true, space::scaled(prepared.world.step, at), distance::Way::kBoxes);
 }
 
 /// Whether the value at p is the least.

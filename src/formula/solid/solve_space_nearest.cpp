@@ -49,26 +49,33 @@ std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Fo
 
 }  // namespace
 
-std::optional<NearestFeasible> nearest_feasible(const SpaceSolver& solver, const Formula& formula,
-                                                const RealVector& p) {
+TriedNearest nearest_feasible(const SpaceSolver& solver, const Formula& formula, const RealVector& p) {
+  const exact::Refusal not_computed(
+      "the region is neither made of boxes nor a convex polytope, and the contacts near the position do not decide");
   const exact::Real& step = solver.world().step;
   Objective to_p;
   to_p.kind = Objective::Kind::kDistanceToPoint;
   to_p.point = {p[0], p[1], p[2]};
   if (const auto boxes = solver.try_feasible(formula)) {
     const auto best = optimize(*boxes, step, to_p, distance::Sense::kMinimum);
-    if (!best.value) return std::nullopt;
+    if (!best.exists()) return std::optional<NearestFeasible>();
     const space::IntervalBox at = best.at.boxes().at(0);  // a point
-    return NearestFeasible{distance::coordinates(space::scaled(step, {*at[0].from, *at[1].from, *at[2].from})),
-                           *best.value, best.attained};
+    return std::optional(
+        NearestFeasible{distance::coordinates(space::scaled(step, {*at[0].from, *at[1].from, *at[2].from})),
+                        *best.value(), best.attained});
   }
   const auto convex = solver.feasible_convex(formula);
-  if (!convex || !*convex) return from_contacts(solver, formula, p);
+  if (!convex || !*convex) {
+    if (auto near = from_contacts(solver, formula, p)) return near;
+    return not_computed;
+  }
   const SpaceSolver::ConvexMap& map = **convex;
   const auto best = optimize(map.set, map.step, to_p, distance::Sense::kMinimum);
-  if (!best || !best->value) return std::nullopt;
-  return NearestFeasible{distance::coordinates(space::scaled(map.step, best->at.region.vertices().front().at)),
-                         *best->value, best->attained};
+  if (!best) return not_computed;
+  if (!best->exists()) return std::optional<NearestFeasible>();
+  return std::optional(
+      NearestFeasible{distance::coordinates(space::scaled(map.step, best->at.region.vertices().front().at)),
+                      *best->value(), best->attained});
 }
 
 }  // namespace findspace::formula

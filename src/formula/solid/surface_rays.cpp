@@ -41,7 +41,7 @@ std::unique_ptr<RaySource> gap(const RaySolid& b, const RaySolid& a, const Real&
     return level.sign() > 0 && many ? space::clearance_rays(a.surface, b.surface, level, grid) : nullptr;
   }
   const Real radius = (b.ball() ? b.radius : a.radius) + level;
-  // Deeper than the surface the positions are no body grown by a ball.
+  // Deeper than the surface the positions are not a body grown by a ball.
   if (level.sign() < 0 || radius.sign() <= 0) return nullptr;
   // |c + p - x| for x in a, or |c - p - x| for x in b: the distance of p to a - c, or to c - b.
   return std::make_unique<BallRays>(

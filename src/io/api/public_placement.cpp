@@ -13,6 +13,7 @@ std::string Placement::json() const {
     return std::visit(
         [&](const auto& f) { return io::placement_json(io::placement_result(problem, f), step, data_->unit); }, found);
   };
+  if (!data_->in_plane && !data_->in_space) return data_->told.json;
   return data_->in_plane ? written(data_->planar, *data_->in_plane, data_->planar.world.step)
                          : written(data_->solid, *data_->in_space, data_->solid.step);
 }
@@ -37,6 +38,7 @@ std::string Placement::svg() const {
     picture.fixed = io::standing_still(problem, data_->names);
     return std::visit([&](const auto& f) { return io::placement_svg(problem, poses_of(f), picture); }, found);
   };
+  if (!data_->in_plane && !data_->in_space) return data_->told.svg;
   return data_->in_plane ? drawn(data_->planar, *data_->in_plane) : drawn(data_->solid, *data_->in_space);
 }
 

@@ -44,7 +44,8 @@ struct Part {
 
 /// Where parts must not be.
 struct KeepOut {
-  std::string name;
+  std::string part;  // whose footprint it belongs to; empty of the board
+  std::string name;  // that no other has
   Sides sides;
   plane::ShapePtr area;
 };
@@ -62,10 +63,17 @@ struct Hole {
   plane::ShapePtr shape;
 };
 
+/// Footprints that the board's designer grouped.
+struct PartGroup {
+  std::string name;
+  std::vector<std::string> parts;  // in the order of the file
+};
+
 struct Board {
   std::string file;  // as messages call it
   plane::ShapePtr outline;
   std::vector<Part> parts;
+  std::vector<PartGroup> groups;  // each with a part at least, names once each
   std::vector<KeepOut> keep_outs;
   std::vector<Copper> tracks, vias, zones;
   std::vector<Hole> holes;

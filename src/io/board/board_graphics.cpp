@@ -105,7 +105,11 @@ void Graphics::arc_about(const Sexpr& item, const Affine& map) {
   piece.radius = radius;
   piece.large = compare(abs(degrees), Real(180)) > 0;
   piece.ccw = degrees.sign() > 0;
-  if (piece.from != piece.to) pieces_.push_back(piece);
+  const bool meets = std::abs(piece.from.x - piece.to.x) <= gap_ && std::abs(piece.from.y - piece.to.y) <= gap_;
+  if (piece.large && meets)
+    circles_.push_back({map.x_of(cx, cy), map.y_of(cx, cy), radius});  // its own ends are joined
+  else if (piece.from != piece.to)
+    pieces_.push_back(piece);
 }
 
 void Graphics::circle(const Sexpr& item, const Affine& map) {
@@ -215,6 +219,12 @@ void Graphics::drop_doubles() {
                 [&](const Piece& p) { return p.kind != Piece::Kind::kRadius && !known.insert(key(p)).second; });
 }
 
+/// Whether its own ends may be joined: it goes round something.
+bool Graphics::may_close(const Piece& piece) const {
+  if (piece.kind != Piece::Kind::kThrough) return false;
+  return std::abs(piece.through.x - piece.from.x) > gap_ || std::abs(piece.through.y - piece.from.y) > gap_;
+}
+
 /// Pairs of ends that meet no other end, each with the nearest such end within the gap.
 std::map<std::size_t, std::size_t> Graphics::partners() const {
   std::map<GridPoint, int> count;
@@ -228,6 +238,7 @@ std::map<std::size_t, std::size_t> Graphics::partners() const {
     std::size_t best = open[i];
     std::int64_t least = gap_ * gap_ + 1;
     for (std::size_t j = i + 1; j < open.size(); ++j) {
+      if (open[i] / 2 == open[j] / 2 && !may_close(pieces_[open[i] / 2])) continue;
       const std::int64_t dx = end(open[j]).x - end(open[i]).x, dy = end(open[j]).y - end(open[i]).y;
       if (std::abs(dx) > gap_ || std::abs(dy) > gap_ || dx * dx + dy * dy >= least || out.count(open[j]) > 0) continue;
       best = open[j];
@@ -328,7 +339,10 @@ std::optional<std::vector<plane::ShapePtr>> Graphics::closed(const std::string& 
       open_end_ = chain.edges.front().start;
       return std::nullopt;
     }
-    return parts_of(std::move(drawing), context_, place);
+    std::vector<plane::ShapePtr> parts = parts_of(std::move(drawing), context_, place);
+    if (!parts.empty()) return parts;
+    if (!pieces_.empty()) open_end_ = pieces_.front().from;  // nothing but pieces shorter than the gap
+    return std::nullopt;
   } catch (const Error& e) {
     throw e.within(place);
   }

@@ -46,7 +46,7 @@ class Graphics {
  public:
   explicit Graphics(ReadContext& context, std::int64_t gap = kGap) : context_(context), gap_(gap) {}
 
-  /// Draws an item such as (fp_line ...) or (gr_arc ...) through the map. False: it is no graphic item.
+  /// Draws an item such as (fp_line ...) or (gr_arc ...) through the map. False: it is not a graphic item.
   bool add(const Sexpr& item, const Affine& map);
   /// The chain of points in (pts ...) of the item, closed.
   void add_polygon(const Sexpr& item, const Affine& map);
@@ -56,7 +56,7 @@ class Graphics {
   /// The box about it.
   Extent extent() const;
 
-  /// Closed outlines as shapes, nested by the even-odd rule; nothing where an end stays open.
+  /// Closed outlines as shapes, nested by the even-odd rule; nothing where an end stays open or no area is left.
   std::optional<std::vector<plane::ShapePtr>> closed(const std::string& place);
   /// Closed outlines as the area in them if `area`, else all as curves.
   plane::ShapePtr filled(const std::string& place, bool area);
@@ -80,6 +80,7 @@ class Graphics {
   void rectangle(const Sexpr& item, const Affine& map);
   void curve(const Sexpr& item, const Affine& map);
   void drop_doubles();
+  bool may_close(const Piece& piece) const;
   std::map<std::size_t, std::size_t> partners() const;
   void join_ends();
   /// The first end of a piece at twice its index, and its second one.

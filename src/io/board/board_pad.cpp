@@ -95,7 +95,7 @@ void draw_rounded(const Sexpr& pad, const Size& size, Placed& out) {
   radius.sign() == 0 ? draw_corners(size, {}, out) : draw_round(size, radius, out);
 }
 
-/// The outline of a pad that is no custom one, or of the anchor of one.
+/// The outline of a pad that is not a custom one, or of the anchor of one.
 void draw_outline(const Sexpr& pad, const std::string& kind, const Size& size, Placed& out) {
   if (kind == "circle") return out.circle(0, 0, size.x / Real(2));
   if (kind == "rect") return draw_corners(size, {}, out);

@@ -53,11 +53,14 @@ class SceneMaker {
     scene_.unit = Unit::kMillimetre;
     scene_.notes = board_.notes;
     scene_.y_down = scene_.named_only = true;
+    name_groups();
+    find_fixed();
     find_movers();
     add("board", board_.outline);
     for (const Part& part : board_.parts) add_part(part);
     add_lists();
     add_copper();
+    add_groups();
     if (question_.place) {
       add_placement();
       return std::move(scene_);
@@ -77,36 +80,112 @@ class SceneMaker {
     return text.empty() ? FormulaText{} : FormulaText{text, option, 1, 1};
   }
 
-  void find_movers() {
+  /// Those of the board under names that nothing else has, and those of the question.
+  void name_groups() {
+    std::set<std::string> taken{"board", "self", "other", "others", "parts", "smd",    "tht",
+                                "front", "back", "fixed", "holes",  "vias",  "tracks", "keepouts"};
+    for (const Part& part : board_.parts) {
+      taken.insert(part.name);
+      for (const Pad& pad : part.pads) taken.insert(pad.name);
+    }
+    const auto is_taken = [&](const std::string& name) {
+      return taken.count(name) > 0 || name.rfind("net ", 0) == 0 || name.rfind("zone ", 0) == 0 ||
+             name.ends_with(".Cu");
+    };
+    for (PartGroup group : board_.groups) {
+      while (is_taken(group.name))
+        group.name = group.name.ends_with(".Cu") ? group.name + " group" : "group " + group.name;
+      groups_.push_back(std::move(group));
+      taken.insert(groups_.back().name);
+    }
+    for (const PartGroup& group : question_.groups) {
+      if (is_taken(group.name) || !taken.insert(group.name).second)
+        throw Error(ErrorCode::kBadValue, fmt::format("the group '{}' needs a name of its own", group.name),
+                    board_.file);
+      PartGroup members{group.name, {}};
+      for (const std::string& name : group.parts)
+        for (const Part* part : named_parts(name))
+          if (std::find(members.parts.begin(), members.parts.end(), part->name) == members.parts.end())
+            members.parts.push_back(part->name);
+      groups_.push_back(std::move(members));
+    }
+  }
+
+  const PartGroup* find_group(const std::string& name) const {
+    const auto found = std::find_if(groups_.begin(), groups_.end(), [&](const PartGroup& g) { return g.name == name; });
+    return found == groups_.end() ? nullptr : &*found;
+  }
+
+  /// The part of that name, or the parts of the group.
+  std::vector<const Part*> named_parts(const std::string& name) const {
+    if (const Part* part = board_.find(name); part != nullptr && part->body) return {part};
+    if (const PartGroup* group = find_group(name)) {
+      std::vector<const Part*> out;
+      for (const std::string& member : group->parts) out.push_back(board_.find(member));
+      return out;
+    }
     std::vector<std::string> names;
     for (const Part& part : board_.parts)
       if (part.body) names.push_back(part.name);
+    for (const PartGroup& group : groups_) names.push_back(group.name);
+    throw Error(ErrorCode::kUnknownName,
+                fmt::format("there is no part or group '{}'{}", name, choice("parts", name, names)), board_.file);
+  }
+
+  void find_fixed() {
+    for (const std::string& name : question_.fixed)
+      for (const Part* part : named_parts(name)) fixed_.insert(part);
+  }
+
+  bool is_fixed(const Part& part) const { return part.locked || fixed_.count(&part) > 0; }
+
+  void check_free(const Part& part) {
+    if (fixed_.count(&part) > 0)
+      throw Error(ErrorCode::kBadValue, fmt::format("the part '{}' is fixed, and it is to move", part.name),
+                  board_.file);
+    if (!part.locked) return;
+    if (question_.place)
+      throw Error(ErrorCode::kBadValue, fmt::format("the part '{}' is fixed: it is locked in the board", part.name),
+                  board_.file);
+    scene_.notes.push_back(fmt::format("{} is locked in the board: place does not move it", part.name));
+  }
+
+  void find_movers() {
     for (const std::string& name : question_.move) {
-      const Part* part = board_.find(name);
-      if (part == nullptr || !part->body)
-        throw Error(ErrorCode::kUnknownName, fmt::format("there is no part '{}'{}", name, choice("parts", name, names)),
-                    board_.file);
-      movers_.insert(part);
-      if (scene_.moving_name.empty()) anchor_ = part->at;
+      const std::vector<const Part*> parts = named_parts(name);
+      for (const Part* part : parts) {
+        if (movers_.empty()) anchor_ = part->at;
+        if (!movers_.emplace(part, parts.front()->at).second) {
+          if (!question_.place) continue;
+          throw Error(ErrorCode::kBadValue, fmt::format("the part '{}' is to be placed twice", part->name),
+                      board_.file);
+        }
+        add_mover(*part);
+      }
       scene_.moving_name += (scene_.moving_name.empty() ? "" : ", ") + name;
-      sides_.front = sides_.front || part->courtyard.front;
-      sides_.back = sides_.back || part->courtyard.back;
-      if (part->unlike)
-        scene_.notes.push_back(
-            fmt::format("{}: its courtyards on the two sides differ; their union is taken on both", name));
     }
     scene_.drawn_at = {anchor_.x, anchor_.y, 0};
   }
 
-  /// One part after another, each at a point of the grid; pads move along where a formula names them.
+  void add_mover(const Part& part) {
+    check_free(part);
+    sides_.front = sides_.front || part.courtyard.front;
+    sides_.back = sides_.back || part.courtyard.back;
+    if (part.unlike)
+      scene_.notes.push_back(
+          fmt::format("{}: its courtyards on the two sides differ; their union is taken on both", part.name));
+  }
+
+  /// One part or group after another, each at a point of the grid; pads move along where a formula names them.
   void add_placement() {
     Placement& place = scene_.place;
     for (const std::string& name : question_.move) {
-      const Part& part = *board_.find(name);
-      if (part.locked) throw Error(ErrorCode::kBadValue, fmt::format("the part '{}' is locked", name), board_.file);
-      PlacedBody body{name, {name}, {}, 1};
-      for (const std::string& pad : scene_.moving)
-        if (pad.rfind(name + ".", 0) == 0 && is_mentioned(pad)) body.shapes.push_back(pad);
+      PlacedBody body{name, {}, {}, 1};
+      const std::vector<const Part*> parts = named_parts(name);
+      for (const Part* part : parts) body.shapes.push_back(part->name);
+      for (const Part* part : parts)
+        for (const std::string& pad : scene_.moving)
+          if (pad.rfind(part->name + ".", 0) == 0 && is_mentioned(pad)) body.shapes.push_back(pad);
       for (const exact::Real& a : question_.angles) body.angles.push_back(-a);
       if (body.angles.empty()) body.angles = {exact::Real(0)};
       place.bodies.push_back(std::move(body));
@@ -130,9 +209,10 @@ class SceneMaker {
   /// A part and its pads; pads of one name are one shape.
   void add_part(const Part& part) {
     if (!part.body) return;
-    const bool moves = movers_.count(&part) > 0;
+    const auto mover = movers_.find(&part);
+    const bool moves = mover != movers_.end();
     const auto put = [&](const std::string& name, const ShapePtr& shape) {
-      add(name, moves ? at_origin(shape, question_.place ? part.at : anchor_) : shape);
+      add(name, moves ? at_origin(shape, question_.place ? mover->second : anchor_) : shape);
       if (moves) scene_.moving.push_back(name);
     };
     put(part.name, part.body);
@@ -151,11 +231,13 @@ class SceneMaker {
   void add_lists() {
     std::vector<ShapePtr> keep_outs, here;
     for (const KeepOut& k : board_.keep_outs) {
+      if (!k.part.empty() && movers_.count(board_.find(k.part)) > 0) continue;
       keep_outs.push_back(named(k.area, k.name));
       if (k.sides.meet(sides_)) here.push_back(keep_outs.back());
     }
     std::vector<ShapePtr> others = fixed([&](const Part& p) { return p.courtyard.meet(sides_); });
-    for (const ShapePtr& part : others) scene_.all_shapes.push_back(part->name);
+    scene_.all_shapes.emplace();
+    for (const ShapePtr& part : others) scene_.all_shapes->push_back(part->name);
     others.insert(others.end(), here.begin(), here.end());
     add_list("others", std::move(others));
     add_parts("parts", [](const Part&) { return true; });
@@ -163,7 +245,8 @@ class SceneMaker {
     add_parts("tht", [](const Part& p) { return p.through; });
     add_parts("front", [](const Part& p) { return p.mounted.front; });
     add_parts("back", [](const Part& p) { return p.mounted.back; });
-    add_parts("locked", [](const Part& p) { return p.locked; });
+    add_parts("fixed", [&](const Part& p) { return is_fixed(p); });
+    keep_outs_ = keep_outs;
     add_list("keepouts", std::move(keep_outs));
     std::vector<ShapePtr> holes;
     for (const Hole& hole : board_.holes)
@@ -202,10 +285,41 @@ class SceneMaker {
     for (auto& [name, shapes] : by_name) add_list(name, std::move(shapes));
   }
 
+  /// A group as the list of its parts that stand still, or the union that moves; then the keep-outs by their names.
+  void add_groups() {
+    for (const PartGroup& group : groups_) {
+      const bool is_body = std::find(question_.move.begin(), question_.move.end(), group.name) != question_.move.end();
+      if (question_.place && is_body) continue;  // its name is that of a body
+      const auto among = [&](const Part& p) {
+        return std::find(group.parts.begin(), group.parts.end(), p.name) != group.parts.end();
+      };
+      const bool whole = std::all_of(group.parts.begin(), group.parts.end(),
+                                     [&](const std::string& p) { return movers_.count(board_.find(p)) > 0; });
+      if (question_.place || !whole)
+        add_parts(group.name, among);
+      else
+        add_moving(group);
+    }
+    for (const ShapePtr& k : keep_outs_) add_list(k->name, {k});
+  }
+
+  void add_moving(const PartGroup& group) {
+    if (names_.count(group.name) > 0) return;
+    std::vector<ShapePtr> shapes;
+    for (const std::string& name : group.parts)
+      shapes.push_back(named(at_origin(board_.find(name)->body, anchor_), name));
+    scene_.groups[group.name] = group.parts;
+    add(group.name, list_of(std::move(shapes), group.name));
+    scene_.moving.push_back(group.name);
+  }
+
   const Board& board_;
   const BoardQuestion& question_;
   Scene scene_;
-  std::set<const Part*> movers_;
+  std::vector<PartGroup> groups_;
+  std::vector<ShapePtr> keep_outs_;
+  std::set<const Part*> fixed_;
+  std::map<const Part*, plane::GridPoint> movers_;  // and where what moves with them has its anchor
   std::set<std::string> names_;
   plane::GridPoint anchor_;
   Sides sides_;

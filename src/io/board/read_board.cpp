@@ -8,6 +8,7 @@
 #include <map>
 
 #include "io/board/board_pad.h"
+#include "io/board/read_groups.h"
 #include "io/board/read_part.h"
 
 namespace findspace::io {
@@ -33,6 +34,7 @@ class BoardReader {
     });
     const std::vector<std::string> part_name = part_names(footprints);
     for (std::size_t k = 0; k < footprints.size(); ++k) board_.parts.push_back(parts.read(footprints[k], part_name[k]));
+    read_groups(root_, footprints, board_);
     root_.each([&](const Sexpr& item) { read_item(item, names); });
     read_outline();
     add_notes();
@@ -73,9 +75,21 @@ class BoardReader {
       read_track(item, names);
     } else if (head == "via") {
       read_via(item, names);
-    } else if (head == "zone" && !add_keep_out(item, names, context_, board_)) {
-      if (const ShapePtr area = zone_area(item, context_))
-        board_.zones.push_back({net_of(item), layers_of(item, names), area});
+    } else if (head == "zone" && !add_keep_out(item, "", names, context_, board_)) {
+      read_zone(item, names);
+    }
+  }
+
+  /// KiCad lets the outline of a zone cross itself. No part has to mind a zone, so the board is read without it.
+  void read_zone(const Sexpr& zone, const LayerNames& names) {
+    try {
+      if (const ShapePtr area = zone_area(zone, context_))
+        board_.zones.push_back({net_of(zone), layers_of(zone, names), area});
+    } catch (const Error& e) {
+      if (e.code() != ErrorCode::kGeometry) throw;
+      board_.notes.push_back(
+          fmt::format("{}: a zone of net '{}' is left out: its outline touches or crosses itself, or has no area",
+                      zone.place(), net_of(zone)));
     }
   }
 

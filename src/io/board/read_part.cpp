@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "exact/margins/boards.h"
 #include "io/board/board_pad.h"
 
 namespace findspace::io {
@@ -25,12 +26,6 @@ struct Layers {
   Graphics front, back;  // courtyards
   Graphics body, silk;   // in the footprint's own coordinates
 };
-
-bool flag(const Sexpr& item, const char* word) {
-  if (item.has_word(word)) return true;
-  const auto list = item.find(word);
-  return list && !list->has_word("no");
-}
 
 /// All the points of its contours, to tell two courtyards apart.
 std::multiset<GridPoint> points_of(const std::vector<ShapePtr>& shapes) {
@@ -80,7 +75,7 @@ Sides copper_sides(const Sexpr& pad, const LayerNames& names) {
 /// The box in hundredths of a millimetre, rounded outwards.
 ShapePtr box_of(const Extent& box, const Affine& map, ReadContext& context, const std::string& place) {
   const auto out = [](double value, bool up) {
-    const double hundredths = value * 100 + (up ? -1 : 1) * 1e-4;  // no sign: sizes are rounded to the grid before
+    const double hundredths = value * 100 + (up ? -1 : 1) * margin::kBodyBox;
     return Real::ratio(static_cast<std::int64_t>(up ? std::ceil(hundredths) : std::floor(hundredths)), 100);
   };
   const Real x[2] = {out(box.low[0], false), out(box.high[0], true)};
@@ -136,6 +131,14 @@ bool use_courtyards(Layers& layers, Part& part, Board& board, const Grid& grid) 
 
 }  // namespace
 
+bool has_flag(const Sexpr& item, const char* word) {
+  const std::vector<Sexpr> items = item.items();
+  for (std::size_t k = 1; k < items.size(); ++k)  // after a name, which may be any word
+    if (!items[k].is_list() && items[k].text() == word) return true;
+  const auto list = item.find(word);
+  return list && !list->has_word("no");
+}
+
 std::vector<std::string> layers_of(const Sexpr& item, const LayerNames& names) {
   std::vector<std::string> out;
   for (const char* key : {"layer", "layers"})
@@ -165,7 +168,8 @@ ShapePtr zone_area(const Sexpr& zone, ReadContext& context) {
   return graphics.filled(zone.place(), true);
 }
 
-bool add_keep_out(const Sexpr& zone, const LayerNames& names, ReadContext& context, Board& board) {
+bool add_keep_out(const Sexpr& zone, const std::string& part, const LayerNames& names, ReadContext& context,
+                  Board& board) {
   const auto rules = zone.find("keepout");
   if (!rules) return false;
   const auto parts = rules->find("footprints");
@@ -173,9 +177,14 @@ bool add_keep_out(const Sexpr& zone, const LayerNames& names, ReadContext& conte
   const ShapePtr area = zone_area(zone, context);
   if (!area) return true;
   const auto name = zone.find("name");
-  std::string text = name ? name->item(0).text() : "";
-  if (text.empty()) text = fmt::format("keep-out {}", board.keep_outs.size() + 1);
-  board.keep_outs.push_back({std::move(text), sides_of(layers_of(zone, names)), area});
+  const std::string given = name ? name->item(0).text() : "";
+  std::string text = given.empty() ? "keep-out 1" : given;
+  const auto taken = [&] {
+    return std::any_of(board.keep_outs.begin(), board.keep_outs.end(),
+                       [&](const KeepOut& k) { return k.name == text; });
+  };
+  for (int k = 2; taken(); ++k) text = fmt::format("{} {}", given.empty() ? "keep-out" : given, k);
+  board.keep_outs.push_back({part, std::move(text), sides_of(layers_of(zone, names)), area});
   return true;
 }
 
@@ -188,11 +197,11 @@ Part PartReader::read(const Sexpr& footprint, const std::string& name) {
   part.at = context.grid.nearest(map.e, map.f, context.rounding);
   part.degrees = angle_of(at);
   part.mounted = sides_of(layers_of(footprint, layer));
-  part.locked = flag(footprint, "locked");
+  part.locked = has_flag(footprint, "locked");
   const auto attributes = footprint.find("attr");
   part.smd = attributes && attributes->has_word("smd");
   footprint.each([&](const Sexpr& item) {
-    if (item.is("zone")) add_keep_out(item, layer, context, board);
+    if (item.is("zone")) add_keep_out(item, name, layer, context, board);
     if (!item.is("pad")) return;
     PadShapes shapes = read_pad(item, map, context);
     if (shapes.hole) board.holes.push_back({name, shapes.hole});

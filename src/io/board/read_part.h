@@ -25,12 +25,16 @@ struct PartReader {
   Part read(const Sexpr& footprint, const std::string& name);
 };
 
+/// Whether the word stands in the item after its name, or (word), or (word yes).
+bool has_flag(const Sexpr& item, const char* word);
 /// The sides that (layer ...) or (layers ...) names: F.Cu, *.Cu, F&B.Cu.
 Sides sides_of(const std::vector<std::string>& layers);
 std::vector<std::string> layers_of(const Sexpr& item, const LayerNames& names);
 /// A zone, which a footprint or the board may have, as its area.
 plane::ShapePtr zone_area(const Sexpr& zone, ReadContext& context);
-/// Adds the zone to the keep-outs if it allows no footprints; false: it is no rule area.
-bool add_keep_out(const Sexpr& zone, const LayerNames& names, ReadContext& context, Board& board);
+/// Adds the zone to the keep-outs if it allows no footprints; false: it is not a rule area. `part`: whose it is, or
+/// empty.
+bool add_keep_out(const Sexpr& zone, const std::string& part, const LayerNames& names, ReadContext& context,
+                  Board& board);
 
 }  // namespace findspace::io

@@ -38,14 +38,22 @@ std::string degrees_text(Real degrees) {
   return formula::decimal_text(degrees);
 }
 
+/// Where the point (x, y), in millionths of a millimetre from the anchor, comes to stand.
+plane::GridPoint moved(const Real& x, const Real& y, const NewPlace& place) {
+  const Direction d = direction(-place.turn);  // y runs downwards
+  const auto nearest = [](const Real& value) { return static_cast<std::int64_t>(floor(value + Real::ratio(1, 2))); };
+  return {place.at.x + nearest(d.cosine * x - d.sine * y), place.at.y + nearest(d.sine * x + d.cosine * y)};
+}
+
 class Mover {
  public:
   explicit Mover(std::vector<Change>& changes) : changes_(changes) {}
 
   void move(const Sexpr& footprint, const NewPlace& place) {
-    if (footprint.find("zone"))
-      footprint.fail(ErrorCode::kUnsupported, "a footprint with areas of its own is not moved in the file");
     const Sexpr at = footprint.need("at");
+    footprint.each([&](const Sexpr& item) {
+      if (item.is("zone")) move_points(item, at, place);
+    });
     replace(at.item(0), millimetres(place.at.x));
     replace(at.item(1), millimetres(place.at.y));
     if (place.turn.sign() == 0) return;
@@ -59,6 +67,21 @@ class Mover {
  private:
   void replace(const Sexpr& word, std::string text) { changes_.push_back({word.begin(), word.end(), std::move(text)}); }
 
+  /// The points of an area, which stand in the board's coordinates.
+  void move_points(const Sexpr& list, const Sexpr& anchor, const NewPlace& place) {
+    const auto from_anchor = [&](const Sexpr& point, std::size_t k) {
+      return Real(1000000) * (point.item(k).number() - anchor.item(k).number());
+    };
+    list.each([&](const Sexpr& item) {
+      if (!item.is_list()) return;
+      if (!item.is("xy") && !item.is("start") && !item.is("mid") && !item.is("end"))
+        return move_points(item, anchor, place);
+      const plane::GridPoint to = moved(from_anchor(item, 0), from_anchor(item, 1), place);
+      replace(item.item(0), millimetres(to.x));
+      replace(item.item(1), millimetres(to.y));
+    });
+  }
+
   void turn(const Sexpr& at, const Real& by) {
     const std::vector<Sexpr> items = at.items();
     const std::string text = degrees_text(angle_of(at) + by);
@@ -71,6 +94,10 @@ class Mover {
 };
 
 }  // namespace
+
+NewPlace place_beside(const Part& part, const Part& first, const NewPlace& place) {
+  return {moved(Real(part.at.x - first.at.x), Real(part.at.y - first.at.y), place), place.turn};
+}
 
 std::string moved_board(std::string_view text, const std::string& file, const std::map<std::string, NewPlace>& places) {
   const SexprTree tree(text, file);

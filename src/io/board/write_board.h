@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A board's file with some footprints at new positions. Only the numbers of (at ...) within these footprints change:
-// their own, and where they are rotated the angles of their pads and texts, which count from the board's axes. All
-// other bytes stay. Guarantee: positions are written as they are given, on KiCad's grid. Keywords: placement, back
-// annotation.
+// their own, and where they are rotated the angles of their pads and texts, which count from the board's axes; and the
+// points of their areas, which stand in the board's coordinates. All other bytes stay. Guarantee: positions are written
+// as they are given, on KiCad's grid. Keywords: placement, back annotation.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "exact/number/real.h"
-#include "plane/contour/shape.h"
+#include "io/board/board.h"
 
 namespace findspace::io {
 
@@ -21,8 +21,11 @@ struct NewPlace {
   exact::Real turn{};   // degrees to add, counter-clockwise as it is seen
 };
 
-/// `places`: by the names that the board's parts have. Throws Error where a name is none, or where a part has areas of
-/// its own, which stand in the file where they are.
+/// Where a part stands when the part `first`, which it moves with, stands at that place. Where the rotation is no
+/// multiple of 90 degrees its anchor is put on the grid.
+NewPlace place_beside(const Part& part, const Part& first, const NewPlace& place);
+
+/// `places`: by the names that the board's parts have. Throws Error where a name is none.
 std::string moved_board(std::string_view text, const std::string& file, const std::map<std::string, NewPlace>& places);
 
 }  // namespace findspace::io

@@ -105,7 +105,10 @@ void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
 Labeller::Box Labeller::box_around(double x, double y, std::string_view text, const Size& size) {
   const double part = size.font / kFontSize;
   double w = text_width(text, size.font) / 2 + 3 * part, h = size.font / 2 + 2 * part;
-  if (size.font < kFontSize) h = size.font * 0.42, w = text_width(text, size.font) / 2;
+  if (size.font < kFontSize) {
+    h = size.font * 0.42;
+    w = text_width(text, size.font) / 2;
+  }
   if (size.upwards) std::swap(w, h);
   return {{x - w, y - h}, {x + w, y + h}};
 }

@@ -45,7 +45,8 @@ class Parts {
       const int k = flat_axis(c);
       if (k < 0 || !bounded(c)) return;
       CellIndex below = c, above = c;
-      --below[std::size_t(k)], ++above[std::size_t(k)];
+      --below[std::size_t(k)];
+      ++above[std::size_t(k)];
       const bool a = in(below), b = in(above);
       if (a != b)
         out.push_back(face(c, k, fmt::format("fill=\"{}\" fill-opacity=\"0.82\"", kShades[k])));
@@ -63,7 +64,8 @@ class Parts {
       const bool dangling = own && in(c) && solid_.mark(c[0], c[1], c[2]) == 0 && alone(c, k);
       if (!dangling && !crease(c, k)) return;
       CellIndex from = c, to = c;
-      --from[std::size_t(k)], ++to[std::size_t(k)];
+      --from[std::size_t(k)];
+      ++to[std::size_t(k)];
       line(corner(from), corner(to), dangling);
     });
   }

@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "io/mesh/mesh_transform.h"
 #include "io/mesh/zip_archive.h"
 
 namespace findspace::io {
@@ -27,34 +28,6 @@ constexpr const char* kModelType = "http://schemas.microsoft.com/3dmanufacturing
 constexpr const char* kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 
 [[noreturn]] void bad_value(const std::string& what) { throw Error(ErrorCode::kBadValue, what); }
-
-/// x' = row . (x, 1), as nine factors and a shift.
-struct Transform {
-  std::array<std::array<Real, 3>, 4> row{
-      {{Real(1), Real(), Real()}, {Real(), Real(1), Real()}, {Real(), Real(), Real(1)}, {Real(), Real(), Real()}}};
-
-  std::array<Real, 3> apply(const std::array<Real, 3>& p, bool place = true) const {
-    std::array<Real, 3> out;
-    for (std::size_t k = 0; k < 3; ++k) {
-      out[k] = p[0] * row[0][k] + p[1] * row[1][k] + p[2] * row[2][k];
-      if (place) out[k] += row[3][k];
-    }
-    return out;
-  }
-  /// -1: it mirrors; 0: it flattens.
-  int sense() const {
-    const auto& [a, b, c, d] = row;
-    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-            a[2] * (b[0] * c[1] - b[1] * c[0]))
-        .sign();
-  }
-  /// First `inner`, then this.
-  Transform after(const Transform& inner) const {
-    Transform out;
-    for (std::size_t k = 0; k < 4; ++k) out.row[k] = apply(inner.row[k], k == 3);
-    return out;
-  }
-};
 
 Real decimal(const pugi::xml_node& node, const char* name) {
   const pugi::xml_attribute value = node.attribute(name);
@@ -75,8 +48,8 @@ long whole(const pugi::xml_node& node, const char* name) {
   return value;
 }
 
-Transform transform(const pugi::xml_node& node) {
-  Transform out;
+MeshTransform transform(const pugi::xml_node& node) {
+  MeshTransform out;
   const pugi::xml_attribute given = node.attribute("transform");
   if (!given) return out;
   std::istringstream words(given.value());
@@ -110,7 +83,7 @@ class Reader {
   }
 
  private:
-  void object(long id, const Transform& placed, int depth) {
+  void object(long id, const MeshTransform& placed, int depth) {
     const auto found = objects_.find(id);
     if (found == objects_.end()) bad_value(fmt::format("there is no object {}", id));
     if (depth > kMostDepth) bad_value(fmt::format("object {} is a component of itself, or of too many", id));
@@ -131,7 +104,7 @@ class Reader {
     out_.charge(kAgain * static_cast<std::uint64_t>(parts), "placing one mesh so often");
   }
 
-  void triangles(const pugi::xml_node& mesh, const Transform& placed) {
+  void triangles(const pugi::xml_node& mesh, const MeshTransform& placed) {
     const int sense = placed.sense();
     if (sense == 0) bad_value("a transform flattens what it places");
     const auto first = static_cast<long>(out_.size());

@@ -4,7 +4,7 @@
 // 3MF: the core part of the format (3MF Core Specification 1.3): the meshes of the objects that are built, components
 // and transforms included, with the unit that the file states. What extensions add is passed over; a file that requires
 // one is refused. Guarantee: coordinates and transforms are decimals, taken exactly. Errors: Error(kFile) for what is
-// no package, kSyntax and kBadValue for what is no model, with the element. Keywords: additive manufacturing, OPC.
+// no package, kSyntax and kBadValue for what is not a model, with the element. Keywords: additive manufacturing, OPC.
 #pragma once
 
 #include <optional>

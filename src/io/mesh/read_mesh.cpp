@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "io/mesh/mesh_3mf.h"
+#include "io/mesh/mesh_glb.h"
 #include "io/mesh/read_mesh_ply.h"
 #include "io/text/file_kind.h"
 #include "space/mesh/mesh.h"
@@ -204,6 +205,11 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
     read_3mf(model, builder);
     return std::move(builder.mesh());
   }
+  if (ending == ".glb") {
+    MeshBuilder builder(context, scale(exact::Real(1000)));  // metres
+    read_glb(bytes, context, builder);
+    return std::move(builder.mesh());
+  }
   MeshBuilder builder(context, scale(std::nullopt));
   if (ending == ".obj")
     read_obj(bytes, builder);
@@ -214,7 +220,8 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
   else if (ending == ".ply")
     read_ply(bytes, builder);
   else
-    throw Error(ErrorCode::kFile, fmt::format("a mesh is read from .stl, .obj, .off, .ply or .3mf, not '{}'", ending));
+    throw Error(ErrorCode::kFile,
+                fmt::format("a mesh is read from .stl, .obj, .off, .ply, .3mf or .glb, not '{}'", ending));
   return std::move(builder.mesh());
 }
 

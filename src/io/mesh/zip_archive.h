@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // ZIP archives in memory, by libzip. Written archives carry no time, so the same content gives the same bytes. A build
-// without libzip says so with Error(kUnsupported). Errors: Error(kFile) for what is no whole archive, for members that
-// are missing, encrypted or damaged, and kLimit for those too large. Keywords: container, deflate, OPC package.
+// without libzip says so with Error(kUnsupported). Errors: Error(kFile) for what is not a whole archive, for members
+// that are missing, encrypted or damaged, and kLimit for those too large. Keywords: container, deflate, OPC package.
 #pragma once
 
 #include <cstdint>

@@ -90,7 +90,7 @@ struct Scene {
   Placement place;
   bool y_down = false;                                     // the y axis runs downwards in pictures
   bool named_only = false;                                 // many shapes: only those that formulas name are built
-  std::vector<std::string> all_shapes;                     // what `all` means, where that is not all shapes
+  std::optional<std::vector<std::string>> all_shapes;      // what `all` means, where that is not all shapes
   std::vector<std::string> empty_lists;                    // names of groups without a shape that stands still
   std::map<std::string, std::vector<std::string>> groups;  // names of shapes, also of those that move
   std::shared_ptr<const Board> board;                      // where the scene is one of KiCad

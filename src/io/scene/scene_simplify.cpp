@@ -43,7 +43,9 @@ plane::Curve run_of(const std::vector<GridPoint>& corners) {
 
 /// The chain of a closed contour, or of an open one whose last edge is only its end.
 Chain chain_of(Contour c, bool closed) {
-  const std::size_t n = c.size(), edges = closed ? n : n - 1;
+  const std::size_t n = c.size();
+  if (n == 0) return {{}, closed};
+  const std::size_t edges = closed ? n : n - 1;
   std::vector<bool> kept(n, false);
   for (std::size_t i = closed ? 0 : 1; i < edges; ++i) kept[i] = stays(c, (i + n - 1) % n, i, (i + 1) % n);
   if (!closed) kept[0] = kept[n - 1] = true;

@@ -11,7 +11,7 @@
 
 namespace findspace::io {
 
-/// The solid that the closed mesh in an .stl, .obj, .off, .ply or .3mf file encloses. For the kind "file"
+/// The solid that the closed mesh in an .stl, .obj, .off, .ply, .3mf or .glb file encloses. For the kind "file"
 /// (scene_primitives.cpp). Of the choice only the unit has a meaning.
 plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
                                  const JsonValue& at, const Label& label);

@@ -73,7 +73,7 @@ bool is_obj(std::string_view text) {
   return false;
 }
 
-/// The first word of the first line that is no comment.
+/// The first word of the first line that is not a comment.
 std::string_view headline_word(std::string_view text) {
   text = trimmed(text);
   while (text.starts_with('#')) text = trimmed(text.substr(std::min(text.find('\n'), text.size())));
@@ -96,7 +96,7 @@ struct FileKind {
   bool (*is)(std::string_view text);
 };
 
-constexpr std::array<FileKind, 10> kKinds{{
+constexpr std::array<FileKind, 11> kKinds{{
     {".svg", "an SVG drawing", false, is_svg},
     {".dxf", "a DXF drawing", false, is_dxf},
     {".wkt", "well-known text of a geometry", false, is_wkt},
@@ -108,6 +108,7 @@ constexpr std::array<FileKind, 10> kKinds{{
     {".ply", "a PLY mesh", true, [](std::string_view t) { return headline_word(t) == "ply"; }},
     {".3mf", "a 3MF package", true,
      [](std::string_view) { return true; }},  // its reader shows nothing of what is no ZIP
+    {".glb", "a binary glTF file", true, [](std::string_view t) { return t.starts_with("glTF"); }},
 }};
 
 const FileKind* kind_of(std::string_view ending) {
@@ -115,7 +116,7 @@ const FileKind* kind_of(std::string_view ending) {
   return found == kKinds.end() ? nullptr : &*found;
 }
 
-/// Of JSON that is no shape: what a shape would have. Nothing of the file is shown: it may be anyone's.
+/// Of JSON that is not a shape: what a shape would have. Nothing of the file is shown: it may be anyone's.
 std::string lacks(const FileKind& kind, std::string_view text) {
   if (kind.is != is_shape_json || !trimmed(text).starts_with('{')) return "";
   if (text.find("\"type\"") == std::string_view::npos) return ": it has no \"type\"";

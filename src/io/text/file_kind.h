@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Whether a file is of the kind that its ending names, seen from how it begins. It is asked before a reader sees the
-// file, because a reader's messages show words of it, and no word of a file that is no shape may be shown
+// file, because a reader's messages show words of it, and no word of a file that is not a shape may be shown
 // (docs/security.md). Cost: linear in the text at most. Keywords: magic number, file signature.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace findspace::io {
 
 /// Throws Error(kFile), which shows nothing of the text. `ending` is in small letters: ".svg", ".dxf", ".wkt",
-/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply" or ".3mf".
+/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf" or ".glb".
 void require_kind(std::string_view text, std::string_view ending, const std::string& name);
 
 /// Whether shapes are read from files with that ending; in space or in the plane.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Affine maps of drawings, with exact coefficients (only the sine and cosine of an angle that is no multiple of 90
+// Affine maps of drawings, with exact coefficients (only the sine and cosine of an angle that is not a multiple of 90
 // degrees come from doubles). `Placed` passes the commands of a path on; arcs that a map makes elliptical become
 // curves.
 #pragma once
@@ -16,7 +16,7 @@ namespace findspace::io {
 /// (x, y) -> (a x + c y + e, b x + d y + f).
 struct Affine {
   exact::Real a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-  /// Factor of lengths; nothing where the map is no similarity.
+  /// Factor of lengths; nothing where the map is not a similarity.
   std::optional<exact::Real> scale = exact::Real(1);
   bool mirrors = false;
 

@@ -48,15 +48,9 @@ void put_set(std::string& out, int dimension, const Summary& s, std::string_view
   put(out, "  \"components\": {},\n", list(s.components, component, true));
 }
 
-/// The keys of an extreme value: "minimum" or "maximum", "attained"; where it is not proven "proven", "bound",
-/// "within".
-inline void put_extreme(std::string& out, const ExtremeValue& e) {
-  const std::string value = e.unbounded && !e.maximum ? "\"-inf\"" : number(e.value);
-  put(out, "  \"{}\": {}, \"attained\": {},", e.maximum ? "maximum" : "minimum", value, truth(e.attained));
-  if (!e.proven) put(out, " \"proven\": false,");
-  if (e.bound) put(out, " \"bound\": {},", json_number(*e.bound));
-  if (e.within) put(out, " \"within\": {},", json_number(*e.within));
-  put(out, "\n");
+/// The members of a best value on a line of their own.
+inline void put_optimum(std::string& out, const distance::OptimalValue& best) {
+  put(out, "  {}\n", optimum_members(best));
 }
 
 }  // namespace findspace::io

@@ -3,7 +3,7 @@
 //
 // A set of the plane by its boundary, exactly, as JSON that reads back as the same set (read_cells.h): the
 // supporting curves of its edges, its vertices, its edges, and for every cell whether it belongs. Guarantee: nothing is
-// lost: open ends, slots, cracks and isolated points, arcs of any radius, vertices that are no decimals. Cost: linear.
+// lost: open ends, slots, cracks and isolated points, arcs of any radius, vertices that are not decimals. Cost: linear.
 // The format is described in docs/scene.md. Keywords: boundary representation, B-rep, serialisation.
 #pragma once
 

@@ -103,7 +103,7 @@ class Primitives {
     if (!outer) return std::nullopt;
     Texts holes;
     for (const Index start : face.inner) {
-      // A curve inside the face is no hole: it is missing from it, or belongs like the face.
+      // A curve inside the face is not a hole: it is missing from it, or belongs like the face.
       const std::vector<Index> walk = ring(start);
       if (std::any_of(walk.begin(), walk.end(), [&](Index h) { return c_.face(h) == c_.face(h ^ 1u); }))
         return std::nullopt;
@@ -173,7 +173,7 @@ class Constructive {
     for (Index f = 0; f < part.faces.size(); ++f) part.faces[f].mark = face(f);
     for (Index e = 0; e < part.edges.size(); ++e) part.edges[e].mark = edge(e);
     for (Index v = 0; v < part.vertices.size(); ++v) part.vertices[v].mark = vertex(v);
-    part = plane::simplify(part);
+    part = plane::simplify(std::move(part));
     if (closed) part = plane::closure(std::move(part));
     return "{\"cells\": " + cells_json(part, step_, "") + "}";
   }

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "exact/number/real_text.h"
 #include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/json_text.h"
@@ -22,23 +21,20 @@ using Kind = LevelChange::Kind;
 /// A change of a level in the words of the formula's writer.
 struct SaidChange {
   std::string text, becomes;
-  Real level, by;
-  double bound = 0;
+  distance::OptimalValue level;
+  Real by;
 };
 
 SaidChange said(const ExplanationReport& r, const LevelChange& change) {
   const formula::Demands demands(r.formula);
   const formula::Atom& atom = r.formula.atoms()[change.atom];
   const bool minus = formula::negated(atom.distance);
-  SaidChange out{formula::written(atom), "", minus ? -change.level : change.level, abs(change.level - atom.level),
-                 minus ? -change.bound : change.bound};
-  if (change.kind == Kind::kTo && change.proven) out.becomes = formula::written_at(demands, change, r.step);
+  SaidChange out{formula::written(atom), "", change.level, {}};
+  if (change.kind != Kind::kTo) return out;
+  if (minus) out.level.negate();
+  out.by = abs(change.to() - atom.level);
+  if (change.level.proven()) out.becomes = formula::written_at(demands, change, r.step);
   return out;
-}
-
-std::string closed_form_member(const Real& value) {
-  if (!value.is_closed() || Real::parse_decimal(json_number(value.to_double())) == value) return "";
-  return fmt::format(R"( "closed_form": {},)", json_string(exact::RealWriter().text(value)));
 }
 
 std::string change_json(const ExplanationReport& r, const LevelChange& change) {
@@ -46,9 +42,8 @@ std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   std::string out = fmt::format(R"({{"text": {}, )", json_string(s.text));
   if (change.kind != Kind::kTo)
     return out + fmt::format(R"("to": null, "free": {}}})", truth(change.kind == Kind::kFree));
-  put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.to_double()), closed_form_member(s.level),
-      json_number(s.by.to_double()), truth(change.reached));
-  if (!change.proven) put(out, R"(, "proven": false, "bound": {})", json_number(s.bound));
+  put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.value()->to_double()),
+      how_known_members(s.level), json_number(s.by.to_double()), truth(change.reached));
   if (!s.becomes.empty()) put(out, R"(, "becomes": {})", json_string(s.becomes));
   if (change.at) put(out, R"(, "at": {})", json_point(distance::coordinates(*change.at)));
   return out + "}";
@@ -75,7 +70,7 @@ std::string with_unit(double value, std::string_view unit) {
 
 std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
   const SaidChange s = said(r, change);
-  if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone makes room\n", s.text);
+  if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone leaves a position\n", s.text);
   if (change.kind == Kind::kFree) return fmt::format("  {}: can be as tight as you like\n", s.text);
   std::string out = fmt::format("  {}: ", s.text);
   if (s.by.sign() == 0 && slack)
@@ -87,7 +82,7 @@ std::string change_text(const ExplanationReport& r, const LevelChange& change, b
                        (change.reached ? ""
                         : slack        ? "just before "
                                        : "just beyond ") +
-                           shown(s.level.to_double()));
+                           shown(s.level.value()->to_double()));
   if (change.at)
     out +=
         fmt::format("; {} {}", slack ? "the last position is" : "then", shown_point(distance::coordinates(*change.at)));
@@ -101,7 +96,7 @@ std::string empty_text(const ExplanationReport& r) {
     for (const std::size_t k : r.explanation.conflict->atoms)
       out += fmt::format("  {}\n", formula::written(r.formula.atoms()[k]));
   }
-  if (!r.explanation.relax.empty()) out += "the least change of one level that makes room:\n";
+  if (!r.explanation.relax.empty()) out += "the least change of one level that leaves a position:\n";
   for (const LevelChange& c : r.explanation.relax) out += change_text(r, c, false);
   const auto& t = r.explanation.together;
   if (t && t->upper)
@@ -121,10 +116,7 @@ std::string here_text(const ExplanationReport& r) {
     if (a.lacks) out += fmt::format(": off by {}", with_unit(*a.lacks, r.unit));
     out += "\n";
   }
-  if (here.nearest)
-    out += fmt::format("nearest feasible position {}, {} away\n", shown_point(here.nearest->at),
-                       with_unit(here.nearest->distance.to_double(), r.unit));
-  return out;
+  return r.explanation.feasible ? out + nearest_words(here.nearest, r.unit) : out;
 }
 
 }  // namespace
@@ -138,8 +130,7 @@ std::string explanation_json(const ExplanationReport& r) {
   if (e.together) put(out, ",\n  \"relax_all\": {}", together_json(*e.together));
   if (e.feasible) put(out, ",\n  \"slack\": {}", changes_json(r, e.slack));
   if (r.here != nullptr) {
-    const auto* near = r.here->nearest ? &*r.here->nearest : nullptr;
-    std::string check = check_json(r.here->check, distance::coordinates(r.at), "", std::nullopt, near);
+    std::string check = check_json(r.here->check, distance::coordinates(r.at), "", std::nullopt, r.here->nearest);
     check.pop_back();
     put(out, ",\n  \"change\": {},\n  \"check\": {}", atoms_json(r, r.here->change), check);
   }

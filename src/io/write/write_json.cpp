@@ -100,23 +100,44 @@ std::string json_string(std::string_view text) {
   return out + "\"";
 }
 
-ExtremeValue extreme_value(const formula::OptimalValue& best, bool maximum) {
-  return {maximum, best.value ? std::optional(best.value->to_double()) : std::nullopt, best.unbounded, best.attained,
-          best.proven};
+std::string closed_form_text(const distance::SceneAnswer& answer) {
+  const auto text = distance::closed_form(answer);
+  if (!text || exact::Real::parse_decimal(json_number(answer.value.to_double())) == answer.value) return "";
+  return json_string(*text);
+}
+
+std::string how_known_members(const distance::OptimalValue& best) {
+  if (!best.answer) return "";
+  const std::string closed = closed_form_text(*best.answer);
+  std::string out = closed.empty() ? "" : fmt::format(R"( "closed_form": {},)", closed);
+  if (best.proven()) return out;
+  const distance::OutwardEnds ends = distance::outward(best.answer->bounds());
+  const std::string lower = json_number(ends.lower), upper = json_number(ends.upper);
+  put(out, R"( "proven": false, "value_side": {}, "lower": {}, "upper": {}, "bound": {},)",
+      json_string(distance::name(best.answer->side)), lower, upper, best.maximum() ? upper : lower);
+  if (best.within > 0 && std::isfinite(best.within)) put(out, R"( "within": {},)", json_number(best.within));
+  return out;
+}
+
+std::string optimum_members(const distance::OptimalValue& best) {
+  const auto value = best.value();
+  const std::string none = best.unbounded && !best.maximum() ? "\"-inf\"" : "null";
+  return fmt::format(R"("{}": {}, "attained": {},{})", best.maximum() ? "maximum" : "minimum",
+                     value ? json_number(value->to_double()) : none, truth(best.attained), how_known_members(best));
 }
 
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
-                        std::string_view unit, const ExtremeValue* extreme, bool exact) {
+                        std::string_view unit, const distance::OptimalValue* best, bool exact) {
   std::string out = "{\n";
   put_summary(out, summary, unit);
-  if (extreme != nullptr) put_extreme(out, *extreme);
+  if (best != nullptr) put_optimum(out, *best);
   put_cells(out, CurveNet(region, step));
   if (exact) out += ",\n  \"exact\": " + cells_json(region, step, unit);
   return out + "\n}\n";
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit, const ExtremeValue* extreme, std::string_view side) {
+                           std::string_view unit, const distance::OptimalValue* best, std::string_view side) {
   const Twofold factor(step);
   auto end = [&](const std::optional<exact::Real>& t) {
     return t ? json_number((Twofold(*t) * factor).value()) : "null";
@@ -125,11 +146,11 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
     return fmt::format(R"({{"from": {}, "to": {}, "from_in": {}, "to_in": {}}})", end(i.from), end(i.to),
                        truth(i.from_in), truth(i.to_in));
   };
-  std::string best;
-  if (extreme != nullptr) put_extreme(best, *extreme);
+  std::string members;
+  if (best != nullptr) members = " " + optimum_members(*best);
   const std::string bound = side.empty() ? "" : fmt::format(" \"side\": {},", json_string(side));
   return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), bound,
-                     best, list(intervals, text));
+                     members, list(intervals, text));
 }
 
 }  // namespace findspace::io

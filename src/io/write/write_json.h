@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formula/language/optimum.h"
+#include "distance/answer/optimum.h"
 #include "formula/planar/solve.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/locate_line.h"
@@ -22,23 +22,22 @@ std::string json_number(double value);
 /// With quotes; control characters, quotes and backslashes escaped.
 std::string json_string(std::string_view text);
 
-/// What `minimize`, `maximize` or `distance -> min` found.
-struct ExtremeValue {
-  bool maximum = false;
-  std::optional<double> value;  // none: there is none, or no bound
-  bool unbounded = false, attained = false, proven = true;
-  // Where not proven: no position has a better value than `bound`, and every best one lies `within` of a given one.
-  std::optional<double> bound{}, within{};
-};
-ExtremeValue extreme_value(const formula::OptimalValue& best, bool maximum);
+/// The closed form of an exact value whose decimal is not the number itself, quoted; else empty.
+std::string closed_form_text(const distance::SceneAnswer& answer);
+/// The members after a best value: "closed_form" where it has one; where it is not proven "proven", "lower", "upper",
+/// "bound" (that of these which no place passes) and "within".
+std::string how_known_members(const distance::OptimalValue& best);
+/// "minimum" or "maximum", "attained", and these.
+std::string optimum_members(const distance::OptimalValue& best);
 
-/// The result of `map` and `describe`. `unit` may be empty, `extreme` null; with `exact` the exact cells too
+/// The result of `map` and `describe`. `unit` may be empty, `best` null; with `exact` the exact cells too
 /// (write_cells.h).
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
-                        std::string_view unit, const ExtremeValue* extreme = nullptr, bool exact = false);
+                        std::string_view unit, const distance::OptimalValue* best = nullptr, bool exact = false);
 /// The result of `map` along a line: lengths from the point the line goes through. `side`: on which side of the true
 /// set the intervals may lie; empty where they are exact.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit, const ExtremeValue* extreme = nullptr, std::string_view side = {});
+                           std::string_view unit, const distance::OptimalValue* best = nullptr,
+                           std::string_view side = {});
 
 }  // namespace findspace::io

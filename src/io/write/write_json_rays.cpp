@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "io/write/json_text.h"
+
 namespace findspace::io {
 namespace {
 
@@ -13,12 +15,10 @@ std::string place(const std::array<double, 3>& p, double step) {
   return fmt::format("[{}, {}, {}]", p[0] * step, p[1] * step, p[2] * step);
 }
 
-void put_optimum(const RayOptimum& optimum, std::string& out) {
-  out += fmt::format("  \"{}\": {}, \"attained\": {},", optimum.maximum ? "maximum" : "minimum",
-                     optimum.value ? fmt::format("{}", *optimum.value) : "null", optimum.attained);
-  if (optimum.bound) out += fmt::format(" \"proven\": false, \"bound\": {},", *optimum.bound);
-  out += "\n";
-  if (optimum.value) out += fmt::format("  \"at\": {},\n", place(optimum.at, 1));
+std::string coordinates_text(const distance::Coordinates& p) {
+  std::string out;
+  for (const exact::Real& c : p) put(out, "{}{}", out.empty() ? "[" : ", ", json_number(c.to_double()));
+  return out + "]";
 }
 
 void put_components(const space::RaySummary& summary, double step, bool axes, std::string& out) {
@@ -148,7 +148,10 @@ void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, dou
                         : fmt::format("  \"volume\": {},\n", summary.volume * (step * step * step));
   if (!summary.empty)
     out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
-  if (text.optimum) put_optimum(*text.optimum, out);
+  if (text.optimum) {
+    put_optimum(out, *text.optimum);
+    if (text.optimum->exists()) put(out, "  \"at\": {},\n", coordinates_text(text.optimum->answer->at));
+  }
   put_components(summary, step, text.axes, out);
   put_grid(summary, grid, step, text, out);
   if (text.lines != nullptr) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "distance/answer/optimum.h"
 #include "io/mesh/write_mesh.h"
 #include "io/text/spool.h"
 #include "space/rays/ray_summary.h"
@@ -37,24 +38,15 @@ class RayLines {
   Spool text_;
 };
 
-/// What an objective has on the lines, in the scene's unit.
-struct RayOptimum {
-  bool maximum = false, attained = false;
-  std::optional<double> value;  // none: no line meets the region, or there is no bound
-  std::array<double, 3> at{};
-  /// Where the value is not proven: nothing that was looked at, all positions or the lines, has less (or more).
-  std::optional<double> bound;
-};
-
 struct RaysText {
   std::string_view unit;
-  const Spool* lines = nullptr;         // null or empty: only the summary is written
-  bool axes = false;                    // lines along all three axes (space/rays/ray_axes.h)
-  bool unbounded = false;               // the region goes on beyond the window
-  std::string_view on_lines = "exact";  // how the lines stand to the region, and
-  std::string_view side = "none";       // how the cells about them do (docs/results.md)
-  bool somewhere = false;               // the region is known not to be empty, whether a line meets it or not
-  std::optional<RayOptimum> optimum;
+  const Spool* lines = nullptr;                   // null or empty: only the summary is written
+  bool axes = false;                              // lines along all three axes (space/rays/ray_axes.h)
+  bool unbounded = false;                         // the region goes on beyond the window
+  std::string_view on_lines = "exact";            // how the lines stand to the region, and
+  std::string_view side = "none";                 // how the cells about them do (docs/results.md)
+  bool somewhere = false;                         // the region is known not to be empty, whether a line meets it or not
+  std::optional<distance::OptimalValue> optimum;  // in the scene's unit
 };
 void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, double step, const RaysText& text,
                const Sink& sink);

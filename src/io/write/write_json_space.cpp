@@ -58,10 +58,10 @@ void put_summary(std::string& out, const space::SpaceSummary& s, std::string_vie
 }  // namespace
 
 std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& s, const Real& step,
-                       std::string_view unit, const ExtremeValue* extreme) {
+                       std::string_view unit, const distance::OptimalValue* best) {
   std::string out = "{\n";
   put_summary(out, s, unit);
-  if (extreme != nullptr) put_extreme(out, *extreme);
+  if (best != nullptr) put_optimum(out, *best);
   put(out, "  \"boxes\": {}\n",
       list(
           set.boxes(), [&](const space::IntervalBox& b) { return box_text(b, step); }, true));
@@ -69,10 +69,10 @@ std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& 
 }
 
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& s, const Real& step,
-                       std::string_view unit, const ExtremeValue* extreme) {
+                       std::string_view unit, const distance::OptimalValue* best) {
   std::string out = "{\n";
   put_summary(out, s, unit);
-  if (extreme != nullptr) put_extreme(out, *extreme);
+  if (best != nullptr) put_optimum(out, *best);
   const Surface surface = convex_surface(set, step);
   const auto corners = [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ", ")); };
   put(out, "  \"polytope\": {{\"inside\": {}, \"frontier\": {}, \"outside\": {},\n    \"vertices\": {},\n",

@@ -15,11 +15,11 @@
 
 namespace findspace::io {
 
-/// `extreme` may be null.
+/// `best` may be null.
 std::string space_json(const space::BoxComplex& set, const space::SpaceSummary& summary, const exact::Real& step,
-                       std::string_view unit, const ExtremeValue* extreme = nullptr);
+                       std::string_view unit, const distance::OptimalValue* best = nullptr);
 /// The polytope with its facets instead of boxes.
 std::string space_json(const space::ConvexSet& set, const space::SpaceSummary& summary, const exact::Real& step,
-                       std::string_view unit, const ExtremeValue* extreme = nullptr);
+                       std::string_view unit, const distance::OptimalValue* best = nullptr);
 
 }  // namespace findspace::io

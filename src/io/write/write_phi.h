@@ -43,7 +43,7 @@ struct PhiReport {
 std::string phi_json(const PhiReport& report);
 std::string phi_table(const PhiReport& report);
 /// The contact surfaces of all pairs of parts; faces are labelled with their contact types. Throws
-/// Error(kUnsupported) where a pair has a ball: its surface is no polyhedron.
+/// Error(kUnsupported) where a pair has a ball: its surface is not a polyhedron.
 Surface phi_surface(const PhiReport& report);
 
 /// "6y - 5z + 29 <= 0": the coefficients of the coordinates, then the constant.

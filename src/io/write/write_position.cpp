@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "formula/language/text.h"
@@ -19,31 +18,15 @@ namespace {
 using exact::Real;
 using formula::DistanceAt;
 
-/// The end of an enclosure as a double that is not within it; `way` is -infinity or +infinity, where there is none.
-double outward(const std::optional<Real>& end, double way) {
-  if (!end) return way;
-  double out = end->to_double();
-  while (way < 0 ? Real::from_double(out) > *end : Real::from_double(out) < *end) out = std::nextafter(out, way);
-  return out;
-}
-
-struct Ends {
-  double lower, upper;
-};
+using Ends = distance::OutwardEnds;
 
 /// Nothing where the value is exact, or there is none.
 std::optional<Ends> ends(const DistanceAt& d) {
   if (!d.answer || d.answer->proven) return std::nullopt;
-  const distance::Enclosure between = d.answer->bounds();
-  return Ends{outward(between.lower, -exact::kInfinity), outward(between.upper, exact::kInfinity)};
+  return distance::outward(d.answer->bounds());
 }
 
-/// The closed form of a value whose decimal is not the number itself, quoted; else empty.
-std::string closed_form(const DistanceAt& d) {
-  const auto text = d.closed_form();
-  if (!text || Real::parse_decimal(json_number(*d.value())) == d.answer->value) return "";
-  return json_string(*text);
-}
+std::string closed_form(const DistanceAt& d) { return d.answer ? closed_form_text(*d.answer) : ""; }
 
 std::string lacks_text(const formula::AtomAt& a) {
   return a.lacks ? fmt::format(R"( "lacks": {},)", json_number(*a.lacks)) : "";
@@ -114,13 +97,16 @@ std::string witness_text(const DistanceAt& d, const distance::Coordinates& at) {
   return members.empty() ? "" : "{" + members + "}";
 }
 
-/// The keys "distances" and "witnesses"; "closed_form", "lower" and "upper" where some value has them.
+/// The keys "distances" and "witnesses"; "closed_form", "not_computed", "lower" and "upper" where some value has them.
 void put_distances(std::string& out, const std::vector<DistanceAt>& distances, const distance::Coordinates& at) {
   out += by_name("distances", distances, [](const DistanceAt& d) { return number(d.value()); });
   out += ",\n" + by_name("witnesses", distances, [&](const DistanceAt& d) { return witness_text(d, at); });
   const auto any = [&](const auto& has) { return std::any_of(distances.begin(), distances.end(), has); };
   if (any([](const DistanceAt& d) { return !closed_form(d).empty(); }))
     out += ",\n" + by_name("closed_form", distances, closed_form);
+  const auto reason = [](const DistanceAt& d) { return d.refused.empty() ? "" : json_string(d.refused); };
+  if (any([&](const DistanceAt& d) { return !d.refused.empty(); }))
+    out += ",\n" + by_name("not_computed", distances, reason);
   if (!any([](const DistanceAt& d) { return ends(d).has_value(); })) return;
   const auto end = [](double Ends::*which) {
     return [which](const DistanceAt& d) {
@@ -144,6 +130,23 @@ std::string bounds_text(const std::vector<DistanceAt>& distances) {
   return out.empty() ? out : out + "}";
 }
 
+/// The key "not_computed" of a check: why a value, or the nearest feasible position, is not there though there may be
+/// one.
+std::string not_computed_text(const std::vector<formula::AtomAt>& atoms, const formula::AskedNearest& nearest) {
+  std::map<std::string, std::string> reasons;
+  for (const formula::AtomAt& a : atoms) {
+    const std::string& why = a.distance.refused;
+    if (why.empty()) continue;
+    reasons[a.distance.text] = why;
+    if (a.atom.more.empty()) reasons[formula::written(a.atom.distance)] = why;
+  }
+  if (nearest && !*nearest) reasons["nearest_feasible"] = nearest->refusal().error.message();
+  std::string out;
+  for (const auto& [what, why] : reasons)
+    put(out, "{}\n    {}: {}", out.empty() ? "" : ",", json_string(what), json_string(why));
+  return out.empty() ? out : fmt::format(",\n  \"not_computed\": {{{}\n  }}", out);
+}
+
 /// The keys "unit", "at" and "angle".
 std::string place_text(const distance::Coordinates& at, std::string_view unit, std::optional<double> angle) {
   return fmt::format("{{{}\"at\": {},{}", unit_key(unit), json_point(at),
@@ -152,16 +155,20 @@ std::string place_text(const distance::Coordinates& at, std::string_view unit, s
 
 }  // namespace
 
+std::string nearest_member(const std::optional<formula::NearestFeasible>& nearest) {
+  if (!nearest) return R"("nearest_feasible": null)";
+  return fmt::format(R"("nearest_feasible": {{"at": {}, "distance": {}, "attained": {}}})", json_point(nearest->at),
+                     json_number(nearest->distance.to_double()), truth(nearest->attained));
+}
+
 std::string check_json(const formula::Check& check, const distance::Coordinates& at, std::string_view unit,
-                       std::optional<double> angle, const formula::NearestFeasible* nearest, bool explain) {
+                       std::optional<double> angle, const formula::AskedNearest& nearest, bool explain) {
   std::string out = place_text(at, unit, angle) + fmt::format(" \"true\": {},\n", truth(check.holds));
   put_atoms(out, check.atoms, at, explain);
-  if (nearest != nullptr)
-    put(out, ",\n  \"nearest_feasible\": {{\"at\": {}, \"distance\": {}, \"attained\": {}}}", json_point(nearest->at),
-        json_number(nearest->distance.to_double()), truth(nearest->attained));
+  if (nearest && *nearest) out += ",\n  " + nearest_member(**nearest);
   std::vector<DistanceAt> all;
   for (const formula::AtomAt& a : check.atoms) all.push_back(a.distance);
-  return out + bounds_text(all) + "\n}\n";
+  return out + bounds_text(all) + not_computed_text(check.atoms, nearest) + "\n}\n";
 }
 
 std::string measure_json(const std::vector<DistanceAt>& distances, const distance::Coordinates& at,

@@ -15,10 +15,12 @@
 
 namespace findspace::io {
 
-/// `at` in the scene's unit; `nearest` may be null. `explain`: which way decided each atom, and how long it took.
+/// `at` in the scene's unit. `explain`: which way decided each atom, and how long it took.
 std::string check_json(const formula::Check& check, const distance::Coordinates& at, std::string_view unit,
-                       std::optional<double> angle = std::nullopt, const formula::NearestFeasible* nearest = nullptr,
+                       std::optional<double> angle = std::nullopt, const formula::AskedNearest& nearest = {},
                        bool explain = false);
+/// The member "nearest_feasible"; null where no position is.
+std::string nearest_member(const std::optional<formula::NearestFeasible>& nearest);
 std::string measure_json(const std::vector<formula::DistanceAt>& distances, const distance::Coordinates& at,
                          std::string_view unit, std::optional<double> angle = std::nullopt);
 

@@ -19,22 +19,15 @@ std::vector<DegreeInterval> degree_intervals(const plane::RotationMap& set) {
   return out;
 }
 
-std::string rotations_json(const plane::RotationMap& set, const ExtremeValue* extreme) {
+std::string rotations_json(const plane::RotationMap& set, const distance::OptimalValue* best) {
   std::string list;
   const auto all = degree_intervals(set);
   for (const DegreeInterval& i : all) {
     list += fmt::format("{}{{\"from\": {}, \"to\": {}, \"from_in\": {}, \"to_in\": {}}}", list.empty() ? "" : ", ",
                         json_number(i.from), json_number(i.to), i.from_in, i.to_in);
   }
-  std::string best;
-  if (extreme != nullptr) {
-    best = fmt::format(" \"{}\": {}, \"attained\": {},{}", extreme->maximum ? "maximum" : "minimum",
-                       extreme->value ? json_number(*extreme->value) : "null", extreme->attained,
-                       extreme->proven ? "" : " \"proven\": false,");
-    if (extreme->bound) best += fmt::format(" \"bound\": {},", json_number(*extreme->bound));
-  }
   return fmt::format("{{\"empty\": {}, \"whole\": {},{} \"intervals\": [{}]}}\n", all.empty(),
-                     set.at.empty() && set.everywhere != 0, best, list);
+                     set.at.empty() && set.everywhere != 0, best == nullptr ? "" : " " + optimum_members(*best), list);
 }
 
 }  // namespace findspace::io

@@ -20,6 +20,6 @@ struct DegreeInterval {
 
 /// The whole circle is [0, 360), a circle without one angle (a, a + 360).
 std::vector<DegreeInterval> degree_intervals(const plane::RotationMap& set);
-std::string rotations_json(const plane::RotationMap& set, const ExtremeValue* extreme = nullptr);
+std::string rotations_json(const plane::RotationMap& set, const distance::OptimalValue* best = nullptr);
 
 }  // namespace findspace::io

@@ -84,4 +84,16 @@ std::string way_words(const formula::DistanceAt& d, const distance::Coordinates&
   return fmt::format("is 0 after {}, at {}", shown_point(way_to(there, at)), shown_point(there));
 }
 
+std::string nearest_words(const formula::AskedNearest& nearest, std::string_view unit) {
+  if (!nearest) return "";
+  if (!*nearest)
+    return fmt::format("nearest feasible position: not computed: {}\n", nearest->refusal().error.message());
+  const formula::NearestFeasible* near = found(nearest);
+  if (near == nullptr) return "no position is feasible\n";
+  const std::string away = shown(near->distance.to_double());
+  return fmt::format("nearest feasible position {}, {} away{}\n", shown_point(near->at),
+                     unit.empty() ? away : fmt::format("{} {}", away, unit),
+                     near->attained ? "" : ", not feasible itself: the region is open there");
+}
+
 }  // namespace findspace::io

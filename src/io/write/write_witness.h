@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "formula/language/position_answers.h"
 
@@ -17,6 +18,9 @@ std::string witness_members(const formula::DistanceAt& d, const distance::Coordi
 std::string witness_words(const formula::DistanceAt& d);
 /// "is 0 after (0, 0, 1.5), at (5, 5, 11)": the way to the nearest contact; "" where there is none.
 std::string way_words(const formula::DistanceAt& d, const distance::Coordinates& at);
+/// A line about the nearest feasible position: where it is, that there is none, or that it is not computed; "" where it
+/// was not asked for.
+std::string nearest_words(const formula::AskedNearest& nearest, std::string_view unit);
 /// "[x, y]" or "[x, y, z]".
 std::string json_point(const distance::Coordinates& p);
 /// "(x, y)" or "(x, y, z)", to six digits.

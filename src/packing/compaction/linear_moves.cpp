@@ -42,7 +42,7 @@ void LinearMoves::collect_pair(const std::vector<Pose>& poses, std::size_t a, st
   const double height = table_.height();
   const bool overlap = inside.depth > height * margin::kNoOverlap;
   const Vec free = inside.depth > 0 ? inside.projection : at;
-  free_room(field.polygon(), free, reach + (overlap ? inside.depth : 0), height, planes_);
+  free_half_planes(field.polygon(), free, reach + (overlap ? inside.depth : 0), height, planes_);
   for (const HalfPlane& h : planes_) {
     const double lacks = h.offset - dot(h.normal, at);
     const bool slanted = h.normal.x != 0 && h.normal.y != 0;

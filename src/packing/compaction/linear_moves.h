@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // All parts moved at once by linear programs. Each pair of parts that are near each other keeps to a convex set of free
-// positions (free_room.h), and no part moves farther than the trust region. Shortening minimises the length;
+// positions (free_half_planes.h), and no part moves farther than the trust region. Shortening minimises the length;
 // separation minimises the depths of the overlaps that are left, and next to that the length. Guarantee: in exact
 // arithmetic no new overlap; in doubles that of the solver. Cost: some milliseconds a program. Source: Li & Milenkovic
 // 1995 (compaction and separation); the solver is CLP. Keywords: linear programming compaction.
@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "packing/compaction/free_room.h"
+#include "packing/compaction/free_half_planes.h"
 #include "packing/nfp/row.h"
 
 namespace findspace::packing {

@@ -138,7 +138,7 @@ void DepthField::fill_block(int column, int row, const std::vector<std::uint32_t
   choose(middle_of(column, row, kBlock), double(kBlock) * half, all, block_);
   for (int r = row; r < row + kBlock; ++r)
     for (int c = column; c < column + kBlock; ++c)
-      fill(std::size_t(r * kCells + c), middle_of(c, r, 1), half, block_.edges);
+      fill(std::size_t(r) * kCells + std::size_t(c), middle_of(c, r, 1), half, block_.edges);
 }
 
 void DepthField::fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {

@@ -103,7 +103,8 @@ plane::SignMap tied(const plane::SignMap& map, const std::vector<plane::Region>&
   });
 }
 
-/// Where all that is far away is no place, the polygon reaches that far; where no place is free, one that is too far.
+/// Where all that is far away is not a place, the polygon reaches that far; where no place is free, one that is too
+/// far.
 void reach_out(NoFitPolygon& polygon, double reach) {
   if (polygon.edges.empty()) polygon.edges.push_back({{reach, reach}, {reach, reach}, true});
   polygon.low = {-reach, -reach};

@@ -6,8 +6,8 @@
 // sought, the last as empty as possible; where they cannot hold all parts, the most valuable choice of parts.
 // Parts are closed polygons with holes on a decimal grid: coordinates are integers of 10^-digits. A point q of a part
 // goes to at + R(angle) M q: M turns x into -x where mirrored, R turns counter-clockwise about the part's origin.
-// Where an angle is no multiple of 90 degrees the turned part has its vertices rounded to the grid, and is exact from
-// there on. Keywords: irregular strip packing, nesting, open dimension problem.
+// Where an angle is not a multiple of 90 degrees the turned part has its vertices rounded to the grid, and is exact
+// from there on. Keywords: irregular strip packing, nesting, open dimension problem.
 #pragma once
 
 #include <cstddef>
@@ -140,8 +140,8 @@ bool is_quarter(const Fraction& angle);
 /// The part turned by an angle and mirrored before, on the grid.
 Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored);
 
-/// What of the plane is no place for a part on this sheet: a frame about the outline, unless that is a rectangle, and
-/// each hole. The frame reaches far enough beyond the edge.
+/// What of the plane is not a place for a part on this sheet: a frame about the outline, unless that is a rectangle,
+/// and each hole. The frame reaches far enough beyond the edge.
 std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet);
 /// What the parts of a zone may not enter: the zone, or what is not the zone.
 std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone);

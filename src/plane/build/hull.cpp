@@ -258,7 +258,7 @@ class Hull {
     return reach;
   }
 
-  /// Does the arc touch the side's line at a place that is no end of it?
+  /// Does the arc touch the side's line at a place that is not an end of it?
   static bool touches(const HullElement& e, const HullCurve& side) {
     RealVector normal = right_normal(side.direction);
     if (cross(e.low, normal).sign() <= 0 || cross(normal, e.high).sign() <= 0) return false;

@@ -23,12 +23,12 @@ Region region_of_path(std::span<const RealVector> path) {
     const Index line = g.add(exact::SupportingCurve::line(a, b, Real(a) * path[k].x + Real(b) * path[k].y));
     builder.segment(line, points[k], points[k + 1], compare_xy(g, points[k], points[k + 1]) < 0);
   }
-  const Arrangement a = arrange(std::move(g), std::move(builder.pieces), std::span(points).first(1));
+  Arrangement a = arrange(std::move(g), std::move(builder.pieces), std::span(points).first(1));
   Marks marks;
   marks.faces.assign(a.face_count, 0);
   marks.edges.assign(a.edge_count(), 1);
   marks.vertices.assign(a.vertex_count(), 1);
-  return extract(a, marks);
+  return extract(std::move(a), marks);
 }
 
 }  // namespace findspace::plane

@@ -172,8 +172,8 @@ CellComplex swept(const CellComplex& m, const Window& window, const std::functio
     return CellComplex::uniform(rule({mark, mark, mark}));
   }
   SweepStrips strips(m, window);
-  const Arrangement a = arrange(std::move(strips.curves.geometry), std::move(strips.curves.pieces));
-  return extract(a, Sights(m, strips, a).marks(rule));
+  Arrangement a = arrange(std::move(strips.curves.geometry), std::move(strips.curves.pieces));
+  return extract(std::move(a), Sights(m, strips, a).marks(rule));
 }
 
 CellComplex least_along(const CellComplex& m, std::span<const RealVector> path) {

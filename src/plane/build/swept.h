@@ -32,7 +32,7 @@ struct Sight {
 std::optional<GridPoint> primitive_direction(const RealVector& d);
 
 /// The window from p + from to p + to. The ends differ; their coordinates are rational. Throws Error(kOutOfRange) where
-/// the direction is no ratio of integers below 2^53.
+/// the direction is not a ratio of integers below 2^53.
 Window window_between(const RealVector& from, const RealVector& to);
 /// The window from p + from * u to p + to * u, u of length 1 in the direction (dx, dy), from < to.
 Window window_along(std::int64_t dx, std::int64_t dy, const exact::Real& from, const exact::Real& to);

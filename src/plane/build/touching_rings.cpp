@@ -57,14 +57,14 @@ std::optional<Region> region_of_touching_rings(std::span<const Contour> rings, R
     for (std::size_t k = first; k < b.forward.size(); ++k) b.forward[k] = !b.forward[k];
   }
   const std::vector<char> forward = std::move(b.forward);
-  const Arrangement a = arrange(std::move(b.geometry), std::move(b.pieces));
+  Arrangement a = arrange(std::move(b.geometry), std::move(b.pieces));
   if (!meet_in_corners_only(a)) return std::nullopt;
   Marks m{{}, std::vector<Mark>(a.edge_count(), 1), std::vector<Mark>(a.vertex_count(), 1)};
   for (std::int32_t number : face_windings(a, forward, 0)) {
     if (rule == RingRule::kHoles && number != 0 && number != 1) return std::nullopt;
     m.faces.push_back(Mark(number & 1));
   }
-  return extract(a, m);
+  return extract(std::move(a), m);
 }
 
 }  // namespace findspace::plane

@@ -46,7 +46,10 @@ bool comes_before(const Geometry& g, Index point, bool left, exact::Heading firs
 void sort_around_vertices(Arrangement& a) {
   Index n = a.vertex_count(), m = a.edge_count();
   a.out_start.assign(n + 1, 0);
-  for (const auto& e : a.edges) ++a.out_start[e.v0 + 1], ++a.out_start[e.v1 + 1];
+  for (const auto& e : a.edges) {
+    ++a.out_start[e.v0 + 1];
+    ++a.out_start[e.v1 + 1];
+  }
   for (Index v = 0; v < n; ++v) a.out_start[v + 1] += a.out_start[v];
   a.out.resize(2 * m);
   std::pmr::vector<Index> at(a.out_start.begin(), a.out_start.end() - 1, a.out.get_allocator());

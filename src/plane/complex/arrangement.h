@@ -89,7 +89,7 @@ struct MarkViews {
       : faces(f), edges(e), vertices(v) {}
 };
 
-/// The complex with these marks, cells that agree merged.
-CellComplex extract(const Arrangement& arrangement, const MarkViews& marks);
+/// The complex with these marks, cells that agree merged. The arrangement's geometry becomes that of the complex.
+CellComplex extract(Arrangement&& arrangement, const MarkViews& marks);
 
 }  // namespace findspace::plane

@@ -231,28 +231,30 @@ Extent extent(const Path& path) {
 
 }  // namespace
 
+Part face_part(const CellComplex& c, const Face& f, const std::function<bool(Mark)>& wanted) {
+  Part part;
+  part.unbounded = f.outer == kNone;
+  if (!part.unbounded) {
+    part.paths.push_back(walk(c, f.outer));
+    part.filled = extent(part.paths[0]);
+  }
+  for (Index h : f.inner) {
+    part.paths.push_back(walk(c, h));
+    part.holes.push_back(extent(part.paths.back()));
+  }
+  for (Index v : f.isolated) {
+    if (wanted(c.vertices[v].mark)) continue;
+    part.paths.push_back({{}, Position::of(c.geometry, c.vertices[v].point)});
+    part.holes.push_back(extent(part.paths.back()));
+  }
+  part.euler = 1 - int(part.holes.size());
+  return part;
+}
+
 std::vector<Part> face_parts(const CellComplex& c, const std::function<bool(Mark)>& wanted) {
   std::vector<Part> parts;
-  for (const Face& f : c.faces) {
-    if (!wanted(f.mark)) continue;
-    Part part;
-    part.unbounded = f.outer == kNone;
-    if (!part.unbounded) {
-      part.paths.push_back(walk(c, f.outer));
-      part.filled = extent(part.paths[0]);
-    }
-    for (Index h : f.inner) {
-      part.paths.push_back(walk(c, h));
-      part.holes.push_back(extent(part.paths.back()));
-    }
-    for (Index v : f.isolated) {
-      if (wanted(c.vertices[v].mark)) continue;
-      part.paths.push_back({{}, Position::of(c.geometry, c.vertices[v].point)});
-      part.holes.push_back(extent(part.paths.back()));
-    }
-    part.euler = 1 - int(part.holes.size());
-    parts.push_back(std::move(part));
-  }
+  for (const Face& f : c.faces)
+    if (wanted(f.mark)) parts.push_back(face_part(c, f, wanted));
   return parts;
 }
 

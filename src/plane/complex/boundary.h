@@ -92,6 +92,9 @@ struct Part {
   std::vector<Extent> holes;  // of the holes that are not bridged
 };
 
+/// An open face as a part. Of its boundary, isolated vertices for which `wanted` holds are left out.
+Part face_part(const CellComplex& complex, const Face& face, const std::function<bool(Mark)>& wanted);
+
 /// The open faces for which `wanted` holds, each as a part.
 std::vector<Part> face_parts(const CellComplex& complex, const std::function<bool(Mark)>& wanted);
 

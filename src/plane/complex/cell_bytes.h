@@ -13,7 +13,7 @@
 
 namespace findspace::plane {
 
-/// False where the number is no fraction that fits.
+/// False where the number is not a fraction that fits.
 bool put_real(const exact::Real& value, ByteWriter& out);
 exact::Real take_real(ByteReader& in);
 

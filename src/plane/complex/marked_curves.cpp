@@ -106,7 +106,7 @@ std::variant<CellComplex, Fault> MarkedCurves::complex() && {
   if (!fault) fault = shared_curve(a);
   if (!fault) fault = mark_cells(a, marks);
   if (fault) return *fault;
-  return extract(a, marks);
+  return extract(std::move(a), marks);
 }
 
 }  // namespace findspace::plane

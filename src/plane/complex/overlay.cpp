@@ -247,8 +247,8 @@ Region combine(std::span<const Region* const> regions, std::span<const std::int3
   if (regions.size() == 1) return *regions[0];
   Input in = gather(regions);
   Arena arena(in.pieces.size());
-  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
-  return extract(a, Weights(a, in, regions, weight).evaluate(rule));
+  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
+  return extract(std::move(a), Weights(a, in, regions, weight).evaluate(rule));
 }
 
 }  // namespace
@@ -258,8 +258,8 @@ CellComplex overlay(std::span<const CellComplex* const> operands,
   if (operands.size() == 1) return remark(*operands[0], [&](Mark m) { return rule({&m, 1}); });
   Input in = gather(operands);
   Arena arena(in.pieces.size());
-  const Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
-  return extract(a, Labels(a, in, operands).evaluate(rule));
+  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
+  return extract(std::move(a), Labels(a, in, operands).evaluate(rule));
 }
 
 Region unite(std::span<const Region* const> regions) {
@@ -296,7 +296,7 @@ CellComplex remark(CellComplex complex, const std::function<Mark(Mark)>& rule) {
   for (Edge& e : complex.edges) change(e.mark);
   for (Face& f : complex.faces) change(f.mark);
   if (all_differ) return complex;  // what differed still differs
-  return simplify(complex);
+  return simplify(std::move(complex));
 }
 
 }  // namespace findspace::plane

@@ -28,7 +28,7 @@ class RingBuilder {
 
   Region build() && {
     Region region = ring_complex(std::move(curves_.geometry), edges_, rings_of_one_face(starts_), {1, 1, 0});
-    if (could_merge_) return simplify(region);
+    if (could_merge_) return simplify(std::move(region));
     return region;
   }
 
@@ -98,7 +98,7 @@ Region closed_inside(PieceBuilder b) {
     m.edges.push_back(in);
     if (in) m.vertices[a.edges[e].v0] = m.vertices[a.edges[e].v1] = 1;
   }
-  return extract(a, m);
+  return extract(std::move(a), m);
 }
 
 Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
@@ -107,7 +107,7 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
   m.faces.assign(a.face_count, 0);
   m.edges.assign(a.edge_count(), 1);
   m.vertices.assign(a.vertex_count(), 1);
-  return extract(a, m);
+  return extract(std::move(a), m);
 }
 
 }  // namespace

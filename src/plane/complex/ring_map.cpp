@@ -8,27 +8,10 @@
 
 #include "plane/base/arena.h"
 #include "plane/complex/around_vertex.h"
+#include "plane/complex/keep_used.h"
 
 namespace findspace::plane {
 namespace {
-
-constexpr std::size_t kLittle = 8192;  // bytes that may lie idle
-
-/// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
-template <class Thing>
-void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
-  Index count = 0;
-  for (Index k = 0; k < used.size(); ++k) {
-    if (used[k] == 0) {
-      used[k] = kNone;
-      continue;
-    }
-    if (count != k) things[count] = std::move(things[k]);
-    used[k] = count++;
-  }
-  things.erase(things.begin() + std::ptrdiff_t(count), things.end());
-  if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
-}
 
 /// What the rings use of a geometry; supporting curves keep their order, as crossings need.
 class UsedGeometry {

@@ -4,19 +4,22 @@
 #include "plane/complex/simplify.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/arrangement.h"
+#include "plane/complex/keep_used.h"
 
 namespace findspace::plane {
 namespace {
 
-/// Cells to be merged, read where they are: of a complex, or of an arrangement with its marks.
+/// Cells to be merged, read where they are: of a complex, or of an arrangement with its marks. Their geometry, most of
+/// the memory of a large set, is taken and not copied.
 struct ComplexCells {
-  const CellComplex& c;
+  CellComplex& c;
 
-  const exact::Geometry& geometry() const { return c.geometry; }
+  exact::Geometry& geometry() const { return c.geometry; }
   Index vertex_count() const { return Index(c.vertices.size()); }
   Index edge_count() const { return Index(c.edges.size()); }
   Index face_count() const { return Index(c.faces.size()); }
@@ -28,10 +31,10 @@ struct ComplexCells {
 };
 
 struct ArrangedCells {
-  const Arrangement& a;
+  Arrangement& a;
   const MarkViews& marks;
 
-  const exact::Geometry& geometry() const { return a.geometry; }
+  exact::Geometry& geometry() const { return a.geometry; }
   Index vertex_count() const { return a.vertex_count(); }
   Index edge_count() const { return a.edge_count(); }
   Index face_count() const { return Index(marks.faces.size()); }
@@ -242,25 +245,21 @@ class Merger {
       }
   }
 
+  /// Keeps what is used where it stands, in order, so that crossings keep the order of their supporting curves.
   void compact_geometry() {
-    const exact::Geometry& g = geometry_;
-    std::pmr::vector<Index> supporting_curve(g.supporting_curves.size(), kNone, memory_),
-        point(g.points.size(), kNone, memory_);
-    for (const Edge& e : out_.edges) supporting_curve[e.supporting_curve] = 0;
+    exact::Geometry& g = geometry_;
+    std::pmr::vector<Index> supporting_curve(g.supporting_curves.size(), 0, memory_),
+        point(g.points.size(), 0, memory_);
+    for (const Edge& e : out_.edges) supporting_curve[e.supporting_curve] = 1;
     for (const Vertex& v : out_.vertices) {
       const exact::Point& p = g.points[v.point];
-      point[v.point] = 0;
-      if (p.kind == exact::Point::Kind::kCross) supporting_curve[p.i] = supporting_curve[p.j] = 0;
+      point[v.point] = 1;
+      if (p.kind == exact::Point::Kind::kCross) supporting_curve[p.i] = supporting_curve[p.j] = 1;
     }
+    keep_used(supporting_curve, g.supporting_curves);
+    keep_used(point, g.points);
     exact::Geometry& to = out_.geometry;
-    to.supporting_curves.reserve(std::size_t(std::count(supporting_curve.begin(), supporting_curve.end(), 0u)));
-    to.points.reserve(std::size_t(std::count(point.begin(), point.end(), 0u)));
-    for (Index k = 0; k < supporting_curve.size();
-         ++k)  // in order, so that crossings keep the order of their supporting curves
-      if (supporting_curve[k] == 0) supporting_curve[k] = to.add(g.supporting_curves[k]);
-    for (Index k = 0; k < point.size(); ++k) {
-      if (point[k] != 0) continue;
-      exact::Point p = g.points[k];
+    for (exact::Point& p : g.points) {
       if (p.kind == exact::Point::Kind::kCross) {
         p.i = supporting_curve[p.i];
         p.j = supporting_curve[p.j];
@@ -269,15 +268,15 @@ class Merger {
         to.reals.push_back(g.reals[p.i]);
         p.i = Index(to.reals.size() - 1);
       }
-      to.points.push_back(p);
-      point[k] = Index(to.points.size() - 1);
     }
+    to.supporting_curves = std::move(g.supporting_curves);
+    to.points = std::move(g.points);
     for (Edge& e : out_.edges) e.supporting_curve = supporting_curve[e.supporting_curve];
     for (Vertex& v : out_.vertices) v.point = point[v.point];
   }
 
   const Cells raw_;
-  const exact::Geometry& geometry_;
+  exact::Geometry& geometry_;
   CellComplex out_;
   Memory memory_;
   UnionFind faces_;
@@ -289,12 +288,12 @@ class Merger {
 
 }  // namespace
 
-CellComplex simplify(const CellComplex& raw) {
+CellComplex simplify(CellComplex raw) {
   Arena arena(raw.edges.size());
   return Merger(ComplexCells{raw}, arena.memory()).run();
 }
 
-CellComplex extract(const Arrangement& a, const MarkViews& marks) {
+CellComplex extract(Arrangement&& a, const MarkViews& marks) {
   Arena arena(a.edges.size());
   return Merger(ArrangedCells{a, marks}, arena.memory()).run();
 }

@@ -15,6 +15,6 @@ namespace findspace::plane {
 /// `raw` needs vertices, edges (with marks), half_edges (next, face), faces (marks; outer, inner and isolated are
 /// rebuilt) and the `face` of isolated vertices. SupportingCurves and points nobody uses any more are dropped from the
 /// geometry.
-CellComplex simplify(const CellComplex& raw);
+CellComplex simplify(CellComplex raw);
 
 }  // namespace findspace::plane

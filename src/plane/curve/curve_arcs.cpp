@@ -116,7 +116,7 @@ class Chainer {
       const double s = good + (bad - good) / 2;
       (fits(s) ? good : bad) = s;
     }
-    // The last two share what is left, so that the last is no splinter.
+    // The last two share what is left, so that the last is not a splinter.
     return end_ - good < (good - at_) / 2 ? at_ + (end_ - at_) / 2 : good;
   }
 

@@ -93,6 +93,9 @@ ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b)
   pairs_.reserve(a.faces.size() * b.faces.size());
   for (Index i = 0; i < a.faces.size(); ++i)
     for (Index j = 0; j < b.faces.size(); ++j) add_pair(i, j);
+  const std::vector<GridFace>& many = (a.faces.size() > b.faces.size() ? a : b).faces;
+  for (Index i = 0; i < many.size(); ++i)
+    if (many[i].unbounded) unbounded_.push_back(i);
 }
 
 void ConvolutionIndex::add_pair(Index i, Index j) {
@@ -129,8 +132,7 @@ std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
       if (e.x1 >= r.x0 - double(box.x1) && e.x0 <= r.x1 - double(box.x0)) add(e.item, k);
       return true;
     });
-    for (Index i = 0; i < faces.size(); ++i)
-      if (faces[i].unbounded) add(i, k);
+    for (Index i : unbounded_) add(i, k);
   }
   std::sort(out.begin(), out.end());
   return out;

@@ -120,7 +120,8 @@ class ConvolutionIndex {
   std::vector<Pair> pairs_;  // by face of A, then of B
   std::vector<Index> ranks_;
   std::vector<EdgeFan::Sweep> sweeps_;
-  BoxSlabs boxes_;  // of the faces of the set that has more
+  BoxSlabs boxes_;                // of the faces of the set that has more
+  std::vector<Index> unbounded_;  // which of these are
 };
 
 }  // namespace findspace::plane

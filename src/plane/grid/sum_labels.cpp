@@ -49,7 +49,7 @@ class Labels {
       for (Index k = a_.out_start[v]; !near && k < a_.out_start[v + 1]; ++k) near = face_in_[a_.face[a_.out[k]]];
       vertices.push_back(vertex_in_[v] ? -1 : near ? 0 : 1);
     }
-    return extract(a_, MarkViews(faces, edges, vertices));
+    return extract(std::move(a_), MarkViews(faces, edges, vertices));
   }
 
  private:

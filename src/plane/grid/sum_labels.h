@@ -19,7 +19,7 @@ using InsideTest = std::function<bool(exact::Geometry&, Index point)>;
 Index point_between(exact::Geometry& geometry, Index supporting_curve, Index p, Index q);
 
 /// -1 on the open sum, 0 on its boundary, +1 elsewhere. `sides`: of the arrangement's pieces; those
-/// beyond the last are no curves of the sum. `unbounded_inside`: far away.
+/// beyond the last are not curves of the sum. `unbounded_inside`: far away.
 SignMap labelled_sum(Arrangement arrangement, const std::vector<InnerSide>& sides, bool unbounded_inside,
                      const InsideTest& inside);
 

@@ -51,8 +51,8 @@ class OuterWalks {
       at = {stop.other, stop.twin + 1};
       return true;
     }
-    if (c_.tracks[at.piece].next == kNone) return false;
-    at = {c_.tracks[at.piece].next, 0};
+    if (c_.origins[at.piece].next == kNone) return false;
+    at = {c_.origins[at.piece].next, 0};
     return true;
   }
 
@@ -90,7 +90,7 @@ class Offset {
     for (const Part& p : walk) {
       const Index point = p.slot == 0 ? c_.start(p.piece) : meetings_.stop(p.piece, p.slot - 1).point;
       const Piece& piece = c_.pieces[p.piece];
-      edges_.push_back({point, piece.supporting_curve, c_.tracks[p.piece].right, piece.half});
+      edges_.push_back({point, piece.supporting_curve, c_.origins[p.piece].right, piece.half});
     }
   }
 
@@ -121,7 +121,7 @@ class Offset {
   std::vector<std::array<Index, 2>> first_;  // ring -> the pieces at its first corner
 };
 
-/// Faces on both sides of one edge: then that is no boundary of the set.
+/// Faces on both sides of one edge: then that is not a boundary of the set.
 bool shares_edges(const CellComplex& set, bool (*wanted)(Mark)) {
   for (Index e = 0; e < set.edges.size(); ++e)
     if (wanted(set.faces[set.face(2 * e)].mark) && wanted(set.faces[set.face(2 * e + 1)].mark)) return true;

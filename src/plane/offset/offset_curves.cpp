@@ -80,7 +80,7 @@ class Builder {
         undo_crossing(corners_[k].next);
       }
     out_.pieces.reserve(capacity_);
-    out_.tracks.reserve(capacity_);
+    out_.origins.reserve(capacity_);
     for (Index k = 0; k < n; ++k) {
       if (circle_[k] != kNone) add_arc(k);
       if (line_[k] != kNone) add_piece(line_[k], from_[k], to_[k], 0, points_right(corners_[k]), false, k);
@@ -179,13 +179,13 @@ class Builder {
                            .p0 = right ? from : to,
                            .p1 = right ? to : from,
                            .half = std::int8_t(half)});
-    out_.tracks.push_back({.right = right, .arc = arc, .corner = corner});
+    out_.origins.push_back({.right = right, .arc = arc, .corner = corner});
   }
 
   void link() {
     std::vector<Index> starts_at(g_.points.size(), kNone);
     for (Index i = 0; i < out_.pieces.size(); ++i) starts_at[out_.start(i)] = i;
-    for (Index i = 0; i < out_.pieces.size(); ++i) out_.tracks[i].next = starts_at[out_.end(i)];
+    for (Index i = 0; i < out_.pieces.size(); ++i) out_.origins[i].next = starts_at[out_.end(i)];
   }
 
   std::span<const GridCorner> corners_;

@@ -18,7 +18,7 @@
 namespace findspace::plane {
 
 /// What a piece was made from and where it leads.
-struct OffsetTrack {
+struct OffsetOrigin {
   bool right;  // it is travelled from p0 to p1
   bool arc;    // about `corner`; else the edge that leaves `corner`, displaced
   Index corner;
@@ -28,15 +28,15 @@ struct OffsetTrack {
 struct OffsetCurves {
   exact::Geometry geometry;
   std::vector<Piece> pieces;  // x-monotone, in the order of the boundary
-  std::vector<OffsetTrack> tracks;
+  std::vector<OffsetOrigin> origins;
 
-  Index start(Index i) const { return tracks[i].right ? pieces[i].p0 : pieces[i].p1; }
-  Index end(Index i) const { return tracks[i].right ? pieces[i].p1 : pieces[i].p0; }
+  Index start(Index i) const { return origins[i].right ? pieces[i].p0 : pieces[i].p1; }
+  Index end(Index i) const { return origins[i].right ? pieces[i].p1 : pieces[i].p0; }
   /// Of travel.
   exact::Heading heading(Index i) const {
     const Piece& p = pieces[i];
     return {p.supporting_curve,
-            p.half != 0 || (geometry.supporting_curves[p.supporting_curve].b > 0) == tracks[i].right};
+            p.half != 0 || (geometry.supporting_curves[p.supporting_curve].b > 0) == origins[i].right};
   }
 };
 

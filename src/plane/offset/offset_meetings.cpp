@@ -16,7 +16,7 @@ bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces)
   std::array<Index, 8> own;
   std::size_t n = 0;
   for (Index i : pieces) {
-    const OffsetTrack& t = c_.tracks[i];
+    const OffsetOrigin& t = c_.origins[i];
     own[n++] = t.corner;
     if (t.arc) own[n++] = edges_.before(t.corner);
   }
@@ -42,7 +42,7 @@ std::vector<PieceBox> OffsetMeetings::boxes() const {
 bool OffsetMeetings::find() {
   PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
   SequenceBoxes(boxes()).meeting_pairs([&](Index i, Index j) {
-    if (!good_ || c_.tracks[i].next == j || c_.tracks[j].next == i) return;
+    if (!good_ || c_.origins[i].next == j || c_.origins[j].next == i) return;
     const Index known = Index(c_.geometry.points.size());
     found.add_pair(i, j);
     if (found.splits.empty() && found.ties.empty()) return;
@@ -88,7 +88,7 @@ bool OffsetMeetings::sort_stops() {
       return s == t ? 0 : compare_along(c_.geometry, c_.pieces[i], stops_[s].point, stops_[t].point);
     };
     const auto from = order.begin() + first_[i], to = order.begin() + first_[i + 1];
-    small_sort(from, to, [&](Index s, Index t) { return c_.tracks[i].right ? along(s, t) < 0 : along(s, t) > 0; });
+    small_sort(from, to, [&](Index s, Index t) { return c_.origins[i].right ? along(s, t) < 0 : along(s, t) > 0; });
     for (auto k = from; k != to && k + 1 != to; ++k)
       if (along(*k, *(k + 1)) == 0 && !is_inside(stops_[*k].point, {i, stops_[*k].other, stops_[*(k + 1)].other}))
         return false;

@@ -35,7 +35,7 @@ std::vector<Region> lonely_edges(const Region& r) {
     for (Vertex& v : only.vertices) v.mark = 0;
     for (Edge& f : only.edges) f.mark = 0;
     only.edges[e].mark = only.vertices[r.edges[e].v0].mark = only.vertices[r.edges[e].v1].mark = 1;
-    found.push_back(simplify(only));
+    found.push_back(simplify(std::move(only)));
   }
   return found;
 }

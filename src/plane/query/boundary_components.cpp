@@ -182,7 +182,7 @@ Region within(const Region& a, const PieceBox& window) {
   }
   for (Index v = 0; v < a.vertices.size(); ++v)
     if (a.vertices[v].out == kNone) out.vertices[v].mark = a.vertices[v].mark;
-  return simplify(out);
+  return simplify(std::move(out));
 }
 
 }  // namespace findspace::plane

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "exact/planar/geometry_signs.h"
 
@@ -12,14 +13,16 @@ namespace {
 
 class Renumbering {
  public:
-  explicit Renumbering(const CellComplex& from) : from_(from) {
+  explicit Renumbering(CellComplex from) : from_(std::move(from)) {
     order_vertices();
     order_edges();
   }
 
   CellComplex run() {
-    out_.geometry = from_.geometry;
     number_faces();
+    out_.vertices.reserve(vertices_.size());
+    out_.edges.reserve(edges_.size());
+    out_.half_edges.reserve(2 * edges_.size());
     for (Index v : vertices_) out_.vertices.push_back(moved(from_.vertices[v]));
     for (Index e : edges_) {
       Edge edge = from_.edges[e];
@@ -30,6 +33,7 @@ class Renumbering {
     for (Index e : edges_)
       for (Index h : {2 * e, 2 * e + 1}) out_.half_edges.push_back({half_edge(from_.next(h)), face_[from_.face(h)]});
     bound_faces();
+    out_.geometry = std::move(from_.geometry);
     return std::move(out_);
   }
 
@@ -98,7 +102,7 @@ class Renumbering {
     }
   }
 
-  const CellComplex& from_;
+  CellComplex from_;
   CellComplex out_;
   std::vector<Index> vertices_, edges_;      // new number -> old
   std::vector<Index> vertex_, edge_, face_;  // old number -> new
@@ -106,6 +110,6 @@ class Renumbering {
 
 }  // namespace
 
-CellComplex in_order(const CellComplex& complex) { return Renumbering(complex).run(); }
+CellComplex in_order(CellComplex complex) { return Renumbering(std::move(complex)).run(); }
 
 }  // namespace findspace::plane

@@ -12,6 +12,6 @@
 
 namespace findspace::plane {
 
-CellComplex in_order(const CellComplex& complex);
+CellComplex in_order(CellComplex complex);
 
 }  // namespace findspace::plane

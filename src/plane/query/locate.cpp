@@ -22,13 +22,17 @@ double widened(double value, double error, int direction) {
 
 }  // namespace
 
-Locator::Locator(const CellComplex& c) : c_(c), geometry_(c.geometry) {
-  std::vector<Box> boxes;
-  for (Index e = 0; e < c.edges.size(); ++e) boxes.push_back(box(e));
+Locator::Locator(const CellComplex& c) : c_(c) {
+  geometry_.supporting_curves = c.geometry.supporting_curves;
+  geometry_.points.reserve(c.geometry.points.size() + 1);  // with the point asked for
+  geometry_.points = c.geometry.points;
+  geometry_.reals = c.geometry.reals;
+  boxes_.reserve(c.edges.size());
+  for (Index e = 0; e < c.edges.size(); ++e) boxes_.push_back(box(e));
   for (Index v = 0; v < c.vertices.size(); ++v) {
-    if (c.vertices[v].out == kNone) boxes.push_back(box(Index(c.edges.size()) + v));
+    if (c.vertices[v].out == kNone) boxes_.push_back(box(Index(c.edges.size()) + v));
   }
-  build_columns(boxes);
+  build_columns();
 }
 
 Locator::Box Locator::box(Index cell) const {
@@ -57,30 +61,31 @@ Index Locator::column(double x) const {
   return Index(std::clamp(k, 0.0, last));
 }
 
-void Locator::build_columns(const std::vector<Box>& boxes) {
+void Locator::build_columns() {
   column_start_.assign(2, 0);
-  if (boxes.empty()) return;
-  double right = boxes[0].x1;
-  left_ = boxes[0].x0;
-  for (const Box& b : boxes) {
+  if (boxes_.empty()) return;
+  double right = boxes_[0].x1;
+  left_ = boxes_[0].x0;
+  for (const Box& b : boxes_) {
     left_ = std::min(left_, b.x0);
     right = std::max(right, b.x1);
   }
-  for (Index n = std::clamp<Index>(Index(boxes.size()), 1, kMostColumns);; n /= 2) {
+  for (Index n = std::clamp<Index>(Index(boxes_.size()), 1, kMostColumns);; n /= 2) {
     column_start_.assign(n + 1, 0);
     per_width_ = right > left_ ? n / (right - left_) : 0;
     std::size_t entries = 0;
-    for (const Box& b : boxes) entries += columns(b).last - columns(b).first + 1;
-    if (n == 1 || entries <= kEntriesPerEdge * boxes.size()) break;
+    for (const Box& b : boxes_) entries += columns(b).last - columns(b).first + 1;
+    if (n == 1 || entries <= kEntriesPerEdge * boxes_.size()) break;
   }
-  for (const Box& b : boxes) {
+  for (const Box& b : boxes_) {
     for (Index k = columns(b).first; k <= columns(b).last; ++k) ++column_start_[k + 1];
   }
   for (std::size_t k = 1; k < column_start_.size(); ++k) column_start_[k] += column_start_[k - 1];
   entries_.resize(column_start_.back());
   std::vector<Index> next(column_start_.begin(), column_start_.end() - 1);
-  for (const Box& b : boxes) {
-    for (Index k = columns(b).first; k <= columns(b).last; ++k) entries_[next[k]++] = b;
+  for (Index i = 0; i < boxes_.size(); ++i) {
+    const Span within = columns(boxes_[i]);
+    for (Index k = within.first; k <= within.last; ++k) entries_[next[k]++] = i;
   }
 }
 
@@ -140,7 +145,7 @@ Cell Locator::search() const {
   Index above = kNone;
   const Box* lowest = nullptr;  // of the edge above
   for (Index i = column_start_[column(x0)]; i < column_start_[column(x1) + 1]; ++i) {
-    const Box& b = entries_[i];
+    const Box& b = boxes_[entries_[i]];
     if (b.x1 < x0 || b.x0 > x1 || b.y1 < y0) continue;
     Cell found;
     if (b.y0 <= y1 && is_found(b.cell, found)) return found;

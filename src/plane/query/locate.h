@@ -44,7 +44,7 @@ class Locator {
   Index column(double x) const;
   Span columns(const Box& b) const { return {column(b.x0), column(b.x1)}; }
   Box box(Index cell) const;
-  void build_columns(const std::vector<Box>& boxes);
+  void build_columns();
   bool is_found(Index cell, Cell& found) const;
   bool is_vertical(Index edge) const;
   int compare_x(Index vertex) const;
@@ -59,7 +59,8 @@ class Locator {
   Index query_ = 0;
   double left_ = 0, per_width_ = 0;
   std::vector<Index> column_start_;
-  std::vector<Box> entries_;  // column after column
+  std::vector<Box> boxes_;
+  std::vector<Index> entries_;  // of boxes, column after column
 };
 
 /// For one point.

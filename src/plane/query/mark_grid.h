@@ -3,7 +3,7 @@
 //
 // The marks of a complex at many points, in doubles where these decide: a lattice of buckets over the complex, most of
 // them within one face. Guarantee: a mark that is given is that of every point within the stated error; nothing where
-// doubles leave it open (on or beside an edge that is no line of the grid), for the exact Locator. Method: a bucket
+// doubles leave it open (on or beside an edge that is not a line of the grid), for the exact Locator. Method: a bucket
 // that no edge enters holds its mark; elsewhere a ray upwards, a little to the right of the point, finds the lowest
 // edge above it, bucket by bucket. Cost: building O(n) and some three buckets an edge; a query about 10 ns in a bucket
 // of one face, 50 ns beside edges. Threads: safe, nothing changes. Source: the bucket method of Asano, Edahiro, Imai,

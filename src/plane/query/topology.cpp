@@ -102,14 +102,14 @@ StarMarks star_marks(const CellComplex& c) {
 Region interior(Region s) {
   StarMarks marks = star_marks(s);
   set_marks(s, marks.edge_least, marks.vertex_least);
-  return simplify(s);
+  return simplify(std::move(s));
 }
 
 Region closure(Region s) {
   StarMarks marks = star_marks(s);
   if (marks_are(s, marks.edge_greatest, marks.vertex_greatest)) return s;
   set_marks(s, marks.edge_greatest, marks.vertex_greatest);
-  return simplify(s);
+  return simplify(std::move(s));
 }
 
 Region boundary(Region s) {
@@ -119,14 +119,14 @@ Region boundary(Region s) {
   for (Index v = 0; v < s.vertices.size(); ++v) {
     s.vertices[v].mark = Mark(marks.vertex_greatest[v] - marks.vertex_least[v]);
   }
-  return simplify(s);
+  return simplify(std::move(s));
 }
 
 Region regularize(Region s) {
   std::vector<Mark> edges, vertices;
   mark_regularized(s, edges, vertices);
   set_marks(s, edges, vertices);
-  return simplify(s);
+  return simplify(std::move(s));
 }
 
 Region complement(Region s) {

@@ -7,11 +7,12 @@
 //
 // Guarantee: exact at every angle of exact cosine and sine, so also at the angles where the answer changes, which are
 // found all: a vertex of one on a line or circle of the other, a line tangent to a circle, two circles tangent, each is
-// a cos + b sin = c; an isolated contact is no limit of its neighbours and is evaluated by itself (distances.md 7.2).
-// Method: T's edges are cut where they meet M's edges and vertices; each piece lies in one cell of M, found exactly;
-// components of equal mark that no edge of T meets are inside T or not, decided at one point; what doubles are certain
-// of (rough_contact.h) is not computed. Cost: one angle: pairs of edges in doubles, exact work for those that touch or
-// have arcs; the angles: pairs of edges. Keywords: contact angle, critical orientation, rotational sweep.
+// a cos + b sin = c; an isolated contact is not a limit of its neighbours and is evaluated by itself
+// (distances.md 7.2). Method: T's edges are cut where they meet M's edges and vertices; each piece lies in one cell of
+// M, found exactly; components of equal mark that no edge of T meets are inside T or not, decided at one point; what
+// doubles are certain of (rough_contact.h) is not computed. Cost: one angle: pairs of edges in doubles, exact work for
+// those that touch or have arcs; the angles: pairs of edges. Keywords: contact angle, critical orientation, rotational
+// sweep.
 #pragma once
 
 #include <vector>

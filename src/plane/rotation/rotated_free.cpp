@@ -152,7 +152,7 @@ class RotatedFree::Look {
     const double over = c.distance - rough_level_;
     const std::optional<RealVector> s = exact_point(c);
     if (!s || !is_free(*s)) return std::nullopt;
-    if (std::abs(over) > f_.tolerance_ * 10 + c.off) return Mark(over > 0 ? 1 : -1);
+    if (std::abs(over) > f_.tolerance_ * margin::kRotatedSum + c.off) return Mark(over > 0 ? 1 : -1);
     return Mark(compare(plane::dot(*s, *s), level_ * level_));
   }
 

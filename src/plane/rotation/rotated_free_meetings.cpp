@@ -20,7 +20,8 @@ void MeetingFinder::Solved::look(Find find) {
 
 void MeetingFinder::corner(std::size_t i, std::size_t k) {
   const FreeQuestion& q = s_.question();
-  const double span = s_.span(), reach = 4 * std::max(s_.spots().travel(i), s_.spots().travel(k)) / s_.half();
+  const double span = s_.span(),
+               reach = margin::kRootReach * std::max(s_.spots().travel(i), s_.spots().travel(k)) / s_.half();
   const auto polynomial = [&](int quarters) {
     const auto [f, g] =
         corner_lines(s_.exact_form(s_.alike(i), quarters), s_.exact_form(s_.alike(k), quarters), q.level);
@@ -32,11 +33,12 @@ void MeetingFinder::corner(std::size_t i, std::size_t k) {
   solved.look([&] { return corner_places(s_.form(first), s_.form(second), s_.level(), span); });
   for (auto& [place, done] : solved.places) {
     if (done) continue;
-    const double angle = s_.middle() + 2 * std::atan(place.u), tolerance = 10 * q.tolerance + place.tolerance * reach;
+    const double angle = s_.middle() + 2 * std::atan(place.u),
+                 tolerance = margin::kRotatedSum * q.tolerance + place.tolerance * reach;
     const RoughCurve c = s_.rough_curve(i, angle), d = s_.rough_curve(k, angle);
     const std::vector<RoughMeeting> all = rough_meetings(c, d, q.tolerance);
     const auto witness = [&](const RoughMeeting& m) {
-      const double near = 10 * m.off + tolerance;
+      const double near = margin::kRotatedSum * m.off + tolerance;
       return std::abs(std::abs(m.at) - s_.level()) <= near && c.holds(m.at, near) && d.holds(m.at, near) &&
              s_.possible(angle, m.at, near);
     };
@@ -47,8 +49,9 @@ void MeetingFinder::corner(std::size_t i, std::size_t k) {
 
 void MeetingFinder::meeting(std::size_t i, std::size_t k, std::size_t m) {
   const FreeQuestion& q = s_.question();
-  const double span = s_.span(),
-               reach = 4 * std::max({s_.spots().travel(i), s_.spots().travel(k), s_.spots().travel(m)}) / s_.half();
+  const double span = s_.span(), reach = margin::kRootReach *
+                                         std::max({s_.spots().travel(i), s_.spots().travel(k), s_.spots().travel(m)}) /
+                                         s_.half();
   std::array<std::size_t, 3> key{s_.alike(i), s_.alike(k), s_.alike(m)};
   std::sort(key.begin(), key.end());
   const auto polynomial = [&](int quarters) {
@@ -62,7 +65,8 @@ void MeetingFinder::meeting(std::size_t i, std::size_t k, std::size_t m) {
   solved.look([&] { return meeting_places(s_.form(key[0]), s_.form(key[1]), s_.form(key[2]), span); });
   for (auto& [place, done] : solved.places) {
     if (done) continue;
-    const double angle = s_.middle() + 2 * std::atan(place.u), tolerance = 100 * q.tolerance + place.tolerance * reach;
+    const double angle = s_.middle() + 2 * std::atan(place.u),
+                 tolerance = margin::kRotatedMeeting * q.tolerance + place.tolerance * reach;
     const std::array<RoughCurve, 3> c{s_.rough_curve(i, angle), s_.rough_curve(k, angle), s_.rough_curve(m, angle)};
     const auto s = place.tolerance > margin::kWideRootPlace ? std::nullopt : rough_meeting(c, tolerance);
     done = place.tolerance > margin::kWideRootPlace || (s && s_.possible(angle, *s, tolerance));

@@ -42,7 +42,7 @@ namespace {
 bool opposite(const FreeSector& sector, const RoughCurve& c, const RoughCurve& d) {
   const FreeQuestion& q = sector.question();
   if (dot(c.normal, d.normal) > -1 + margin::kOneDirectionAtRoot ||
-      std::abs(c.offset() + d.offset()) > q.tolerance * 10)
+      std::abs(c.offset() + d.offset()) > q.tolerance * margin::kRotatedSum)
     return false;
   if (!q.far && std::max(c.least(), d.least()) > sector.level() + q.tolerance) return false;
   const RoughPoint way = (c.q - c.p) / std::abs(c.q - c.p);

@@ -48,7 +48,7 @@ void touching_way(FreeSector& sector, std::size_t i) {
   const FreeQuestion& q = sector.question();
   const ContactPair& k = sector.pairs()[i];
   const auto witness = [&](double angle) {
-    const double tolerance = 10 * q.tolerance;
+    const double tolerance = margin::kRotatedSum * q.tolerance;
     const RoughCurve c = q.curves.rough(k, angle);
     if (c.line) return std::abs(c.offset()) <= tolerance && (q.far || c.least() <= sector.level() + tolerance);
     const RoughPoint u = q.way->rough_unit(angle), s = dot(c.center, u) * u;
@@ -115,7 +115,7 @@ void find_single_on_way(FreeSector& sector, std::size_t i) {
 void find_corner_on_way(FreeSector& sector, std::size_t i, std::size_t k) {
   const FreeQuestion& q = sector.question();
   const double span = sector.span(),
-               reach = 4 *
+               reach = margin::kRootReach *
                        std::max({sector.spots().travel(i), sector.spots().travel(k), sector.half() * sector.level()}) /
                        sector.half();
   const auto polynomial = [&](int quarters) {
@@ -127,7 +127,7 @@ void find_corner_on_way(FreeSector& sector, std::size_t i, std::size_t k) {
   };
   for (const RootPlace& place : meeting_places(sector.form(i), sector.form(k), q.way->sector(sector.middle()), span)) {
     const double angle = sector.middle() + 2 * std::atan(place.u),
-                 tolerance = 100 * q.tolerance + place.tolerance * reach;
+                 tolerance = margin::kRotatedMeeting * q.tolerance + place.tolerance * reach;
     if (place.tolerance > margin::kWideRootPlace || meet_on_way(sector, i, k, angle, tolerance))
       sector.add_roots(place, polynomial);
   }

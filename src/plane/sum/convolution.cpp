@@ -25,8 +25,7 @@ Index add_position(exact::Geometry& g, const Position& p) {
 /// Gives the convolution of one path of a with one path of b its coordinates.
 class PathPair {
  public:
-  PathPair(ConvolutionBuilder& out, const TurningPath& a, const TurningPath& b, Index keys)
-      : out_(out), nodes_(a, b, keys) {}
+  PathPair(ConvolutionBuilder& out, const Tracing& a, const Tracing& b, Index keys) : out_(out), nodes_(a, b, keys) {}
 
   void run() {
     auto& nodes = nodes_.nodes;
@@ -158,11 +157,11 @@ class PathPair {
 };
 
 void ConvolutionBuilder::add(const Part& a, const Part& b) {
-  std::vector<TurningPath> p, q;
+  std::vector<Tracing> p, q;
   p.reserve(a.paths.size());
   q.reserve(b.paths.size());
-  for (const Path& path : a.paths) p.push_back(TurningPath::from(path, a.flat));
-  for (const Path& path : b.paths) q.push_back(TurningPath::from(path, b.flat));
+  for (const Path& path : a.paths) p.push_back(Tracing::from(path, a.flat));
+  for (const Path& path : b.paths) q.push_back(Tracing::from(path, b.flat));
   Index keys = assign_keys(p, q);
   for (const Path& path : a.paths)
     for (const Path& other : b.paths)
@@ -170,8 +169,8 @@ void ConvolutionBuilder::add(const Part& a, const Part& b) {
         Position at = *path.lonely + *other.lonely;
         points.push_back(add_position(curves.geometry, at));
       }
-  for (const TurningPath& x : p)
-    for (const TurningPath& y : q) PathPair(*this, x, y, keys).run();
+  for (const Tracing& x : p)
+    for (const Tracing& y : q) PathPair(*this, x, y, keys).run();
 }
 
 }  // namespace findspace::plane

@@ -7,8 +7,7 @@
 
 namespace findspace::plane {
 
-ConvolutionNodes::ConvolutionNodes(const TurningPath& a, const TurningPath& b, Index keys)
-    : side_{&a, &b}, keys_(keys) {
+ConvolutionNodes::ConvolutionNodes(const Tracing& a, const Tracing& b, Index keys) : side_{&a, &b}, keys_(keys) {
   Index count = count_lines(0) + count_lines(1);
   nodes.reserve(count);
   for (int s : {0, 1}) add_lines(s);
@@ -16,7 +15,7 @@ ConvolutionNodes::ConvolutionNodes(const TurningPath& a, const TurningPath& b, I
 }
 
 Index ConvolutionNodes::count_lines(int s) {
-  const TurningPath &p = *side_[s], &other = *side_[1 - s];
+  const Tracing &p = *side_[s], &other = *side_[1 - s];
   Index n = Index(p.sorted.size()), total = 0;
   auto below = [&](Index key) {
     auto at = std::lower_bound(p.sorted.begin(), p.sorted.end(), key,
@@ -34,7 +33,7 @@ Index ConvolutionNodes::count_lines(int s) {
 }
 
 void ConvolutionNodes::add_lines(int s) {
-  const TurningPath &p = *side_[s], &other = *side_[1 - s];
+  const Tracing &p = *side_[s], &other = *side_[1 - s];
   Index n = Index(p.sorted.size());
   for (Index t = 0; t < other.size(); ++t) {
     Range& range = ranges_[s][t];
@@ -56,7 +55,7 @@ Index ConvolutionNodes::line_node(int s, Index line, Index turn) const {
 }
 
 void ConvolutionNodes::add_arcs() {
-  const TurningPath &a = *side_[0], &b = *side_[1];
+  const Tracing &a = *side_[0], &b = *side_[1];
   std::vector<Index> b_arcs;
   for (Index j = 0; j < b.size(); ++j)
     if (b.turns[j].arc) b_arcs.push_back(j);
@@ -105,7 +104,7 @@ Index ConvolutionNodes::arc_node(Index i, Index j) const {
 
 const Direction& ConvolutionNodes::direction_at(const Node& n, Index key) const {
   for (int s : {0, 1}) {
-    const TurningPath& p = *side_[s];
+    const Tracing& p = *side_[s];
     const Line &before = p.lines[n.at[s]], &after = p.lines[p.line_after(n.at[s])];
     if (before.key == key) return *before.direction;
     if (after.key == key) return *after.direction;

@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "plane/sum/turning_path.h"
+#include "plane/sum/tracing.h"
 
 namespace findspace::plane {
 
@@ -36,17 +36,17 @@ class ConvolutionNodes {
  public:
   using Node = ConvolutionNode;
   using Kind = Node::Kind;
-  using Line = TurningPath::Line;
-  using Turn = TurningPath::Turn;
+  using Line = Tracing::Line;
+  using Turn = Tracing::Turn;
 
   /// `keys`: of both paths' directions (assign_keys).
-  ConvolutionNodes(const TurningPath& a, const TurningPath& b, Index keys);
+  ConvolutionNodes(const Tracing& a, const Tracing& b, Index keys);
 
   std::vector<Node> nodes;
   /// Pairs of arcs of one radius: curves of length 0 that turn.
   std::vector<std::array<Index, 2>> still;
 
-  const TurningPath& side(int s) const { return *side_[s]; }
+  const Tracing& side(int s) const { return *side_[s]; }
   const Turn& turn(int s, Index at) const { return side_[s]->turns[at]; }
   const Line& line_of(const Node& n) const { return side_[n.side]->lines[n.at[n.side]]; }
   const Turn& turn_of(const Node& n) const { return turn(1 - n.side, n.at[1 - n.side]); }
@@ -76,7 +76,7 @@ class ConvolutionNodes {
   void add_arcs();
   void add_arc(Index i, Index j);
 
-  const TurningPath* side_[2];
+  const Tracing* side_[2];
   Index keys_;
   std::vector<Range> ranges_[2];  // of the lines of a side, per turn of the other
   std::unordered_map<std::uint64_t, Index> arc_node_;

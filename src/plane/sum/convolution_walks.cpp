@@ -55,7 +55,7 @@ void Walks::connect(Index k) {
     Index turns[2] = {from.at[0], from.at[1]};
     return step_out(turns, from.key_out, from.turns_left, 0, k, true);
   }
-  const TurningPath& p = n_.side(from.side);
+  const Tracing& p = n_.side(from.side);
   Index turns[2];
   turns[1 - from.side] = from.at[1 - from.side];
   turns[from.side] = from.forward ? from.at[from.side] : p.turn_before(from.at[from.side]);
@@ -87,7 +87,7 @@ void Walks::step_out(Index turns[2], Index key, bool left, std::int64_t angle, I
       angle += left ? std::int64_t(to_end[s]) : -std::int64_t(to_end[s]);
       key = left ? n_.plus(key, to_end[s]) : n_.minus(key, to_end[s]);
     }
-    const TurningPath& p = n_.side(s);
+    const Tracing& p = n_.side(s);
     bool ahead = (p.turns[turns[s]].sign > 0) == left;  // leaves at the turn's end
     Index line = ahead ? p.line_after(turns[s]) : turns[s];
     if (!p.lines[line].empty) return follow(k, n_.line_node(s, line, turns[1 - s]), key, angle);

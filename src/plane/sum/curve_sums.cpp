@@ -62,7 +62,7 @@ class OpenCurves {
       for (Index k = a.chain_start[i] + 1; k < a.chain_start[i + 1]; ++k) marks.vertices[a.edges[a.chain[k]].v0] = 1;
     }
     for (Index p : points_) marks.vertices[a.point_vertex[p]] = 1;
-    return extract(a, marks);
+    return extract(std::move(a), marks);
   }
 
  private:

@@ -34,11 +34,11 @@ std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
 /// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
 SignMap open_sum(const Operand& a, const Operand& b) {
   SumOfPairs sum(true);
-  std::vector<Part> p = a.solid_parts(), q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
-  for (const Part& x : p) {
+  std::vector<Part> q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
+  a.each_solid_part([&](const Part& x) {
     for (const Part& y : q) sum.add(x, y);
     for (const Part& y : q_flat) sum.add(x, y);
-  }
+  });
   for (const Part& x : p_flat)
     for (const Part& y : q) sum.add(x, y);
   return std::move(sum).open_sum();

@@ -67,7 +67,7 @@ SignMap SumOfPairs::open_sum() && {
     for (Index k = a.out_start[v]; !beside && k < a.out_start[v + 1]; ++k) beside = w.faces[a.face[a.out[k]]] > 0;
     m.vertices.push_back(w.vertices[v] > 0 ? -1 : beside ? 0 : 1);
   }
-  return extract(a, m);
+  return extract(std::move(a), m);
 }
 
 Region SumOfPairs::closed_sum() && {
@@ -79,7 +79,7 @@ Region SumOfPairs::closed_sum() && {
   for (auto k : w.faces) m.faces.push_back(k > 0);
   for (auto k : w.edges) m.edges.push_back(k > 0);
   for (auto k : w.vertices) m.vertices.push_back(k > 0);
-  return extract(a, m);
+  return extract(std::move(a), m);
 }
 
 Arrangement SumOfPairs::arranged() {
@@ -111,8 +111,9 @@ bool SolidSum::holds(exact::Geometry& g, Index point) {
 void SolidSum::build(exact::Geometry& g) {
   SumOfPairs sum(true, std::move(g));
   std::vector<Part> q = b_.solid_parts();
-  for (const Part& x : a_.solid_parts())
+  a_.each_solid_part([&](const Part& x) {
     for (const Part& y : q) sum.add(x, y);
+  });
   numbers_ = std::move(sum).numbers();
   g = numbers_->take_geometry();
 }

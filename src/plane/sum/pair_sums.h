@@ -22,6 +22,15 @@ struct Operand {
   bool flat = true;  // with its parts that have no interior
 
   std::vector<Part> solid_parts() const { return oriented(face_parts(cells, wanted)); }
+  /// Calls `use` with one solid part after another, none of them kept.
+  template <class Use>
+  void each_solid_part(Use&& use) const {
+    for (const Face& f : cells.faces) {
+      if (!wanted(f.mark)) continue;
+      Part part = face_part(cells, f, wanted);
+      use(mirrored ? plane::mirrored(std::move(part)) : std::move(part));
+    }
+  }
   std::vector<Part> flat_parts() const {
     return flat ? oriented(plane::flat_parts(cells, wanted)) : std::vector<Part>();
   }

@@ -12,8 +12,8 @@
 #include "distance/planar_least/coordinate.h"
 #include "exact/number/real_size.h"
 #include "findspace/error.h"
-#include "formula/planar/optimize.h"
 #include "formula/planar/position_functions.h"
+#include "formula/planar/solve_region.h"
 #include "formula/planar/sums.h"
 #include "plane/query/locate.h"
 #include "plane/query/moved.h"
@@ -131,7 +131,7 @@ class Goals {
   /// Of the places that a search found the one with the least value.
   Best best_of(const distance::DistanceSum& sum, const Region& region, double reach) const {
     const distance::Extremum e = best_position(sum, {region, region}, Sense::kMinimum, reach);
-    Best out{std::nullopt, e.unbounded, e.exists, Region::uniform(0)};
+    Best out{std::nullopt, e.unbounded, e.exists(), Region::uniform(0)};
     std::optional<RealPoint> best;
     for (const auto& v : e.at.vertices) {
       if (v.mark <= 0) continue;
@@ -150,14 +150,14 @@ class Goals {
     distance::Extremum e =
         distance::linear_extremum(region, f.form, f.factor.sign() > 0 ? Sense::kMinimum : Sense::kMaximum);
     Best out{std::nullopt, e.unbounded, e.attained, std::move(e.at)};
-    if (e.exists) out.value = e.level * f.factor * relations_.problem().world.step;
+    if (const auto value = e.value()) out.value = *value * f.factor * relations_.problem().world.step;
     return out;
   }
 
   Best of_objective(const Goal& goal, const Objective& objective, const Region& region) const {
-    formula::Optimum o =
-        formula::optimize(region, objective, goal.negated ? Sense::kMaximum : Sense::kMinimum, relations_.solver());
-    Best out{o.value, o.unbounded, o.attained, std::move(o.at)};
+    formula::Optimum o = formula::exact_optimum(relations_.solver(), region,
+                                                {objective, goal.negated ? Sense::kMaximum : Sense::kMinimum});
+    Best out{o.value(), o.unbounded, o.attained, std::move(o.at)};
     if (out.value && goal.negated) out.value = -*out.value;
     return out;
   }

@@ -9,7 +9,7 @@
 // component, inside it. With the goal "grid" the nearest grid point of the set within a few steps is taken (by rows and
 // columns, the lower, then the left one first); it belongs to the set, and lies a few steps at most from the minimiser.
 // A chain of positions would otherwise have numbers that grow with every body; where a sign about one could need 4096
-// bits the grid point is taken without that goal. Guarantee: exact where the objectives are (optimize.h). Keywords:
+// bits the grid point is taken without that goal. Guarantee: exact where the objectives are (solve_region.h). Keywords:
 // bottom-left, argmin, tie breaking.
 #pragma once
 

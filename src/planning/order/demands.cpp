@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "findspace/error.h"
@@ -13,6 +14,8 @@
 
 namespace findspace::planning {
 namespace {
+
+constexpr const char* kSelf = "self";
 
 class DemandMaker {
  public:
@@ -65,7 +68,7 @@ class DemandMaker {
   /// What stands still: all without the placed shapes.
   formula::Context fixed_context() const {
     formula::Context context = all_;
-    context.moving = {"self"};
+    context.moving = {kSelf};
     context.shapes.clear();
     for (const std::string& name : all_.shapes) {
       const bool placed = std::any_of(asked_.bodies.begin(), asked_.bodies.end(), [&](const AskedBody& b) {
@@ -81,7 +84,10 @@ class DemandMaker {
     context.moving.clear();
     context.placed.clear();
     context.independent = true;
-    for (const auto& [name, role] : demands_.names) context.moving.push_back(name);
+    for (const auto& [name, role] : demands_.names) {
+      context.moving.push_back(name);
+      context.body_of.emplace(name, role.body);
+    }
     return context;
   }
 
@@ -94,7 +100,7 @@ class DemandMaker {
     if (!asked_.each) return;
     const FormulaPointer formula = read(asked_.each, fixed_context());
     for (std::size_t i = 0; i < demands_.bodies.size(); ++i)
-      demands_.conditions.push_back({formula, {{"self", {i, {}}}}});
+      demands_.conditions.push_back({formula, {{kSelf, {i, {}}}}});
   }
 
   void add_pairs() {
@@ -104,37 +110,66 @@ class DemandMaker {
     const FormulaPointer formula = read(asked_.pairs, context);
     for (std::size_t i = 0; i < demands_.bodies.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        demands_.conditions.push_back({formula, {{"self", {i, {}}}, {"other", {j, {}}}}});
+        demands_.conditions.push_back({formula, {{kSelf, {i, {}}}, {"other", {j, {}}}}});
   }
 
+  /// What a constraint joins by `and` are conditions of their own, so that each counts as soon as its bodies stand. One
+  /// that says `self` is one of every body but those that it names.
   void add_constraints() {
+    const bool free = demands_.names.count(kSelf) == 0;
+    formula::Context context = named_context();
+    if (free) context.moving.push_back(kSelf);
     for (const Unread<formula::Formula>& text : asked_.constraints) {
-      const FormulaPointer formula = read(text, named_context());
-      Roles roles;
-      for (const formula::Atom& atom : formula->atoms()) check_and_note(atom, text.place, roles);
-      demands_.conditions.push_back({formula, std::move(roles)});
+      const FormulaPointer formula = read(text, context);
+      const formula::Node& root = formula->root();
+      if (root.op != formula::Node::Op::kAnd) {
+        add_constraint(formula, text.place, free);
+        continue;
+      }
+      for (const formula::Node& node : root.operands)
+        add_constraint(std::make_shared<const formula::Formula>(part_of(*formula, node)), text.place, free);
     }
   }
 
-  void check_and_note(const formula::Atom& atom, const std::string& place, Roles& roles) const {
-    std::set<std::size_t> first, second;
-    for (const auto& [names, bodies] :
-         {std::pair(&atom.distance.first, &first), std::pair(&atom.distance.second, &second)})
-      for (const std::string& name : *names)
-        if (auto found = demands_.names.find(name); found != demands_.names.end()) {
-          roles.insert(*found);
-          bodies->insert(found->second.body);
-        }
-    if (!first.empty() && first == second) {
+  void add_constraint(const FormulaPointer& formula, const std::string& place, bool free) {
+    if (!free || formula->shapes().count(kSelf) == 0) {
+      if (const auto roles = roles_of(*formula, demands_.names))
+        return demands_.conditions.push_back({formula, *roles});
       throw Error(ErrorCode::kBadValue,
-                  fmt::format("{}: the two move together, so their distance never changes", formula::written(atom)),
-                  place);
+                  fmt::format("{}: the two move together, so their distance never changes", together_), place);
     }
+    for (std::size_t i = 0; i < demands_.bodies.size(); ++i) {
+      Roles names = demands_.names;
+      names[kSelf] = {i, std::nullopt};
+      if (auto roles = roles_of(*formula, names)) demands_.conditions.push_back({formula, *std::move(roles)});
+    }
+  }
+
+  /// The names that the formula says; nothing where a distance is one of a body to itself.
+  std::optional<Roles> roles_of(const formula::Formula& formula, const Roles& names) {
+    Roles roles;
+    const auto bodies = [&](const std::vector<std::string>& shapes) {
+      std::set<std::size_t> out;
+      for (const std::string& shape : shapes)
+        if (auto found = names.find(shape); found != names.end()) {
+          roles.insert(*found);
+          out.insert(found->second.body);
+        }
+      return out;
+    };
+    for (const formula::Atom& atom : formula.atoms()) {
+      const auto first = bodies(atom.distance.first), second = bodies(atom.distance.second);
+      if (!first.empty() && first == second) {
+        together_ = formula::written(atom);
+        return std::nullopt;
+      }
+    }
+    return roles;
   }
 
   void add_objectives() {
     formula::Context context = named_context();
-    context.moving.push_back("self");
+    context.moving.push_back(kSelf);
     for (const Unread<formula::Goal>& text : asked_.minimize) demands_.goals.push_back(text.read(context));
   }
 
@@ -143,6 +178,7 @@ class DemandMaker {
   AskedDemands out_;
   Demands& demands_ = out_.demands;
   std::set<std::string> taken_;
+  std::string together_;  // the atom of which roles_of() gave nothing
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "distance/planar/signed_distance.h"
 #include "exact/margins/rounding.h"
 #include "findspace/error.h"
-#include "formula/planar/feasible_near.h"
+#include "formula/planar/solve_region.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "planning/pose/pose_formula.h"

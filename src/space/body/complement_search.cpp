@@ -39,11 +39,15 @@ ComplementSearch::ComplementSearch(const OpenUnion& cover, const RealVector& p)
 
 ComplementSearch::Meeting ComplementSearch::meeting(std::size_t set, const Extent& box) const {
   if (!box.meets(cover_.extent(set))) return Meeting::kApart;
+  if (!box.bounded()) return Meeting::kMeets;
+  const Vector middle = box.middle(), half = scaled(0.5, box.high - box.low);
+  const double size = size_of(middle) + size_of(half);
   bool covers = true;
-  for (const HalfSpace& h : cover_.planes(set)) {
-    const int side = side_of(h, box);
-    if (side > 0) return Meeting::kApart;
-    covers = covers && side < 0;
+  for (const OpenUnion::RoundedPlane& h : cover_.rounded_planes(set)) {
+    const double at = dot(h.unit, middle) + h.shift, error = margin::kRoundings32 * (size + 2 * std::fabs(h.shift));
+    const double spread = std::fabs(h.unit.x) * half.x + std::fabs(h.unit.y) * half.y + std::fabs(h.unit.z) * half.z;
+    if (at - spread > error) return Meeting::kApart;
+    covers = covers && at + spread < -error;
   }
   return covers ? Meeting::kCovers : Meeting::kMeets;
 }

@@ -25,8 +25,17 @@ void OpenUnion::add(const Extent& extent, Planes planes) {
 
 const OpenUnion::Planes& OpenUnion::planes(std::size_t k) const {
   const Part& part = *parts_[k];
-  std::call_once(part.made, [&] { part.planes = part.make(); });
+  std::call_once(part.made, [&] {
+    part.planes = part.make();
+    part.rounded.reserve(part.planes.size());
+    for (const HalfSpace& h : part.planes) part.rounded.push_back({h.unit, h.shift});
+  });
   return part.planes;
+}
+
+std::span<const OpenUnion::RoundedPlane> OpenUnion::rounded_planes(std::size_t k) const {
+  planes(k);
+  return parts_[k]->rounded;
 }
 
 const ExtentTree& OpenUnion::tree() const {

@@ -41,6 +41,12 @@ class OpenUnion {
   /// Nothing where there are no sets.
   std::optional<RealVector> nearest_touching(const RealVector& p) const;
   const Planes& planes(std::size_t k) const;
+  /// The same to rounding, side by side in memory: unit normals and offsets.
+  struct RoundedPlane {
+    Vector unit;
+    double shift;
+  };
+  std::span<const RoundedPlane> rounded_planes(std::size_t k) const;
   const Extent& extent(std::size_t k) const { return parts_[k]->extent; }
   /// Of the extents; made when first needed.
   const ExtentTree& tree() const;
@@ -51,6 +57,7 @@ class OpenUnion {
     std::function<Planes()> make;
     mutable std::once_flag made;
     mutable Planes planes;
+    mutable std::vector<RoundedPlane> rounded;
   };
   struct Index {
     std::once_flag made;

@@ -33,7 +33,10 @@ RoundedAt value_at(const RoundedPair& pair, const RealVector& u) {
   PhiAt core = phi_at(*pair.phi, u);
   return at_cores(
       CoreAt<Vector>{core.state, core.max_form, core.gradient, std::move(core.active)}, pair.radius,
-      [&] { return by_distance(pair, u); }, [&] { return core.distance; });
+      [&] { return by_distance(pair, u); },
+      [&] {
+        return Away<Vector>{core.distance, pair.phi->normalised_gradient(rounded(u))};
+      });
 }
 
 PhiFunction function_of(const BodyPart& p, const BodyPart& q) {

@@ -68,7 +68,7 @@ struct RayBody {
   int pieces = 0;
   Point low, high;
 
-  /// Refused (kGeometry) where the triangles are no closed surface that lies about a solid.
+  /// Refused (kGeometry) where the triangles are not a closed surface that lies about a solid.
   static exact::Tried<RayBody> of(Triangles surface);
   /// The same; the error instead of the refusal.
   explicit RayBody(Triangles surface) : RayBody(of(std::move(surface)).or_throw()) {}

@@ -27,6 +27,7 @@ struct PairAt {
   double phi = 0, normalised = 0;
   double distance = 0;      // of the bodies; 0 unless apart
   Vec gradient;             // of `phi`
+  Vec normalised_gradient;  // of `normalised`
   std::vector<int> active;  // facets (edges) of the cores that are highest at u, ties included
 };
 
@@ -61,9 +62,16 @@ PairAt<Vec> at_distance(const exact::Real& square, const exact::Real& radius, co
   at.state = state_of(rest.sign());
   // d - R = (d^2 - R^2) / (d + R), without cancellation.
   at.phi = at.normalised = rest.to_double() / (std::sqrt(square.to_double()) + radius.to_double());
-  at.gradient = gradient;
+  at.gradient = at.normalised_gradient = gradient;
   return at;
 }
+
+/// How far the cores are apart, and the unit vector from the nearest point of their difference to u.
+template <class Vec>
+struct Away {
+  double distance = 0;
+  Vec direction;
+};
 
 /// The cores at u: their state, max form, gradient and highest facets.
 template <class Vec>
@@ -74,9 +82,9 @@ struct CoreAt {
   std::vector<int> active;
 };
 
-/// `outside()`: the pair by distance; `distance()`: of the cores, where they are apart.
-template <class Vec, class Outside, class Distance>
-PairAt<Vec> at_cores(CoreAt<Vec> core, const exact::Real& radius, Outside&& outside, Distance&& distance) {
+/// `outside()`: the pair by distance; `away()`: of the cores, where they are apart.
+template <class Vec, class Outside, class AwayAt>
+PairAt<Vec> at_cores(CoreAt<Vec> core, const exact::Real& radius, Outside&& outside, AwayAt&& away) {
   const bool round = radius.sign() > 0, apart = core.state == State::kApart;
   PairAt<Vec> at;
   if (round && apart) {
@@ -84,8 +92,10 @@ PairAt<Vec> at_cores(CoreAt<Vec> core, const exact::Real& radius, Outside&& outs
   } else {
     at.state = round ? State::kOverlap : core.state;
     at.phi = core.max_form - radius.to_double();
-    at.normalised = apart ? distance() : at.phi;
     at.gradient = core.gradient;
+    const Away<Vec> normalised = apart ? away() : Away<Vec>{at.phi, core.gradient};
+    at.normalised = normalised.distance;
+    at.normalised_gradient = normalised.direction;
   }
   at.active = std::move(core.active);
   return at;
@@ -104,16 +114,17 @@ int compare_to(const exact::Real& rho, const exact::Real& radius, int side, Squa
 template <class Vec, class Pair, class ValueAt>
 LeastAt<Vec> least_at(const std::vector<Pair>& pairs, ValueAt&& value_at) {
   LeastAt<Vec> best{value_at(pairs[0]), 0};
-  double normalised = best.at.normalised;
+  Away<Vec> least{best.at.normalised, best.at.normalised_gradient};
   for (std::size_t k = 1; k < pairs.size(); ++k) {
     PairAt<Vec> here = value_at(pairs[k]);
-    normalised = std::min(normalised, here.normalised);
+    if (here.normalised < least.distance) least = {here.normalised, here.normalised_gradient};
     // States order overlap < contact < apart; next to contact they are the exact part of the comparison.
     if (here.state < best.at.state || (here.state == best.at.state && here.phi < best.at.phi))
       best = {std::move(here), static_cast<int>(k)};
   }
-  best.at.normalised = normalised;
-  best.at.distance = best.at.state == State::kApart ? normalised : 0;
+  best.at.normalised = least.distance;
+  best.at.normalised_gradient = least.direction;
+  best.at.distance = best.at.state == State::kApart ? least.distance : 0;
   return best;
 }
 

@@ -104,22 +104,4 @@ exact::Real PhiUnion::squared_distance(const RealVector& u) const {
   return *best;
 }
 
-AdjustedPhi::AdjustedPhi(const PhiUnion& phi, Limit limit, exact::Real rho)
-    : phi_(phi), limit_(limit), rho_(std::move(rho)), rounded_(rho_.to_double()) {
-  if (rho_.sign() < 0) throw Error(ErrorCode::kBadValue, "a distance limit is not negative");
-}
-
-double AdjustedPhi::value(const Vector& u) const {
-  const double value = phi_.normalised(u) - rounded_;
-  return limit_ == Limit::kMinimum ? value : -value;
-}
-
-int AdjustedPhi::sign_at(const RealVector& u) const {
-  const int state = phi_.sign_at(u);
-  // Not apart: Phi <= 0 <= rho, and equal only for contact at the limit 0.
-  const int order =
-      state <= 0 ? (state < 0 || rho_.sign() > 0 ? -1 : 0) : compare(phi_.squared_distance(u), rho_ * rho_);
-  return limit_ == Limit::kMinimum ? order : -order;
-}
-
 }  // namespace findspace::space

@@ -50,24 +50,4 @@ class PhiUnion {
   std::vector<Pair> pairs_;
 };
 
-/// Distance limits (adjusted Phi-functions). With Phi normalised and a limit rho >= 0:
-///   minimum   Phi - rho >= 0   iff the bodies are at least rho apart;
-///   maximum   rho - Phi >= 0   iff they are at most rho apart (overlap included).
-class AdjustedPhi {
- public:
-  enum class Limit { kMinimum, kMaximum };
-  /// Keeps a reference to `phi`. Throws Error(kBadValue) for a negative limit.
-  AdjustedPhi(const PhiUnion& phi, Limit limit, exact::Real rho);
-
-  double value(const Vector& u) const;
-  /// Exact: the squared distance is rational where u is.
-  int sign_at(const RealVector& u) const;
-
- private:
-  const PhiUnion& phi_;
-  Limit limit_;
-  exact::Real rho_;
-  double rounded_;
-};
-
 }  // namespace findspace::space

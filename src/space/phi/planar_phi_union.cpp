@@ -76,11 +76,15 @@ Gap gap(const PlanarPair& pair, const RealPoint& u) {
   return *best;
 }
 
+Away<Vector2> away(const Gap& g) {
+  const double length = std::sqrt(g.square.to_double());
+  if (length == 0) return {0, {1, 0}};
+  return {length, {g.way.x.to_double() / length, g.way.y.to_double() / length}};
+}
+
 PlanarAt outside(const PlanarPair& pair, const RealPoint& u) {
   const Gap g = gap(pair, u);
-  const double length = std::sqrt(g.square.to_double());
-  return at_distance(g.square, pair.radius,
-                     length > 0 ? Vector2{g.way.x.to_double() / length, g.way.y.to_double() / length} : Vector2{1, 0});
+  return at_distance(g.square, pair.radius, away(g).direction);
 }
 
 PlanarAt value_at(const PlanarPair& pair, const RealPoint& u) {
@@ -91,7 +95,7 @@ PlanarAt value_at(const PlanarPair& pair, const RealPoint& u) {
   const Vector2 normal = pair.phi->unit_normal(top.edges[0]);
   return at_cores(
       CoreAt<Vector2>{state_of(side), height, normal, std::move(top.edges)}, pair.radius,
-      [&] { return outside(pair, u); }, [&] { return std::sqrt(gap(pair, u).square.to_double()); });
+      [&] { return outside(pair, u); }, [&] { return away(gap(pair, u)); });
 }
 
 bool is_along_axes(std::span<const PlanarEdge> edges) {

@@ -70,7 +70,7 @@ inline double squared_of_triangle(const Triple<double>& a, const Triple<double>&
                    std::fmin(squared_of_segment(c, a), dot(projection, projection)));
 }
 
-/// From the nearest place of the segment b, b + v to that of a, a + u, where these are no ends of lines that are
+/// From the nearest place of the segment b, b + v to that of a, a + u, where these are not ends of lines that are
 /// parallel.
 inline std::optional<Triple<exact::Real>> way_between(const Triple<exact::Real>& a, const Triple<exact::Real>& u,
                                                       const Triple<exact::Real>& b, const Triple<exact::Real>& v) {

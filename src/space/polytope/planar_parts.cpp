@@ -116,7 +116,7 @@ Found from_region(const plane::Region& region) {
   return result;
 }
 
-/// Nothing also where the shape is no body.
+/// Nothing also where the shape is not a body.
 Found from_region(const plane::Shape& shape, double step) {
   const plane::Region region = plane::closure(plane::build(shape, step).region);
   if (plane::is_empty(region) || !plane::is_bounded(region) || !plane::is_regular(region)) return std::nullopt;

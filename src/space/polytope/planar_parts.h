@@ -30,7 +30,7 @@ struct PlanarParts {
   std::int64_t scale = 1;  // coordinates are in grid steps / scale
 };
 
-/// Of the closure of a 2D shape. Throws Error(kGeometry) where that is no body: empty, unbounded, or with parts that
+/// Of the closure of a 2D shape. Throws Error(kGeometry) where that is not a body: empty, unbounded, or with parts that
 /// have no interior. `step`: size of a grid step, for the places that errors name.
 std::optional<PlanarParts> planar_parts(const plane::Shape& shape, double step = 1);
 

@@ -173,7 +173,7 @@ PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Aligned<T>& d, cons
       if (outside == 0 && !holds) span.meets = Meets::kTouch;
       continue;
     }
-    const int side = piece.rise[k];
+    const int side = piece.rise[k] > 0 ? 1 : -1;
     if (!narrow(side > 0 ? span.high : span.low, T(-value / n[2]), side, holds, any_held))
       span.meets = Meets::kUnresolved;
   }

@@ -92,7 +92,7 @@ class Connector {
 
   std::size_t line_of(int axis, const std::array<int, 3>& p) const;
   void join_lines(const Lines& axis, std::size_t a, std::size_t b);
-  /// Of each set of near(), by the number of its root: whether it is no splinter.
+  /// Of each set of near(), by the number of its root: whether it is not a splinter.
   std::vector<char> large_sets();
   void joins_of(const Stretch& s, int number, int axis, std::array<int, 3> p, std::vector<Join>& out) const;
 

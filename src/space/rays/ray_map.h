@@ -46,7 +46,7 @@ RayGrid ray_grid(const Point& low, const Point& high, int axis, int n);
 /// Error(kBadValue) where that needs more than 2^14 lines.
 RayGrid ray_grid_by_step(const Point& low, const Point& high, int axis, std::int64_t step);
 
-/// Gives places along lines that are no fractions.
+/// Gives places along lines that are not fractions.
 class RayRoots {
  public:
   virtual ~RayRoots() = default;

@@ -16,7 +16,7 @@
 namespace findspace::space {
 
 /// -1 in the set, +1 elsewhere. Throws Error(kUnsupported) for nodes that lines cannot tell: the interior of a union,
-/// the closure of an open set that is no interior of a solid. With `by` (in grid steps) other than 0 a bound of the
+/// the closure of an open set that is not an interior of a solid. With `by` (in grid steps) other than 0 a bound of the
 /// set: for by > 0 it holds every place within `by` of the set, for by < 0 only places of the set with all within -by
 /// of them. Solids and balls are grown and shrunk truly, complements and what is taken away the other way; so of unions
 /// and intersections the bounds are no tighter than those of their parts.

@@ -21,6 +21,6 @@ struct HalfPlane {
 };
 
 /// Keeps within `reach` of `at` in each coordinate, which is not inside the polygon. `size`: of the whole.
-void free_room(const NoFitPolygon& polygon, Vec at, double reach, double size, std::vector<HalfPlane>& result);
+void free_half_planes(const NoFitPolygon& polygon, Vec at, double reach, double size, std::vector<HalfPlane>& result);
 
 }  // namespace findspace::packing

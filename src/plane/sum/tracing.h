@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A boundary path in the form a convolution walks it: line, turn, line, turn ... Lines may have length 0 (between an
-// arc and a corner), turns may be empty (between segments in one direction). Directions are replaced by their places
-// in the circular order of all directions of both operands: keys. Nothing is copied: a turning path refers to its
-// `Path`, which must outlive it.
+// The tracing of a boundary path, as a convolution walks it: line, turn, line, turn ... Lines may have length 0
+// (between an arc and a corner), turns may be empty (between segments in one direction). Directions are replaced by
+// their places in the circular order of all directions of both operands: keys. Nothing is copied: a tracing refers to
+// its `Path`, which must outlive it.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace findspace::plane {
 
-struct TurningPath {
+struct Tracing {
   struct Line {
     const Direction* direction;
     const Position *from, *to;
@@ -38,7 +38,7 @@ struct TurningPath {
   std::vector<Index> sorted;  // the lines that are not empty, by key
 
   /// `flat`: the path of a curve or point that is a set of its own, walked on both sides.
-  static TurningPath from(const Path& path, bool flat);
+  static Tracing from(const Path& path, bool flat);
 
   Index size() const { return Index(lines.size()); }
   Index line_after(Index turn) const { return turn + 1 == lines.size() ? 0 : turn + 1; }
@@ -46,6 +46,6 @@ struct TurningPath {
 };
 
 /// Gives all lines their keys (even for a, odd for b) and all turns their intervals; returns the number of keys.
-Index assign_keys(std::vector<TurningPath>& a, std::vector<TurningPath>& b);
+Index assign_keys(std::vector<Tracing>& a, std::vector<Tracing>& b);
 
 }  // namespace findspace::plane

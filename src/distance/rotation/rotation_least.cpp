@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/rotation/rotation_least.h"
+#include "distance/rotation/rotation_least.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,15 @@
 
 #include "exact/margins/plane.h"
 
-namespace findspace::plane {
+namespace findspace::distance {
+
+using plane::intervals;
+using plane::Mark;
+using plane::merged;
+using plane::overlay;
+using plane::RotationInterval;
+using plane::RotationMap;
+
 namespace {
 
 using exact::Angle;
@@ -55,11 +63,12 @@ RotationMap middles(const RotationMap& set) {
 
 }  // namespace
 
-RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
-                             const Real& step) {
+RotationOptimum least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
+                               const Real& step) {
   const RotationMap closed = closure(set);
   const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
-  RotationLeast out;
+  RotationOptimum out;
+  out.at = RotationMap::uniform(0);
   double high = 1, low = -1;  // in steps
   while (high < margin::kBeyondAll && !reached(high)) {
     low = high;
@@ -68,16 +77,18 @@ RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign
   if (high >= margin::kBeyondAll) return out;
   for (; low > -margin::kBeyondAll && reached(low); low *= 2) high = low;
   if (low <= -margin::kBeyondAll) return out;
-  out.exists = true;
   while (high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
     const double middle = low + (high - low) / 2;
     (reached(middle) ? high : low) = middle;
   }
   const Real whole = Real::from_double(std::round(high)) * step;
   const RotationMap map = probe(sign(whole), closed);
-  out.proven = std::abs(high - std::round(high)) < 1 && !has(map, kBelow) && has(map, kOn);
-  out.value = out.proven ? whole : Real::from_double(high) * step;
-  const RotationMap at = out.proven ? map : middles(probe(sign(out.value), closed));
+  const Real reached_level = Real::from_double(high) * step;
+  if (std::abs(high - std::round(high)) < 1 && !has(map, kBelow) && has(map, kOn))
+    out.set_exact(whole, Way::kAngles);
+  else
+    out.set_enclosed(reached_level, Real::from_double(low) * step, Way::kAngles);
+  const RotationMap at = out.proven() ? map : middles(probe(sign(reached_level), closed));
   const std::array<const RotationMap*, 2> both{&at, &set};
   const RotationMap inside = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] != 0); });
   out.attained = has(inside, 1);
@@ -85,4 +96,4 @@ RotationLeast least_rotation(const std::function<RotationMap(const Real&)>& sign
   return out;
 }
 
-}  // namespace findspace::plane
+}  // namespace findspace::distance

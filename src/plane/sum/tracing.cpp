@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/sum/turning_path.h"
+#include "plane/sum/tracing.h"
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@ namespace findspace::plane {
 namespace {
 
 using exact::int128;
-using Line = TurningPath::Line;
-using Turn = TurningPath::Turn;
+using Line = Tracing::Line;
+using Turn = Tracing::Turn;
 
 /// The turn from one step to the next; `turns`: by more than nothing.
 Turn vertex_turn(const Step& in, const Step& out, bool flat, bool& turns) {
@@ -33,7 +33,7 @@ Turn arc_turn(const Step& s) { return {.center = &s.center, .arc = &s, .sign = s
 Line empty_line(const Direction& d, const Position& p) { return {&d, &p, &p, true}; }
 
 /// A point by itself (+1), or one missing from its surroundings (-1).
-TurningPath around_point(const Position& p, std::int8_t sign) {
+Tracing around_point(const Position& p, std::int8_t sign) {
   static const Direction east{1, 0, nullptr}, west{-1, 0, nullptr};
   Turn half{.center = &p, .sign = sign, .half_turn = true};
   return {.lines = {empty_line(east, p), empty_line(west, p)}, .turns = {half, half}, .sorted = {}};
@@ -41,9 +41,9 @@ TurningPath around_point(const Position& p, std::int8_t sign) {
 
 }  // namespace
 
-TurningPath TurningPath::from(const Path& path, bool flat) {
+Tracing Tracing::from(const Path& path, bool flat) {
   if (path.lonely) return around_point(*path.lonely, flat ? 1 : -1);
-  TurningPath out;
+  Tracing out;
   const auto& steps = path.steps;
   out.lines.reserve(steps.size() + 1);
   out.turns.reserve(steps.size() + 1);
@@ -72,14 +72,14 @@ namespace {
 struct Entry {
   std::int64_t x, y;  // of a grid direction
   const Direction* direction;
-  TurningPath* path;
+  Tracing* path;
   Index line;
   std::uint8_t odd, lower;  // lower: angle in [180, 360)
   bool grid;
 };
 
-void collect(std::vector<TurningPath>& paths, std::uint8_t odd, std::vector<Entry>& all) {
-  for (TurningPath& p : paths)
+void collect(std::vector<Tracing>& paths, std::uint8_t odd, std::vector<Entry>& all) {
+  for (Tracing& p : paths)
     for (Index k = 0; k < p.size(); ++k) {
       const Direction& d = *p.lines[k].direction;
       all.push_back({d.x, d.y, &d, &p, k, odd, std::uint8_t(is_lower(d)), d.grid()});
@@ -94,7 +94,7 @@ int compare(const Entry& p, const Entry& q) {
   return (left < right) - (left > right);
 }
 
-void set_interval(const TurningPath& p, Index k, Index keys, Turn& t) {
+void set_interval(const Tracing& p, Index k, Index keys, Turn& t) {
   Index from = p.lines[k].key, to = p.lines[p.line_after(k)].key;
   t.low = t.sign > 0 ? from : to;
   Index high = t.sign > 0 ? to : from;
@@ -103,11 +103,11 @@ void set_interval(const TurningPath& p, Index k, Index keys, Turn& t) {
 
 }  // namespace
 
-Index assign_keys(std::vector<TurningPath>& a, std::vector<TurningPath>& b) {
+Index assign_keys(std::vector<Tracing>& a, std::vector<Tracing>& b) {
   std::vector<Entry> all;
   std::size_t count = 0;
   for (auto* side : {&a, &b})
-    for (TurningPath& p : *side) {
+    for (Tracing& p : *side) {
       count += p.size();
       p.sorted.reserve(p.size());
     }
@@ -121,7 +121,7 @@ Index assign_keys(std::vector<TurningPath>& a, std::vector<TurningPath>& b) {
   Index rank = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k > 0 && compare(all[k - 1], all[k]) != 0) ++rank;
-    TurningPath& p = *all[k].path;
+    Tracing& p = *all[k].path;
     Line& line = p.lines[all[k].line];
     line.key = 2 * rank + all[k].odd;
     if (line.empty) continue;
@@ -130,7 +130,7 @@ Index assign_keys(std::vector<TurningPath>& a, std::vector<TurningPath>& b) {
   }
   Index keys = 2 * (rank + 1);
   for (auto* side : {&a, &b})
-    for (TurningPath& p : *side)
+    for (Tracing& p : *side)
       for (Index k = 0; k < p.size(); ++k) set_interval(p, k, keys, p.turns[k]);
   return keys;
 }

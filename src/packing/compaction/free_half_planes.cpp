@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 
-#include "packing/compaction/free_room.h"
+#include "packing/compaction/free_half_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ void keep_to_slits(const NoFitPolygon& polygon, Vec at, double slack, std::vecto
 
 }  // namespace
 
-void free_room(const NoFitPolygon& polygon, Vec at, double reach, double size, std::vector<HalfPlane>& result) {
+void free_half_planes(const NoFitPolygon& polygon, Vec at, double reach, double size, std::vector<HalfPlane>& result) {
   const double slack = size * margin::kPieceLeft;
   std::vector<Piece> pieces = pieces_near(polygon, at, reach);
   result.clear();

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "formula/planar/solve_region.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "distance/planar/farthest.h"
+#include "distance/planar_least/coordinate.h"
+#include "distance/planar_least/level_extremum.h"
+#include "findspace/error.h"
+#include "formula/planar/feasible_near.h"
+#include "formula/planar/least_values.h"
+#include "formula/planar/position_functions.h"
+#include "formula/planar/regions.h"
+#include "formula/planar/rotation_values.h"
+#include "formula/planar/sums.h"
+#include "plane/build/path_region.h"
+#include "plane/complex/overlay.h"
+#include "plane/query/locate.h"
+#include "plane/query/topology.h"
+
+namespace findspace::formula {
+
+using distance::Sense;
+using exact::Real;
+using exact::Refusal;
+
+namespace {
+
+/// Whether no position belongs to the outer set alone.
+bool same_sets(const RegionBounds& bounds) {
+  const std::array<const plane::Region*, 2> both{&bounds.outer, &bounds.inner};
+  return plane::is_empty(plane::subtract(both));
+}
+
+/// Why a formula without sums has no exact region, if it has none.
+std::optional<Refusal> not_exact(const Solver& solver, const Formula& formula) {
+  if (has_sums(formula) || !solver.known_between_bounds(formula)) return std::nullopt;
+  if (auto why = between_bounds(solver.prepared(), formula)) return why;
+  return Refusal("where a distance of shapes that rotate is least is known between bounds only");
+}
+
+}  // namespace
+
+SolvedRegion solve_region(const Solver& solver, const Formula& formula) {
+  if (!solver.known_between_bounds(formula)) return {feasible_near(solver, formula)};
+  const bool compared = has_sums(formula);
+  RegionBounds bounds = solver.feasible_bounds(formula);
+  if (compared && same_sets(bounds)) return {std::move(bounds.inner)};
+  return {std::move(bounds.inner), std::move(bounds.outer), compared};
+}
+
+exact::Tried<plane::Region> exact_region(const Solver& solver, const Formula& formula) {
+  if (auto why = not_exact(solver, formula)) return *std::move(why);
+  SolvedRegion found = solve_region(solver, formula);
+  if (!found.outer) return std::move(found.region);
+  return Refusal(
+      "distances are compared along a curve that is neither a line with a direction in integers nor a circle: the "
+      "region is known between two sets only");
+}
+
+std::array<exact::RealPoint, 2> ends_of(const PlanarLine& line) {
+  const std::int64_t most = std::max({std::abs(line.direction[0]), std::abs(line.direction[1]), std::int64_t(1)});
+  const std::int64_t times = std::max<std::int64_t>(1, (std::int64_t(1) << 36) / most);
+  const auto end = [&](std::int64_t way) {
+    return exact::RealPoint{exact::Real(line.through[0] + way * line.direction[0]),
+                            exact::Real(line.through[1] + way * line.direction[1])};
+  };
+  return {end(-times), end(times)};
+}
+
+plane::Region on_line(const plane::Region& region, const PlanarLine& line) {
+  const plane::Region positions = plane::region_of_path(ends_of(line));
+  const std::array<const plane::Region*, 2> both{&region, &positions};
+  return plane::intersect(both);
+}
+
+SolvedRegion on_line(const SolvedRegion& region, const PlanarLine& line) {
+  SolvedRegion out{on_line(region.region, line), std::nullopt, region.compared};
+  if (region.outer) out.outer = on_line(*region.outer, line);
+  return out;
+}
+
+namespace {
+
+/// In the scene's unit; `unit`: that of the values.
+Optimum in_scene(distance::Extremum e, const Real& step, bool negated, const Real& unit) {
+  if (!e.exists()) e.at = plane::CellComplex::uniform(0);
+  e.scale(unit);
+  e.within *= step.to_double();
+  if (negated) e.negate();
+  return e;
+}
+Optimum in_scene(distance::Extremum e, const Real& step, bool negated = false) {
+  return in_scene(std::move(e), step, negated, step);
+}
+
+Real unit_of(const Distance& d, const Solver& solver) {
+  return d.mode == Mode::kRotation ? Real(1) : solver.world().step;
+}
+
+/// The best of the certain positions, and no better than the best of the possible ones.
+Optimum between(Optimum certain, const Optimum& possible) {
+  const auto value = certain.value(), best = possible.value();
+  const bool exact = value && best && certain.proven() && possible.proven() && compare(*value, *best) == 0;
+  const bool empty = !best && !possible.unbounded;
+  if (exact || empty || certain.unbounded) return certain;
+  certain.attained = certain.attained && value.has_value();
+  certain.within = exact::kInfinity;
+  certain.set_enclosed(value, possible.proven() ? best : possible.bound(), distance::Way::kSearch);
+  return certain;
+}
+
+/// The sum is finite, or infinite everywhere.
+Optimum best_sum(const distance::PositionBounds& over, const Objective& objective, Sense sense, const Solver& solver) {
+  const PreparedWorld& world = solver.prepared();
+  const distance::DistanceSum sum = distance_sum(world, objective.terms);
+  return in_scene(best_position(sum, over, sense, reach_of(world, objective.terms)), world.step());
+}
+
+/// The values are known between bounds only (rotation_values.h).
+Optimum best_of_bounded(const distance::PositionBounds& over, const Objective& objective, Sense sense,
+                        const Solver& solver) {
+  const Sense of_distance = objective.negated ? opposite(sense) : sense;
+  return in_scene(best_position(solver.prepared(), objective.distance, over, of_distance), solver.world().step,
+                  objective.negated, unit_of(objective.distance, solver));
+}
+
+Optimum best_distance(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
+  const Real& step = solver.world().step;
+  const Sense of_distance = objective.negated ? opposite(sense) : sense;
+  if (solver.world().motion.given() || objective.distance.mode != Mode::kPlain) {
+    const bool continuous = objective.distance.mode == Mode::kPlain;
+    return in_scene(
+        level_extremum(*position_function(solver.prepared(), objective.distance), region, of_distance, continuous),
+        step, objective.negated);
+  }
+  return in_scene(extremum(*objective_distance(solver.prepared(), objective.distance), region, of_distance), step,
+                  objective.negated);
+}
+
+/// Of one set, by exact maps.
+Optimum best_in(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
+  const Real& step = solver.world().step;
+  switch (objective.kind) {
+    case Objective::Kind::kX:
+      return in_scene(linear_extremum(region, distance::kX, sense), step);
+    case Objective::Kind::kY:
+      return in_scene(linear_extremum(region, distance::kY, sense), step);
+    case Objective::Kind::kZ:
+      throw Error(ErrorCode::kUnsupported, "the objective z needs a scene in three dimensions");
+    case Objective::Kind::kDistanceToPoint: {
+      auto f = distance::Farthest::from_point({objective.point.at(0) / step, objective.point.at(1) / step});
+      return in_scene(extremum(f, region, sense), step);
+    }
+    case Objective::Kind::kSum:  // optimize() has asked for it
+    case Objective::Kind::kDistance:
+      break;
+  }
+  return best_distance(region, objective, sense, solver);
+}
+
+/// A best value at an end of the line is none: it goes on.
+Optimum within_line(Optimum best, const PlanarLine& line) {
+  for (const exact::RealPoint& end : ends_of(line)) {
+    if (!best.value() || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
+    best = distance::no_optimum<plane::Region>(best.sense, true);
+    best.at = plane::Region::uniform(0);
+  }
+  return best;
+}
+
+/// `outer`: null where the region is exact.
+Optimum best_over(const Solver& solver, const plane::Region& region, const plane::Region* outer,
+                  const BestQuery& query) {
+  const Objective& objective = query.objective;
+  const distance::PositionBounds over{region, outer != nullptr ? *outer : region};
+  if (objective.kind == Objective::Kind::kSum) return best_sum(over, objective, query.sense, solver);
+  if (objective.kind == Objective::Kind::kDistance && is_bounded(solver.prepared(), objective.distance))
+    return best_of_bounded(over, objective, query.sense, solver);
+  const auto best = [&](const plane::Region& set) {
+    Optimum found = best_in(set, objective, query.sense, solver);
+    return query.line ? within_line(std::move(found), *query.line) : found;
+  };
+  return outer != nullptr ? between(best(region), best(*outer)) : best(region);
+}
+
+}  // namespace
+
+Optimum optimize(const Solver& solver, const SolvedRegion& region, const BestQuery& query) {
+  return best_over(solver, region.region, region.outer ? &*region.outer : nullptr, query);
+}
+
+Optimum exact_optimum(const Solver& solver, const plane::Region& region, const BestQuery& query) {
+  if (query.objective.kind == Objective::Kind::kDistance)
+    if (const auto why = between_bounds(solver.prepared(), query.objective.distance)) throw why->error;
+  return best_over(solver, region, nullptr, query);
+}
+
+std::optional<Optimum> minimum_of(const Formula& formula, const Solver& solver) {
+  for (const SignMap& m : formula.sign_maps())
+    if (m.minimum)
+      return in_scene(least(solver.prepared(), m.distance), solver.world().step, false, unit_of(m.distance, solver));
+  return std::nullopt;
+}
+
+}  // namespace findspace::formula

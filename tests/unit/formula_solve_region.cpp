@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The region of the plane and what is best in it: exact, or between bounds, and which way found it.
+#include <gtest/gtest.h>
+
+#include "findspace/error.h"
+#include "formula/language/parse.h"
+#include "formula/language/parse_goal.h"
+#include "formula/planar/solve_region.h"
+#include "plane_topology_sets.h"
+
+namespace findspace::formula {
+namespace formula_solve_region {
+
+using distance::Sense;
+using distance::Side;
+using distance::Way;
+using exact::Real;
+
+/// A point B that moves, a small disc A and a large one C on either side of it, and a disc like A.
+class SolveRegion : public testing::Test {
+ protected:
+  static World world() {
+    World out;
+    out.shapes.emplace("A", plane::disc(600, 0, 100));
+    out.shapes.emplace("C", plane::disc(-600, 0, 300));
+    out.shapes.emplace("D", plane::disc(-600, 0, 100));
+    out.shapes.emplace("W", plane::box(-2000, -2000, 2000, 2000));
+    out.shapes.emplace("B", plane::point(0, 0));
+    out.moving = {"B"};
+    out.step = Real(1);
+    return out;
+  }
+  static Context context() {
+    Context out;
+    out.shapes = {"A", "B", "C", "D", "W"};
+    out.moving = {"B"};
+    return out;
+  }
+  Formula where(const char* text) const { return parse_formula(text, context()); }
+  Optimum best(const char* objective, const char* formula, Sense sense = Sense::kMinimum,
+               std::optional<PlanarLine> line = {}) const {
+    SolvedRegion region = solve_region(solver, where(formula));
+    if (line) region = on_line(region, *line);
+    return optimize(solver, region, {parse_objective(objective, context()), sense, line});
+  }
+
+  Solver solver{world()};
+};
+
+constexpr const char* kAlongAHyperbola = "inside(B, W) and gap(B, A) <= gap(B, C)";
+constexpr const char* kAlongALine = "inside(B, W) and gap(B, A) <= gap(B, D)";
+
+TEST_F(SolveRegion, SaysWhetherItIsExact) {
+  EXPECT_FALSE(solve_region(solver, where("gap(B, A) >= 5")).outer);
+  EXPECT_FALSE(solve_region(solver, where(kAlongALine)).outer);
+  EXPECT_TRUE(solve_region(solver, where(kAlongAHyperbola)).outer);
+  EXPECT_TRUE(solve_region(solver, where("gap(B, A, rotating=(0, 0)) >= 5")).outer);
+}
+
+TEST_F(SolveRegion, IsRefusedToThoseWhoNeedItExact) {
+  EXPECT_TRUE(exact_region(solver, where(kAlongALine)));
+  for (const char* text : {kAlongAHyperbola, "gap(B, A, rotating=(0, 0)) >= 5"}) {
+    const auto tried = exact_region(solver, where(text));
+    ASSERT_FALSE(tried) << text;
+    EXPECT_EQ(tried.refusal().error.code(), ErrorCode::kUnsupported);
+  }
+}
+
+TEST_F(SolveRegion, TheBestOfAnExactRegionIsExact) {
+  const Optimum x = best("x", kAlongALine);
+  EXPECT_EQ(*x.value(), Real());
+  EXPECT_TRUE(x.proven());
+  EXPECT_EQ(x.answer->side, Side::kExact);
+  EXPECT_EQ(x.answer->way, Way::kMap);
+}
+
+TEST_F(SolveRegion, TheBestBetweenBoundsIsTakenByACertainPosition) {
+  // |p - C| - |p - A| >= 200: a branch of a hyperbola, whose vertex is (100, 0).
+  const Optimum x = best("x", kAlongAHyperbola);
+  ASSERT_TRUE(x.value() && x.bound());
+  EXPECT_FALSE(x.proven());
+  EXPECT_EQ(x.answer->side, Side::kInner);
+  EXPECT_EQ(x.answer->way, Way::kSearch);
+  EXPECT_GE(*x.value(), Real(100));
+  EXPECT_LE(*x.bound(), Real(100));
+  EXPECT_LE(x.value()->to_double() - x.bound()->to_double(), 8);  // of 4000
+  const Optimum most = best("x", kAlongAHyperbola, Sense::kMaximum);
+  EXPECT_TRUE(most.proven());  // both sets reach the wall
+  EXPECT_EQ(*most.value(), Real(2000));
+}
+
+TEST_F(SolveRegion, ALineGoesOnBeyondItsEnds) {
+  const PlanarLine axis{{0, 0}, {1, 0}};
+  EXPECT_TRUE(best("x", "gap(B, A) >= 5", Sense::kMaximum, axis).unbounded);
+  const Optimum least = best("x", kAlongALine, Sense::kMinimum, axis);
+  EXPECT_EQ(*least.value(), Real());
+  const Optimum bounded = best("x", kAlongAHyperbola, Sense::kMaximum, axis);
+  EXPECT_EQ(*bounded.value(), Real(2000));
+}
+
+TEST_F(SolveRegion, ExactValuesAreAskedOfExactObjectives) {
+  const plane::Region all = plane::box(-10, -10, 10, 10);
+  EXPECT_THROW(exact_optimum(solver, all, {parse_objective("gap(B, A, rotating=(0, 0))", context())}), Error);
+  EXPECT_EQ(*exact_optimum(solver, all, {parse_objective("gap(B, A)", context())}).value(), Real(490));
+}
+
+}  // namespace formula_solve_region
+}  // namespace findspace::formula
