@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
+#include <system_error>
 
 #include "io/scene/scene_curves.h"
 #include "io/scene/scene_extras.h"
@@ -32,6 +35,13 @@ int decimals_of(std::string_view text) {
   return std::max(decimals, 0);
 }
 
+/// Too large is infinite, too small is 0.
+double to_double(const std::string& text) {
+  double number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc{} ? number : std::strtod(text.c_str(), nullptr);
+}
+
 /// The largest number in a value, and the most decimals of one.
 struct NumberRange {
   double largest = 0;
@@ -39,7 +49,7 @@ struct NumberRange {
 
   void add(const JsonValue& value) {
     if (value.is(JsonValue::Kind::kNumber)) {
-      largest = std::max(largest, std::abs(std::strtod(value.text.c_str(), nullptr)));
+      largest = std::max(largest, std::abs(to_double(value.text)));
       decimals = std::max(decimals, decimals_of(value.text));
     }
     for (const JsonValue& item : value.items) add(item);

@@ -15,6 +15,7 @@
 #include "plane/base/result_store.h"
 #include "plane/build/hull.h"
 #include "plane/complex/cell_bytes.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/complex/side_by_side.h"
@@ -154,29 +155,62 @@ class Builder {
   /// A union, intersection or difference of many operands. What is subtracted from the first operand of a difference
   /// is the union of the others.
   Region of_many(Kind kind, const std::vector<ShapePtr>& operands) {
-    const bool difference = kind == Kind::kDifference;
-    std::vector<RegionPtr> all;
-    for (auto k = operands.begin() + difference; k != operands.end(); ++k) all.push_back(region(*k));
-    if (kind == Kind::kIntersection) return *in_groups(std::move(all), intersect);
-    Region united = united_apart(all);
-    if (!difference) return united;
+    if (kind == Kind::kIntersection) return *in_groups(regions(operands), intersect);
+    if (kind == Kind::kUnion) return united(operands);
+    const Region others = united(std::span(operands).subspan(1));
     RegionPtr first = region(operands[0]);
-    return subtract(std::vector<const Region*>{first.get(), &united});
+    return subtract(std::vector<const Region*>{first.get(), &others});
+  }
+
+  std::vector<RegionPtr> regions(std::span<const ShapePtr> shapes) {
+    std::vector<RegionPtr> out;
+    for (const ShapePtr& shape : shapes) out.push_back(region(shape));
+    return out;
   }
 
   /// Only operands whose boxes meet are united by arranging them.
-  static Region united_apart(const std::vector<RegionPtr>& all) {
-    std::vector<const Region*> operands, parts;
-    for (const RegionPtr& r : all) operands.push_back(r.get());
-    std::vector<RegionPtr> kept;
-    for (const std::vector<Index>& group : groups_apart(operands)) {
-      std::vector<RegionPtr> members;
-      for (const Index k : group) members.push_back(all[k]);
-      kept.push_back(in_groups(std::move(members), unite));
-      parts.push_back(kept.back().get());
+  Region united(std::span<const ShapePtr> operands) {
+    std::vector<ShapePtr> kept;
+    std::vector<PieceBox> boxes;
+    for (const ShapePtr& shape : operands) {
+      const RegionPtr made = only_rings(*shape) ? nullptr : region(shape);
+      if (made && made->faces[0].mark != 0) return *in_groups(regions(operands), unite);  // not bounded
+      const auto box = made ? extent(*made) : extent(shape->contours);
+      if (!box) continue;  // the empty set
+      boxes.push_back(*box);
+      kept.push_back(shape);
     }
-    return parts.size() == 1 ? *parts[0] : side_by_side(parts);
+    return kept.empty() ? Region::uniform(0) : united_groups(kept, groups_apart(boxes));
   }
+
+  /// Rings that stand alone are made together, and never one by one.
+  Region united_groups(std::span<const ShapePtr> operands, const std::vector<std::vector<Index>>& groups) {
+    std::vector<RegionPtr> parts;
+    std::vector<std::span<const Contour>> alone;
+    const auto make_alone = [&] {
+      if (!alone.empty()) parts.push_back(std::make_shared<const Region>(region_of_polygons(alone)));
+      alone.clear();
+    };
+    for (const std::vector<Index>& group : groups) {
+      if (group.size() == 1 && only_rings(*operands[group[0]])) {
+        alone.emplace_back(operands[group[0]]->contours);
+        continue;
+      }
+      make_alone();
+      std::vector<ShapePtr> members;
+      for (const Index k : group) members.push_back(operands[k]);
+      parts.push_back(in_groups(regions(members), unite));
+    }
+    if (parts.empty()) return region_of_polygons(alone);
+    make_alone();
+    if (parts.size() == 1) return *parts[0];
+    std::vector<const Region*> all;
+    for (const RegionPtr& part : parts) all.push_back(part.get());
+    return side_by_side(all);
+  }
+
+  /// Nothing else needs its region.
+  bool only_rings(const Shape& shape) const { return shape.kind == Kind::kRings && uses_.at(&shape) <= 1; }
 
   static RegionPtr in_groups(std::vector<RegionPtr> level, Region (*join)(std::span<const Region* const>)) {
     while (level.size() > 1) {

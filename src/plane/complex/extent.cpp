@@ -40,6 +40,19 @@ std::optional<PieceBox> extent(const CellComplex& c) {
   return box;
 }
 
+PieceBox extent(std::span<const Contour> rings) {
+  std::optional<PieceBox> box;
+  for (const Contour& ring : rings)
+    for (const ContourEdge& e : ring) {
+      grow(box, double(e.start.x), double(e.start.y), 0);
+      if (!e.arc) continue;
+      const exact::Interval x = e.arc->cx.interval(), y = e.arc->cy.interval(), r = e.arc->r.interval();
+      grow(box, x.lo, y.lo, r.hi);
+      grow(box, x.hi, y.hi, r.hi);
+    }
+  return *box;
+}
+
 PieceBox edge_box(const CellComplex& c, Index edge) {
   std::optional<PieceBox> box;
   const Edge& e = c.edges[edge];

@@ -7,14 +7,19 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "plane/complex/broad_phase.h"
 #include "plane/complex/cell_complex.h"
+#include "plane/contour/shape.h"
 
 namespace findspace::plane {
 
 /// Nothing for a complex of one face.
 std::optional<PieceBox> extent(const CellComplex& c);
+
+/// Of one ring or more, with the whole circles of their arcs.
+PieceBox extent(std::span<const Contour> rings);
 
 /// A box around one edge with its ends.
 PieceBox edge_box(const CellComplex& c, Index edge);

@@ -13,29 +13,42 @@
 namespace findspace::plane {
 namespace {
 
+using Polygons = std::span<const std::span<const Contour>>;
+
 /// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
-  RingBuilder(std::span<const Contour> rings, Memory memory) : edges_(memory), starts_(memory), normals_(memory) {
-    std::size_t count = 0;
-    for (const Contour& ring : rings) count += ring.size();
-    curves_.geometry.supporting_curves.reserve(count);
-    curves_.geometry.points.reserve(count);
-    edges_.reserve(count);
-    normals_.reserve(count);
-    for (const Contour& ring : rings) add(ring);
+  RingBuilder(Polygons polygons, Memory memory) : edges_(memory), rings_(memory), normals_(memory) {
+    std::size_t edges = 0, rings = 0;
+    for (const auto& polygon : polygons) {
+      rings += polygon.size();
+      for (const Contour& ring : polygon) edges += ring.size();
+    }
+    curves_.geometry.supporting_curves.reserve(edges);
+    curves_.geometry.points.reserve(edges);
+    edges_.reserve(edges);
+    rings_.reserve(rings);
+    for (const auto& polygon : polygons) add_polygon(polygon);
   }
 
   Region build() && {
-    Region region = ring_complex(std::move(curves_.geometry), edges_, rings_of_one_face(starts_), {1, 1, 0});
+    Region region = ring_complex(std::move(curves_.geometry), edges_, rings_, {1, 1, 0});
     if (could_merge_) return simplify(std::move(region));
     return region;
   }
 
  private:
+  /// Its face comes first, then those of its holes.
+  void add_polygon(std::span<const Contour> polygon) {
+    const Index inside = Index(rings_.size()) + 1;
+    for (Index k = 0; k < polygon.size(); ++k) {
+      rings_.push_back({Index(edges_.size()), inside, k == 0 ? 0 : inside + k, k == 0});
+      add(polygon[k]);
+    }
+  }
+
   void add(const Contour& ring) {
     const Index first = Index(edges_.size()), corner = Index(curves_.geometry.points.size()), n = Index(ring.size());
-    starts_.push_back(first);
     normals_.clear();
     for (Index k = 0; k < n; ++k) {
       const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
@@ -80,7 +93,7 @@ class RingBuilder {
 
   PieceBuilder curves_;
   std::pmr::vector<RingEdge> edges_;
-  std::pmr::vector<Index> starts_;
+  std::pmr::vector<NestedRing> rings_;
   std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
   bool could_merge_ = false;
 };
@@ -112,9 +125,11 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
 
 }  // namespace
 
-Region region_of_rings(std::span<const Contour> rings) {
-  Arena arena(rings.empty() ? 0 : rings[0].size());
-  return RingBuilder(rings, arena.memory()).build();
+Region region_of_rings(std::span<const Contour> rings) { return region_of_polygons({&rings, 1}); }
+
+Region region_of_polygons(Polygons polygons) {
+  Arena arena(polygons.empty() || polygons[0].empty() ? 0 : polygons[0][0].size());
+  return RingBuilder(polygons, arena.memory()).build();
 }
 
 Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {

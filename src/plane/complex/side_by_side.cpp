@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "plane/base/union_find.h"
-#include "plane/complex/extent.h"
 
 namespace findspace::plane {
 namespace {
@@ -59,20 +58,12 @@ Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
 }  // namespace
 
-std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regions) {
-  std::vector<Index> all(regions.size());
-  std::iota(all.begin(), all.end(), Index(0));
-  std::vector<PieceBox> boxes;
-  for (const Region* r : regions) {
-    const auto box = r->faces[0].mark == 0 ? extent(*r) : std::nullopt;
-    if (!box) return {all};
-    boxes.push_back(*box);
-  }
-  UnionFind same(regions.size());
+std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes) {
+  UnionFind same(boxes.size());
   if (!boxes.empty()) Sweep(boxes).pairs([&](Index i, Index k) { same.unite(i, k); });
   std::vector<std::vector<Index>> groups;
-  std::vector<Index> group_of(regions.size(), kNone);
-  for (const Index k : all) {
+  std::vector<Index> group_of(boxes.size(), kNone);
+  for (Index k = 0; k < boxes.size(); ++k) {
     Index& group = group_of[same.find(k)];
     if (group == kNone) {
       group = Index(groups.size());

@@ -9,13 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "plane/complex/broad_phase.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
 
-/// The operands in groups, no box of one meeting a box of another; in the order of their first members. All in one
-/// where some operand is not bounded.
-std::vector<std::vector<Index>> groups_apart(std::span<const Region* const> regions);
+/// Sets with these boxes in groups, no box of one meeting a box of another; in the order of their first members.
+std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes);
 
 /// The union of bounded sets whose boxes are apart.
 Region side_by_side(std::span<const Region* const> regions);
