@@ -64,7 +64,7 @@ ConvexPolygon ConvexPolygon::point(const Point2& at) {
 PlanarPhi::PlanarPhi(const ConvexPolygon& p, const ConvexPolygon& q) {
   // The hull begins with the lowest point; of the reflected Q that is the highest one of Q.
   const auto ps = p.vertices(), qs = q.vertices();
-  const std::size_t n = ps.size(), m = qs.size();
+  const std::size_t n = std::max<std::size_t>(ps.size(), 1), m = std::max<std::size_t>(qs.size(), 1);
   const std::size_t sides_p = p.is_point() ? 0 : n, sides_q = q.is_point() ? 0 : m;
   const auto q0 = static_cast<std::size_t>(std::max_element(qs.begin(), qs.end()) - qs.begin());
   for (std::size_t i = 0, j = 0; i < sides_p || j < sides_q;) {

@@ -100,11 +100,11 @@ void RaySummarizer::end_row() {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     if (root_[k] != static_cast<int>(k)) continue;
     if (number[k] < 0) {
-      done_.push_back(std::move(parts_[k]));
+      done_.push_back(parts_[k]);
       continue;
     }
     number[k] = static_cast<int>(left.size());
-    left.push_back(std::move(parts_[k]));
+    left.push_back(parts_[k]);
   }
   for (auto& line : now_) {
     for (Interval& i : line) i.component = number[find(i.component)];

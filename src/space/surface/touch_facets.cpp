@@ -33,8 +33,8 @@ struct TouchFacets::Seen {
 TouchFacets::TouchFacets(const RayBody& body, TouchSide side)
     : body_(body), outside_(side == TouchSide::kOutside), about_(body.points.size()) {
   for (const RayVertex& v : body.vertices) {
-    for (int j = 0; j < v.count; ++j)
-      about_[static_cast<std::size_t>(v.point)].push_back(body.corners[static_cast<std::size_t>(v.first + j)]);
+    for (int k = v.first; k < v.first + v.count; ++k)
+      about_[static_cast<std::size_t>(v.point)].push_back(body.corners[static_cast<std::size_t>(k)]);
   }
 }
 
