@@ -26,7 +26,9 @@ class Packing {
   Packing(const Options& options, const std::string& text, Reporter& reporter)
       : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg", ".dxf"});
-    problem_ = io::read_nesting(text, options.scene, nesting_options(options));
+    io::UnscaledProblem stated = io::read_unscaled(text, options.scene, nesting_options(options));
+    for (const std::string& note : stated.notes) reporter_.note(note);
+    problem_ = std::move(stated).on_grid(options.scene);
     if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 

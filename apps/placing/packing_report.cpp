@@ -58,7 +58,7 @@ packing::Layout start_layout(const packing::Problem& problem, const std::filesys
 
 io::NestingOptions nesting_options(const Options& options) {
   const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
-  return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge)};
+  return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge), reading(options)};
 }
 
 std::string better_text(const packing::SearchState& state, std::string_view size) {

@@ -272,7 +272,10 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
   if (path || content) {
     const PackingOptions asked{text(parameters, "height"), text(parameters, "gap").value_or("0"),
                                text(parameters, "edge").value_or("0")};
-    store.keep_problem(name, path ? store.read_text_of(*path) : *content, path.value_or(name), asked);
+    if (path)
+      store.load_problem(name, *path, asked);
+    else
+      store.load_problem_text(name, *content, asked);
   }
   PackingJob& job = store.packing(name);
   const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");

@@ -22,7 +22,7 @@ namespace {
 packing::Fraction fraction(const std::string& text) { return packing::Fraction::parse(text); }
 
 packing::Problem read(const std::string& problem, const std::string& file, const PackingOptions& asked) {
-  io::NestingOptions read{std::nullopt, fraction(asked.gap), fraction(asked.edge)};
+  io::NestingOptions read{std::nullopt, fraction(asked.gap), fraction(asked.edge), asked.read, asked.folder};
   if (asked.height) read.height = fraction(*asked.height);
   packing::Problem result = io::read_nesting(problem, file, read);
   if (result.on_sheets() || result.box)
@@ -32,18 +32,6 @@ packing::Problem read(const std::string& problem, const std::string& file, const
     throw Error(ErrorCode::kUnsupported, "the page moves all parts; fixed ones are packed around by 'findspace pack'",
                 file);
   return result;
-}
-
-std::string outline(const packing::Problem& problem, const packing::Polygon& shape) {
-  const double steps = double(problem.steps());
-  std::string path;
-  for (const packing::Ring& ring : shape.rings) {
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      io::put(path, "{}{} {}", k == 0 ? "M" : "L", io::json_number(double(ring[k].x) / steps),
-              io::json_number(-double(ring[k].y) / steps));
-    path += "Z";
-  }
-  return path;
 }
 
 /// The layout with its overlaps taken out, in a strip as much longer as that needs.
@@ -169,9 +157,11 @@ void PackingJob::repair(std::size_t item, std::array<double, 2> at) {
 }
 
 std::string PackingJob::problem_json(bool drawing) const {
+  std::size_t k = 0;
   const std::string parts = io::list(problem_.parts, [&](const packing::Part& p) {
+    const std::size_t part = k++;
     return fmt::format(R"({{"name": {}, "demand": {}{}}})", io::json_string(p.name), p.demand,
-                       drawing ? ", \"drawing\": " + io::json_string(outline(problem_, p.shape)) : "");
+                       drawing ? ", \"drawing\": " + io::json_string(io::outline_path(problem_, part)) : "");
   });
   return fmt::format(R"({{"name": {}, "height": {}, "lower_bound": {}, "items": {}, "parts": {}}})",
                      io::json_string(problem_.name), io::json_number(problem_.height.to_double()),

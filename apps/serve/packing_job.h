@@ -24,6 +24,8 @@ namespace findspace::app {
 struct PackingOptions {
   std::optional<std::string> height;
   std::string gap = "0", edge = "0";
+  io::ReadOptions read = {};          // of shapes in files,
+  std::filesystem::path folder = {};  // which are looked for here
 };
 
 struct PackingStart {

@@ -44,7 +44,7 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
   if (scene.empty()) return;
   if (is_problem(scene, options.input_limit)) {
     keep_problem("scene", io::read_text(scene, options.input_limit), scene.string(),
-                 {options.height, options.gap, options.edge});
+                 {options.height, options.gap, options.edge, reading(options_), scene.parent_path()});
     PackingJob& job = packing("scene");
     if (options.start) job.begin_with(start_layout(job.problem(), *options.start, options.input_limit));
     return;
@@ -92,6 +92,19 @@ void SceneStore::keep_problem(const std::string& name, const std::string& text, 
   packings_[name] = std::move(job);
 }
 
+void SceneStore::load_problem(const std::string& name, const std::string& path, PackingOptions asked) {
+  const std::filesystem::path whole = within_root(path);
+  asked.read = reading(options_);
+  asked.folder = whole.parent_path();
+  keep_problem(name, io::read_text(whole, options_.input_limit), path, asked);
+}
+
+void SceneStore::load_problem_text(const std::string& name, const std::string& text, PackingOptions asked) {
+  asked.read = reading(options_);
+  asked.read.files = false;
+  keep_problem(name, text, name, asked);
+}
+
 void SceneStore::forget(const std::string& name) {
   if (packings_.erase(name) > 0) return;
   scene(name);
@@ -115,10 +128,6 @@ void SceneStore::load_text(const std::string& name, const std::string& text) {
   io::ReadOptions without_files = reading(options_);
   without_files.files = false;
   keep(name, io::read_scene_text(text, options_.root, name, without_files), text);
-}
-
-std::string SceneStore::read_text_of(const std::string& path) const {
-  return io::read_text(within_root(path), options_.input_limit);
 }
 
 std::filesystem::path SceneStore::within_root(const std::string& path) const {

@@ -33,17 +33,19 @@ class SceneStore {
   std::string source(const std::string& name);
   PackingJob& packing(const std::string& name);
   bool has_packing() const { return !packings_.empty(); }
-  void keep_problem(const std::string& name, const std::string& text, const std::string& file,
-                    const PackingOptions& asked);
+  /// A packing problem below the folder, and one from memory, which reads no files.
+  void load_problem(const std::string& name, const std::string& path, PackingOptions asked);
+  void load_problem_text(const std::string& name, const std::string& text, PackingOptions asked);
   void forget(const std::string& name);
 
   /// A scene, drawing or board below the folder. Throws Error where the path leads out of it.
   void load(const std::string& name, const std::string& path);
   /// A scene from memory, which reads no files.
   void load_text(const std::string& name, const std::string& text);
-  std::string read_text_of(const std::string& path) const;
 
  private:
+  void keep_problem(const std::string& name, const std::string& text, const std::string& file,
+                    const PackingOptions& asked);
   std::filesystem::path within_root(const std::string& path) const;
 
   Options options_;  // the root is the one that is kept to

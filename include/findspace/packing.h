@@ -3,7 +3,7 @@
 //
 // Many parts packed into a short strip, a small box, or onto few sheets; where they do not all fit the sheets, the most
 // valuable choice of them. Every layout that is handed out is proved: no two interiors meet, gaps and edges are kept,
-// by exact signs on the outlines given. How short or few is the result of a search, not proved. The units are those of
+// by exact signs on the shapes given. How short or few is the result of a search, not proved. The units are those of
 // the numbers given. Cost: as much time as is allowed. Keywords: nesting, irregular strip packing, bin packing, cutting
 // stock, knapsack.
 #pragma once
@@ -18,14 +18,16 @@
 
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/shape.h"
 
 namespace findspace {
 
-/// A kind of part. Rings are simple polygons: the outline, then holes, in which other parts may lie.
+/// A kind of part: rings, or any closed bounded shape of the plane without curves or points beside its areas. Arcs stay
+/// arcs: the search looks at tangents and chords of them, the proof at the shape itself.
 struct PackPart {
   /// How layouts call it.
   std::string name;
-  /// The outline, then holes.
+  /// Simple polygons: the outline, then holes, in which other parts may lie.
   std::vector<Ring> rings;
   /// How many copies are wanted.
   int count = 1;
@@ -35,6 +37,11 @@ struct PackPart {
   bool mirrored = false;
   /// Of a copy, where not all fit; without it its area.
   std::optional<Number> value = {};
+  /// Instead of rings.
+  std::optional<Shape> shape = {};
+
+  /// A part of any shape.
+  static PackPart of(std::string name, Shape shape, int count = 1);
 };
 
 /// What some parts may not enter, or may not leave.
@@ -81,6 +88,14 @@ struct PackCondition {
   std::string where;
 };
 
+/// Parts that stay together.
+struct PackGroup {
+  /// Names of parts: any two copies of them lie on one sheet,
+  std::vector<std::string> parts;
+  /// and at most this far apart. On a strip or in a box it must be given.
+  std::optional<Number> within = {};
+};
+
 /// A copy that stands where it stands. It counts as one of its part's.
 struct FixedPart {
   /// Its kind.
@@ -115,8 +130,12 @@ struct PackProblem {
   Number edge = 0;
   /// Wider gaps of some pairs.
   std::vector<PackGap> gaps = {};
+  /// What holds for any two copies, of two parts one way, of one part both ways: a formula as in a PackCondition.
+  std::string where = {};
   /// Conditions of some pairs.
   std::vector<PackCondition> conditions = {};
+  /// Parts that stay together.
+  std::vector<PackGroup> groups = {};
   /// Parts that stand already.
   std::vector<FixedPart> fixed = {};
 };

@@ -46,7 +46,8 @@ using NamedCondition = std::tuple<std::string, std::string, Formula>;
 PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
                        const py::object& gap, const py::object& edge, std::string name, bool box,
                        const std::vector<NamedGap>& gaps, const std::vector<NamedCondition>& conditions,
-                       std::vector<FixedPart> fixed) {
+                       std::vector<FixedPart> fixed, const std::optional<Formula>& where,
+                       std::vector<PackGroup> groups) {
   PackProblem problem;
   problem.name = std::move(name);
   problem.height = number(height);
@@ -58,6 +59,8 @@ PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, st
   for (const auto& [first, second, distance] : gaps) problem.gaps.push_back({first, second, number(distance)});
   for (const auto& [first, second, where] : conditions) problem.conditions.push_back({first, second, where.text()});
   problem.fixed = std::move(fixed);
+  if (where) problem.where = where->text();
+  problem.groups = std::move(groups);
   return problem;
 }
 
@@ -66,17 +69,24 @@ py::tuple packed_problem(const PackProblem& p) {
   for (const PackGap& g : p.gaps) gaps.append(py::make_tuple(g.first, g.second, packed(g.gap)));
   for (const PackCondition& c : p.conditions) conditions.append(py::make_tuple(c.first, c.second, c.where));
   return py::make_tuple(p.parts, packed(p.height), p.sheets, packed(p.gap), packed(p.edge), p.name, p.box, gaps,
-                        conditions, p.fixed);
+                        conditions, p.fixed, p.where.empty() ? py::none() : py::object(py::str(p.where)), p.groups);
 }
 
 PackProblem unpacked_problem(const py::tuple& t) {
   return problem_of(t[0].cast<std::vector<PackPart>>(), t[1], t[2].cast<std::vector<PackSheet>>(), t[3], t[4],
                     t[5].cast<std::string>(), t[6].cast<bool>(), t[7].cast<std::vector<NamedGap>>(),
-                    t[8].cast<std::vector<NamedCondition>>(), t[9].cast<std::vector<FixedPart>>());
+                    t[8].cast<std::vector<NamedCondition>>(), t[9].cast<std::vector<FixedPart>>(),
+                    t[10].cast<std::optional<Formula>>(), t[11].cast<std::vector<PackGroup>>());
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<PackPart>(m, "PackPart", "A kind of part: an outline with holes, how many, at which angles.")
+  py::class_<PackPart>(m, "PackPart", "A kind of part: an outline with holes or a Shape, how many, at which angles.")
+      .def(py::init([](std::string name, const Shape& shape, int count, const py::sequence& angles, bool mirrored,
+                       const py::object& value) {
+             return PackPart{std::move(name), {}, count, numbers(angles), mirrored, amount(value), shape};
+           }),
+           py::arg("name"), py::arg("shape"), py::arg("count") = 1, py::arg("angles") = py::make_tuple(0),
+           py::arg("mirrored") = false, py::arg("value") = py::none())
       .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
                        const py::sequence& angles, bool mirrored, const py::object& value) {
              return PackPart{std::move(name), rings_of(outline, holes), count, numbers(angles), mirrored,
@@ -85,7 +95,7 @@ void bind_problem(py::module_& m) {
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none())
       .def(pickled<PackPart>(&PackPart::name, &PackPart::rings, &PackPart::count, &PackPart::angles,
-                             &PackPart::mirrored, &PackPart::value))
+                             &PackPart::mirrored, &PackPart::value, &PackPart::shape))
       .def_readonly("name", &PackPart::name, "Its name in problems and layouts.")
       .def_readwrite("count", &PackPart::count, "How many copies are wanted.");
   py::class_<PackZone>(m, "PackZone", "What the parts named may not enter, or may not leave.")
@@ -108,6 +118,13 @@ void bind_problem(py::module_& m) {
       .def(pickled<PackSheet>(&PackSheet::name, &PackSheet::rings, &PackSheet::count, &PackSheet::cost,
                               &PackSheet::zones))
       .def_readonly("name", &PackSheet::name, "Its name in layouts.");
+  py::class_<PackGroup>(m, "PackGroup", "Parts that stay together: on one sheet, and at most `within` apart.")
+      .def(py::init([](std::vector<std::string> parts, const py::object& within) {
+             return PackGroup{std::move(parts), amount(within)};
+           }),
+           py::arg("parts"), py::arg("within") = py::none())
+      .def(pickled<PackGroup>(&PackGroup::parts, &PackGroup::within))
+      .def_readonly("parts", &PackGroup::parts, "Names of the parts.");
   py::class_<FixedPart>(m, "FixedPart", "A copy that stands where it stands; it counts as one of its part's.")
       .def(py::init([](std::string part, const py::sequence& at, const py::object& angle, bool mirrored,
                        std::string sheet, int sheet_number) {
@@ -140,6 +157,10 @@ conditions : list of (str, str, Formula or str)
     Of two kinds of parts, "self" and "other": such as "gap(self, other) <= 8".
 fixed : list of FixedPart
     Copies that stand already.
+where : Formula or str, optional
+    What holds for any two copies, "self" and "other".
+groups : list of PackGroup
+    Parts that stay together.
 
 Examples
 --------
@@ -152,7 +173,8 @@ Examples
 )doc")
       .def(py::init(&problem_of), py::arg("parts"), py::arg("height") = 0, py::arg("sheets") = std::vector<PackSheet>(),
            py::arg("gap") = 0, py::arg("edge") = 0, py::arg("name") = "", py::arg("box") = false,
-           py::arg("gaps") = py::list(), py::arg("conditions") = py::list(), py::arg("fixed") = py::list())
+           py::arg("gaps") = py::list(), py::arg("conditions") = py::list(), py::arg("fixed") = py::list(),
+           py::arg("where") = py::none(), py::arg("groups") = py::list())
       .def(py::pickle(&packed_problem, &unpacked_problem))
       .def_static(
           "json", [](const std::string& text) { return pack_problem(text); }, py::arg("text"),

@@ -326,6 +326,23 @@ def test_pack_with_conditions_fixed_parts_and_zones():
     assert fs.pack(again, work=2).json(again) == fs.pack(fixed, work=2).json(fixed)
 
 
+def test_pack_with_a_formula_for_all_pairs_and_groups():
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    parts = [fs.PackPart("a", square, count=2), fs.PackPart("b", square), fs.PackPart("block", [(0, 0), (2, 0), (2, 1)])]
+    plate = fs.PackSheet("plate", [(0, 0), (2, 0), (2, 1), (0, 1)], count=3)
+    problem = fs.PackProblem(parts, sheets=[plate], groups=[fs.PackGroup(["a"])])
+    layout = fs.pack(problem, work=2)
+    assert layout.faults(problem) == [] and len({item.sheet for item in layout.items if item.part == "a"}) == 1
+    near = fs.PackProblem(parts, height=2, where="gap(self, other) <= 0", groups=[fs.PackGroup(["a", "b"], within=0)])
+    layout = fs.pack(near, work=2)
+    assert layout.faults(near) == []
+    layout.items[0].at = (9, 0)
+    same, there = pickle.loads(pickle.dumps((near, layout)))
+    assert there.faults(same) == layout.faults(near) and any("condition" in fault for fault in there.faults(same))
+    with pytest.raises(fs.Error, match="within"):
+        fs.pack(fs.PackProblem(parts, height=2, groups=[fs.PackGroup(["a"])]), work=1)
+
+
 def test_packing_tells_and_ends():
     ell = fs.PackPart("ell", [(0, 0), (3, 0), (3, 1), (1, 1), (1, 4), (0, 4)], count=30, angles=[0, 90, 180, 270])
     problem = fs.PackProblem([ell], height=11)

@@ -38,6 +38,56 @@ TEST(PublicPacking, AGreatestDistance) {
   EXPECT_NE(layout_faults(wide, *layout)[0].find("condition"), std::string::npos);
 }
 
+TEST(PublicPacking, AFormulaOfAllPairsAndAGroup) {
+  PackProblem problem = dots_and_block();
+  problem.where = "reach(self, other) <= 6";
+  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->length.text(), "5");
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  problem.where = "reach(self, other) <= 3";  // less than the diagonal of a dot and the block
+  EXPECT_EQ(layout_faults(problem, *layout).size(), 2u);
+  problem.where = "gap(self, nobody) <= 3";
+  EXPECT_THROW(layout_faults(problem, *layout), Error);
+  problem.where.clear();
+  problem.groups = {{{"a", "b"}}};
+  EXPECT_THROW(layout_faults(problem, *layout), Error);  // a strip needs a distance
+  problem.groups[0].within = 0;
+  EXPECT_EQ(pack(problem, {.seconds = 0, .work = 2})->length.text(), "5");
+  problem.groups[0].parts[1] = "nobody";
+  EXPECT_THROW(layout_faults(problem, *layout), Error);
+}
+
+TEST(PublicPacking, AGroupLiesOnOneSheet) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("plate", 2, 1, 2)};
+  problem.parts = {{"a", {box_ring(0, 0, 1, 1)}}, {"b", {box_ring(0, 0, 1, 1)}}, {"c", {box_ring(0, 0, 2, 1)}}};
+  problem.groups = {{{"a", "b"}}};
+  PackLayout apart;
+  apart.sheets = {"plate", "plate"};
+  apart.length = 1;
+  apart.items = {{.part = "a"}, {.part = "b", .sheet = 1}};
+  apart.left_out = {{"c", 1, ""}};
+  ASSERT_EQ(layout_faults(problem, apart).size(), 1u);
+  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->items.size(), 3u);
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+}
+
+TEST(PublicPacking, JsonIsReadInItsWords) {
+  const PackProblem problem = pack_problem(R"({"name": "kit", "strip_height": 4, "where": "gap(self, other) <= 9",
+    "items": [{"id": "a", "demand": 2, "shape": {"type": "simple_polygon", "data": [[0,0], [1,0], [1,1.5]]}}],
+    "pairs": [{"between": ["a", "a"], "where": "reach(self, other) <= 8"}],
+    "groups": [{"parts": ["a"], "within": 2.5}]})");
+  EXPECT_EQ(problem.where, "gap(self, other) <= 9");
+  ASSERT_EQ(problem.conditions.size(), 1u);
+  ASSERT_EQ(problem.groups.size(), 1u);
+  EXPECT_EQ(problem.groups[0].within->text(), "2.5");
+  EXPECT_EQ(problem.parts[0].rings[0][2].y.text(), "1.5");
+  EXPECT_TRUE(pack(problem, {.seconds = 0, .work = 1}).has_value());
+}
+
 TEST(PublicPacking, AFixedPartStandsAtItsAngle) {
   PackProblem problem = dots_and_block();
   problem.fixed = {{.part = "a", .x = 6, .y = 1, .angle = 45}};

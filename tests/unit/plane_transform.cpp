@@ -52,6 +52,26 @@ TEST(Translate, RefusesToLeaveTheGrid) {
   EXPECT_THROW(translated(s, {(std::int64_t(1) << 40) - 9, 0}), Error);
 }
 
+TEST(Mirror, ImplicitPointsMoveExactly) {
+  EXPECT_TRUE(is_whole(mirrored_in_y_axis(Region::uniform(1))));
+  // Crossings of lines, of lines with circles, and of circles; an open edge; a displaced line.
+  ShapePtr set = node(Kind::kDifference,
+                      {node(Kind::kUnion, {polygon_of({{0, 0}, {7, 1}, {2, 6}}), disc_of({6, 3}, sqrt(Real(5)))}),
+                       disc_of({3, 1}, Real::ratio(5, 2))});
+  Shape grown = *node(Kind::kOffset, {polygon_of({{-9, -9}, {-2, -8}, {-5, -3}})});
+  grown.amount = Real::ratio(1, 3);
+  Region s = region_of(node(Kind::kUnion, {set, std::make_shared<const Shape>(grown), points_of({{9, 9}})}));
+  Region t = mirrored_in_y_axis(s);
+  for (int x = -40; x <= 40; ++x)
+    for (int y = -40; y <= 40; ++y)
+      EXPECT_EQ(mark_at(s, Real::ratio(x, 4), Real::ratio(y, 4)), mark_at(t, -Real::ratio(x, 4), Real::ratio(y, 4)));
+  for (const Vertex& v : s.vertices) {
+    const exact::RealPoint p = s.geometry.exact(v.point);
+    EXPECT_EQ(v.mark, mark_at(t, -p.x, p.y));
+  }
+  EXPECT_TRUE(same_set(s, mirrored_in_y_axis(t)));
+}
+
 TEST(Rotate, EmptySetAndPlane) {
   Rounding rounding;
   EXPECT_TRUE(is_empty(rotation(Region::uniform(0), 90, rounding)));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "api/values/region_data.h"
 #include "io/nesting/fault_text.h"
 #include "io/nesting/read_nesting.h"
 #include "io/nesting/unscaled_problem.h"
@@ -16,6 +17,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
+#include "plane/query/topology.h"
 
 namespace findspace {
 namespace {
@@ -52,9 +54,18 @@ std::optional<Fraction> amount_of(const std::optional<Number>& amount) {
   return fraction(*amount);
 }
 
+/// The closure; RoundPart refuses what is not an area.
+io::UnscaledShape shape_of(const Shape& shape) {
+  if (shape.dimension() != 2) throw Error(ErrorCode::kUnsupported, "parts are shapes of the plane");
+  return {plane::closure(shape.region().data().cells), fraction(shape.grid().step)};
+}
+
 io::UnscaledPart part_of(const PackPart& part) {
   io::UnscaledPart result{part.name, count_of(part.count), rings_of(part.rings),
                           {},        part.mirrored,        amount_of(part.value)};
+  if (part.shape && !part.rings.empty())
+    throw Error(ErrorCode::kBadValue, "part '" + part.name + "' has both rings and a shape");
+  if (part.shape) result.shape = shape_of(*part.shape);
   for (const Number& angle : part.angles) result.angles.push_back(fraction(angle));
   if (result.angles.empty()) result.angles.push_back(0);
   return result;
@@ -71,6 +82,14 @@ io::UnscaledSheet sheet_of(const PackSheet& sheet, const std::vector<io::Unscale
     for (const std::string& name : out.holds ? zone.holds : zone.keeps_out)
       out.parts.push_back(index_of(name, parts, "part"));
   }
+  return result;
+}
+
+io::UnscaledGroup group_of(const PackGroup& group, const std::vector<io::UnscaledPart>& parts) {
+  io::UnscaledGroup result;
+  for (const std::string& name : group.parts) result.parts.push_back(index_of(name, parts, "part"));
+  if (group.within) result.within = fraction(*group.within);
+  if (result.within && *result.within < 0) throw Error(ErrorCode::kBadValue, "parts of a group within less than 0");
   return result;
 }
 
@@ -105,6 +124,8 @@ packing::Problem on_grid(const PackProblem& problem) {
   for (const PackCondition& c : problem.conditions)
     result.conditions.push_back(
         {index_of(c.first, result.parts, "part"), index_of(c.second, result.parts, "part"), c.where});
+  result.where = problem.where;
+  for (const PackGroup& group : problem.groups) result.groups.push_back(group_of(group, result.parts));
   for (const FixedPart& fixed : problem.fixed) result.fixed.push_back(fixed_of(fixed, result));
   return std::move(result).on_grid("pack");
 }
@@ -146,16 +167,11 @@ io::LayoutFacts facts_of(const packing::Problem& problem, const packing::Layout&
   return facts;
 }
 
-/// A number of the problem's grid as text.
-Point public_point(const packing::LatticePoint& p, packing::int128 steps) {
-  return {Fraction(p.x, steps).text(), Fraction(p.y, steps).text()};
-}
-
-std::vector<Ring> public_rings(const packing::Polygon& shape, packing::int128 steps) {
+std::vector<Ring> public_rings(const std::vector<io::UnscaledRing>& rings) {
   std::vector<Ring> result;
-  for (const packing::Ring& ring : shape.rings) {
+  for (const io::UnscaledRing& ring : rings) {
     Ring& out = result.emplace_back();
-    for (const packing::LatticePoint& p : ring) out.push_back(public_point(p, steps));
+    for (const auto& [x, y] : ring) out.push_back({x.text(), y.text()});
   }
   return result;
 }
@@ -164,10 +180,26 @@ std::optional<Number> public_amount(const std::optional<Fraction>& amount) {
   return amount ? std::optional<Number>(amount->text()) : std::nullopt;
 }
 
+PackPart public_part(const io::UnscaledPart& part) {
+  PackPart result{part.name, public_rings(part.rings), part.demand, {}, part.mirrored, public_amount(part.value)};
+  if (part.shape) {
+    const plane::Grid grid(exact::Real::parse_decimal(part.shape->step.text()));
+    result.shape = Shape(api::make_region(*part.shape->region, grid));
+  }
+  for (const Fraction& angle : part.angles) result.angles.push_back(angle.text());
+  return result;
+}
+
 }  // namespace
 
 PackSheet PackSheet::rectangle(std::string name, const Number& width, const Number& height, int count) {
   return {std::move(name), {{{0, 0}, {width, 0}, {width, height}, {0, height}}}, count};
+}
+
+PackPart PackPart::of(std::string name, Shape shape, int count) {
+  PackPart result{std::move(name), {}, count};
+  result.shape = std::move(shape);
+  return result;
 }
 
 std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options) {
@@ -198,35 +230,37 @@ std::vector<std::string> layout_faults(const PackProblem& problem, const PackLay
 }
 
 PackProblem pack_problem(std::string_view json) {
-  const packing::Problem inner = io::read_nesting(std::string(json), "problem");
-  const packing::int128 steps = inner.steps();
+  const io::UnscaledProblem inner = io::read_unscaled(std::string(json), "problem");
+  io::UnscaledProblem(inner).on_grid("problem");  // refuses what is wrong
   PackProblem result;
   result.name = inner.name;
   result.height = inner.height.text();
   result.box = inner.box;
-  for (const packing::Part& part : inner.parts) {
-    PackPart& out = result.parts.emplace_back();
-    out = {part.name, public_rings(part.shape, steps), part.demand, {}, part.mirrored, public_amount(part.value)};
-    for (const Fraction& angle : part.angles) out.angles.push_back(angle.text());
-  }
-  for (const packing::Sheet& sheet : inner.sheets) {
+  const auto name_of = [&](std::size_t part) { return inner.parts[part].name; };
+  for (const io::UnscaledPart& part : inner.parts) result.parts.push_back(public_part(part));
+  for (const io::UnscaledSheet& sheet : inner.sheets) {
     PackSheet& out = result.sheets.emplace_back();
-    out = {sheet.name, public_rings(sheet.shape, steps), sheet.count, public_amount(sheet.cost)};
-    for (const packing::Zone& zone : sheet.zones) {
+    out = {sheet.name, public_rings(sheet.rings), sheet.count, public_amount(sheet.cost)};
+    for (const io::UnscaledZone& zone : sheet.zones) {
       PackZone& shown = out.zones.emplace_back();
-      shown.rings = public_rings(zone.shape, steps);
-      for (const std::size_t part : zone.parts)
-        (zone.holds ? shown.holds : shown.keeps_out).push_back(inner.parts[part].name);
+      shown.rings = public_rings(zone.rings);
+      for (const std::size_t part : zone.parts) (zone.holds ? shown.holds : shown.keeps_out).push_back(name_of(part));
     }
   }
   for (const packing::PairGap& pair : inner.pair_gaps)
-    result.gaps.push_back({inner.parts[pair.first].name, inner.parts[pair.second].name, pair.gap.text()});
+    result.gaps.push_back({name_of(pair.first), name_of(pair.second), pair.gap.text()});
+  result.where = inner.where;
   for (const packing::PairCondition& c : inner.conditions)
-    result.conditions.push_back({inner.parts[c.first].name, inner.parts[c.second].name, c.where});
+    result.conditions.push_back({name_of(c.first), name_of(c.second), c.where});
+  for (const io::UnscaledGroup& group : inner.groups) {
+    PackGroup& out = result.groups.emplace_back();
+    for (const std::size_t part : group.parts) out.parts.push_back(name_of(part));
+    out.within = public_amount(group.within);
+  }
   for (const packing::FixedPart& f : inner.fixed)
-    result.fixed.push_back({inner.parts[f.placed.part].name, f.placed.x.text(), f.placed.y.text(),
-                            f.placed.angle.text(), f.placed.mirrored,
-                            inner.on_sheets() ? inner.sheets[f.kind].name : "", int(f.placed.sheet) + 1});
+    result.fixed.push_back({name_of(f.placed.part), f.placed.x.text(), f.placed.y.text(), f.placed.angle.text(),
+                            f.placed.mirrored, inner.sheets.empty() ? "" : inner.sheets[f.kind].name,
+                            int(f.placed.sheet) + 1});
   return result;
 }
 

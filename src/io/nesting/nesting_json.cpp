@@ -48,6 +48,16 @@ int NestingJson::whole(const JsonValue& value) const {
   return int(n.numerator());
 }
 
+int NestingJson::digits_in(const JsonValue& value, int most) const {
+  int digits = 0;
+  if (value.is(Kind::kNumber)) {
+    const Fraction n = number(value);
+    while (digits < most && packing::power_of_ten(digits) % n.denominator() != 0) ++digits;
+  }
+  for (const JsonValue& item : value.items) digits = std::max(digits, digits_in(item, most));
+  return digits;
+}
+
 bool NestingJson::truth(const JsonValue& value) const {
   if (!value.is(Kind::kBoolean)) fail(value, fmt::format("true or false is meant, not {}", value.kind_name()));
   return value.boolean;

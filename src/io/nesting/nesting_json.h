@@ -31,6 +31,8 @@ class NestingJson {
   /// From 0 to 1000000.
   int whole(const JsonValue& value) const;
   bool truth(const JsonValue& value) const;
+  /// The most digits after the point of a number in it, at most `most`.
+  int digits_in(const JsonValue& value, int most) const;
   /// Of what has that name.
   template <class Named>
   std::size_t index_of(const JsonValue& name, const std::vector<Named>& all, const char* what) const {

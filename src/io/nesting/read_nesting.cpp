@@ -10,8 +10,10 @@
 #include <algorithm>
 
 #include "io/nesting/nesting_json.h"
-#include "io/nesting/unscaled_problem.h"
+#include "io/scene/scene_shapes.h"
 #include "packing/problem/pair_formula.h"
+#include "plane/build/build.h"
+#include "plane/query/topology.h"
 
 namespace findspace::io {
 namespace {
@@ -19,11 +21,13 @@ namespace {
 using packing::Fraction;
 using Kind = JsonValue::Kind;
 
+constexpr int kUsualDigits = 6, kMostDigits = 9;  // of the grid of shapes
+
 class Reader : private NestingJson {
  public:
   using NestingJson::NestingJson;
 
-  packing::Problem problem(const NestingOptions& asked) const {
+  UnscaledProblem problem(const NestingOptions& asked) const {
     UnscaledProblem result;
     if (const JsonValue* named = tree().find("name")) result.name = named->text;
     if (tree().find("findspace") != nullptr && tree().find("items") == nullptr)
@@ -34,6 +38,7 @@ class Reader : private NestingJson {
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
+    read_shapes(items, asked, result);
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
       for (const JsonValue& value : list(*sheets).items) result.sheets.push_back(sheet(value, result.parts));
     check_costs(result);
@@ -47,7 +52,7 @@ class Reader : private NestingJson {
     read_conditions(result);
     if (const JsonValue* fixed = tree().find("fixed"))
       for (const JsonValue& item : list(*fixed).items) result.fixed.push_back(fixed_part(item, result));
-    return std::move(result).on_grid(name());
+    return result;
   }
 
   packing::Layout layout(const packing::Problem& problem) const {
@@ -93,6 +98,37 @@ class Reader : private NestingJson {
       fail(type, "a shape is a simple_polygon or a polygon");
     }
     return rings;
+  }
+
+  static bool is_polygon(const JsonValue& shape) { return shape.is(Kind::kObject) && shape.find("type") != nullptr; }
+
+  /// Those of the scene language, by name or as they are, on a grid that holds their numbers.
+  void read_shapes(const JsonValue& items, const NestingOptions& asked, UnscaledProblem& problem) const {
+    const auto of_item = [&](const JsonValue& item) { return is_polygon(need(item, "shape")); };
+    if (std::all_of(items.items.begin(), items.items.end(), of_item)) return;
+    ReadContext context(asked.read);
+    context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
+    JsonValue none;
+    none.kind = Kind::kObject;
+    const JsonValue *named = tree().find("shapes"), *unit = tree().find("unit");
+    int digits = std::max(kUsualDigits, named != nullptr ? digits_in(*named, kMostDigits) : 0);
+    for (const JsonValue& item : items.items) digits = std::max(digits, digits_in(need(item, "shape"), kMostDigits));
+    const Fraction step(1, packing::power_of_ten(digits));
+    context.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits)));
+    const SceneReader json(name(), context);
+    if (unit != nullptr) context.unit = json.placed({}, *unit, [&] { return parse_unit(unit->text); });
+    ShapeReader shapes(json, named != nullptr ? *named : none);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      const JsonValue& shape = need(items.items[k], "shape");
+      if (is_polygon(shape)) continue;
+      const Label label{nullptr, "item", problem.parts[k].name};
+      const plane::ShapePtr tree = shapes.shape(shape, label);
+      if (shapes.dimension() == 3) fail(shape, "a part of a strip or sheet is a shape of the plane");
+      plane::BuildResult built = json.placed(
+          label, shape, [&] { return plane::build(*tree, context.grid.step_size(), asked.read.work_limit); });
+      problem.parts[k].shape = UnscaledShape{plane::closure(std::move(built.region)), step};
+    }
+    problem.notes = context.summary();
   }
 
   UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
@@ -201,7 +237,7 @@ class Reader : private NestingJson {
       result.value = number(*value);
       if (*result.value < 0) fail(*value, "a value below 0");
     }
-    result.rings = shape(need(item, "shape"));
+    if (const JsonValue& outline = need(item, "shape"); is_polygon(outline)) result.rings = shape(outline);
     return result;
   }
 
@@ -224,6 +260,10 @@ class Reader : private NestingJson {
 }  // namespace
 
 packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingOptions& asked) {
+  return read_unscaled(text, name, asked).on_grid(name);
+}
+
+UnscaledProblem read_unscaled(const std::string& text, const std::string& name, const NestingOptions& asked) {
   return Reader(text, name).problem(asked);
 }
 

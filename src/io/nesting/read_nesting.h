@@ -2,14 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Packing problems and layouts as files: the common nesting JSON (items, demand, allowed_orientations, strip_height,
-// and here sheets, zones, values and gaps of pairs), layouts as JSON (docs/nesting.md), and the SVG of sparrow, which
-// holds shapes and transforms both. Numbers are read exactly. Keywords: ESICUP, jagua-rs, sparrow.
+// and here sheets, zones, values, gaps of pairs, and shapes of the scene language), layouts as JSON (docs/nesting.md),
+// and the SVG of sparrow, which holds shapes and transforms both. Numbers are read exactly. Keywords: ESICUP, jagua-rs,
+// sparrow.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "io/nesting/unscaled_problem.h"
+#include "io/text/read_limits.h"
 #include "packing/problem/problem.h"
 
 namespace findspace::io {
@@ -19,10 +22,14 @@ namespace findspace::io {
 struct NestingOptions {
   std::optional<packing::Fraction> height;
   packing::Fraction gap, edge;
+  ReadOptions read = {};              // of shapes in files,
+  std::filesystem::path folder = {};  // which are looked for here, or beside the problem
 };
 
 /// Throws Error. Without `allowed_orientations` a part is not turned.
 packing::Problem read_nesting(const std::string& text, const std::string& name, const NestingOptions& asked = {});
+/// The same as the file states it.
+UnscaledProblem read_unscaled(const std::string& text, const std::string& name, const NestingOptions& asked = {});
 
 /// A layout of this problem.
 packing::Layout read_layout(const std::string& text, const std::string& name, const packing::Problem& problem);

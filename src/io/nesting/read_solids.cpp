@@ -97,22 +97,12 @@ class SolidReader : private NestingJson {
   /// Of all numbers of shapes, and of all vertices in files, which are read on the way.
   int digits_needed(ReadContext& context) {
     int digits = 0;
-    if (const JsonValue* named = tree().find("shapes")) digits = digits_in(*named);
+    if (const JsonValue* named = tree().find("shapes")) digits = digits_in(*named, kMostDigits);
     for (const JsonValue& item : list(need(tree(), "item-types")).items) {
       need(item, "demand");  // an object
-      if (const JsonValue* shape = item.find("shape")) digits = std::max(digits, digits_in(*shape));
+      if (const JsonValue* shape = item.find("shape")) digits = std::max(digits, digits_in(*shape, kMostDigits));
       if (const JsonValue* path = item.find("path")) digits = std::max(digits, digits_of_file(*path, context));
     }
-    return digits;
-  }
-
-  int digits_in(const JsonValue& value) const {
-    int digits = 0;
-    if (value.is(Kind::kNumber)) {
-      const Fraction n = number(value);
-      while (digits < kMostDigits && packing::power_of_ten(digits) % n.denominator() != 0) ++digits;
-    }
-    for (const JsonValue& item : value.items) digits = std::max(digits, digits_in(item));
     return digits;
   }
 

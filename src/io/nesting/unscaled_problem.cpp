@@ -12,7 +12,9 @@
 
 #include "io/nesting/fault_text.h"
 #include "packing/problem/pair_formula.h"
+#include "packing/problem/round_part.h"
 #include "packing/proof/verify.h"
+#include "plane/query/scaled.h"
 
 namespace findspace::io {
 namespace {
@@ -40,12 +42,20 @@ int digits_of(const std::vector<UnscaledRing>& rings) {
   return digits;
 }
 
+/// A grid finer than the numbers is for what is rounded. Shapes on it must stay below 2^40 steps.
+constexpr int kDigitsOfShapes = 7;
+
 int grid_digits(const UnscaledProblem& problem) {
+  bool shapes = false;
   int digits = gap_digits(problem.gap), finer = 0;
   for (const packing::PairGap& pair : problem.pair_gaps) digits = std::max(digits, gap_digits(pair.gap));
   if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
   for (const UnscaledPart& part : problem.parts) {
     digits = std::max(digits, digits_of(part.rings));
+    if (part.shape) {
+      digits = std::max(digits, digits_of(part.shape->step));
+      shapes = true;
+    }
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
   for (const packing::FixedPart& fixed : problem.fixed)
@@ -54,7 +64,7 @@ int grid_digits(const UnscaledProblem& problem) {
     digits = std::max(digits, digits_of(sheet.rings));
     for (const UnscaledZone& zone : sheet.zones) digits = std::max(digits, digits_of(zone.rings));
   }
-  return digits + finer;
+  return shapes ? std::max(digits, std::min(digits + finer, kDigitsOfShapes)) : digits + finer;
 }
 
 packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) {
@@ -64,6 +74,33 @@ packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int12
     for (const auto& [x, y] : ring) out.push_back({x.over(steps), y.over(steps)});
   }
   return packing::make_polygon(std::move(result), place);
+}
+
+/// A polygon where the shape is one; a round part otherwise.
+packing::Part part_on(UnscaledPart& part, packing::int128 steps, const std::string& place) {
+  const std::string own = fmt::format("{}: part '{}'", place, part.name);
+  packing::Part result{std::move(part.name), part.demand, {}, std::move(part.angles), part.mirrored, part.value};
+  if (!part.shape) {
+    result.shape = on_steps(part.rings, steps, own);
+    return result;
+  }
+  try {
+    const packing::int128 factor = part.shape->step.over(steps);
+    plane::Region region = factor == 1 ? *part.shape->region : plane::scaled(part.shape->region, std::int64_t(factor));
+    const auto round = std::make_shared<const packing::RoundPart>(std::move(region));
+    if (auto rings = packing::rings_of(round->at(0, false).region)) {
+      result.shape = packing::make_polygon(std::move(*rings), own);
+      return result;
+    }
+    for (const Fraction& angle : result.angles)
+      for (const bool mirrored : {false, true})
+        if (!mirrored || result.mirrored) round->at(angle, mirrored);  // errors are here
+    result.shape = round->at(0, false).about;
+    result.round = round;
+    return result;
+  } catch (const Error& e) {
+    throw e.within(own);
+  }
 }
 
 packing::Sheet sheet_on(UnscaledSheet& sheet, packing::int128 steps, const std::string& place) {
@@ -111,8 +148,7 @@ packing::Layout layout_of_fixed(const packing::Problem& problem) {
   for (const packing::FixedPart& f : problem.fixed) {
     layout.items.push_back(f.placed);
     if (problem.on_sheets()) layout.items.back().sheet += first_of_kind[f.kind];
-    const packing::LatticeBox box =
-        box_of(rotated(problem.parts[f.placed.part].shape, f.placed.angle, f.placed.mirrored));
+    const packing::LatticeBox box = box_of(problem.parts[f.placed.part], f.placed.angle, f.placed.mirrored);
     layout.length = std::max(layout.length, f.placed.x + Fraction(box.high.x, problem.steps()) + problem.edge);
   }
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
@@ -155,11 +191,7 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
     throw Error(ErrorCode::kBadValue, "the strip has no height between its edges", place);
   result.digits = grid_digits(*this);
   const packing::int128 steps = result.steps();
-  for (UnscaledPart& part : parts) {
-    packing::Polygon shape = on_steps(part.rings, steps, fmt::format("{}: part '{}'", place, part.name));
-    result.parts.push_back(
-        {std::move(part.name), part.demand, std::move(shape), std::move(part.angles), part.mirrored, part.value});
-  }
+  for (UnscaledPart& part : parts) result.parts.push_back(part_on(part, steps, place));
   for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
   result.conditions = std::move(conditions);
   std::vector<std::size_t> all(result.parts.size());

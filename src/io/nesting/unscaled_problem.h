@@ -10,18 +10,26 @@
 #include <vector>
 
 #include "packing/problem/problem.h"
+#include "plane/complex/shared_region.h"
 
 namespace findspace::io {
 
 using UnscaledRing = std::vector<std::pair<packing::Fraction, packing::Fraction>>;
 
+/// Any closed bounded set, on a grid of its own.
+struct UnscaledShape {
+  plane::SharedRegion region;
+  packing::Fraction step;
+};
+
 struct UnscaledPart {
   std::string name;
   int demand = 1;
-  std::vector<UnscaledRing> rings;
+  std::vector<UnscaledRing> rings;  // or `shape`
   std::vector<packing::Fraction> angles;
   bool mirrored = false;
   std::optional<packing::Fraction> value = {};
+  std::optional<UnscaledShape> shape = {};
 };
 
 struct UnscaledZone {
@@ -55,9 +63,11 @@ struct UnscaledProblem {
   std::string where;  // for all pairs
   std::vector<UnscaledGroup> groups;
   std::vector<packing::FixedPart> fixed;
+  std::vector<std::string> notes;  // what the reader of the result should know
 
   /// Groups and what holds for all pairs become conditions of pairs; fixed parts are checked. Throws Error.
   /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.
+  /// With shapes beside polygons that grid has seven digits at most, unless the numbers have more.
   packing::Problem on_grid(const std::string& place) &&;
 };
 

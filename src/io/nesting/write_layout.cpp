@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
-#include <utility>
 #include <vector>
 
 #include "io/draw/draw_canvas.h"
+#include "io/export/face_rings.h"
+#include "packing/problem/round_part.h"
 
 namespace findspace::io {
 namespace {
@@ -37,29 +39,56 @@ std::string container_json(const packing::Problem& problem, const packing::Layou
   return fmt::format("{{\"sheets\": [{}]}}", names);
 }
 
+/// A corner of an outline, and the arc to the next one as drawings have it: tan(angle / 4), 0 of a segment.
+struct Corner {
+  double x = 0, y = 0, bulge = 0;
+};
+using Outlines = std::vector<std::vector<Corner>>;
+
 /// A page of the drawing: the strip, or one sheet.
 struct Page {
   std::string title;
   double width, height;
-  std::vector<std::vector<std::pair<double, double>>> outline, zones;
+  Outlines outline, zones;
 };
-
-using Outlines = std::vector<std::vector<std::pair<double, double>>>;
 
 Outlines outlines_of(const packing::Polygon& shape, packing::int128 grid, double x, double y) {
   Outlines result;
   const double steps = double(grid);
   for (const packing::Ring& ring : shape.rings) {
     auto& out = result.emplace_back();
-    for (const packing::LatticePoint& p : ring) out.emplace_back(x + double(p.x) / steps, y + double(p.y) / steps);
+    for (const packing::LatticePoint& p : ring) out.push_back({x + double(p.x) / steps, y + double(p.y) / steps});
   }
+  return result;
+}
+
+Outlines outlines_of(const plane::Region& region, packing::int128 steps, double x, double y) {
+  Outlines result;
+  const plane::CurveNet net(region, exact::Real(1) / exact::Real(steps));
+  const FaceRings rings(net);
+  const auto add_ring = [&](const plane::CurveNet::Ring& ring) {
+    auto& out = result.emplace_back();
+    for (const plane::CurveNet::Side& side : ring) {
+      const plane::CurveNet::Curve& curve = net.curves()[side.curve];
+      const double way = side.forward ? 1 : -1, angle = curve.arc ? curve.angle : 0;
+      const bool whole = curve.from == curve.to;  // a circle, from its leftmost point
+      const plane::Place from = net.at(side.forward ? curve.from : curve.to);
+      out.push_back({x + from[0], y + from[1], way * std::tan(angle / (whole ? 8 : 4))});
+      if (whole) out.push_back({x + curve.center[0] + curve.radius, y + curve.center[1], way});
+    }
+  };
+  for (const plane::Face& face : region.faces)
+    if (face.mark != 0)
+      for (const plane::CurveNet::Ring& ring : rings.of(face)) add_ring(ring);
   return result;
 }
 
 /// The outline of an item where it stands, in doubles.
 Outlines outlines_of(const packing::Problem& problem, const packing::Placed& item) {
-  return outlines_of(rotated(problem.parts[item.part].shape, item.angle, item.mirrored), problem.steps(),
-                     item.x.to_double(), item.y.to_double());
+  const packing::Part& part = problem.parts[item.part];
+  const double x = item.x.to_double(), y = item.y.to_double();
+  if (part.round) return outlines_of(part.round->at(item.angle, item.mirrored).region, problem.steps(), x, y);
+  return outlines_of(rotated(part, item.angle, item.mirrored), problem.steps(), x, y);
 }
 
 std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layout& layout) {
@@ -80,22 +109,39 @@ std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layou
   return pages;
 }
 
+/// In a drawing with y upwards. Arcs in parts of less than half a circle, which no viewer can mistake.
+void add_arc(std::string& path, const Corner& from, const Corner& to) {
+  const double b = from.bulge, dx = to.x - from.x, dy = to.y - from.y;
+  if (std::abs(b) > 0.5) {
+    const double half = std::tan(std::atan(b) / 2);
+    const Corner middle{(from.x + to.x + b * dy) / 2, (from.y + to.y - b * dx) / 2, half};
+    add_arc(path, {from.x, from.y, half}, middle);
+    return add_arc(path, middle, to);
+  }
+  const double radius = std::hypot(dx, dy) * (1 + b * b) / (4 * std::abs(b));
+  path += fmt::format("A{0:.9g} {0:.9g} 0 0 {1} {2:.9g},{3:.9g}", radius, b > 0 ? 1 : 0, to.x, to.y);
+}
+
 std::string path_of(const Outlines& outlines) {
   std::string path;
   for (const auto& ring : outlines) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      path += fmt::format("{}{:.9g},{:.9g}", i == 0 ? "M" : " ", ring[i].first, ring[i].second);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const bool after_arc = i > 0 && ring[i - 1].bulge != 0;
+      if (!after_arc) path += fmt::format("{}{:.9g},{:.9g}", i == 0 ? "M" : "L", ring[i].x, ring[i].y);
+      if (ring[i].bulge != 0) add_arc(path, ring[i], ring[(i + 1) % ring.size()]);
+    }
     path += "z";
   }
   return path;
 }
 
 /// "0 POLYLINE ... SEQEND": a closed polyline of the drawing exchange format of 1992, which all programs read.
-void add_polyline(std::string& dxf, const char* layer, const std::vector<std::pair<double, double>>& ring,
-                  double down) {
+void add_polyline(std::string& dxf, const char* layer, const std::vector<Corner>& ring, double down) {
   dxf += fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);
-  for (const auto& [x, y] : ring)
-    dxf += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.12g}\n20\n{:.12g}\n30\n0\n", layer, x, y - down);
+  for (const Corner& c : ring) {
+    dxf += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.12g}\n20\n{:.12g}\n30\n0\n", layer, c.x, c.y - down);
+    if (c.bulge != 0) dxf += fmt::format("42\n{:.16g}\n", c.bulge);
+  }
   dxf += fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
@@ -120,6 +166,15 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
       quoted(problem.name), container_json(problem, layout), problem.gap.text(), problem.edge.text(),
       layout.length.text(), facts.density, facts.lower_bound.text(), facts.proven, grid, facts.seed, facts.threads,
       facts.seconds, items, left_out);
+}
+
+std::string outline_path(const packing::Problem& problem, std::size_t part) {
+  packing::Placed item;
+  item.part = part;
+  Outlines outlines = outlines_of(problem, item);
+  for (auto& ring : outlines)
+    for (Corner& c : ring) c = {c.x, -c.y, -c.bulge};
+  return path_of(outlines);
 }
 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts) {

@@ -22,7 +22,9 @@ struct LayoutFacts {
 std::string layout_json(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
 /// A page a sheet, one below the other.
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
-/// Outlines on the layers "cut" and "sheet"; coordinates are rounded to twelve digits.
+/// A part as SVG path data about its origin, y downwards.
+std::string outline_path(const packing::Problem& problem, std::size_t part);
+/// Outlines on the layers "cut" and "sheet", arcs as bulges; coordinates are rounded to twelve digits.
 std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout);
 
 }  // namespace findspace::io

@@ -5,7 +5,9 @@
 #include <map>
 
 #include "findspace/error.h"
+#include "plane/build/transform.h"
 #include "plane/contour/contour.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::io {
 namespace {
@@ -30,9 +32,9 @@ class Mirror {
   ShapePtr of(const ShapePtr& shape) {
     if (const auto found = done_.find(shape.get()); found != done_.end()) return found->second;
     if (shape->solid) throw Error(ErrorCode::kUnsupported, "\"mirror\" about an axis is for shapes in the plane");
-    if (shape->kind == Shape::Kind::kCells)
-      throw Error(ErrorCode::kUnsupported, "\"mirror\" about an axis of exact cells, or of rings that touch");
     Shape out = *shape;
+    if (out.cells)
+      out.cells = std::make_shared<const plane::CellComplex>(plane::mirrored(plane::mirrored_in_y_axis(*out.cells)));
     for (ShapePtr& child : out.children) child = of(child);
     for (plane::GridPoint& p : out.points) p.y = -p.y;
     for (Contour& c : out.contours) {

@@ -9,7 +9,7 @@
 
 namespace findspace::io {
 
-/// Throws Error(kUnsupported) for a leaf that is given by exact cells, or is in space.
+/// Throws Error(kUnsupported) for a leaf in space.
 plane::ShapePtr mirrored_in_x_axis(const plane::ShapePtr& shape);
 
 }  // namespace findspace::io

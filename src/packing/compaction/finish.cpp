@@ -58,7 +58,7 @@ class Finisher {
   void put_fixed(Layout& layout, Placed item, std::size_t sheet, std::vector<int>& copies) const {
     item.copy = ++copies[item.part];
     item.sheet = sheet;
-    const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    const LatticeBox box = box_of(problem_.parts[item.part], item.angle, item.mirrored);
     layout.items.push_back(item);
     lengthen(layout, item, box.high.x);
   }
@@ -71,7 +71,7 @@ class Finisher {
   /// The last item's position: on the grid, above the lower side and behind the end, and on a sheet before its end.
   void put(Layout& layout, Vec at, double snap) const {
     Placed& item = layout.items.back();
-    const auto [low, high] = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    const auto [low, high] = box_of(problem_.parts[item.part], item.angle, item.mirrored);
     const int128 steps = problem_.steps(), grid = steps_.in_one();
     const Fraction& edge = problem_.edge;
     const int128 left = steps_.above(edge - Fraction(low.x, steps)),
@@ -127,7 +127,7 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   Fraction begin = problem.edge;
   std::vector<int> copies(problem.parts.size());
   for (const FixedPart& f : problem.fixed) {
-    const LatticeBox box = box_of(rotated(problem.parts[f.placed.part].shape, f.placed.angle, f.placed.mirrored));
+    const LatticeBox box = box_of(problem.parts[f.placed.part], f.placed.angle, f.placed.mirrored);
     const Fraction end = f.placed.x + Fraction(box.high.x, problem.steps());
     layout.items.push_back(f.placed);
     layout.items.back().copy = ++copies[f.placed.part];
@@ -138,7 +138,7 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
     if (problem.free_copies(part) == 0) continue;
     const Variant& v = table.variants()[table.variants_of(part)[0]];
-    const LatticeBox box = box_of(rotated(problem.parts[part].shape, v.angle, v.mirrored));
+    const LatticeBox box = box_of(problem.parts[part], v.angle, v.mirrored);
     const Fraction low_x(box.low.x, problem.steps()), low_y(box.low.y, problem.steps());
     const Fraction width = Fraction(box.high.x, problem.steps()) - low_x;
     const Fraction height = Fraction(box.high.y, problem.steps()) - low_y;
@@ -162,9 +162,8 @@ std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, cons
     const auto is_it = [&](const FixedPart& fixed) { return is_fixed_part(layout, item, fixed); };
     if (std::any_of(problem.fixed.begin(), problem.fixed.end(), is_it) || table.variants_of(item.part).empty())
       continue;
-    const Polygon shape = rotated(problem.parts[item.part].shape, item.angle, item.mirrored);
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
-    const SearchShape mine = search_shape(shape, problem.digits);
+    const SearchShape mine = search_shape(problem, problem.parts[item.part], item.angle, item.mirrored);
     Pose pose{table.variants_of(item.part)[0],
               {(item.x - problem.edge).to_double() + row.containers()[problem.on_sheets() ? item.sheet : 0].x,
                (item.y - problem.edge).to_double()}};

@@ -27,6 +27,14 @@ Variant variant_of(std::size_t part, const Fraction& angle, bool mirrored, Searc
   return result;
 }
 
+/// Of a round part, whose polygon is only about it.
+void take_box(Variant& variant, const Problem& problem) {
+  if (!variant.shape.round) return;
+  const LatticeBox box = box_of(problem.parts[variant.part], variant.angle, variant.mirrored);
+  variant.low = {double(box.low.x) * variant.shape.step, double(box.low.y) * variant.shape.step};
+  variant.high = {double(box.high.x) * variant.shape.step, double(box.high.y) * variant.shape.step};
+}
+
 /// Whether the variant fits the strip's height, or the box of a sheet, between the edges.
 bool fits_somewhere(const Problem& problem, const Variant& v, double height) {
   if (!problem.on_sheets()) return v.high.y - v.low.y <= height;
@@ -76,8 +84,8 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
   for (const bool mirrored : {false, true})
     for (const Fraction& angle : part.angles) {
       if (mirrored && !part.mirrored) continue;
-      Variant variant =
-          variant_of(number, angle, mirrored, search_shape(rotated(part.shape, angle, mirrored), problem.digits));
+      Variant variant = variant_of(number, angle, mirrored, search_shape(problem, part, angle, mirrored));
+      take_box(variant, problem);
       if (!fits_somewhere(problem, variant, height_)) continue;
       const auto form = normal_form(variant.shape);
       const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };
@@ -94,7 +102,7 @@ void FieldTable::add_obstacles(const Problem& problem) {
     std::vector<std::size_t>& added = of_sheet_.emplace_back();
     const auto add = [&](const Polygon& shape, const Zone* zone) {
       added.push_back(variants_.size());
-      variants_.push_back(variant_of(kNoPart, 0, false, search_shape(shape, problem.digits)));
+      variants_.push_back(variant_of(kNoPart, 0, false, search_shape(problem, shape)));
       variants_.back().zone = zone;
     };
     for (const Polygon& shape : packing::obstacles_of(problem, sheet)) add(shape, nullptr);
@@ -108,8 +116,9 @@ void FieldTable::add_fixed(const Problem& problem) {
   for (const FixedPart& f : problem.fixed) {
     const Placed& p = f.placed;
     fixed_.push_back(variants_.size());
-    const Polygon shape = rotated(problem.parts[p.part].shape, p.angle, p.mirrored);
-    variants_.push_back(variant_of(p.part, p.angle, p.mirrored, search_shape(shape, problem.digits)));
+    const Part& part = problem.parts[p.part];
+    variants_.push_back(variant_of(p.part, p.angle, p.mirrored, search_shape(problem, part, p.angle, p.mirrored)));
+    take_box(variants_.back(), problem);
   }
 }
 
@@ -166,7 +175,7 @@ std::optional<FieldTable::Opposite> FieldTable::opposite_of(std::size_t variant)
       x = -x;
       y = -y;
     }
-  if (variants_[variant].part == kNoPart) return std::nullopt;
+  if (variants_[variant].part == kNoPart || opposite.round) return std::nullopt;
   for (const std::size_t other : of_part_[variants_[variant].part])
     if (const auto off = offset_to(other, opposite)) return Opposite{other, *off};
   return std::nullopt;

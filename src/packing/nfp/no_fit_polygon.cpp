@@ -11,9 +11,13 @@
 #include <limits>
 #include <numbers>
 
+#include "packing/problem/arc_corners.h"
+#include "packing/problem/round_part.h"
 #include "plane/base/result_store.h"
+#include "plane/complex/cell_bytes.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
+#include "plane/contour/decimal_grid.h"
 #include "plane/sum/minkowski.h"
 
 namespace findspace::packing {
@@ -64,17 +68,8 @@ class Boundary {
   }
   /// Chords where the overlap is outside the circle, tangents where it is inside: they lie on the free side.
   void add_arc(const exact::SupportingCurve& circle, Vec from, Vec to, bool ccw, bool slit) {
-    const Vec centre{circle.x.value * step_, circle.y.value * step_};
-    const double radius = circle.z.value * step_, begin = std::atan2(from.y - centre.y, from.x - centre.x);
-    double sweep = std::atan2(to.y - centre.y, to.x - centre.x) - begin;
-    if (ccw && sweep < 0) sweep += 2 * std::numbers::pi;
-    if (!ccw && sweep > 0) sweep -= 2 * std::numbers::pi;
-    const int pieces = std::max(1, int(std::ceil(std::abs(sweep) / (2 * std::numbers::pi / kSides))));
-    const bool tangents = ccw && !slit;
-    const double part = sweep / pieces, out = tangents ? radius / std::cos(part / 2) : radius;
-    for (int k = 0; k < (tangents ? pieces : pieces - 1); ++k) {
-      const double angle = begin + part * (tangents ? k + 0.5 : k + 1);
-      const Vec next = centre + out * Vec{std::cos(angle), std::sin(angle)};
+    const Arc arc{{circle.x.value * step_, circle.y.value * step_}, circle.z.value * step_, from, to, ccw};
+    for (const Vec next : corners_of(arc, ccw && !slit)) {
       add({from, next, slit});
       from = next;
     }
@@ -113,7 +108,8 @@ void reach_out(NoFitPolygon& polygon, double reach) {
 
 }  // namespace
 
-plane::Region region_of(const SearchShape& shape) {
+plane::SharedRegion region_of(const SearchShape& shape) {
+  if (shape.round) return *shape.round;
   std::vector<plane::Contour> contours;
   for (const auto& ring : shape.rings) {
     plane::Contour& contour = contours.emplace_back();
@@ -122,10 +118,11 @@ plane::Region region_of(const SearchShape& shape) {
   return plane::region_of_rings(contours);
 }
 
-SearchShape search_shape(const Polygon& shape, int digits) {
+SearchShape search_shape(const Problem& problem, const Polygon& shape) {
   SearchShape result;
-  const int128 drop = power_of_ten(std::max(0, digits - kSearchDigits));
-  result.step = 1 / double(power_of_ten(std::min(digits, kSearchDigits)));
+  const int digits = problem.digits, most = problem.has_round_parts() ? digits : kSearchDigits;
+  const int128 drop = power_of_ten(std::max(0, digits - most));
+  result.step = 1 / double(power_of_ten(std::min(digits, most)));
   const auto rounded = [&](int128 c) { return std::int64_t((c + (c < 0 ? -drop : drop) / 2) / drop); };
   for (const Ring& ring : shape.rings) {
     auto& out = result.rings.emplace_back();
@@ -138,11 +135,22 @@ SearchShape search_shape(const Polygon& shape, int digits) {
   return result;
 }
 
+SearchShape search_shape(const Problem& problem, const Part& part, const Fraction& angle, bool mirrored) {
+  SearchShape result = search_shape(problem, rotated(part, angle, mirrored));
+  if (part.round) result.round = part.round->at(angle, mirrored).region;
+  return result;
+}
+
 namespace {
 
 NoFitPolygon made_polygon(const SearchShape& a, const SearchShape& b, double gap, const Tie* tie) {
-  const plane::Region grown =
-      gap > 0 ? plane::minkowski_sum(region_of(a), region_of(about_disc(gap, a.step))) : region_of(a);
+  const bool round = a.round || b.round;
+  const auto disc = [&] {
+    if (!round) return region_of(about_disc(gap, a.step));
+    return plane::SharedRegion(plane::region_of_disc(0, 0, plane::decimal_of(gap) / plane::decimal_of(a.step)));
+  };
+  const plane::SharedRegion grown =
+      gap > 0 ? plane::SharedRegion(plane::minkowski_sum(region_of(a), disc())) : region_of(a);
   plane::SignMap map = plane::contact_map(grown, region_of(b));
   if (tie != nullptr) map = tied(map, tie->regions);
   NoFitPolygon result = Boundary(map, a.step).take();
@@ -152,7 +160,8 @@ NoFitPolygon made_polygon(const SearchShape& a, const SearchShape& b, double gap
   return result;
 }
 
-void put_shape(const SearchShape& shape, plane::ByteWriter& out) {
+/// False where it has no bytes.
+bool put_shape(const SearchShape& shape, plane::ByteWriter& out) {
   out.put(shape.step);
   out.put(std::uint64_t(shape.rings.size()));
   for (const auto& ring : shape.rings) {
@@ -162,6 +171,7 @@ void put_shape(const SearchShape& shape, plane::ByteWriter& out) {
       out.put(y);
     }
   }
+  return !shape.round || plane::put_cells(*shape.round, out);
 }
 
 void put_vec(Vec v, plane::ByteWriter& out) {
@@ -207,10 +217,8 @@ NoFitPolygon no_fit_polygon(const SearchShape& a, const SearchShape& b, double g
   const auto make = [&] { return made_polygon(a, b, gap, tie); };
   if (tie != nullptr) return make();
   const auto content = [&](plane::ByteWriter& out) {
-    put_shape(a, out);
-    put_shape(b, out);
     out.put(gap);
-    return true;
+    return put_shape(a, out) && put_shape(b, out);
   };
   return plane::stored<NoFitPolygon>({"no-fit polygon", content, make, put_polygon, take_polygon});
 }

@@ -4,14 +4,12 @@
 
 #include "packing/problem/pair_formula.h"
 
-#include <findspace/error.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "formula/language/parse.h"
-#include "plane/complex/primitives.h"
-#include "plane/contour/decimal_grid.h"
 
 namespace findspace::packing {
 namespace {
@@ -20,12 +18,6 @@ constexpr const char* kSelf = "self";
 constexpr const char* kOther = "other";
 
 exact::Real real(const Fraction& value) { return exact::Real(value.numerator()) / exact::Real(value.denominator()); }
-
-std::int64_t on_grid(int128 c) {
-  if (c < -plane::Grid::kLimit || c > plane::Grid::kLimit)
-    throw Error(ErrorCode::kOutOfRange, "a part has too many digits for conditions of pairs");
-  return std::int64_t(c);
-}
 
 }  // namespace
 
@@ -45,34 +37,33 @@ double greatest_level(const Problem& problem) {
   return greatest;
 }
 
-plane::Region region_of(const Polygon& shape) {
-  std::vector<plane::Contour> contours;
-  for (const Ring& ring : shape.rings) {
-    plane::Contour& contour = contours.emplace_back();
-    for (const LatticePoint& p : ring) contour.push_back({.start = {on_grid(p.x), on_grid(p.y)}});
+PairFormula::PairFormula(const Problem& problem, std::size_t first, const plane::SharedRegion& a, std::size_t second,
+                         const plane::SharedRegion& b, const exact::Real& step) {
+  for (const PairCondition& condition : problem.conditions) {
+    if (condition.first == first && condition.second == second) add(condition.where, a, b, kOther, step);
+    if (condition.first == second && condition.second == first) add(condition.where, b, a, kSelf, step);
   }
-  return plane::region_of_rings(contours);
 }
 
-PairFormula::PairFormula(const Problem& problem, std::size_t first, const plane::Region& a, std::size_t second,
-                         const plane::Region& b, const exact::Real& step) {
-  const auto add = [&](const PairCondition& condition, const plane::Region& self, const plane::Region& other,
-                       const char* moving) {
-    formula::World world;
-    world.shapes.emplace(kSelf, self);
-    world.shapes.emplace(kOther, other);
-    world.moving = {moving};
-    world.step = step;
-    formula::Context context;
-    context.shapes = {kSelf, kOther};
-    context.moving = {moving};
-    conditions_.push_back(
-        {std::make_shared<const formula::Solver>(std::move(world)), formula::parse_formula(condition.where, context)});
-  };
-  for (const PairCondition& condition : problem.conditions) {
-    if (condition.first == first && condition.second == second) add(condition, a, b, kOther);
-    if (condition.first == second && condition.second == first) add(condition, b, a, kSelf);
-  }
+PairFormula PairFormula::apart(const plane::SharedRegion& a, const plane::SharedRegion& b, const Fraction& distance,
+                               const exact::Real& step) {
+  PairFormula result;
+  result.add(fmt::format("gap({}, {}) >= {}", kSelf, kOther, distance.text()), a, b, kOther, step);
+  return result;
+}
+
+void PairFormula::add(const std::string& where, const plane::SharedRegion& self, const plane::SharedRegion& other,
+                      const char* moving, const exact::Real& step) {
+  formula::World world;
+  world.shapes.emplace(kSelf, self);
+  world.shapes.emplace(kOther, other);
+  world.moving = {moving};
+  world.step = step;
+  formula::Context context;
+  context.shapes = {kSelf, kOther};
+  context.moving = {moving};
+  conditions_.push_back(
+      {std::make_shared<const formula::Solver>(std::move(world)), formula::parse_formula(where, context)});
 }
 
 bool PairFormula::holds(const Fraction& x, const Fraction& y) const {

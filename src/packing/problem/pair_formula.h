@@ -13,6 +13,7 @@
 
 #include "formula/planar/solve.h"
 #include "packing/problem/problem.h"
+#include "plane/complex/shared_region.h"
 
 namespace findspace::packing {
 
@@ -23,14 +24,14 @@ formula::Formula parse_condition(const std::string& where);
 /// as infinitely far apart.
 double greatest_level(const Problem& problem);
 
-/// The closed set, on the grid of its coordinates. Error(kOutOfRange) beyond 2^40 steps.
-plane::Region region_of(const Polygon& shape);
-
 class PairFormula {
  public:
   /// Both shapes on one grid with steps of this size, in the problem's unit.
-  PairFormula(const Problem& problem, std::size_t first, const plane::Region& a, std::size_t second,
-              const plane::Region& b, const exact::Real& step);
+  PairFormula(const Problem& problem, std::size_t first, const plane::SharedRegion& a, std::size_t second,
+              const plane::SharedRegion& b, const exact::Real& step);
+  /// The condition that the interiors do not meet, and that the two keep this distance.
+  static PairFormula apart(const plane::SharedRegion& a, const plane::SharedRegion& b, const Fraction& distance,
+                           const exact::Real& step);
 
   /// Whether all conditions hold with the second part at (x, y).
   bool holds(const Fraction& x, const Fraction& y) const;
@@ -38,6 +39,11 @@ class PairFormula {
   std::vector<plane::Region> regions() const;
 
  private:
+  PairFormula() = default;
+  /// One of the two, `moving`, is at the position asked for.
+  void add(const std::string& where, const plane::SharedRegion& self, const plane::SharedRegion& other,
+           const char* moving, const exact::Real& step);
+
   struct Condition {
     std::shared_ptr<const formula::Solver> solver;
     formula::Formula where;

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "packing/problem/round_part.h"
+
 namespace findspace::packing {
 namespace {
 
@@ -113,6 +115,10 @@ Fraction Problem::gap_of(std::size_t first, std::size_t second) const {
     if ((pair.first == first && pair.second == second) || (pair.first == second && pair.second == first))
       result = std::max(result, pair.gap);
   return result;
+}
+
+bool Problem::has_round_parts() const {
+  return std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.round != nullptr; });
 }
 
 bool Problem::are_tied(std::size_t first, std::size_t second) const {
@@ -221,6 +227,16 @@ Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored) {
   return result;
 }
 
+Polygon rotated(const Part& part, const Fraction& angle, bool mirrored) {
+  return part.round ? part.round->at(angle, mirrored).about : rotated(part.shape, angle, mirrored);
+}
+
+LatticeBox box_of(const Part& part, const Fraction& angle, bool mirrored) {
+  return part.round ? part.round->at(angle, mirrored).box : box_of(rotated(part.shape, angle, mirrored));
+}
+
+double twice_area(const Part& part) { return part.round ? part.round->twice_area() : twice_area(part.shape); }
+
 double twice_area(const Polygon& shape) {
   double sum = 0;
   for (const Ring& ring : shape.rings) sum += twice_area(ring);
@@ -230,14 +246,14 @@ double twice_area(const Polygon& shape) {
 double area(const Problem& problem) {
   double sum = 0;
   const double steps = double(problem.steps());
-  for (const Part& part : problem.parts) sum += part.demand * (twice_area(part.shape) / 2 / steps / steps);
+  for (const Part& part : problem.parts) sum += part.demand * (twice_area(part) / 2 / steps / steps);
   return sum;
 }
 
 double area(const Problem& problem, const Layout& layout) {
   double sum = 0;
   const double steps = double(problem.steps());
-  for (const Placed& item : layout.items) sum += twice_area(problem.parts[item.part].shape) / 2 / steps / steps;
+  for (const Placed& item : layout.items) sum += twice_area(problem.parts[item.part]) / 2 / steps / steps;
   return sum;
 }
 

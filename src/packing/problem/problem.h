@@ -7,10 +7,12 @@
 // Parts are closed polygons with holes on a decimal grid: coordinates are integers of 10^-digits. A point q of a part
 // goes to at + R(angle) M q: M turns x into -x where mirrored, R turns counter-clockwise about the part's origin.
 // Where an angle is not a multiple of 90 degrees the turned part has its vertices rounded to the grid, and is exact
-// from there on. Keywords: irregular strip packing, nesting, open dimension problem.
+// from there on. Parts with arcs stay exact sets (round_part.h). Keywords: irregular strip packing, nesting, open
+// dimension problem.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,13 +36,16 @@ struct LatticeBox {
 /// The least box about a polygon.
 LatticeBox box_of(const Polygon& shape);
 
+class RoundPart;
+
 struct Part {
   std::string name;
   int demand = 1;
-  Polygon shape;
-  std::vector<Fraction> angles = {0};  // degrees
-  bool mirrored = false;               // whether it may be turned over as well
-  std::optional<Fraction> value = {};  // of a copy, where not all fit; without it its area
+  Polygon shape;                                // of a round part one about it
+  std::vector<Fraction> angles = {0};           // degrees
+  bool mirrored = false;                        // whether it may be turned over as well
+  std::optional<Fraction> value = {};           // of a copy, where not all fit; without it its area
+  std::shared_ptr<const RoundPart> round = {};  // the part itself, where that is not one polygon of the grid
 };
 
 /// What parts of some kinds, or of all, may not enter; or may not leave.
@@ -100,6 +105,7 @@ struct Problem {
   std::vector<FixedPart> fixed;
 
   bool on_sheets() const { return !sheets.empty(); }
+  bool has_round_parts() const;
   /// Whether there is a condition between copies of two parts.
   bool are_tied(std::size_t first, std::size_t second) const;
   /// How many copies are to be placed: the fixed ones stand already.
@@ -140,6 +146,10 @@ bool is_quarter(const Fraction& angle);
 /// The part turned by an angle and mirrored before, on the grid.
 Polygon rotated(const Polygon& shape, const Fraction& angle, bool mirrored);
 
+/// The same of a part, and the least box of the grid about it. Of a round part the polygon is one about it.
+Polygon rotated(const Part& part, const Fraction& angle, bool mirrored);
+LatticeBox box_of(const Part& part, const Fraction& angle, bool mirrored);
+
 /// What of the plane is not a place for a part on this sheet: a frame about the outline, unless that is a rectangle,
 /// and each hole. The frame reaches far enough beyond the edge.
 std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet);
@@ -148,6 +158,7 @@ std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const 
 
 /// Twice the area, in grid steps.
 double twice_area(const Polygon& shape);
+double twice_area(const Part& part);
 /// The area of all copies, and of those in a layout, in square units.
 double area(const Problem& problem);
 double area(const Problem& problem, const Layout& layout);

@@ -111,16 +111,50 @@ bool interiors_meet(const Polygon& a, const Polygon& b) {
   return has_vertex_inside(a, b) || has_vertex_inside(b, a);
 }
 
+namespace {
+
+/// Whether two edges that do not cross are nearer than `distance`.
+bool are_nearer(const RingEdge& e, const RingEdge& f, int128 distance) {
+  if (e.low_x() - f.high_x() >= distance || f.low_x() - e.high_x() >= distance) return false;
+  if (e.low_y() - f.high_y() >= distance || f.low_y() - e.high_y() >= distance) return false;
+  return exact::is_nearer(e.start(), f.start(), f.end(), distance) ||
+         exact::is_nearer(f.start(), e.start(), e.end(), distance);
+}
+
+/// How often the rings run counter-clockwise about a point on none of them.
+int winding(const Polygon& shape, const LatticePoint& point) {
+  int result = 0;
+  for (const RingEdge& e : edges_of(shape)) {
+    const bool up = e.start().y <= point.y, to_up = e.end().y <= point.y;
+    if (up == to_up) continue;
+    const int turn = turn_sign(e.start(), e.end(), point);
+    if (up && turn > 0) ++result;
+    if (to_up && turn < 0) --result;
+  }
+  return result;
+}
+
+/// Of two polygons whose rings do not meet: whether a ring of one lies in the other.
+bool has_ring_inside(const Polygon& a, const Polygon& b) {
+  return std::any_of(a.rings.begin(), a.rings.end(), [&](const Ring& ring) { return winding(b, ring[0]) != 0; });
+}
+
+}  // namespace
+
 bool are_nearer(const Polygon& a, const Polygon& b, int128 distance) {
-  for (const RingEdge& e : edges_of(a))
-    for (const RingEdge& f : edges_of(b)) {
-      if (e.low_x() - f.high_x() >= distance || f.low_x() - e.high_x() >= distance) continue;
-      if (e.low_y() - f.high_y() >= distance || f.low_y() - e.high_y() >= distance) continue;
-      if (exact::is_nearer(e.start(), f.start(), f.end(), distance) ||
-          exact::is_nearer(f.start(), e.start(), e.end(), distance))
-        return true;
-    }
+  const std::vector<RingEdge> of_a = edges_of(a), of_b = edges_of(b);
+  for (const RingEdge& e : of_a)
+    for (const RingEdge& f : of_b)
+      if (are_nearer(e, f, distance)) return true;
   return false;
+}
+
+bool are_apart(const Polygon& a, const Polygon& b, int128 distance) {
+  const std::vector<RingEdge> of_a = edges_of(a), of_b = edges_of(b);
+  for (const RingEdge& e : of_a)
+    for (const RingEdge& f : of_b)
+      if ((e.meets_box(f) && cross(e, f)) || are_nearer(e, f, distance + 1)) return false;
+  return !has_ring_inside(a, b) && !has_ring_inside(b, a);
 }
 
 }  // namespace findspace::packing

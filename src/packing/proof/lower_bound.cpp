@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "exact/margins/rounding.h"
+#include "packing/problem/round_part.h"
+#include "plane/query/measure_cells_twofold.h"
 
 namespace findspace::packing {
 namespace {
@@ -23,17 +25,23 @@ exact::Int256 twice_area(const Ring& ring) {
   return sum;
 }
 
+/// Width and height at an angle in whole grid steps, rounded down.
+std::pair<int128, int128> size_at(const Part& part, const Fraction& angle) {
+  if (part.round) {
+    const RoundPart::Form& form = part.round->at(angle, false);
+    return {exact::floor(form.high.x - form.low.x), exact::floor(form.high.y - form.low.y)};
+  }
+  const LatticeBox box = box_of(part, angle, false);
+  return {box.high.x - box.low.x, box.high.y - box.low.y};
+}
+
 /// The width at the narrowest angle at which the part fits the height.
 std::optional<int128> least_width(const Problem& problem, const Part& part) {
   std::optional<int128> least;
   for (const Fraction& angle : part.angles) {
-    const Ring ring = rotated(part.shape, angle, false).rings[0];
-    const auto lower = [](const LatticePoint& p, const LatticePoint& q) { return p.y < q.y; };
-    const auto [left, right] = std::minmax_element(
-        ring.begin(), ring.end(), [](const LatticePoint& p, const LatticePoint& q) { return p.x < q.x; });
-    const auto [bottom, top] = std::minmax_element(ring.begin(), ring.end(), lower);
-    if (Fraction(top->y - bottom->y, problem.steps()) + problem.edge + problem.edge > problem.height) continue;
-    least = std::min(least.value_or(right->x - left->x), right->x - left->x);
+    const auto [width, height] = size_at(part, angle);
+    if (Fraction(height, problem.steps()) + problem.edge + problem.edge > problem.height) continue;
+    least = std::min(least.value_or(width), width);
   }
   return least;
 }
@@ -43,15 +51,17 @@ std::optional<int128> least_width(const Problem& problem, const Part& part) {
 Fraction lower_bound(const Problem& problem) {
   Fraction widest;
   exact::Int256 area;
+  plane::Twofold round_area;
   for (const Part& part : problem.parts) {
     if (part.demand == 0) continue;
     if (const auto width = least_width(problem, part)) widest = std::max(widest, Fraction(*width, problem.steps()));
-    for (const Ring& ring : part.shape.rings)
+    if (part.round) round_area += plane::Twofold(part.demand * twice_area(part));
+    for (const Ring& ring : part.round ? std::vector<Ring>{} : part.shape.rings)
       for (int copy = 0; copy < part.demand; ++copy) area += twice_area(ring);
   }
   const double steps = double(problem.steps());
-  const double length =
-      area.to_double() / 2 / steps / steps / (problem.height - problem.edge - problem.edge).to_double();
+  const double length = (area.to_double() + round_area.value()) / 2 / steps / steps /
+                        (problem.height - problem.edge - problem.edge).to_double();
   constexpr double kDecimals = 1000000;
   const double safe = std::floor(length * (1 - margin::kRoundings16) * kDecimals);
   return std::max(widest, Fraction(int128(safe), int128(kDecimals))) + problem.edge + problem.edge;

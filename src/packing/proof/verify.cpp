@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "packing/nfp/depth_field.h"
 #include "packing/problem/pair_formula.h"
+#include "packing/problem/round_part.h"
 #include "packing/proof/interiors.h"
 #include "plane/base/parallel.h"
 
@@ -21,11 +23,20 @@ bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
   return a.low.x - gap < b.high.x && b.low.x - gap < a.high.x && a.low.y - gap < b.high.y && b.low.y - gap < a.high.y;
 }
 
+/// A part or an obstacle where it stands: in the common steps, and as a set of the problem's grid about its origin.
+struct Standing {
+  Polygon shape;  // of a round part one about it
+  LatticeBox box;
+  const RoundPart::Form* round = nullptr;
+  std::function<plane::SharedRegion()> set;
+  Fraction x = {}, y = {};
+};
+
 /// A sheet in the common steps.
 struct Container {
   LatticeBox box;
-  std::vector<Polygon> obstacles;
-  std::vector<std::vector<Polygon>> zones;  // the walls of each
+  std::vector<Standing> obstacles;
+  std::vector<std::vector<Standing>> zones;  // the walls of each
 };
 
 class Check {
@@ -45,9 +56,9 @@ class Check {
     find_fixed();
     count_sheets();
     int128 used = 0;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
       check_inside(i);
-      if (sheet_of(i) + 1 >= layout_.sheets.size()) used = std::max(used, boxes_[i].high.x);
+      if (sheet_of(i) + 1 >= layout_.sheets.size()) used = std::max(used, items_[i].box.high.x);
     }
     check_pairs();
     result_.used = Fraction(used, common_);
@@ -60,15 +71,32 @@ class Check {
 
  private:
   void add(const Placed& item) {
-    shapes_.push_back(scaled(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored),
-                             {item.x.over(common_), item.y.over(common_)}));
-    boxes_.push_back(box_of(shapes_.back()));
+    const Part& part = problem_.parts[item.part];
+    const LatticePoint at{item.x.over(common_), item.y.over(common_)};
+    Standing& standing = items_.emplace_back();
+    standing.shape = scaled(rotated(part, item.angle, item.mirrored), at);
+    const LatticeBox box = box_of(part, item.angle, item.mirrored);
+    standing.box = {scaled(box.low) + at, scaled(box.high) + at};
+    if (part.round) standing.round = &part.round->at(item.angle, item.mirrored);
+    standing.set = [&part, &item] { return region_of(part, item.angle, item.mirrored); };
+    standing.x = item.x;
+    standing.y = item.y;
+  }
+
+  Standing obstacle(const Polygon& shape) const {
+    Standing result{scaled(shape, {}), {}, nullptr, [shape] { return region_of(shape); }};
+    result.box = box_of(result.shape);
+    return result;
+  }
+
+  LatticePoint scaled(const LatticePoint& p) const {
+    const int128 scale = common_ / problem_.steps();
+    return {bounded_product(p.x, scale), bounded_product(p.y, scale)};
   }
 
   Polygon scaled(Polygon shape, const LatticePoint& at) const {
-    const int128 scale = common_ / problem_.steps();
     for (Ring& ring : shape.rings)
-      for (LatticePoint& p : ring) p = LatticePoint{bounded_product(p.x, scale), bounded_product(p.y, scale)} + at;
+      for (LatticePoint& p : ring) p = scaled(p) + at;
     return shape;
   }
 
@@ -86,10 +114,10 @@ class Check {
       Container& container = containers_.emplace_back();
       const Sheet& sheet = problem_.sheets[kind];
       container.box = box_of(scaled(sheet.shape, {}));
-      for (const Polygon& obstacle : obstacles_of(problem_, sheet)) container.obstacles.push_back(scaled(obstacle, {}));
+      for (const Polygon& shape : obstacles_of(problem_, sheet)) container.obstacles.push_back(obstacle(shape));
       for (const Zone& zone : sheet.zones) {
-        std::vector<Polygon>& walls = container.zones.emplace_back();
-        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(scaled(wall, {}));
+        std::vector<Standing>& walls = container.zones.emplace_back();
+        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(obstacle(wall));
       }
     }
   }
@@ -135,13 +163,23 @@ class Check {
   void check_inside(std::size_t i) {
     const bool on_sheets = problem_.on_sheets();
     if (on_sheets && sheet_of(i) >= containers_.size()) return outside(i, 0);
-    const LatticeBox& box = boxes_[i];
+    const LatticeBox& box = items_[i].box;
     const int128 right = on_sheets ? containers_[sheet_of(i)].box.high.x : layout_.length.over(common_);
     const int128 top = on_sheets ? containers_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
     const int128 out =
         problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
-    if (out > 0) return outside(i, double(out) / double(common_));
+    if (out > 0 && !lies_within(items_[i], right, top)) return outside(i, double(out) / double(common_));
     if (on_sheets) check_sheet(i, containers_[sheet_of(i)]);
+  }
+
+  /// Of a round part, whose box may end off the grid, by the exact one.
+  bool lies_within(const Standing& item, int128 right, int128 top) const {
+    if (item.round == nullptr) return false;
+    const exact::Real scale(common_ / problem_.steps()), edge(problem_.edge.over(common_));
+    const exact::Real x(item.x.over(common_)), y(item.y.over(common_));
+    return x + scale * item.round->low.x >= edge && y + scale * item.round->low.y >= edge &&
+           x + scale * item.round->high.x + edge <= exact::Real(right) &&
+           y + scale * item.round->high.y + edge <= exact::Real(top);
   }
 
   void outside(std::size_t i, double depth) {
@@ -153,17 +191,13 @@ class Check {
   }
 
   void check_sheet(std::size_t i, const Container& container) {
-    const int128 edge = problem_.edge.over(common_);
-    for (const Polygon& obstacle : container.obstacles) {
-      if (!meet(boxes_[i], box_of(obstacle), edge)) continue;
-      if (interiors_meet(shapes_[i], obstacle) || (edge > 0 && are_nearer(shapes_[i], obstacle, edge)))
-        return outside(i, 0);
-    }
+    for (const Standing& obstacle : container.obstacles)
+      if (contact(items_[i], obstacle, problem_.edge) != Contact::kNone) return outside(i, 0);
     const auto& zones = problem_.sheets[layout_.sheets[sheet_of(i)]].zones;
     for (std::size_t z = 0; z < zones.size(); ++z) {
       const auto& kept_out = zones[z].parts;
       if (std::count(kept_out.begin(), kept_out.end(), layout_.items[i].part) == 0) continue;
-      const auto enters = [&](const Polygon& wall) { return interiors_meet(shapes_[i], wall); };
+      const auto enters = [&](const Standing& wall) { return contact(items_[i], wall, 0) != Contact::kNone; };
       if (std::none_of(container.zones[z].begin(), container.zones[z].end(), enters)) continue;
       result_.faults.push_back({.kind = Fault::Kind::kZone,
                                 .first = i,
@@ -173,21 +207,45 @@ class Check {
   }
 
   void check_pairs() {
-    std::vector<std::vector<Fault>> found(shapes_.size());
-    plane::parallel_for(shapes_.size(), [&](std::size_t i) {
-      for (std::size_t j = i + 1; j < shapes_.size(); ++j)
+    std::vector<std::vector<Fault>> found(items_.size());
+    plane::parallel_for(items_.size(), [&](std::size_t i) {
+      for (std::size_t j = i + 1; j < items_.size(); ++j)
         if (const auto fault = pair_fault(i, j)) found[i].push_back(*fault);
     });
     for (const auto& faults : found) result_.faults.insert(result_.faults.end(), faults.begin(), faults.end());
   }
 
+  enum class Contact { kNone, kGap, kOverlap };
+
+  /// Whether the interiors meet, or two shapes come nearer than a gap.
+  Contact contact(const Standing& a, const Standing& b, const Fraction& least) const {
+    const int128 gap = least.over(common_);
+    if (!meet(a.box, b.box, gap)) return Contact::kNone;
+    if (a.round != nullptr || b.round != nullptr) return round_contact(a, b, least);
+    if (interiors_meet(a.shape, b.shape)) return Contact::kOverlap;
+    return gap > 0 && are_nearer(a.shape, b.shape, gap) ? Contact::kGap : Contact::kNone;
+  }
+
+  /// By polygons about the two where these are apart, else by their exact sets.
+  Contact round_contact(const Standing& a, const Standing& b, const Fraction& gap) const {
+    const int128 slack = 2 * RoundPart::kSlack * (common_ / problem_.steps());
+    if (are_apart(a.shape, b.shape, gap.over(common_) + slack)) return Contact::kNone;
+    const plane::SharedRegion first = a.set(), second = b.set();
+    const auto keep = [&](const Fraction& distance) {
+      return PairFormula::apart(first, second, distance, step()).holds(b.x - a.x, b.y - a.y);
+    };
+    if (keep(gap)) return Contact::kNone;
+    return gap > 0 && keep(0) ? Contact::kGap : Contact::kOverlap;
+  }
+
+  exact::Real step() const { return exact::Real(1) / exact::Real(problem_.steps()); }
+
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
     const bool tied = !problem_.conditions.empty() && problem_.are_tied(part_of(i), part_of(j));
     if (sheet_of(i) == sheet_of(j)) {
-      const int128 gap = problem_.gap_of(part_of(i), part_of(j)).over(common_);
-      const bool near = meet(boxes_[i], boxes_[j], gap);
-      if (near && interiors_meet(shapes_[i], shapes_[j])) return overlap(i, j);
-      if (near && gap > 0 && are_nearer(shapes_[i], shapes_[j], gap)) return fault_at(Fault::Kind::kGap, i, j);
+      const Contact found = contact(items_[i], items_[j], problem_.gap_of(part_of(i), part_of(j)));
+      if (found == Contact::kOverlap) return overlap(i, j);
+      if (found == Contact::kGap) return fault_at(Fault::Kind::kGap, i, j);
     }
     if (tied && !conditions_hold(i, j)) return fault_at(Fault::Kind::kCondition, i, j);
     return std::nullopt;
@@ -199,10 +257,9 @@ class Check {
   bool conditions_hold(std::size_t i, std::size_t j) const {
     const Placed &a = layout_.items[i], &b = layout_.items[j];
     const auto shape_of = [&](const Placed& item) {
-      return region_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+      return region_of(problem_.parts[item.part], item.angle, item.mirrored);
     };
-    const exact::Real step = exact::Real(1) / exact::Real(problem_.steps());
-    const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step);
+    const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step());
     if (a.sheet == b.sheet) return pair.holds(b.x - a.x, b.y - a.y);
     const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_)))) + 1;
     return pair.holds(far, 0);
@@ -210,7 +267,7 @@ class Check {
 
   /// How far a part reaches from its origin, at most.
   Fraction size_of(const Placed& item) const {
-    const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+    const LatticeBox box = box_of(problem_.parts[item.part], item.angle, item.mirrored);
     int128 most = 0;
     for (const int128 c : {box.low.x, box.low.y, box.high.x, box.high.y}) most = std::max(most, c < 0 ? -c : c);
     return Fraction(most, problem_.steps());
@@ -224,7 +281,7 @@ class Check {
 
   /// The middle of what the boxes have in common, or of what is between them.
   void locate(Fault& fault) const {
-    const LatticeBox &a = boxes_[fault.first], &b = boxes_[fault.second];
+    const LatticeBox &a = items_[fault.first].box, &b = items_[fault.second].box;
     fault.x = (double(std::max(a.low.x, b.low.x)) + double(std::min(a.high.x, b.high.x))) / 2 / double(common_);
     fault.y = (double(std::max(a.low.y, b.low.y)) + double(std::min(a.high.y, b.high.y))) / 2 / double(common_);
   }
@@ -232,7 +289,7 @@ class Check {
   Fault overlap(std::size_t i, std::size_t j) const {
     const Placed &a = layout_.items[i], &b = layout_.items[j];
     const auto searched = [&](const Placed& item) {
-      return search_shape(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored), problem_.digits);
+      return search_shape(problem_, problem_.parts[item.part], item.angle, item.mirrored);
     };
     const DepthField field(no_fit_polygon(searched(a), searched(b), 0));
     const Vec off{(b.x - a.x).to_double(), (b.y - a.y).to_double()};
@@ -244,8 +301,7 @@ class Check {
   const Problem& problem_;
   const Layout& layout_;
   int128 common_ = 1;  // all coordinates are integers over this
-  std::vector<Polygon> shapes_;
-  std::vector<LatticeBox> boxes_;
+  std::vector<Standing> items_;
   std::vector<Container> containers_;
   Verdict result_;
 };

@@ -4,7 +4,9 @@
 // Whether a layout keeps its promises: every part inside the strip or its sheet by the edge and outside the zones that
 // keep it out, no two interiors meeting, gaps as wide as asked for, conditions of pairs, allowed angles, fixed parts
 // where they stand, and the right number of copies and sheets. Guarantee: exact, on the original shapes; only depths
-// are doubles. Cost: the pairs of parts whose boxes meet. Keywords: layout validation, nesting check.
+// are doubles. Polygons are decided by signs of lattice points (interiors.h), parts with arcs by the formula of their
+// gap at the exact position (pair_formula.h). Cost: the pairs of parts whose boxes meet. Keywords: layout validation,
+// nesting check.
 #pragma once
 
 #include <vector>

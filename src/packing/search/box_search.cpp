@@ -48,7 +48,7 @@ class BoxSearch {
       if (part.demand == 0) continue;
       int128 lowest = -1;
       for (const Fraction& angle : part.angles) {
-        const LatticeBox box = box_of(rotated(part.shape, angle, false));
+        const LatticeBox box = box_of(part, angle, false);
         if (lowest < 0 || box.high.y - box.low.y < lowest) lowest = box.high.y - box.low.y;
       }
       least = std::max(least, lowest);
@@ -73,7 +73,7 @@ class BoxSearch {
   /// The box ends where its parts end.
   void offer(Layout layout, const SearchState& state) {
     for (const Placed& item : layout.items) {
-      const LatticeBox box = box_of(rotated(problem_.parts[item.part].shape, item.angle, item.mirrored));
+      const LatticeBox box = box_of(problem_.parts[item.part], item.angle, item.mirrored);
       layout.height = std::max(layout.height, item.y + Fraction(box.high.y, problem_.steps()) + problem_.edge);
     }
     if (best_ && container_area(problem_, layout) >= container_area(problem_, *best_)) return;

@@ -121,13 +121,13 @@ std::vector<double> values_of(const Problem& problem) {
   std::vector<double> values;
   const double steps = double(problem.steps());
   for (const Part& part : problem.parts)
-    values.push_back(part.value ? part.value->to_double() : twice_area(part.shape) / 2 / steps / steps);
+    values.push_back(part.value ? part.value->to_double() : twice_area(part) / 2 / steps / steps);
   return values;
 }
 
 FirstLayout first_layout(const Problem& problem, const FieldTable& table, const Row& row) {
   std::vector<double> areas, values = values_of(problem), of_area;
-  for (const Part& part : problem.parts) areas.push_back(twice_area(part.shape));
+  for (const Part& part : problem.parts) areas.push_back(twice_area(part));
   FirstLayout layout = Builder(problem, table, row).build(areas);
   if (layout.left.empty()) return layout;
   for (std::size_t part = 0; part < areas.size(); ++part) of_area.push_back(values[part] / areas[part]);

@@ -40,51 +40,69 @@ SupportingCurve shifted(const SupportingCurve& k, const GridPoint& by) {
                 : SupportingCurve::displaced_line(k.a, k.b, k.c + step, k.w);
 }
 
-/// The line or circle rotated by 90 degrees about the origin; `flipped` where the line's direction is the opposite one.
-SupportingCurve quarter_rotated(const SupportingCurve& k, bool& flipped) {
+/// What takes a set to another one: a rotation by 90 degrees about the origin, or the reflection in the y axis.
+enum class Isometry { kQuarterTurn, kMirror };
+
+template <class Number>
+std::pair<Number, Number> image(Isometry by, const Number& x, const Number& y) {
+  return by == Isometry::kMirror ? std::pair(-x, y) : std::pair(-y, x);
+}
+
+/// The line or circle moved; `flipped` where the line's direction is the opposite one.
+SupportingCurve image(Isometry by, const SupportingCurve& k, bool& flipped) {
   flipped = false;
   if (k.circle) {
-    return k.grid ? SupportingCurve::circle_at(-k.b, k.a, k.w) : SupportingCurve::circle_at(-k.real->y, k.real->x, k.w);
+    if (!k.grid) {
+      const auto [x, y] = image(by, k.real->x, k.real->y);
+      return SupportingCurve::circle_at(x, y, k.w);
+    }
+    const auto [x, y] = image(by, k.a, k.b);
+    return SupportingCurve::circle_at(x, y, k.w);
   }
-  std::int64_t a = -k.b, b = k.a;
+  auto [a, b] = image(by, k.a, k.b);
   flipped = exact::make_primitive(a, b) < 0;
   if (k.real) return SupportingCurve::line(a, b, flipped ? -k.real->x : k.real->x);
   return flipped ? SupportingCurve::displaced_line(a, b, -k.c, -k.w) : SupportingCurve::displaced_line(a, b, k.c, k.w);
 }
 
-/// The points and supporting curves rotated by 90 degrees about the origin, in the same order.
-Geometry quarter_rotated(const Geometry& g) {
+/// The points and supporting curves moved, in the same order. A reflection takes what is left of a curve to its right.
+Geometry image(Isometry by, const Geometry& g) {
   Geometry to;
   std::vector<char> flipped;
   for (const SupportingCurve& k : g.supporting_curves) {
     bool flip = false;
-    to.add(quarter_rotated(k, flip));
+    to.add(image(by, k, flip));
     flipped.push_back(flip);
   }
   for (const exact::Point& p : g.points) {
     if (p.kind == exact::Point::Kind::kGrid) {
-      to.add_grid_point(-p.gy, p.gx);
+      const auto [x, y] = image(by, p.gx, p.gy);
+      to.add_grid_point(x, y);
     } else if (p.kind == exact::Point::Kind::kReal) {
-      to.add_real_point(-g.reals[p.i].y, g.reals[p.i].x);
+      const auto [x, y] = image(by, g.reals[p.i].x, g.reals[p.i].y);
+      to.add_real_point(x, y);
     } else {
-      to.add_crossing(p.i, p.j, flipped[p.i] != flipped[p.j] ? -p.root : p.root);
+      const bool other = (flipped[p.i] != flipped[p.j]) != (by == Isometry::kMirror);
+      to.add_crossing(p.i, p.j, other ? -p.root : p.root);
     }
   }
   return to;
 }
 
-/// By 90 degrees counter-clockwise about the origin. Circles are cut at other places, so the complex is made anew.
-CellComplex quarter_turn(const CellComplex& c) {
+/// Circles are cut at other places, or from the other end, so the complex is made anew.
+CellComplex image(Isometry by, const CellComplex& c) {
+  const bool mirror = by == Isometry::kMirror;
   MarkedCurves to(c.faces[0].mark);
-  to.curves.geometry = quarter_rotated(c.geometry);
+  to.curves.geometry = image(by, c.geometry);
   for (Index e = 0; e < c.edges.size(); ++e) {
     const Edge& edge = c.edges[e];
     Index p = c.vertices[edge.v0].point, q = c.vertices[edge.v1].point;
     if (edge.half == 0)
       to.curves.segment(edge.supporting_curve, p, q, compare_xy(to.curves.geometry, p, q) < 0);
     else
-      to.curves.arc(edge.supporting_curve, p, q, edge.half < 0);
-    to.mark({edge.mark, c.faces[c.face(2 * e)].mark, c.faces[c.face(2 * e + 1)].mark});
+      to.curves.arc(edge.supporting_curve, p, q, (edge.half < 0) != mirror);
+    const Mark left = c.faces[c.face(2 * e)].mark, right = c.faces[c.face(2 * e + 1)].mark;
+    to.mark({edge.mark, mirror ? right : left, mirror ? left : right});
   }
   for (const Vertex& v : c.vertices) {
     if (v.out == kNone)
@@ -94,6 +112,8 @@ CellComplex quarter_turn(const CellComplex& c) {
   }
   return std::get<CellComplex>(std::move(to).complex());
 }
+
+CellComplex quarter_turn(const CellComplex& c) { return image(Isometry::kQuarterTurn, c); }
 
 }  // namespace
 
@@ -114,6 +134,8 @@ CellComplex translated(CellComplex c, const GridPoint& by) {
   check_range(c);
   return c;
 }
+
+CellComplex mirrored_in_y_axis(const CellComplex& c) { return image(Isometry::kMirror, c); }
 
 CellComplex rotated(const CellComplex& c, const GridPoint& about, const Real& degrees, double step,
                     Rounding& rounding) {
