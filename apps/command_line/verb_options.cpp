@@ -83,16 +83,66 @@ void add_start(CLI::App& command, Options& o) {
       ->group(kPlaneGroup);
 }
 
+/// How drawings are read, and curves beyond arcs.
+void add_drawings(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--curves", [&o](const std::string& word) { o.drawings.curves = io::parse_curve_rule(word); },
+          "near, inside or outside: where the arcs lie that stand for curves (default near: on either side)")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"near", "inside", "outside"}).description(""))
+      ->group(kDrawing);
+  command
+      .add_option("--tolerance", o.drawings.tolerance,
+                  "how far arcs may be from their curves, such as 0.01mm (default: 0.001mm, or 64 grid steps)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command.add_option("--join", o.drawings.join, "close gaps of outlines up to this width (default 0)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command
+      .add_flag_function(
+          "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
+          "outlines that stay open are lines (default: an error)")
+      ->group(kDrawing);
+}
+
+/// What drawings do not say.
+void add_drawn_parts(CLI::App& command, Options& o) {
+  command.add_option("--sheet", o.sheet, "sheets of this size for drawings, instead of --height")
+      ->type_name("W,H")
+      ->group(kDrawing);
+  command.add_option("--angles", o.angles, "the angles at which drawings may lie, in degrees (default 0)")
+      ->delimiter(',')
+      ->type_name("DEG[,DEG]")
+      ->group(kDrawing);
+  command.add_flag("--mirrored", o.mirrored, "drawings may be turned over")->group(kDrawing);
+  command.add_option("--unit", o.unit, "the unit of the result (default mm)")->type_name("UNIT")->group(kDrawing);
+  command.add_option("--layer", o.layer, "the layer of drawings that is read (default: all)")
+      ->type_name("NAME")
+      ->group(kDrawing);
+  add_drawings(command, o);
+}
+
 /// Of packing problems and layouts.
 void add_packing(CLI::App& command, std::string_view verb, Options& o) {
   const bool pack = verb == "pack";
   command
       .add_option(pack ? "PROBLEM" : "LAYOUT", o.scene,
-                  pack ? "the problem, as nesting JSON, or one of solids" : "the layout: JSON, or an SVG of sparrow")
+                  pack ? "the problem, as nesting JSON, or one of solids; or drawings"
+                       : "the layout: JSON, or an SVG of sparrow")
       ->required()
       ->type_name("");
-  if (!pack) command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON")->expected(0, 1)->type_name("");
+  if (pack)
+    command.add_option("xN", o.shapes, "how many of a drawing, and further drawings: bracket.dxf x12 lid.svg x3")
+        ->expected(0, -1)
+        ->type_name("");
+  else
+    command.add_option("PROBLEM", o.shapes, "the problem of a layout in JSON, or its drawings")
+        ->expected(0, -1)
+        ->type_name("");
   add_strip(command, o);
+  add_drawn_parts(command, o);
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
   command
@@ -205,30 +255,6 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
       only->type_name("NAME")->excludes(all)->group(kCommon);
     }
   }
-}
-
-/// How drawings are read, and curves beyond arcs.
-void add_drawings(CLI::App& command, Options& o) {
-  command
-      .add_option_function<std::string>(
-          "--curves", [&o](const std::string& word) { o.drawings.curves = io::parse_curve_rule(word); },
-          "near, inside or outside: where the arcs lie that stand for curves (default near: on either side)")
-      ->type_name("SIDE")
-      ->check(CLI::IsMember({"near", "inside", "outside"}).description(""))
-      ->group(kDrawing);
-  command
-      .add_option("--tolerance", o.drawings.tolerance,
-                  "how far arcs may be from their curves, such as 0.01mm (default: 0.001mm, or 64 grid steps)")
-      ->type_name("LENGTH")
-      ->group(kDrawing);
-  command.add_option("--join", o.drawings.join, "close gaps of outlines up to this width (default 0)")
-      ->type_name("LENGTH")
-      ->group(kDrawing);
-  command
-      .add_flag_function(
-          "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
-          "outlines that stay open are lines (default: an error)")
-      ->group(kDrawing);
 }
 
 /// Of drawings, and the form of the result.

@@ -21,7 +21,7 @@ class ProcessTeam;
 struct Options {
   std::string scene;                           // a path, or "-": standard input
   std::optional<std::string> scene_text;       // the scene itself; `scene` is then what messages call it
-  std::vector<std::string> shapes;             // of describe, convert, phi
+  std::vector<std::string> shapes;             // of describe, convert, phi; further words of pack and verify
   std::vector<std::filesystem::path> outputs;  // format by ending
   std::optional<std::string> at;               // "x,y": decimals, taken exactly
   std::optional<std::string> angle;  // of check and measure: degrees the moving shape is rotated by, taken exactly
@@ -60,6 +60,9 @@ struct Options {
   io::DrawingRules drawings;                           // before those of the scene
   std::optional<std::string> height;                   // of pack and verify: of the strip, instead of the file's
   std::string gap = "0", edge = "0";                   // of pack and verify: least distances
+  std::optional<std::string> sheet;                    // of pack and verify, for drawings: "W,H", decimals
+  std::vector<std::string> angles;                     // of these: allowed, in degrees
+  bool mirrored = false;                               // of these: they may be turned over
   std::optional<std::filesystem::path> start;          // of pack: a layout
   std::uint64_t seed = 1;                              // of pack
   unsigned workers = 0;                                // of batch; 0: one for each core

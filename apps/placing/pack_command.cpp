@@ -11,24 +11,24 @@
 #include "io/nesting/read_nesting.h"
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_layout.h"
-#include "io/text/read_text.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
 #include "placing/pack_solids.h"
 #include "placing/packing_report.h"
+#include "placing/stated_problem.h"
 
 namespace findspace::app {
 namespace {
 
 class Packing {
  public:
-  Packing(const Options& options, const std::string& text, Reporter& reporter)
+  Packing(const Options& options, const StatedProblem& stated, Reporter& reporter)
       : options_(options), reporter_(reporter) {
     check_outputs(options, {".json", ".svg", ".dxf"});
-    io::UnscaledProblem stated = io::read_unscaled(text, options.scene, nesting_options(options));
-    for (const std::string& note : stated.notes) reporter_.note(note);
-    problem_ = std::move(stated).on_grid(options.scene);
+    io::UnscaledProblem problem = read_stated(stated, options);
+    for (const std::string& note : problem.notes) reporter_.note(note);
+    problem_ = std::move(problem).on_grid(stated.name);
     if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
   }
 
@@ -60,6 +60,7 @@ class Packing {
     facts_.density = state.density;
     facts_.lower_bound = bound_;
     facts_.proven = packing::verify(problem_, layout).feasible();
+    facts_.remnant = packing::largest_remnant(problem_, layout);
     write(layout);
     if (!options_.quiet) reporter_.note(better_text(state, "length"));
   }
@@ -83,6 +84,9 @@ class Packing {
     text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * facts_.density,
                         layout.items.size());
     if (!problem_.on_sheets() && !problem_.box) text += fmt::format("no layout is shorter than {}\n", bound_.text());
+    if (const auto& left = facts_.remnant)
+      text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
+                          left->height.text(), left->x.text(), left->y.text());
     for (const packing::LeftOut& out : layout.left_out)
       text += fmt::format("left out: {} of {}: {}\n", out.copies, problem_.parts[out.part].name, out.why);
     return text;
@@ -116,9 +120,11 @@ class Packing {
 }  // namespace
 
 Outcome run_pack(const Options& options, Reporter& reporter) {
-  const std::string text = io::read_text(options.scene, options.input_limit);
-  if (io::is_solid_problem(text, options.scene)) return run_pack_solids(options, text, reporter);
-  return Packing(options, text, reporter).run();
+  std::vector<std::string> words{options.scene};
+  words.insert(words.end(), options.shapes.begin(), options.shapes.end());
+  const StatedProblem stated = stated_problem(words, options);
+  if (io::is_solid_problem(stated.text, stated.name)) return run_pack_solids(options, stated.text, reporter);
+  return Packing(options, stated, reporter).run();
 }
 
 }  // namespace findspace::app

@@ -11,12 +11,13 @@
 #include "packing/proof/verify.h"
 #include "placing/pack_solids.h"
 #include "placing/packing_report.h"
+#include "placing/stated_problem.h"
 
 namespace findspace::app {
 namespace {
 
-io::ProblemAndLayout read_in_plane(const Options& options, const std::string& text, const std::string& of_problem) {
-  packing::Problem problem = io::read_nesting(of_problem, options.shapes[0], nesting_options(options));
+io::ProblemAndLayout read_in_plane(const Options& options, const std::string& text, const StatedProblem& stated) {
+  packing::Problem problem = read_stated(stated, options).on_grid(stated.name);
   packing::Layout layout = io::read_layout(text, options.scene, problem);
   return {std::move(problem), std::move(layout)};
 }
@@ -35,8 +36,8 @@ Outcome run_verify(const Options& options, Reporter&) {
     return verdict_on(io::read_sparrow_svg(text, options.scene), options.json);
   if (options.shapes.empty())
     throw Error(ErrorCode::kUsage, "a layout as JSON needs its problem: findspace verify LAYOUT PROBLEM");
-  const std::string problem = io::read_text(options.shapes[0], options.input_limit);
-  if (io::is_solid_problem(problem, options.shapes[0])) return run_verify_solids(options, text, problem);
+  const StatedProblem problem = stated_problem(options.shapes, options);
+  if (io::is_solid_problem(problem.text, problem.name)) return run_verify_solids(options, text, problem.text);
   return verdict_on(read_in_plane(options, text, problem), options.json);
 }
 

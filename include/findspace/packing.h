@@ -166,6 +166,16 @@ struct LeftOutPart {
   std::string why;
 };
 
+/// The largest rectangle along the axes that the last sheet has left, by exact signs.
+struct PackRemnant {
+  /// Which of the layout's sheets, from 0 on.
+  std::size_t sheet = 0;
+  /// Its lower left corner.
+  Number x = 0, y = 0;
+  /// Its size.
+  Number width = 0, height = 0;
+};
+
 /// A layout.
 struct PackLayout {
   /// Of the strip; of the last sheet what is used.
@@ -180,6 +190,8 @@ struct PackLayout {
   Number height = 0;
   /// Area of the parts over the area of the strip, box or sheets, the last sheet up to the length.
   double density = 0;
+  /// On sheets, where something is left.
+  std::optional<PackRemnant> remnant = {};
 };
 
 /// How long a search goes on, and who hears of it.

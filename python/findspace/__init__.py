@@ -11,16 +11,16 @@
 """
 from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Check, Component, Distance, DistanceValue,
                          Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum,
-                         PackGroup, PackLayout, PackPart, PackProblem, PackSheet, PackZone, Phi, PhiValue, PlacedPart,
-                         Placement, PoseMap, Query, Region, Ring, Shape, SpaceRegion, Stopped, Surface, World, clear, cover,
-                         covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff, inside, keepout,
-                         margin, near, overlaps, pack, place, protrusion, reach, touches, within)
+                         PackGroup, PackLayout, PackPart, PackProblem, PackRemnant, PackSheet, PackZone, Phi, PhiValue,
+                         PlacedPart, Placement, PoseMap, Query, Region, Ring, Shape, SpaceRegion, Stopped, Surface,
+                         World, clear, cover, covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff,
+                         inside, keepout, margin, near, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _page, _plot, _shapely
 
 __all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue",
            "Edge", "Error", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LineMap",
-           "Optimum", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackSheet", "PackZone", "Phi", "PhiValue",
-           "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped",
+           "Optimum", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackZone",
+           "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped",
            "Surface", "World", "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "far", "gap",
            "group", "hausdorff", "inside", "keepout", "margin", "near", "overlaps", "pack", "place", "protrusion",
            "reach", "shape", "touches", "within"]

@@ -206,9 +206,19 @@ void bind_layout(py::module_& m) {
       .def_readonly("part", &LeftOutPart::part, "The name of its kind.")
       .def_readonly("copies", &LeftOutPart::copies, "How many are left out.")
       .def_readonly("why", &LeftOutPart::why, "Why, in words.");
+  py::class_<PackRemnant>(m, "PackRemnant", "The largest rectangle along the axes that the last sheet has left.")
+      .def(pickled<PackRemnant>(&PackRemnant::sheet, &PackRemnant::x, &PackRemnant::y, &PackRemnant::width,
+                                &PackRemnant::height))
+      .def_readonly("sheet", &PackRemnant::sheet, "The sheet, from 0.")
+      .def_property_readonly(
+          "at", [](const PackRemnant& r) { return py::make_tuple(r.x.text(), r.y.text()); },
+          "The lower left corner, exactly, as text.")
+      .def_property_readonly(
+          "size", [](const PackRemnant& r) { return py::make_tuple(r.width.text(), r.height.text()); },
+          "Width and height, exactly, as text.");
   py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
       .def(pickled<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out, &PackLayout::sheets,
-                               &PackLayout::height, &PackLayout::density))
+                               &PackLayout::height, &PackLayout::density, &PackLayout::remnant))
       .def_property_readonly(
           "length", [](const PackLayout& l) { return l.length.text(); }, "Of the strip or box, exactly, as text.")
       .def_property_readonly(
@@ -218,6 +228,7 @@ void bind_layout(py::module_& m) {
           "height", [](const PackLayout& l) { return l.height.text(); }, "Of the strip or box, exactly, as text.")
       .def_readonly("left_out", &PackLayout::left_out, "What is not placed, and why.")
       .def_readonly("sheets", &PackLayout::sheets, "The names of the sheets that are used.")
+      .def_readonly("remnant", &PackLayout::remnant, "What the last sheet has left, or None.")
       .def_readonly("density", &PackLayout::density, "Area of the parts by the area of what holds them.")
       .def(
           "json", [](const PackLayout& l, const PackProblem& p) { return layout_json(p, l); }, py::arg("problem"),

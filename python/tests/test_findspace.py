@@ -343,6 +343,22 @@ def test_pack_with_a_formula_for_all_pairs_and_groups():
         fs.pack(fs.PackProblem(parts, height=2, groups=[fs.PackGroup(["a"])]), work=1)
 
 
+def test_pack_shapes_with_arcs():
+    disc = fs.PackPart("disc", fs.Shape.disc((0, 0), 2), count=6)
+    problem = fs.PackProblem([disc], height=8)
+    layout = fs.pack(problem, work=2)
+    assert layout.length == "12" and layout.faults(problem) == [] and layout.remnant is None
+    assert "A2 2 0 0 1" in layout.svg(problem)
+    same, there = pickle.loads(pickle.dumps((problem, layout)))
+    assert there.json(same) == layout.json(problem) and there.faults(same) == []
+    plates = fs.PackProblem([disc], sheets=[fs.PackSheet("plate", [(0, 0), (16, 0), (16, 8), (0, 8)], count=2)])
+    layout = fs.pack(plates, work=2)
+    assert layout.faults(plates) == [] and layout.remnant.size == ("4", "8") and layout.remnant.at == ("12", "0")
+    assert pickle.loads(pickle.dumps(layout)).remnant.sheet == 0
+    with pytest.raises(fs.Error, match="area"):
+        fs.pack(fs.PackProblem([fs.PackPart("line", fs.Shape.polyline([(0, 0), (1, 1)]))], height=8), work=1)
+
+
 def test_packing_tells_and_ends():
     ell = fs.PackPart("ell", [(0, 0), (3, 0), (3, 1), (1, 1), (1, 4), (0, 4)], count=30, angles=[0, 90, 180, 270])
     problem = fs.PackProblem([ell], height=11)

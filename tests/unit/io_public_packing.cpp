@@ -88,6 +88,77 @@ TEST(PublicPacking, JsonIsReadInItsWords) {
   EXPECT_TRUE(pack(problem, {.seconds = 0, .work = 1}).has_value());
 }
 
+TEST(PublicPacking, ShapesWithArcs) {
+  PackProblem problem;
+  problem.height = 8;
+  problem.parts = {PackPart::of("disc", Shape::disc({0, 0}, 2), 6)};
+  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->length.text(), "12");
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  EXPECT_NE(layout_svg(problem, *layout).find("A2 2 0 0 1"), std::string::npos);
+  PackLayout nearer = *layout;
+  nearer.items[0].x = std::stod(nearer.items[0].x.text()) + 1e-9;
+  EXPECT_FALSE(layout_faults(problem, nearer).empty());
+  problem.gap = "0.000000001";
+  EXPECT_FALSE(layout_faults(problem, *layout).empty());
+}
+
+TEST(PublicPacking, ShapesOfAllKinds) {
+  PackProblem problem;
+  problem.height = 6;
+  const Shape plate = Shape::subtract({Shape::box({0, 0}, {6, 6}), Shape::disc({3, 3}, 2)});  // lacks its inner edge
+  problem.parts = {PackPart::of("plate", plate), PackPart::of("peg", Shape::disc({0, 0}, 2)),
+                   PackPart::of("tile", Shape::box({0, 0}, {2, 6}, {"0.25"}))};
+  problem.parts[0].angles = {0, 45};
+  const auto layout = pack(problem, {.seconds = 0, .work = 4});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->length.text(), "8");  // the peg in the plate
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  problem.parts[0].rings = {box_ring(0, 0, 1, 1)};
+  EXPECT_THROW(layout_faults(problem, *layout), Error);  // rings and a shape
+  const auto refused = [&](Shape shape) {
+    problem.parts = {PackPart::of("bad", std::move(shape))};
+    EXPECT_THROW(pack(problem, {.seconds = 0, .work = 1}), Error);
+  };
+  refused(Shape::polyline({{0, 0}, {3, 3}}));
+  refused(Shape::unite({Shape::box({0, 0}, {1, 1}), Shape::polyline({{0, 0}, {3, 3}})}));
+  refused(Shape::complement(Shape::box({0, 0}, {1, 1})));
+  refused(Shape::box(Point3{0, 0, 0}, Point3{1, 1, 1}));
+}
+
+TEST(PublicPacking, ShapesOfJson) {
+  const PackProblem problem =
+      pack_problem(R"({"strip_height": 8, "shapes": {"peg": {"disc": {"center": [5, 5], "radius": 2}}},
+    "items": [{"id": "peg", "demand": 2, "shape": "peg"},
+              {"id": "slot", "demand": 1, "mirrored": true, "allowed_orientations": [0, 90],
+               "shape": {"path": "M0 0 H4 A2 2 0 0 1 4 4 H0 Z"}},
+              {"id": "plain", "demand": 1, "shape": {"polygon": [[0, 0], [4, 0], [4, 1.25]]}}]})");
+  ASSERT_EQ(problem.parts.size(), 3u);
+  ASSERT_TRUE(problem.parts[0].shape.has_value());
+  const auto layout = pack(problem, {.seconds = 0, .work = 4});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  try {
+    pack_problem(R"({"strip_height": 8, "items": [{"id": "peg", "demand": 2, "shape": "peg"}]})");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(e.place().find("problem:1:"), std::string::npos) << e.what();
+  }
+}
+
+TEST(PublicPacking, WhatTheLastSheetHasLeft) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("plate", 10, 6, 3)};
+  problem.parts = {{"box", {box_ring(0, 0, 4, 5)}, 3}};
+  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  ASSERT_TRUE(layout.has_value() && layout->remnant.has_value());
+  EXPECT_EQ(layout->remnant->sheet, 1u);
+  EXPECT_EQ(layout->remnant->width.text(), "6");
+  EXPECT_EQ(layout->remnant->height.text(), "6");
+  EXPECT_NE(layout_json(problem, *layout).find("\"remnant\": {\"sheet\": 1"), std::string::npos);
+}
+
 TEST(PublicPacking, AFixedPartStandsAtItsAngle) {
   PackProblem problem = dots_and_block();
   problem.fixed = {{.part = "a", .x = 6, .y = 1, .angle = 45}};

@@ -140,6 +140,8 @@ PackLayout public_layout(const packing::Problem& problem, const packing::Layout&
   for (const packing::LeftOut& out : layout.left_out)
     result.left_out.push_back({problem.parts[out.part].name, out.copies, out.why});
   for (const std::size_t kind : layout.sheets) result.sheets.push_back(problem.sheets[kind].name);
+  if (const auto left = packing::largest_remnant(problem, layout))
+    result.remnant = {left->sheet, left->x.text(), left->y.text(), left->width.text(), left->height.text()};
   const double room = packing::container_area(problem, layout);
   result.density = room > 0 ? packing::area(problem, layout) / room : 0;
   return result;
@@ -163,6 +165,7 @@ io::LayoutFacts facts_of(const packing::Problem& problem, const packing::Layout&
   const packing::Verdict verdict = packing::verify(problem, layout);
   facts.proven = verdict.feasible();
   facts.density = verdict.density;
+  if (facts.proven) facts.remnant = packing::largest_remnant(problem, layout);
   if (!problem.on_sheets() && !problem.box) facts.lower_bound = packing::lower_bound(problem);
   return facts;
 }

@@ -21,7 +21,7 @@ namespace {
 using packing::Fraction;
 using Kind = JsonValue::Kind;
 
-constexpr int kUsualDigits = 6, kMostDigits = 9;  // of the grid of shapes
+constexpr int kUsualShapeDigits = 6, kMostShapeDigits = 9;  // of the grid of shapes
 
 class Reader : private NestingJson {
  public:
@@ -111,8 +111,9 @@ class Reader : private NestingJson {
     JsonValue none;
     none.kind = Kind::kObject;
     const JsonValue *named = tree().find("shapes"), *unit = tree().find("unit");
-    int digits = std::max(kUsualDigits, named != nullptr ? digits_in(*named, kMostDigits) : 0);
-    for (const JsonValue& item : items.items) digits = std::max(digits, digits_in(need(item, "shape"), kMostDigits));
+    int digits = std::max(kUsualShapeDigits, named != nullptr ? digits_in(*named, kMostShapeDigits) : 0);
+    for (const JsonValue& item : items.items)
+      digits = std::max(digits, digits_in(need(item, "shape"), kMostShapeDigits));
     const Fraction step(1, packing::power_of_ten(digits));
     context.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits)));
     const SceneReader json(name(), context);

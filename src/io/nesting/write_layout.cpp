@@ -39,6 +39,13 @@ std::string container_json(const packing::Problem& problem, const packing::Layou
   return fmt::format("{{\"sheets\": [{}]}}", names);
 }
 
+std::string remnant_json(const std::optional<packing::Remnant>& remnant) {
+  if (!remnant) return "";
+  return fmt::format(
+      "\"remnant\": {{\"sheet\": {}, \"x\": \"{}\", \"y\": \"{}\", \"width\": \"{}\", \"height\": \"{}\"}}, ",
+      remnant->sheet, remnant->x.text(), remnant->y.text(), remnant->width.text(), remnant->height.text());
+}
+
 /// A corner of an outline, and the arc to the next one as drawings have it: tan(angle / 4), 0 of a segment.
 struct Corner {
   double x = 0, y = 0, bulge = 0;
@@ -161,11 +168,11 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
       "{{\"findspace\": 1, \"layout\": {{\n"
       "  \"instance\": {}, \"container\": {}, \"gap\": \"{}\", \"edge\": \"{}\", \"length\": "
       "\"{}\", \"density\": {:.6f}, "
-      "\"lower_bound\": \"{}\", \"proven\": {}, {}\n"
+      "\"lower_bound\": \"{}\", \"proven\": {}, {}{}\n"
       "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": [{}]}}}}\n",
       quoted(problem.name), container_json(problem, layout), problem.gap.text(), problem.edge.text(),
-      layout.length.text(), facts.density, facts.lower_bound.text(), facts.proven, grid, facts.seed, facts.threads,
-      facts.seconds, items, left_out);
+      layout.length.text(), facts.density, facts.lower_bound.text(), facts.proven, grid, remnant_json(facts.remnant),
+      facts.seed, facts.threads, facts.seconds, items, left_out);
 }
 
 std::string outline_path(const packing::Problem& problem, std::size_t part) {

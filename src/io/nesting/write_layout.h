@@ -5,9 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
-#include "packing/problem/problem.h"
+#include "packing/proof/remnant.h"
 
 namespace findspace::io {
 
@@ -15,6 +16,7 @@ struct LayoutFacts {
   double density = 0, seconds = 0;
   packing::Fraction lower_bound;
   bool proven = false;
+  std::optional<packing::Remnant> remnant = {};
   std::uint64_t seed = 1;
   unsigned threads = 1;
 };

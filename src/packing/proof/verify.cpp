@@ -6,31 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "packing/nfp/depth_field.h"
 #include "packing/problem/pair_formula.h"
-#include "packing/problem/round_part.h"
-#include "packing/proof/interiors.h"
+#include "packing/proof/standing.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::packing {
 namespace {
-
-/// Whether the boxes, the gap wider, have common inner points.
-bool meet(const LatticeBox& a, const LatticeBox& b, int128 gap) {
-  return a.low.x - gap < b.high.x && b.low.x - gap < a.high.x && a.low.y - gap < b.high.y && b.low.y - gap < a.high.y;
-}
-
-/// A part or an obstacle where it stands: in the common steps, and as a set of the problem's grid about its origin.
-struct Standing {
-  Polygon shape;  // of a round part one about it
-  LatticeBox box;
-  const RoundPart::Form* round = nullptr;
-  std::function<plane::SharedRegion()> set;
-  Fraction x = {}, y = {};
-};
 
 /// A sheet in the common steps.
 struct Container {
@@ -41,24 +25,17 @@ struct Container {
 
 class Check {
  public:
-  Check(const Problem& problem, const Layout& layout) : problem_(problem), layout_(layout) {
-    common_ = common_multiple(problem.steps(),
-                              common_multiple(height_of(problem, layout).denominator(), layout.length.denominator()));
-    common_ = common_multiple(common_, common_multiple(problem.gap.denominator(), problem.edge.denominator()));
-    for (const PairGap& pair : problem.pair_gaps) common_ = common_multiple(common_, pair.gap.denominator());
-    for (const Placed& item : layout.items)
-      common_ = common_multiple(common_multiple(common_, item.x.denominator()), item.y.denominator());
-    for (const Placed& item : layout.items) add(item);
-  }
+  Check(const Problem& problem, const Layout& layout)
+      : problem_(problem), layout_(layout), parts_(problem, layout), common_(parts_.common()) {}
 
   Verdict verdict() {
     count_copies();
     find_fixed();
     count_sheets();
     int128 used = 0;
-    for (std::size_t i = 0; i < items_.size(); ++i) {
+    for (std::size_t i = 0; i < items().size(); ++i) {
       check_inside(i);
-      if (sheet_of(i) + 1 >= layout_.sheets.size()) used = std::max(used, items_[i].box.high.x);
+      if (sheet_of(i) + 1 >= layout_.sheets.size()) used = std::max(used, items()[i].box.high.x);
     }
     check_pairs();
     result_.used = Fraction(used, common_);
@@ -70,36 +47,7 @@ class Check {
   }
 
  private:
-  void add(const Placed& item) {
-    const Part& part = problem_.parts[item.part];
-    const LatticePoint at{item.x.over(common_), item.y.over(common_)};
-    Standing& standing = items_.emplace_back();
-    standing.shape = scaled(rotated(part, item.angle, item.mirrored), at);
-    const LatticeBox box = box_of(part, item.angle, item.mirrored);
-    standing.box = {scaled(box.low) + at, scaled(box.high) + at};
-    if (part.round) standing.round = &part.round->at(item.angle, item.mirrored);
-    standing.set = [&part, &item] { return region_of(part, item.angle, item.mirrored); };
-    standing.x = item.x;
-    standing.y = item.y;
-  }
-
-  Standing obstacle(const Polygon& shape) const {
-    Standing result{scaled(shape, {}), {}, nullptr, [shape] { return region_of(shape); }};
-    result.box = box_of(result.shape);
-    return result;
-  }
-
-  LatticePoint scaled(const LatticePoint& p) const {
-    const int128 scale = common_ / problem_.steps();
-    return {bounded_product(p.x, scale), bounded_product(p.y, scale)};
-  }
-
-  Polygon scaled(Polygon shape, const LatticePoint& at) const {
-    for (Ring& ring : shape.rings)
-      for (LatticePoint& p : ring) p = scaled(p) + at;
-    return shape;
-  }
-
+  const std::vector<Standing>& items() const { return parts_.items(); }
   std::size_t sheet_of(std::size_t i) const { return layout_.items[i].sheet; }
 
   /// No more sheets of a kind than there are, and every item on one of them.
@@ -113,11 +61,11 @@ class Check {
     for (const std::size_t kind : layout_.sheets) {
       Container& container = containers_.emplace_back();
       const Sheet& sheet = problem_.sheets[kind];
-      container.box = box_of(scaled(sheet.shape, {}));
-      for (const Polygon& shape : obstacles_of(problem_, sheet)) container.obstacles.push_back(obstacle(shape));
+      container.box = parts_.obstacle(sheet.shape).box;
+      for (const Polygon& shape : obstacles_of(problem_, sheet)) container.obstacles.push_back(parts_.obstacle(shape));
       for (const Zone& zone : sheet.zones) {
         std::vector<Standing>& walls = container.zones.emplace_back();
-        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(obstacle(wall));
+        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(parts_.obstacle(wall));
       }
     }
   }
@@ -163,12 +111,12 @@ class Check {
   void check_inside(std::size_t i) {
     const bool on_sheets = problem_.on_sheets();
     if (on_sheets && sheet_of(i) >= containers_.size()) return outside(i, 0);
-    const LatticeBox& box = items_[i].box;
+    const LatticeBox& box = items()[i].box;
     const int128 right = on_sheets ? containers_[sheet_of(i)].box.high.x : layout_.length.over(common_);
     const int128 top = on_sheets ? containers_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
     const int128 out =
         problem_.edge.over(common_) + std::max({-box.low.x, -box.low.y, box.high.x - right, box.high.y - top});
-    if (out > 0 && !lies_within(items_[i], right, top)) return outside(i, double(out) / double(common_));
+    if (out > 0 && !lies_within(items()[i], right, top)) return outside(i, double(out) / double(common_));
     if (on_sheets) check_sheet(i, containers_[sheet_of(i)]);
   }
 
@@ -192,12 +140,12 @@ class Check {
 
   void check_sheet(std::size_t i, const Container& container) {
     for (const Standing& obstacle : container.obstacles)
-      if (contact(items_[i], obstacle, problem_.edge) != Contact::kNone) return outside(i, 0);
+      if (parts_.contact(items()[i], obstacle, problem_.edge) != Contact::kNone) return outside(i, 0);
     const auto& zones = problem_.sheets[layout_.sheets[sheet_of(i)]].zones;
     for (std::size_t z = 0; z < zones.size(); ++z) {
       const auto& kept_out = zones[z].parts;
       if (std::count(kept_out.begin(), kept_out.end(), layout_.items[i].part) == 0) continue;
-      const auto enters = [&](const Standing& wall) { return contact(items_[i], wall, 0) != Contact::kNone; };
+      const auto enters = [&](const Standing& wall) { return parts_.contact(items()[i], wall, 0) != Contact::kNone; };
       if (std::none_of(container.zones[z].begin(), container.zones[z].end(), enters)) continue;
       result_.faults.push_back({.kind = Fault::Kind::kZone,
                                 .first = i,
@@ -207,43 +155,18 @@ class Check {
   }
 
   void check_pairs() {
-    std::vector<std::vector<Fault>> found(items_.size());
-    plane::parallel_for(items_.size(), [&](std::size_t i) {
-      for (std::size_t j = i + 1; j < items_.size(); ++j)
+    std::vector<std::vector<Fault>> found(items().size());
+    plane::parallel_for(items().size(), [&](std::size_t i) {
+      for (std::size_t j = i + 1; j < items().size(); ++j)
         if (const auto fault = pair_fault(i, j)) found[i].push_back(*fault);
     });
     for (const auto& faults : found) result_.faults.insert(result_.faults.end(), faults.begin(), faults.end());
   }
 
-  enum class Contact { kNone, kGap, kOverlap };
-
-  /// Whether the interiors meet, or two shapes come nearer than a gap.
-  Contact contact(const Standing& a, const Standing& b, const Fraction& least) const {
-    const int128 gap = least.over(common_);
-    if (!meet(a.box, b.box, gap)) return Contact::kNone;
-    if (a.round != nullptr || b.round != nullptr) return round_contact(a, b, least);
-    if (interiors_meet(a.shape, b.shape)) return Contact::kOverlap;
-    return gap > 0 && are_nearer(a.shape, b.shape, gap) ? Contact::kGap : Contact::kNone;
-  }
-
-  /// By polygons about the two where these are apart, else by their exact sets.
-  Contact round_contact(const Standing& a, const Standing& b, const Fraction& gap) const {
-    const int128 slack = 2 * RoundPart::kSlack * (common_ / problem_.steps());
-    if (are_apart(a.shape, b.shape, gap.over(common_) + slack)) return Contact::kNone;
-    const plane::SharedRegion first = a.set(), second = b.set();
-    const auto keep = [&](const Fraction& distance) {
-      return PairFormula::apart(first, second, distance, step()).holds(b.x - a.x, b.y - a.y);
-    };
-    if (keep(gap)) return Contact::kNone;
-    return gap > 0 && keep(0) ? Contact::kGap : Contact::kOverlap;
-  }
-
-  exact::Real step() const { return exact::Real(1) / exact::Real(problem_.steps()); }
-
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
     const bool tied = !problem_.conditions.empty() && problem_.are_tied(part_of(i), part_of(j));
     if (sheet_of(i) == sheet_of(j)) {
-      const Contact found = contact(items_[i], items_[j], problem_.gap_of(part_of(i), part_of(j)));
+      const Contact found = parts_.contact(items()[i], items()[j], problem_.gap_of(part_of(i), part_of(j)));
       if (found == Contact::kOverlap) return overlap(i, j);
       if (found == Contact::kGap) return fault_at(Fault::Kind::kGap, i, j);
     }
@@ -259,7 +182,8 @@ class Check {
     const auto shape_of = [&](const Placed& item) {
       return region_of(problem_.parts[item.part], item.angle, item.mirrored);
     };
-    const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step());
+    const exact::Real step = exact::Real(1) / exact::Real(problem_.steps());
+    const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step);
     if (a.sheet == b.sheet) return pair.holds(b.x - a.x, b.y - a.y);
     const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_)))) + 1;
     return pair.holds(far, 0);
@@ -281,7 +205,7 @@ class Check {
 
   /// The middle of what the boxes have in common, or of what is between them.
   void locate(Fault& fault) const {
-    const LatticeBox &a = items_[fault.first].box, &b = items_[fault.second].box;
+    const LatticeBox &a = items()[fault.first].box, &b = items()[fault.second].box;
     fault.x = (double(std::max(a.low.x, b.low.x)) + double(std::min(a.high.x, b.high.x))) / 2 / double(common_);
     fault.y = (double(std::max(a.low.y, b.low.y)) + double(std::min(a.high.y, b.high.y))) / 2 / double(common_);
   }
@@ -300,8 +224,8 @@ class Check {
 
   const Problem& problem_;
   const Layout& layout_;
-  int128 common_ = 1;  // all coordinates are integers over this
-  std::vector<Standing> items_;
+  StandingParts parts_;
+  int128 common_;
   std::vector<Container> containers_;
   Verdict result_;
 };

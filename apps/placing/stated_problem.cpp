@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+
+#include "placing/stated_problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "findspace/error.h"
+#include "io/text/file_kind.h"
+#include "io/text/read_text.h"
+#include "io/write/json_text.h"
+#include "placing/packing_report.h"
+
+namespace findspace::app {
+namespace {
+
+constexpr std::array<std::string_view, 4> kDrawings{".svg", ".dxf", ".wkt", ".geojson"};
+
+struct Drawing {
+  std::filesystem::path file;
+  int count = 1;
+};
+
+bool is_drawing(const std::string& word) {
+  const std::string ending = io::lower_ending(std::filesystem::path(word).extension().string());
+  return std::find(kDrawings.begin(), kDrawings.end(), ending) != kDrawings.end();
+}
+
+/// "x12"
+std::optional<int> count_of(const std::string& word) {
+  constexpr std::size_t kMostDigits = 6;
+  const bool digits = word.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (word.size() < 2 || word[0] != 'x' || !digits || word.size() > 1 + kMostDigits) return std::nullopt;
+  return std::stoi(word.substr(1));
+}
+
+std::vector<Drawing> drawings_of(const std::vector<std::string>& words) {
+  std::vector<Drawing> result;
+  bool counted = true;
+  for (const std::string& word : words) {
+    if (is_drawing(word)) {
+      result.push_back({word, 1});
+      counted = false;
+    } else if (const std::optional<int> count = count_of(word); count && !counted) {
+      result.back().count = *count;
+      counted = true;
+    } else {
+      throw Error(ErrorCode::kUsage,
+                  fmt::format("{}: a drawing and how many of it are meant, such as bracket.dxf x12", word));
+    }
+  }
+  return result;
+}
+
+/// The name of a part: that of its file, with its folder where two files are called so.
+std::string name_of(const Drawing& drawing, const std::vector<Drawing>& all) {
+  const auto same = [&](const Drawing& other) { return other.file.stem() == drawing.file.stem(); };
+  return (std::count_if(all.begin(), all.end(), same) > 1 ? drawing.file : drawing.file.stem()).string();
+}
+
+std::string item_json(const Drawing& drawing, const std::string& name, const Options& o) {
+  std::string file = fmt::format("\"file\": {}", io::json_string(drawing.file.string()));
+  if (o.layer) file += fmt::format(", \"layer\": {}", io::json_string(*o.layer));
+  const std::string angles = io::list(o.angles, [](const std::string& angle) { return io::json_string(angle); });
+  return fmt::format(
+      "{{\"id\": {}, \"demand\": {}, \"allowed_orientations\": {}, \"mirrored\": {}, \"shape\": {{{}}}}}",
+      io::json_string(name), drawing.count, angles, io::truth(o.mirrored), file);
+}
+
+/// "600,400"
+std::string sheet_json(const std::string& size, int count) {
+  const std::size_t comma = size.find(',');
+  if (comma == std::string::npos)
+    throw Error(ErrorCode::kUsage, fmt::format("--sheet {}: a width and a height are meant, such as 600,400", size));
+  return fmt::format(R"("sheets": [{{"id": "sheet", "count": {}, "width": {}, "height": {}}}])", count,
+                     io::json_string(size.substr(0, comma)), io::json_string(size.substr(comma + 1)));
+}
+
+StatedProblem drawn_problem(const std::vector<std::string>& words, const Options& o) {
+  const std::vector<Drawing> drawings = drawings_of(words);
+  if (o.height.has_value() == o.sheet.has_value())
+    throw Error(ErrorCode::kUsage, "drawings are packed into a strip (--height H) or onto sheets (--sheet W,H)");
+  StatedProblem result{{}, {}, true};
+  std::string items;
+  int copies = 0;
+  for (const Drawing& drawing : drawings) {
+    const std::string name = name_of(drawing, drawings);
+    items += (items.empty() ? "" : ",\n ") + item_json(drawing, name, o);
+    result.name += (result.name.empty() ? "" : ", ") + name;
+    copies += drawing.count;
+  }
+  const std::string container = o.sheet ? sheet_json(*o.sheet, copies) : "\"strip_height\": \"0\"";
+  result.text = fmt::format("{{\"name\": {}, \"unit\": {}, {},\n\"items\": [\n {}]}}\n", io::json_string(result.name),
+                            io::json_string(o.unit.value_or("mm")), container, items);
+  return result;
+}
+
+}  // namespace
+
+StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options) {
+  if (is_drawing(words[0]) || words.size() > 1) return drawn_problem(words, options);
+  if (options.sheet || !options.angles.empty() || options.mirrored || options.unit || options.layer)
+    throw Error(ErrorCode::kUsage,
+                "--sheet, --angles, --mirrored, --unit and --layer are for drawings; a problem says them itself");
+  return {io::read_text(words[0], options.input_limit), words[0]};
+}
+
+io::UnscaledProblem read_stated(const StatedProblem& stated, const Options& options) {
+  io::NestingOptions asked = nesting_options(options);
+  if (stated.drawn) {
+    asked.folder = std::filesystem::current_path();
+    asked.read.files = true;  // those that are named
+    asked.read.root.clear();
+  }
+  return io::read_unscaled(stated.text, stated.name, asked);
+}
+
+}  // namespace findspace::app
