@@ -68,6 +68,31 @@ TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(run("map --help").status, 0);
 }
 
+TEST_F(Program, PacksDrawingsWithCounts) {
+  std::ofstream(folder_ / "lid.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle cx="4" cy="4" r="2"/></svg>)";
+  std::ofstream(folder_ / "plate.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H8V8H0Z M2 4A2 2 0 0 0 6 4A2 2 0 0 0 2 4Z"/></svg>)";
+  const std::string drawings = "plate.svg lid.svg x5 ";
+  const Result strip = run("pack " + drawings + "--height 8 --work 2 --threads 1 -o layout.json -o cut.dxf");
+  EXPECT_EQ(strip.status, 0) << strip.err;
+  EXPECT_TRUE(contains(strip.out, "length 16, ")) << strip.out;  // a lid in the plate, four beside it
+  EXPECT_TRUE(contains(strip.err, "states no unit: read as mm")) << strip.err;
+  EXPECT_EQ(run("verify layout.json " + drawings + "--height 8").status, 0);
+  EXPECT_EQ(run("verify layout.json " + drawings + "--height 7").status, 1);
+  EXPECT_TRUE(contains(read("cut.dxf"), "\n42\n"));  // arcs stay arcs
+  const Result back = run("convert cut.dxf --layer cut -o back.svg");
+  EXPECT_EQ(back.status, 0) << back.err;
+  EXPECT_TRUE(contains(read("back.svg"), "A 2 2") || contains(read("back.svg"), "A2 2")) << read("back.svg");
+  const Result sheets = run("pack " + drawings + "--sheet 16,8 --work 2 --threads 1 --json");
+  EXPECT_EQ(json::parse(sheets.out)["layout"]["container"]["sheets"].size(), 1u);
+  EXPECT_EQ(run("pack " + drawings).status, 2);            // neither a strip nor sheets
+  EXPECT_EQ(run("pack x5 lid.svg --height 8").status, 2);
+  EXPECT_EQ(run("pack lid.svg 5 --height 8").status, 2);   // a count is x5
+  EXPECT_EQ(run("pack lid.svg x5 x6 --height 8").status, 2);
+  EXPECT_EQ(run("pack scene.json --angles 0,90").status, 2);  // a problem says them itself
+}
+
 /// The longest line, in letters.
 std::size_t columns(const std::string& text) {
   std::size_t most = 0, column = 0;

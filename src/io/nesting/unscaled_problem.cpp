@@ -14,6 +14,7 @@
 #include "packing/problem/pair_formula.h"
 #include "packing/problem/round_part.h"
 #include "packing/proof/verify.h"
+#include "plane/contour/decimal_grid.h"
 #include "plane/query/scaled.h"
 
 namespace findspace::io {
@@ -119,6 +120,19 @@ packing::Sheet sheet_on(UnscaledSheet& sheet, packing::int128 steps, const std::
   return result;
 }
 
+/// Where one part is a shape, the kernel sees all parts and sheets on the problem's grid.
+void check_reach(const packing::Problem& problem, const std::string& place) {
+  const auto check = [&](const packing::LatticeBox& box, const std::string& name) {
+    for (const packing::int128 c : {box.low.x, box.low.y, box.high.x, box.high.y})
+      if (c < -plane::Grid::kLimit || c > plane::Grid::kLimit)
+        throw Error(ErrorCode::kOutOfRange,
+                    fmt::format("'{}' is too large for the {} digits of the problem's grid", name, problem.digits),
+                    place);
+  };
+  for (const packing::Part& part : problem.parts) check(box_of(part, 0, false), part.name);
+  for (const packing::Sheet& sheet : problem.sheets) check(box_of(sheet.shape), sheet.name);
+}
+
 void add_conditions(packing::Problem& problem, const std::vector<std::size_t>& parts, const std::string& where) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i; j < parts.size(); ++j) problem.conditions.push_back({parts[i], parts[j], where});
@@ -193,6 +207,7 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   const packing::int128 steps = result.steps();
   for (UnscaledPart& part : parts) result.parts.push_back(part_on(part, steps, place));
   for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
+  if (result.has_round_parts()) check_reach(result, place);
   result.conditions = std::move(conditions);
   std::vector<std::size_t> all(result.parts.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
