@@ -13,6 +13,8 @@
 #include "common/asked_numbers.h"
 #include "io/board/board_scene.h"
 #include "io/board/read_board.h"
+#include "io/cad/read_cad.h"
+#include "io/text/file_kind.h"
 #include "io/text/read_text.h"
 #include "io/write/write_file.h"
 #include "io/write/write_json.h"
@@ -24,8 +26,8 @@ namespace {
 
 using exact::Real;
 
-constexpr std::array<std::string_view, 10> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl",
-                                                     ".obj", ".off", ".ply", ".3mf",     ".glb"};
+constexpr std::array<std::string_view, 14> kDrawings{".svg", ".dxf", ".wkt", ".geojson", ".stl", ".obj",  ".off",
+                                                     ".ply", ".3mf", ".glb", ".step",    ".stp", ".iges", ".igs"};
 
 /// A scene that holds the one shape of a drawing.
 std::string scene_around(const std::filesystem::path& drawing, const Options& o) {
@@ -35,7 +37,7 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   auto add = [&](const char* key, const std::optional<std::string>& value) {
     if (value) text += fmt::format(", \"{}\": {}", key, io::json_string(*value));
   };
-  add("unit", o.unit);
+  if (!io::is_cad_ending(io::lower_ending(drawing.extension().string()))) add("unit", o.unit);
   add("id", o.id);
   add("layer", o.layer);
   if (o.index) text += fmt::format(", \"index\": {}", *o.index);

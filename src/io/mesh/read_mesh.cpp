@@ -14,6 +14,7 @@
 #include <iterator>
 #include <optional>
 
+#include "io/cad/read_cad.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/mesh_glb.h"
 #include "io/mesh/read_mesh_ply.h"
@@ -104,6 +105,21 @@ void read_stl(const std::string& bytes, MeshBuilder& out) {
   if (bytes.find("facet") == std::string::npos)
     throw Error(ErrorCode::kFile, "neither an ASCII nor a whole binary STL file");
   read_ascii_stl(bytes, out);
+}
+
+/// All solids of the file as one surface.
+space::Mesh cad_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
+                     const exact::Real& scale) {
+  space::Mesh out;
+  for (const CadPart& part : read_cad(bytes, ending, context, scale, {.balls = false})) {
+    const int first = static_cast<int>(out.vertices.size());
+    out.vertices.insert(out.vertices.end(), part.solid.mesh.vertices.begin(), part.solid.mesh.vertices.end());
+    for (std::vector<int> face : part.solid.mesh.faces) {
+      for (int& v : face) v += first;
+      out.faces.push_back(std::move(face));
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -210,6 +226,7 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
     read_glb(bytes, context, builder);
     return std::move(builder.mesh());
   }
+  if (is_cad_ending(ending)) return cad_mesh(bytes, ending, context, scale(exact::Real(1)));
   MeshBuilder builder(context, scale(std::nullopt));
   if (ending == ".obj")
     read_obj(bytes, builder);
@@ -220,8 +237,9 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
   else if (ending == ".ply")
     read_ply(bytes, builder);
   else
-    throw Error(ErrorCode::kFile,
-                fmt::format("a mesh is read from .stl, .obj, .off, .ply, .3mf or .glb, not '{}'", ending));
+    throw Error(
+        ErrorCode::kFile,
+        fmt::format("a mesh is read from .stl, .obj, .off, .ply, .3mf, .glb, .step or .iges, not '{}'", ending));
   return std::move(builder.mesh());
 }
 

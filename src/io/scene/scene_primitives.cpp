@@ -166,10 +166,10 @@ ShapePtr build_file(ShapeReader& reader, const JsonValue& object, const JsonValu
   const SceneReader& json = reader.json();
   std::filesystem::path path = json.context().folder / json.text(value, "\"file\"", label);
   const std::string ending = lower_ending(path.extension().string());
-  if (is_space_ending(ending)) return build_space_file(reader, path, read_choice(reader, object, label), value, label);
   if (is_plane_ending(ending)) reader.use_dimension(2, label, value);
   FileChoice choice = read_choice(reader, object, label);
   const RulesBeside rules(reader, object, label);
+  if (is_space_ending(ending)) return build_space_file(reader, path, choice, value, label);
   return json.placed(label, value, [&] { return read_shape_file(path, choice, json.context()); });
 }
 

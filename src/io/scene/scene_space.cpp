@@ -8,8 +8,11 @@
 
 #include <array>
 
+#include "io/cad/read_cad.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/scene_shapes.h"
+#include "io/text/file_kind.h"
+#include "io/text/outline_shapes.h"
 #include "plane/contour/contour.h"
 #include "space/mesh/mesh.h"
 
@@ -156,8 +159,38 @@ plane::ShapePtr build_space_box(ShapeReader& reader, const JsonValue& object, co
   return share_solid(reader, std::move(solid), label, object);
 }
 
+namespace {
+
+/// The solids of a CAD file that are chosen: one, or a collection.
+ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
+                   const JsonValue& at, const Label& label) {
+  ReadContext& context = reader.context();
+  const std::string name = path.string();
+  return reader.json().placed(label, at, [&] {
+    refuse_choice(choice.layer.has_value(), "layer", "a CAD file", name);
+    refuse_choice(choice.unit.has_value(), "unit", "a CAD file, which states its own", name);
+    const std::string ending = lower_ending(path.extension().string());
+    const std::string bytes = context.take_file(path);
+    require_kind(bytes, ending, name);
+    const exact::Real scale = file_scale(exact::Real(1), name, choice, context);
+    std::vector<CadPart> parts = [&] {
+      try {
+        return read_cad(bytes, ending, context, scale, {.id = choice.id, .index = choice.index});
+      } catch (const Error& e) {
+        throw e.within(name);
+      }
+    }();
+    std::vector<ShapePtr> shapes;
+    for (CadPart& part : parts) shapes.push_back(share_solid(reader, std::move(part.solid), label, at));
+    return united(std::move(shapes), reader.json().place(label, at), true);
+  });
+}
+
+}  // namespace
+
 plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
                                  const JsonValue& at, const Label& label) {
+  if (is_cad_ending(lower_ending(path.extension().string()))) return cad_shape(reader, path, choice, at, label);
   Solid solid;
   solid.form = Solid::Form::kMesh;
   ReadContext& context = reader.context();

@@ -90,13 +90,18 @@ bool is_stl(std::string_view text) {
   return trimmed(text).starts_with("solid") && text.find("facet") != std::string_view::npos;
 }
 
+bool is_step(std::string_view text) { return trimmed(text).starts_with("ISO-10303-21"); }
+
+/// The letter of the start section ends the first card.
+bool is_iges(std::string_view text) { return text.size() > 80 && text[72] == 'S'; }
+
 struct FileKind {
   std::string_view ending, name;
   bool space;
   bool (*is)(std::string_view text);
 };
 
-constexpr std::array<FileKind, 11> kKinds{{
+constexpr std::array<FileKind, 15> kKinds{{
     {".svg", "an SVG drawing", false, is_svg},
     {".dxf", "a DXF drawing", false, is_dxf},
     {".wkt", "well-known text of a geometry", false, is_wkt},
@@ -109,6 +114,10 @@ constexpr std::array<FileKind, 11> kKinds{{
     {".3mf", "a 3MF package", true,
      [](std::string_view) { return true; }},  // its reader shows nothing of what is no ZIP
     {".glb", "a binary glTF file", true, [](std::string_view t) { return t.starts_with("glTF"); }},
+    {".step", "a STEP file", true, is_step},
+    {".stp", "a STEP file", true, is_step},
+    {".iges", "an IGES file", true, is_iges},
+    {".igs", "an IGES file", true, is_iges},
 }};
 
 const FileKind* kind_of(std::string_view ending) {

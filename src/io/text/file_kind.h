@@ -12,7 +12,7 @@
 namespace findspace::io {
 
 /// Throws Error(kFile), which shows nothing of the text. `ending` is in small letters: ".svg", ".dxf", ".wkt",
-/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf" or ".glb".
+/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".step", ".stp", ".iges" or ".igs".
 void require_kind(std::string_view text, std::string_view ending, const std::string& name);
 
 /// Whether shapes are read from files with that ending; in space or in the plane.
