@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// STEP and IGES as scenes read them: solids of planes with the file's decimals, balls, assemblies by name, units, and
+// files that are cut off, empty, of another schema, or open (tests/cad). Without the library: what is said then.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "io/cad/read_cad.h"
+#include "io/mesh/read_mesh.h"
+#include "io/scene/scene.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::io {
+namespace io_cad {
+
+using exact::Real;
+using space::Solid;
+
+std::string bytes_of(const std::string& name) {
+  std::ifstream in(std::string(FINDSPACE_SOURCE "/tests/cad/") + name);
+  std::stringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+ReadContext context_with(std::optional<CurveRule> curves = {}, const char* tolerance = "0.01") {
+  ReadContext context;
+  context.unit = Unit::kMillimetre;
+  DrawingRules rules;
+  rules.curves = curves;
+  rules.tolerance = tolerance;
+  context.use(rules);
+  return context;
+}
+
+std::vector<CadPart> read(const std::string& bytes, ReadContext& context, const CadChoice& choice = {},
+                          const std::string& ending = ".step") {
+  return read_cad(bytes, ending, context, Real(1), choice);
+}
+
+/// The error, or "".
+std::string said(const std::string& bytes, const CadChoice& choice = {}, const std::string& ending = ".step") {
+  ReadContext context = context_with();
+  try {
+    read(bytes, context, choice, ending);
+  } catch (const Error& e) {
+    return e.message();
+  }
+  return "";
+}
+
+/// In cubic millimetres.
+double volume(const Solid& solid) { return space::six_volumes(solid.mesh).to_double() / 6e18; }
+
+class IoCad : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_cad()) GTEST_SKIP() << "libfindspace_cad.so is not built";
+  }
+};
+
+TEST(IoCadLibrary, SaysWhatIsMissing) {
+  if (has_cad()) GTEST_SKIP();
+  EXPECT_NE(said(bytes_of("bracket.step")).find("libocct-data-exchange-dev"), std::string::npos);
+}
+
+TEST_F(IoCad, SolidOfPlanesHasTheDecimalsOfTheFile) {
+  ReadContext context = context_with();
+  const std::vector<CadPart> parts = read(bytes_of("bracket.step"), context);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].solid.form, Solid::Form::kMesh);
+  EXPECT_EQ(space::six_volumes(parts[0].solid.mesh), Real(6 * 2221) * Real::parse_decimal("1e18"));
+  EXPECT_EQ(context.rounding.points, 0);
+  const auto& vertices = parts[0].solid.mesh.vertices;
+  EXPECT_EQ(std::count(vertices.begin(), vertices.end(), space::Point{4125000, 12250000, 4000000}), 1);
+}
+
+TEST_F(IoCad, UnitOfTheFileIsConverted) {
+  ReadContext context = context_with();
+  const std::vector<CadPart> parts = read(bytes_of("bracket.igs"), context, {}, ".igs");
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_NEAR(volume(parts[0].solid), 2221, 1e-4);
+}
+
+TEST_F(IoCad, AssemblyIsPlacedAndNamed) {
+  ReadContext context = context_with();
+  const std::vector<CadPart> parts = read(bytes_of("assembly.step"), context);
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_EQ(parts[0].name, "plate");
+  EXPECT_EQ(parts[2].name, "pin");
+  const auto& turned = parts[1].solid.mesh.vertices;  // [0, 10] x [0, 6] x [0, 2] by 90 degrees, then up
+  ASSERT_EQ(turned.size(), 8U);
+  EXPECT_EQ(std::count(turned.begin(), turned.end(), space::Point{94000000, 0, 20000000}), 1);
+  EXPECT_EQ(std::count(turned.begin(), turned.end(), space::Point{100000000, 10000000, 22000000}), 1);
+  EXPECT_EQ(parts[3].solid.form, Solid::Form::kBall);
+  EXPECT_EQ(parts[3].solid.mesh.vertices[0], (space::Point{101000000, 2000000, 3000000}));
+  EXPECT_EQ(parts[3].solid.radius, Real(2500000));
+  EXPECT_EQ(context.rounding.points, 0);
+}
+
+TEST_F(IoCad, PartsAreChosen) {
+  const std::string bytes = bytes_of("assembly.step");
+  ReadContext context = context_with();
+  EXPECT_EQ(read(bytes, context, {.id = "plate"}).size(), 2U);
+  EXPECT_EQ(read(bytes, context, {.id = "plate turned"}).size(), 1U);
+  EXPECT_EQ(read(bytes, context, {.id = "plate", .index = 1})[0].solid.mesh.vertices.size(), 8U);
+  EXPECT_EQ(read(bytes, context, {.id = "ball", .balls = false})[0].solid.form, Solid::Form::kMesh);
+  EXPECT_NE(said(bytes, {.id = "nut"}).find("there are plate, pin, ball"), std::string::npos);
+  EXPECT_NE(said(bytes, {.index = 4}).find("4 solids"), std::string::npos);
+}
+
+TEST_F(IoCad, PinLiesOnItsSide) {
+  const double exact = 1.5 * 1.5 * 8 * 3.14159265358979;
+  const auto pin = [&](CurveRule rule) {
+    ReadContext context = context_with(rule);
+    return volume(read(bytes_of("assembly.step"), context, {.id = "pin"})[0].solid);
+  };
+  EXPECT_LT(pin(CurveRule::kInside), exact);
+  EXPECT_GT(pin(CurveRule::kOutside), exact);
+  const double area = 2 * 3.14159265358979 * 1.5 * (8 + 1.5);
+  for (const CurveRule rule : {CurveRule::kInside, CurveRule::kOutside, CurveRule::kNear})
+    EXPECT_NEAR(pin(rule), exact, 0.01 * area * 1.1);
+}
+
+TEST_F(IoCad, BadFilesAreRefused) {
+  const std::string whole = bytes_of("bracket.step");
+  EXPECT_NE(said("").find("cannot read this as STEP"), std::string::npos) << said("");
+  for (const double part : {0.2, 0.5, 0.8})
+    EXPECT_NE(said(whole.substr(0, std::size_t(double(whole.size()) * part))), "");
+  EXPECT_NE(said("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"), "");
+  const std::string building =
+      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+      "FILE_SCHEMA(('IFC2X3'));\nENDSEC;\nDATA;\n#1=IFCCARTESIANPOINT((0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
+  EXPECT_NE(said(building).find("no solid"), std::string::npos) << said(building);
+  EXPECT_NE(said(bytes_of("open.step")).find("is not closed: 4 edges"), std::string::npos);
+  EXPECT_NE(said("nothing of IGES", {}, ".igs"), "");
+  const std::string cards = bytes_of("bracket.igs");
+  EXPECT_NE(said(cards.substr(0, cards.size() / 2), {}, ".igs"), "");
+}
+
+TEST_F(IoCad, OneMeshOfAllSolids) {
+  ReadContext context = context_with();
+  space::Mesh mesh = parse_mesh(bytes_of("assembly.step"), ".step", context, [](const auto& mm) { return *mm; });
+  space::clean(mesh, 1e-6);
+  EXPECT_NEAR(space::six_volumes(mesh).to_double() / 6e18, 120 + 120 + 56.55 + 65.45, 1);
+}
+
+TEST_F(IoCad, ScenesTakeParts) {
+  const auto scene = [](const std::string& more) {
+    return R"({"findspace": 1, "unit": "mm", "shapes": {"a": {"file": ")" FINDSPACE_SOURCE
+           R"(/tests/cad/assembly.step")" +
+           more + "}}}";
+  };
+  EXPECT_EQ(read_scene_text(scene(""), "", "s").shapes.size(), 1U);
+  EXPECT_EQ(read_scene_text(scene(R"(, "id": "plate", "index": 0)"), "", "s").shapes.size(), 1U);
+  EXPECT_THROW(read_scene_text(scene(R"(, "layer": "x")"), "", "s"), Error);
+  EXPECT_THROW(read_scene_text(scene(R"(, "unit": "in")"), "", "s"), Error);
+}
+
+}  // namespace io_cad
+}  // namespace findspace::io
