@@ -120,6 +120,8 @@ class SolidMesh {
       Marks marks;
       for (std::size_t f = 0; f < faces_.size(); ++f) {
         count += faces_[f].triangles.size();
+        for (int k = 0; k < kSweeps && flip(faces_[f], tolerance); ++k) {
+        }
         mark(f, tolerance, marks);
       }
       if (count > most)
@@ -373,6 +375,43 @@ class SolidMesh {
     return f.surface->Value(uv[0], uv[1]).XYZ() - gp_XYZ(p[0], p[1], p[2]);
   }
 
+  /// Changes the diagonal of two triangles where that lowers a bound that is too high. True if any was changed.
+  bool flip(FaceMesh& f, double tolerance) const {
+    if (!f.bounds) return false;
+    std::map<Segment, std::size_t> left;  // the triangle to the left of each side
+    for (std::size_t k = 0; k < f.triangles.size(); ++k)
+      for (std::size_t i = 0; i < 3; ++i) left[{f.triangles[k][i], f.triangles[k][(i + 1) % 3]}] = k;
+    std::vector<bool> changed(f.triangles.size());
+    bool any = false;
+    for (std::size_t k = 0; k < f.triangles.size(); ++k) {
+      const Promise p = promise(f, f.triangles[k]);
+      if (changed[k] || p.bound <= tolerance) continue;
+      const auto i = std::size_t(p.longest);
+      const int a = f.triangles[k][i], b = f.triangles[k][(i + 1) % 3], c = f.triangles[k][(i + 2) % 3];
+      const auto across = left.find({b, a});
+      if (across == left.end() || f.boundary.count({a, b}) > 0 || changed[across->second]) continue;
+      const std::array<int, 3>& other = f.triangles[across->second];
+      const int d = other[0] + other[1] + other[2] - a - b;
+      const std::array<int, 3> one{a, d, c}, two{d, b, c};
+      if (d == c || left.count({c, d}) > 0 || left.count({d, c}) > 0 || !runs_left(f, one) || !runs_left(f, two))
+        continue;
+      const double before = std::max(p.bound, promise(f, other).bound);
+      if (std::max(promise(f, one).bound, promise(f, two).bound) >= before * kGain) continue;
+      changed[k] = changed[across->second] = any = true;
+      f.triangles[across->second] = two;
+      f.triangles[k] = one;
+    }
+    return any;
+  }
+
+  /// Counter-clockwise in the plane of parameters, and not at a pole, which has no one place there.
+  static bool runs_left(const FaceMesh& f, const std::array<int, 3>& t) {
+    for (const int v : t)
+      if (f.pole[std::size_t(v)] >= 0) return false;
+    const auto &a = f.at[std::size_t(t[0])], &b = f.at[std::size_t(t[1])], &c = f.at[std::size_t(t[2])];
+    return (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]);
+  }
+
   void mark(std::size_t index, double tolerance, Marks& marks) const {
     const FaceMesh& f = faces_[index];
     for (const auto& t : f.triangles) {
@@ -540,7 +579,8 @@ class SolidMesh {
     return true;
   }
 
-  static constexpr int kMostPasses = 60;
+  static constexpr int kMostPasses = 60, kSweeps = 8;
+  static constexpr double kGain = 0.9;    // of the bound before
   static constexpr double kSame = 1e-10;  // mm: what doubles lose
 
   const TopoDS_Shape& solid_;
@@ -583,8 +623,9 @@ bool has_free_forms(const TopoDS_Shape& solid) {
 
 /// The mesher's own search for nodes within faces makes fewer triangles, but on free forms it may not end.
 io::CadMesh mesh_of(const TopoDS_Shape& solid, double tolerance, std::size_t most) {
+  constexpr double kPart = 0.5;  // the bound counts a side's error twice: along the face, and from it
   IMeshTools_Parameters asked;
-  asked.Deflection = tolerance;
+  asked.Deflection = tolerance * kPart;
   asked.Angle = 0.8;
   asked.InParallel = Standard_False;
   asked.ControlSurfaceDeflection = !has_free_forms(solid);

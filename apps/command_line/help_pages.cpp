@@ -217,7 +217,7 @@ constexpr Line kSpaceShapes[] = {{"polytope", "the convex hull of points [[X, Y,
                                  {"ball", "{\"center\": [X, Y, Z], \"radius\": R}"},
                                  {"prism", "{\"polygon\": [..], \"holes\": [..], \"z\": [LOW, HIGH]}"},
                                  {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
-                                 {"file", "a .stl .obj .off .ply .3mf .glb; with unit"}};
+                                 {"file", "a .stl .obj .off .ply .3mf .glb .step .iges; with unit"}};
 
 constexpr Line kMadeShapes[] = {
     {"union, intersection", "of a list of shapes"},

@@ -23,6 +23,7 @@ using exact::Real;
 using space::Solid;
 
 constexpr std::size_t kMostTriangles = 2'000'000;
+constexpr std::uint64_t kTriangleWork = 10;  // units
 
 [[noreturn]] void raise(const CadProblem& problem) {
   static constexpr std::array<ErrorCode, 5> kCodes{ErrorCode::kUnsupported, ErrorCode::kFile, ErrorCode::kSyntax,
@@ -94,6 +95,7 @@ class SolidOfCad {
     CadMesh mesh;
     const CadProblem problem = file_.mesh(index_, steps / steps_a_millimetre(), kMostTriangles, mesh);
     if (problem.fault != CadFault::kNone) raise(problem);
+    context_.work.charge(kTriangleWork * mesh.faces.size(), "meshing a CAD file so finely");
     return mesh;
   }
   double steps_a_millimetre() const { return (scale_ / context_.grid.step()).to_double(); }
