@@ -12,7 +12,6 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
-#include <Geom_SphericalSurface.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
@@ -633,21 +632,6 @@ io::CadMesh mesh_of(const TopoDS_Shape& solid, double tolerance, std::size_t mos
   BRepTools::Clean(solid);
   const BRepMesh_IncrementalMesh mesher(solid, asked);
   return SolidMesh(solid).read(tolerance, most);
-}
-
-std::optional<io::CadBall> ball_of(const TopoDS_Shape& solid) {
-  std::optional<io::CadBall> out;
-  for (TopExp_Explorer at(solid, TopAbs_FACE); at.More(); at.Next()) {
-    const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface_of(TopoDS::Face(at.Current())));
-    if (sphere.IsNull()) return std::nullopt;
-    const gp_Pnt c = sphere->Location();
-    if (!out) out = io::CadBall{{c.X(), c.Y(), c.Z()}, sphere->Radius()};
-    const double near = BRep_Tool::Tolerance(TopoDS::Face(at.Current()));
-    if (c.Distance(gp_Pnt(out->center[0], out->center[1], out->center[2])) > near ||
-        std::abs(sphere->Radius() - out->radius) > near)
-      return std::nullopt;
-  }
-  return out;
 }
 
 }  // namespace findspace::cad

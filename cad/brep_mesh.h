@@ -22,9 +22,6 @@ TopoDS_Shape smooth_faces(const TopoDS_Shape& solid);
 /// Throws Problem.
 io::CadMesh mesh_of(const TopoDS_Shape& solid, double tolerance, std::size_t most);
 
-/// The ball, where all faces lie on one sphere.
-std::optional<io::CadBall> ball_of(const TopoDS_Shape& solid);
-
 struct Problem {
   io::CadProblem what;
 };

@@ -41,6 +41,7 @@
 #include <sstream>
 
 #include "brep_mesh.h"
+#include "rounded.h"
 
 namespace findspace::cad {
 namespace {
@@ -162,9 +163,9 @@ class File : public io::CadFile {
   std::size_t solids() const override { return parts_.size(); }
   std::string name(std::size_t k) const override { return parts_[k].name; }
   std::string place_name(std::size_t k) const override { return parts_[k].place; }
-  std::optional<io::CadBall> ball(std::size_t k) const override {
-    std::optional<io::CadBall> out;
-    const CadProblem problem = guarded([&] { out = ball_of(parts_[k].solid); });
+  std::optional<io::CadRounded> rounded(std::size_t k) const override {
+    std::optional<io::CadRounded> out;
+    const CadProblem problem = guarded([&] { out = rounded_of(parts_[k].solid); });
     return problem.fault == CadFault::kNone ? out : std::nullopt;
   }
   CadProblem mesh(std::size_t k, double tolerance, std::size_t most, io::CadMesh& out) const override {

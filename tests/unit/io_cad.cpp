@@ -97,9 +97,10 @@ TEST_F(IoCad, AssemblyIsPlacedAndNamed) {
   ASSERT_EQ(turned.size(), 8U);
   EXPECT_EQ(std::count(turned.begin(), turned.end(), space::Point{94000000, 0, 20000000}), 1);
   EXPECT_EQ(std::count(turned.begin(), turned.end(), space::Point{100000000, 10000000, 22000000}), 1);
-  EXPECT_EQ(parts[3].solid.form, Solid::Form::kBall);
-  EXPECT_EQ(parts[3].solid.mesh.vertices[0], (space::Point{101000000, 2000000, 3000000}));
-  EXPECT_EQ(parts[3].solid.radius, Real(2500000));
+  ASSERT_EQ(parts[3].balls.size(), 1U);
+  EXPECT_EQ(parts[3].balls[0].form, Solid::Form::kBall);
+  EXPECT_EQ(parts[3].balls[0].mesh.vertices[0], (space::Point{101000000, 2000000, 3000000}));
+  EXPECT_EQ(parts[3].balls[0].radius, Real(2500000));
   EXPECT_EQ(context.rounding.points, 0);
 }
 

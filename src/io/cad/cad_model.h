@@ -30,8 +30,9 @@ struct CadFace {
   CadPlace even{};           // a direction along which the bound is 0: the axis of a cylinder or cone; else 0
 };
 
-struct CadBall {
-  CadPlace center{};
+/// The hull of balls of one radius.
+struct CadRounded {
+  std::vector<CadPlace> centers;
   double radius = 0;
 };
 
@@ -56,8 +57,8 @@ class CadFile {
   /// The name of the part, and that of its place in the assembly; either may be empty.
   virtual std::string name(std::size_t solid) const = 0;
   virtual std::string place_name(std::size_t solid) const = 0;
-  /// Where all its faces lie on one sphere: the ball.
-  virtual std::optional<CadBall> ball(std::size_t solid) const = 0;
+  /// Where it is exactly that: a ball, a capsule, a box with all edges rounded.
+  virtual std::optional<CadRounded> rounded(std::size_t solid) const = 0;
   /// No bound is above `tolerance`; no more than `most` triangles.
   virtual CadProblem mesh(std::size_t solid, double tolerance, std::size_t most, CadMesh& out) const = 0;
   virtual std::vector<std::string> notes() const = 0;

@@ -80,8 +80,18 @@ class SolidOfCad {
   SolidOfCad(const CadFile& file, std::size_t index, const std::string& name, ReadContext& context, const Real& scale)
       : file_(file), index_(index), name_(name), context_(context), scale_(scale) {}
 
-  Solid read(bool balls) {
-    if (const auto ball = file_.ball(index_); ball && balls) return ball_of(*ball);
+  /// The part, but for its name.
+  CadPart part(bool balls) {
+    CadPart out;
+    if (const auto rounded = file_.rounded(index_); rounded && balls)
+      out.balls = balls_of(*rounded);
+    else
+      out.solid = meshed();
+    return out;
+  }
+
+ private:
+  Solid meshed() {
     const double tolerance = context_.drawing.tolerance;
     CadMesh mesh = mesh_within(tolerance - kForGrid);
     if (flat(mesh)) return of_planes(mesh);
@@ -89,7 +99,6 @@ class SolidOfCad {
     return sided(tolerance);
   }
 
- private:
   /// By so many grid steps at most.
   CadMesh mesh_within(double steps) const {
     CadMesh mesh;
@@ -103,15 +112,18 @@ class SolidOfCad {
     return std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const CadFace& f) { return f.flat; });
   }
 
-  Solid ball_of(const CadBall& ball) {
-    const CadGrid grid(context_, scale_, std::max(size_of({ball.center}), ball.radius));
-    const GridPlaces places({ball.center}, grid);
-    Solid solid;
-    solid.form = Solid::Form::kBall;
-    solid.mesh.vertices = places.points;
-    solid.radius = context_.grid.steps(grid.length(ball.radius));
+  std::vector<Solid> balls_of(const CadRounded& rounded) {
+    const CadGrid grid(context_, scale_, std::max(size_of(rounded.centers), rounded.radius));
+    const GridPlaces places(rounded.centers, grid);
     log(places);
-    return solid;
+    std::vector<Solid> out;
+    for (const space::Point& center : places.points) {
+      Solid& ball = out.emplace_back();
+      ball.form = Solid::Form::kBall;
+      ball.mesh.vertices = {center};
+      ball.radius = context_.grid.steps(grid.length(rounded.radius));
+    }
+    return out;
   }
 
   /// Vertices of the file that had to be rounded.
@@ -275,7 +287,8 @@ std::vector<CadPart> read_cad(const std::string& bytes, const std::string& endin
     std::string name = name_of(*file, k);
     const std::string shown = name.empty() ? fmt::format("solid {}", k) : name;
     try {
-      out.push_back({name, SolidOfCad(*file, k, shown, context, scale).read(choice.balls)});
+      out.push_back(SolidOfCad(*file, k, shown, context, scale).part(choice.balls));
+      out.back().name = name;
     } catch (const Error& e) {
       throw e.within(shown);
     }

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 
+#include "io/cad/read_cad.h"
 #include "io/mesh/read_mesh.h"
 #include "io/nesting/nesting_json.h"
 #include "io/scene/scene_shapes.h"
@@ -24,6 +25,7 @@ using packing::Fraction;
 using Kind = JsonValue::Kind;
 
 constexpr int kMostDigits = 9;
+constexpr int kCadDigits = 6;  // as scenes have it: curved faces have no coordinates of their own
 
 /// "Stoyan et al. 2005" as a folder of the data sets is named: "stoyan2005".
 std::string short_folder(const std::string& words) {
@@ -111,6 +113,7 @@ class SolidReader : private NestingJson {
     const std::filesystem::path file = found_file(context.folder, path.text);
     auto known = files_.find(path.text);
     if (known == files_.end()) known = files_.emplace(path.text, File{file, context.take_file(file)}).first;
+    if (is_cad_ending(lower_ending(file.extension().string()))) return kCadDigits;
     int digits = 0;
     for (; digits < kMostDigits; ++digits) {
       ReadContext trial(options_);
@@ -130,6 +133,7 @@ class SolidReader : private NestingJson {
     try {
       const std::string ending = lower_ending(file.path.extension().string());
       require_kind(file.bytes, ending, file.path.string());
+      if (is_cad_ending(ending)) context.use(context.options.drawings);
       return parse_mesh(file.bytes, ending, context, [](const auto&) { return exact::Real(1); });
     } catch (const Error& e) {
       throw e.within(file.path.string());

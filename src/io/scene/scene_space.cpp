@@ -161,6 +161,16 @@ plane::ShapePtr build_space_box(ShapeReader& reader, const JsonValue& object, co
 
 namespace {
 
+ShapePtr part_shape(ShapeReader& reader, CadPart part, const Label& label, const JsonValue& at) {
+  if (part.balls.empty()) return share_solid(reader, std::move(part.solid), label, at);
+  std::vector<ShapePtr> balls;
+  for (Solid& ball : part.balls) balls.push_back(share_solid(reader, std::move(ball), label, at));
+  if (balls.size() == 1) return balls[0];
+  Shape hull = reader.node(Shape::Kind::kHull, label, at);
+  hull.children = std::move(balls);
+  return share(std::move(hull));
+}
+
 /// The solids of a CAD file that are chosen: one, or a collection.
 ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
                    const JsonValue& at, const Label& label) {
@@ -181,7 +191,7 @@ ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const
       }
     }();
     std::vector<ShapePtr> shapes;
-    for (CadPart& part : parts) shapes.push_back(share_solid(reader, std::move(part.solid), label, at));
+    for (CadPart& part : parts) shapes.push_back(part_shape(reader, std::move(part), label, at));
     return united(std::move(shapes), reader.json().place(label, at), true);
   });
 }
