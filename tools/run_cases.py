@@ -99,7 +99,7 @@ def dimension(scene):
             return bool(SOLIDS & node.keys()) or any(solid(n) for n in node.values())
         if isinstance(node, list):
             return len(node) == 3 and all(isinstance(n, (int, float)) for n in node) or any(solid(n) for n in node)
-        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf", ".glb"))
+        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".step", ".stp", ".iges", ".igs"))
     return 3 if solid(scene.get("shapes")) else 2
 
 

@@ -147,7 +147,7 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
   if (!pack) return;
   command
       .add_option("-o,--output", o.outputs,
-                  "write the layout to FILE: .json, .svg, .dxf; solids also .stl, .obj, .3mf, .glb, .ply, .off; may be "
+                  "write the layout to FILE: .json, .svg, .dxf; solids also .stl, .obj, .3mf, .glb, .ply, .off, .step; may be "
                   "repeated")
       ->type_name("FILE")
       ->take_all()

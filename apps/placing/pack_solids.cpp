@@ -33,7 +33,7 @@ class SolidPacking {
  public:
   SolidPacking(const Options& options, const std::string& text, Reporter& reporter)
       : options_(options), reporter_(reporter) {
-    check_outputs(options, {".json", ".svg", ".obj", ".off", ".stl", ".ply", ".glb", ".3mf"});
+    check_outputs(options, {".json", ".svg", ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"});
     io::SolidProblemRead read = read_problem(options, text, options.scene);
     for (const std::string& note : read.notes) reporter_.note(note);
     problem_ = std::move(read.problem);
@@ -88,7 +88,7 @@ class SolidPacking {
   void write(const packing::SolidLayout& layout) const {
     Writers writers{{".json", [&] { return io::layout_json(problem_, layout, facts_); }},
                     {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }}};
-    for (const char* ending : {".obj", ".off", ".stl", ".ply", ".glb", ".3mf"})
+    for (const char* ending : {".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"})
       writers[ending] = [&, ending] {
         return io::surface_text(io::layout_surface(problem_, layout), problem_.name, ending, "");
       };

@@ -156,7 +156,7 @@ Examples
       .def_static(
           "file", [](const std::string& path, const py::object& step) { return Shape::file(path, grid(step)); },
           py::arg("path"), py::arg("grid") = kStep,
-          "A drawing (SVG, DXF, WKT, GeoJSON) or a mesh (STL, OBJ, PLY, 3MF).")
+          "A drawing (SVG, DXF, WKT, GeoJSON) a mesh (STL, OBJ, PLY, 3MF), or STEP or IGES.")
       .def_static(
           "json", [](std::string_view text, const py::object& step) { return Shape::json(text, grid(step)); },
           py::arg("text"), py::arg("grid") = kStep, "What a scene file would say of a shape.");

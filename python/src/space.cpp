@@ -234,7 +234,7 @@ Examples
             return py::bytes(s.text(ending, unit));
           },
           py::arg("ending"), py::arg("unit") = "",
-          "As a file, in bytes: '.obj' '.off' '.stl' '.ply' '.glb' '.3mf' '.svg'.")
+          "As a file, in bytes: '.obj' '.off' '.stl' '.ply' '.glb' '.3mf' '.step' '.svg'.")
       .def(py::pickle([](const Surface& s) { return py::make_tuple(s.vertices, s.faces); },
                       [](const py::tuple& t) {
                         return Surface{t[0].cast<std::vector<Position3>>(), t[1].cast<std::vector<std::vector<int>>>()};

@@ -13,6 +13,7 @@
 #include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
 #include "io/mesh/mesh_3mf.h"
+#include "io/mesh/mesh_step.h"
 #include "io/mesh/write_mesh_binary.h"
 #include "io/text/put.h"
 
@@ -161,6 +162,7 @@ std::string surface_text(const Surface& surface, std::string_view title, std::st
   if (ending == ".stl") return stl_text(surface, title);
   if (ending == ".ply") return ply_text(surface, title);
   if (ending == ".glb") return glb_text(surface, title, unit);
+  if (ending == ".step") return step_text(surface, title, unit);
   if (ending == ".3mf") return text_3mf(surface, title, unit);
   if (ending == ".svg") return svg_text(surface, title);
   throw Error(ErrorCode::kUnsupported,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed; PLY, GLB and 3MF by
-// write_mesh_binary.h and mesh_3mf.h. Guarantee: OBJ, OFF and PLY keep polygons and every bit of the vertices; STL, GLB
-// and 3MF triangulate faces about their first corner (faces are convex). The picture is an orthogonal view; an edge is
-// hidden if both its faces look away.
+// Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed; PLY, GLB, 3MF and STEP
+// by write_mesh_binary.h, mesh_3mf.h and mesh_step.h. Guarantee: OBJ, OFF, PLY and STEP keep polygons and every bit of
+// the vertices; STL, GLB and 3MF triangulate faces about their first corner (faces are convex). The picture is an
+// orthogonal view; an edge is hidden if both its faces look away.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ std::string stl_text(const Surface& surface, std::string_view title);
 std::string svg_text(const Surface& surface, std::string_view title);
 
 /// The endings that surface_text() knows.
-inline constexpr std::array<const char*, 7> kSurfaceEndings{".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".svg"};
+inline constexpr std::array<const char*, 8> kSurfaceEndings{".obj", ".off",  ".stl", ".ply",
+                                                            ".glb", ".step", ".3mf", ".svg"};
 
 /// By the ending; throws Error(kUnsupported) for another. `unit`: the scene's, for formats that state one; may be
 /// empty.
