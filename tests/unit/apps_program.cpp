@@ -86,9 +86,9 @@ TEST_F(Program, PacksDrawingsWithCounts) {
   EXPECT_TRUE(contains(read("back.svg"), "A 2 2") || contains(read("back.svg"), "A2 2")) << read("back.svg");
   const Result sheets = run("pack " + drawings + "--sheet 16,8 --work 2 --threads 1 --json");
   EXPECT_EQ(json::parse(sheets.out)["layout"]["container"]["sheets"].size(), 1u);
-  EXPECT_EQ(run("pack " + drawings).status, 2);            // neither a strip nor sheets
+  EXPECT_EQ(run("pack " + drawings).status, 2);  // neither a strip nor sheets
   EXPECT_EQ(run("pack x5 lid.svg --height 8").status, 2);
-  EXPECT_EQ(run("pack lid.svg 5 --height 8").status, 2);   // a count is x5
+  EXPECT_EQ(run("pack lid.svg 5 --height 8").status, 2);  // a count is x5
   EXPECT_EQ(run("pack lid.svg x5 x6 --height 8").status, 2);
   EXPECT_EQ(run("pack scene.json --angles 0,90").status, 2);  // a problem says them itself
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "io/nesting/nesting_json.h"
+#include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
 #include "packing/problem/pair_formula.h"
 #include "plane/build/build.h"
@@ -106,18 +107,15 @@ class Reader : private NestingJson {
   void read_shapes(const JsonValue& items, const NestingOptions& asked, UnscaledProblem& problem) const {
     const auto of_item = [&](const JsonValue& item) { return is_polygon(need(item, "shape")); };
     if (std::all_of(items.items.begin(), items.items.end(), of_item)) return;
+    const packing::int128 steps = packing::power_of_ten(digits_of_shapes(items));
     ReadContext context(asked.read);
     context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
+    context.grid = Grid(exact::Real(1) / exact::Real(steps));
+    const SceneReader json(name(), context);
+    read_rules(json);
     JsonValue none;
     none.kind = Kind::kObject;
-    const JsonValue *named = tree().find("shapes"), *unit = tree().find("unit");
-    int digits = std::max(kUsualShapeDigits, named != nullptr ? digits_in(*named, kMostShapeDigits) : 0);
-    for (const JsonValue& item : items.items)
-      digits = std::max(digits, digits_in(need(item, "shape"), kMostShapeDigits));
-    const Fraction step(1, packing::power_of_ten(digits));
-    context.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits)));
-    const SceneReader json(name(), context);
-    if (unit != nullptr) context.unit = json.placed({}, *unit, [&] { return parse_unit(unit->text); });
+    const JsonValue* named = tree().find("shapes");
     ShapeReader shapes(json, named != nullptr ? *named : none);
     for (std::size_t k = 0; k < items.size(); ++k) {
       const JsonValue& shape = need(items.items[k], "shape");
@@ -127,9 +125,28 @@ class Reader : private NestingJson {
       if (shapes.dimension() == 3) fail(shape, "a part of a strip or sheet is a shape of the plane");
       plane::BuildResult built = json.placed(
           label, shape, [&] { return plane::build(*tree, context.grid.step_size(), asked.read.work_limit); });
-      problem.parts[k].shape = UnscaledShape{plane::closure(std::move(built.region)), step};
+      problem.parts[k].shape = UnscaledShape{plane::closure(std::move(built.region)), Fraction(1, steps)};
+      context.rounding.points += built.rounding.points;
+      context.rounding.largest = std::max(context.rounding.largest, built.rounding.largest);
     }
     problem.notes = context.summary();
+  }
+
+  int digits_of_shapes(const JsonValue& items) const {
+    const JsonValue* named = tree().find("shapes");
+    int digits = std::max(kUsualShapeDigits, named != nullptr ? digits_in(*named, kMostShapeDigits) : 0);
+    for (const JsonValue& item : items.items)
+      digits = std::max(digits, digits_in(need(item, "shape"), kMostShapeDigits));
+    return digits;
+  }
+
+  /// The unit, and how drawings are read, as scenes say it.
+  void read_rules(const SceneReader& json) const {
+    ReadContext& context = json.context();
+    if (const JsonValue* unit = tree().find("unit"))
+      context.unit = json.placed({}, *unit, [&] { return parse_unit(unit->text); });
+    context.scene_rules = read_drawing_rules(json, tree(), {});
+    json.placed({}, tree(), [&] { context.use(context.options.drawings.over(context.scene_rules)); });
   }
 
   UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
