@@ -26,7 +26,7 @@ std::string real(double value) {
 }
 
 /// In quotes; what is not ASCII becomes _.
-std::string quoted(std::string_view text) {
+std::string step_text(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') out.push_back(c);
@@ -74,7 +74,7 @@ class StepWriter {
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME({},'',(''),(''),'findspace','findspace','');"
         "\n"
         "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n{}ENDSEC;\nEND-ISO-10303-21;\n",
-        quoted(title), data_);
+        step_text(title), data_);
   }
 
  private:
@@ -169,7 +169,7 @@ class StepWriter {
 
   void product(const std::string& label, const std::vector<int>& solids, int context, int application) {
     const int kind = put(fmt::format("PRODUCT_CONTEXT('',#{},'mechanical')", application));
-    const int made = put(fmt::format("PRODUCT({0},{0},'',(#{1}))", quoted(label), kind));
+    const int made = put(fmt::format("PRODUCT({0},{0},'',(#{1}))", step_text(label), kind));
     const int version = put(fmt::format("PRODUCT_DEFINITION_FORMATION('','',#{})", made));
     const int stage = put(fmt::format("PRODUCT_DEFINITION_CONTEXT('part definition',#{},'design')", application));
     const int definition = put(fmt::format("PRODUCT_DEFINITION('design','',#{},#{})", version, stage));
@@ -177,7 +177,8 @@ class StepWriter {
     const int origin = place({0, 0, 0}), up = direction({0, 0, 1}), across = direction({1, 0, 0});
     std::string items = fmt::format("#{}", put(fmt::format("AXIS2_PLACEMENT_3D('',#{},#{},#{})", origin, up, across)));
     for (const int s : solids) items += fmt::format(",#{}", s);
-    const int held = put(fmt::format("FACETED_BREP_SHAPE_REPRESENTATION({},({}),#{})", quoted(label), items, context));
+    const int held =
+        put(fmt::format("FACETED_BREP_SHAPE_REPRESENTATION({},({}),#{})", step_text(label), items, context));
     put(fmt::format("SHAPE_DEFINITION_REPRESENTATION(#{},#{})", shape, held));
     put(fmt::format("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',(#{}))", made));
   }
