@@ -100,7 +100,7 @@ TEST(PublicPacking, ShapesWithArcs) {
   PackLayout nearer = *layout;
   nearer.items[0].x = std::stod(nearer.items[0].x.text()) + 1e-9;
   EXPECT_FALSE(layout_faults(problem, nearer).empty());
-  problem.gap = "0.000000001";
+  problem.gap = "0.00001";
   EXPECT_FALSE(layout_faults(problem, *layout).empty());
 }
 

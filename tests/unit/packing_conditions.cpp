@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "packing/problem/pair_formula.h"
+#include "packing/problem/round_part.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
 

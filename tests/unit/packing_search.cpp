@@ -33,7 +33,7 @@ Layout found(const Problem& problem, std::uint64_t seed, unsigned threads, doubl
 }
 
 TEST(DepthField, OfTwoSquares) {
-  const SearchShape square = search_shape(box(2, 2), 0);
+  const SearchShape square = search_shape(Problem{}, box(2, 2));
   const DepthField field(no_fit_polygon(square, square, 0));
   EXPECT_DOUBLE_EQ(field.depth({0, 0}), 2);
   EXPECT_DOUBLE_EQ(field.depth({1.5, 0.25}), 0.5);
@@ -43,7 +43,7 @@ TEST(DepthField, OfTwoSquares) {
 
 TEST(DepthField, IsTheDistanceToTheBoundary) {
   const Polygon angle = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "angle");
-  const SearchShape a = search_shape(angle, 0), b = search_shape(rotated(angle, 180, false), 0);
+  const SearchShape a = search_shape(Problem{}, angle), b = search_shape(Problem{}, rotated(angle, 180, false));
   const DepthField field(no_fit_polygon(a, b, 0));
   for (int i = -60; i < 120; ++i)
     for (int j = -60; j < 120; ++j) {
@@ -65,7 +65,7 @@ TEST(DepthField, IsTheDistanceToTheBoundary) {
 
 TEST(DepthField, KeepsASlit) {
   const Polygon frame = make_polygon({{{0, 0}, {6, 0}, {6, 9}, {0, 9}}, {{2, 2}, {4, 2}, {4, 7}, {2, 7}}}, "frame");
-  const DepthField field(no_fit_polygon(search_shape(frame, 0), search_shape(box(2, 2), 0), 0));
+  const DepthField field(no_fit_polygon(search_shape(Problem{}, frame), search_shape(Problem{}, box(2, 2)), 0));
   EXPECT_NEAR(field.depth({2, 3}), 0, 1e-12);
   EXPECT_NEAR(field.depth({2.25, 3}), 0.25, 1e-12);
   EXPECT_NEAR(field.depth({2, 1.5}), 0.5, 1e-12);
