@@ -7,9 +7,11 @@ import importlib.util
 import os
 import pathlib
 import pickle
+import random
 import signal
 import threading
 import time
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -357,6 +359,21 @@ def test_pack_shapes_with_arcs():
     assert pickle.loads(pickle.dumps(layout)).remnant.sheet == 0
     with pytest.raises(fs.Error, match="area"):
         fs.pack(fs.PackProblem([fs.PackPart("line", fs.Shape.polyline([(0, 0), (1, 1)]))], height=8), work=1)
+
+
+def test_packed_discs_against_the_distances_of_their_centres():
+    chance = random.Random(5)
+    for seed in range(20):
+        radii = [Fraction(chance.randint(5, 30), 10) for _ in range(3)]
+        gap, edge, height = chance.choice([0, Fraction(1, 8)]), chance.choice([0, Fraction(1, 4)]), chance.randint(7, 14)
+        parts = [fs.PackPart(str(k), fs.Shape.disc((0, 0), str(float(r))), count=2) for k, r in enumerate(radii)]
+        problem = fs.PackProblem(parts, height=height, gap=str(float(gap)), edge=str(float(edge)))
+        layout = fs.pack(problem, work=0.1, seed=seed)
+        items = [(Fraction(i.at[0]), Fraction(i.at[1]), radii[int(i.part)]) for i in layout.items]
+        assert len(items) == 6
+        for k, (x, y, r) in enumerate(items):
+            assert min(x - r, y - r, height - y - r, Fraction(layout.length) - x - r) >= edge
+            assert all((x - u) ** 2 + (y - v) ** 2 >= (r + s + gap) ** 2 for u, v, s in items[:k])
 
 
 def test_packing_tells_and_ends():
