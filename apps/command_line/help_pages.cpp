@@ -34,6 +34,7 @@ constexpr std::string_view kExamples[] = {
     "findspace convert part.dxf -o part.svg           a drawing in another format",
     "findspace place scene.json -o placed.svg         positions for several shapes",
     "findspace pack parts.json -o layout.svg          parts on a strip, as short as possible",
+    "findspace pack lid.dxf x12 --height 400          the same of drawings, each with its count",
     "findspace verify layout.json parts.json          is this layout feasible, exactly",
     "findspace batch questions.jsonl -o results.jsonl  many questions, over all cores and restarts",
     "findspace phi scene.json A B --at 3,4            do A and B moved by (3, 4) overlap or touch",
