@@ -146,9 +146,10 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
   command.add_flag("--json", o.json, "print the result as JSON")->group(kCommon);
   if (!pack) return;
   command
-      .add_option("-o,--output", o.outputs,
-                  "write the layout to FILE: .json, .svg, .dxf; solids also .stl, .obj, .3mf, .glb, .ply, .off, .step; may be "
-                  "repeated")
+      .add_option(
+          "-o,--output", o.outputs,
+          "write the layout to FILE: .json, .svg, .dxf; solids also .stl, .obj, .3mf, .glb, .ply, .off, .step; may be "
+          "repeated")
       ->type_name("FILE")
       ->take_all()
       ->expected(1)
