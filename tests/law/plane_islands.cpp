@@ -8,6 +8,7 @@
 #include <random>
 
 #include "../unit/plane_topology_sets.h"
+#include "plane/build/build.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/side_by_side.h"
 #include "plane/query/boundary_components.h"
@@ -60,7 +61,9 @@ TEST(SideBySide, IsTheUnion) {
     const std::vector<Region> parts = random_parts(random);
     const std::vector<const Region*> all = pointers(parts);
     std::vector<Region> united;
-    for (const std::vector<Index>& group : groups_apart(all)) {
+    std::vector<PieceBox> boxes;
+    for (const Region& part : parts) boxes.push_back(*extent(part));
+    for (const std::vector<Index>& group : groups_apart(boxes)) {
       std::vector<const Region*> members;
       for (const Index i : group) members.push_back(all[i]);
       united.push_back(unite(members));
@@ -77,11 +80,49 @@ TEST(SideBySide, IsTheUnion) {
   EXPECT_GT(together, 100u);
 }
 
-TEST(SideBySide, WhatIsNotBoundedIsTogetherWithAll) {
-  const std::vector<Region> parts{box(0, 0, 10, 10), complement(box(-50, -50, 50, 50)), box(20, 20, 30, 30)};
-  EXPECT_EQ(groups_apart(pointers(parts)).size(), 1u);
-  const std::vector<Region> empty{box(0, 0, 10, 10), Region::uniform(0)};
-  EXPECT_EQ(groups_apart(pointers(empty)).size(), 1u);
+ShapePtr shape_of(Shape::Kind kind, std::vector<ShapePtr> children) {
+  Shape shape;
+  shape.kind = kind;
+  shape.children = std::move(children);
+  return std::make_shared<const Shape>(std::move(shape));
+}
+
+/// A box with a square hole, a box, a disc or, now and then, the empty set or the outside of a disc.
+ShapePtr random_operand(std::mt19937& random, bool unbounded) {
+  const auto pick = [&](int n) { return static_cast<std::int64_t>(random() % static_cast<unsigned>(n)); };
+  const std::int64_t x = 20 * pick(30), y = 20 * pick(30), w = 12 + pick(12);
+  Shape shape;
+  shape.kind = Shape::Kind::kDisc;
+  shape.points = {{x, y}};
+  shape.amount = exact::Real(w);
+  if (unbounded || pick(20) == 0) {
+    const auto disc = std::make_shared<const Shape>(std::move(shape));
+    const ShapePtr outside = shape_of(Shape::Kind::kComplement, {disc});
+    return unbounded ? outside : shape_of(Shape::Kind::kIntersection, {disc, outside});
+  }
+  if (pick(3) == 0) return std::make_shared<const Shape>(std::move(shape));
+  shape.kind = Shape::Kind::kRings;
+  shape.contours = {{{{x, y}}, {{x + w, y}}, {{x + w, y + w}}, {{x, y + w}}}};
+  if (pick(2) == 0) shape.contours.push_back({{{x + 4, y + 4}}, {{x + 4, y + 8}}, {{x + 8, y + 8}}, {{x + 8, y + 4}}});
+  return std::make_shared<const Shape>(std::move(shape));
+}
+
+TEST(SideBySide, UnionsOfShapesAreTheUnion) {
+  std::mt19937 random(12);
+  std::size_t apart = 0;
+  for (int k = 0; k < 60; ++k) {
+    std::vector<ShapePtr> operands;
+    for (int i = 0; i < 60; ++i) operands.push_back(random_operand(random, k % 10 == 0 && i == 7));
+    std::vector<Region> parts;
+    for (const ShapePtr& operand : operands) parts.push_back(build(*operand, 1.0).region);
+    const Region whole = unite(pointers(parts)), made = build(*shape_of(Shape::Kind::kUnion, operands), 1.0).region;
+    EXPECT_EQ(fault(made), "");
+    EXPECT_TRUE(same_set(made, whole)) << k;
+    EXPECT_EQ(made.edges.size(), whole.edges.size());
+    EXPECT_EQ(made.vertices.size(), whole.vertices.size());
+    apart += made.faces.size() > 20;
+  }
+  EXPECT_GT(apart, 40u);
 }
 
 TEST(BoundaryComponents, NearIsTheSetThere) {
