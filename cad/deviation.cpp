@@ -195,12 +195,6 @@ std::optional<CurveBounds> bounds_of_curve(Handle(Geom_Curve) curve, const gp_Ax
   return out;
 }
 
-/// A patch of a Bezier surface over a rectangle of parameters.
-struct Patch {
-  Range range;
-  Derivatives d;
-};
-
 class Net {
  public:
   explicit Net(const Handle(Geom_BezierSurface) & surface)
@@ -264,28 +258,77 @@ class Net {
   double size_ = 0, least_ = 1;
 };
 
+/// Patches in rows and columns of parameters.
 class PatchBounds : public SurfaceBounds {
  public:
-  PatchBounds(std::vector<Patch> patches, bool periodic) : patches_(std::move(patches)), periodic_(periodic) {
-    for (const Patch& p : patches_) all_.raise(p.d);
+  PatchBounds(std::vector<double> us, std::vector<double> vs, std::vector<Derivatives> all, bool periodic)
+      : us_(std::move(us)), vs_(std::move(vs)), patches_(std::move(all)), periodic_(periodic) {
+    for (const Derivatives& d : patches_) all_.raise(d);
   }
   Derivatives over(const Range& r) const override {
     if (periodic_) return all_;
+    const auto [i0, i1] = met(us_, r.u0, r.u1);
+    const auto [j0, j1] = met(vs_, r.v0, r.v1);
     Derivatives out;
-    bool any = false;
-    for (const Patch& p : patches_) {
-      if (p.range.u1 < r.u0 || r.u1 < p.range.u0 || p.range.v1 < r.v0 || r.v1 < p.range.v0) continue;
-      out.raise(p.d);
-      any = true;
-    }
-    return any ? out : all_;
+    for (std::size_t i = i0; i <= i1; ++i)
+      for (std::size_t j = j0; j <= j1; ++j) out.raise(patches_[i * (vs_.size() - 1) + j]);
+    return out;
   }
 
  private:
-  std::vector<Patch> patches_;
+  /// The first and the last interval between knots that [low, high] meets, ends included.
+  static std::pair<std::size_t, std::size_t> met(const std::vector<double>& knots, double low, double high) {
+    const std::size_t last = knots.size() - 2;
+    const auto first = std::size_t(std::lower_bound(knots.begin() + 1, knots.end() - 1, low) - knots.begin()) - 1;
+    const auto end = std::size_t(std::upper_bound(knots.begin() + 1, knots.end() - 1, high) - knots.begin()) - 1;
+    return {std::min(first, last), std::min(std::max(first, end), last)};
+  }
+
+  std::vector<double> us_, vs_;
+  std::vector<Derivatives> patches_;
   bool periodic_;
   Derivatives all_;
 };
+
+/// Parts of a patch have nets nearer to the surface: into how many each is cut both ways, where there are so many.
+int parts_of(std::size_t patches) {
+  constexpr double kAll = 4096, kMost = 8;
+  return int(std::clamp(std::sqrt(kAll / double(patches)), 1.0, kMost));
+}
+
+std::vector<double> divided(const std::vector<double>& knots, int parts) {
+  std::vector<double> out;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+    for (int part = 0; part < parts; ++part) out.push_back(knots[k] + (knots[k + 1] - knots[k]) * part / parts);
+  out.push_back(knots.back());
+  return out;
+}
+
+/// Of part (k, l) of a patch.
+Derivatives part_bounds(const Handle(Geom_BezierSurface) & patch, int k, int l, int parts, double wide, double high) {
+  const Handle(Geom_BezierSurface) part = Handle(Geom_BezierSurface)::DownCast(patch->Copy());
+  part->Segment(double(k) / parts, double(k + 1) / parts, double(l) / parts, double(l + 1) / parts);
+  return Net(part).bounds(wide / parts, high / parts);
+}
+
+/// `patch_at(i, j)`: from 0.
+template <class PatchAt>
+std::unique_ptr<const SurfaceBounds> of_patches(const std::vector<double>& us, const std::vector<double>& vs,
+                                                PatchAt patch_at, bool periodic) {
+  const int parts = parts_of((us.size() - 1) * (vs.size() - 1));
+  const std::vector<double> fine_us = divided(us, parts), fine_vs = divided(vs, parts);
+  const std::size_t rows = fine_vs.size() - 1;
+  std::vector<Derivatives> all((fine_us.size() - 1) * rows);
+  for (std::size_t i = 0; i + 1 < us.size(); ++i)
+    for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
+      const Handle(Geom_BezierSurface) patch = patch_at(i, j);
+      for (int k = 0; k < parts; ++k)
+        for (int l = 0; l < parts; ++l)
+          all[(i * std::size_t(parts) + std::size_t(k)) * rows + j * std::size_t(parts) + std::size_t(l)] =
+              part_bounds(patch, k, l, parts, us[i + 1] - us[i], vs[j + 1] - vs[j]);
+    }
+  return std::make_unique<PatchBounds>(fine_us, fine_vs, std::move(all), periodic);
+}
 
 std::unique_ptr<const SurfaceBounds> of_spline(Handle(Geom_BSplineSurface) surface) {
   if (!surface->IsCNu(1) || !surface->IsCNv(1)) return nullptr;
@@ -299,13 +342,10 @@ std::unique_ptr<const SurfaceBounds> of_spline(Handle(Geom_BSplineSurface) surfa
   TColStd_Array1OfReal us(1, convert.NbUPatches() + 1), vs(1, convert.NbVPatches() + 1);
   convert.UKnots(us);
   convert.VKnots(vs);
-  std::vector<Patch> patches;
-  for (int i = 1; i <= convert.NbUPatches(); ++i)
-    for (int j = 1; j <= convert.NbVPatches(); ++j) {
-      const Range range{us(i), us(i + 1), vs(j), vs(j + 1)};
-      patches.push_back({range, Net(convert.Patch(i, j)).bounds(range.u1 - range.u0, range.v1 - range.v0)});
-    }
-  return std::make_unique<PatchBounds>(std::move(patches), periodic);
+  const auto values = [](const TColStd_Array1OfReal& array) { return std::vector<double>(array.begin(), array.end()); };
+  return of_patches(
+      values(us), values(vs), [&](std::size_t i, std::size_t j) { return convert.Patch(int(i) + 1, int(j) + 1); },
+      periodic);
 }
 
 std::unique_ptr<const SurfaceBounds> of_swept(const Handle(Geom_Surface) & surface) {
@@ -382,7 +422,8 @@ std::unique_ptr<const SurfaceBounds> SurfaceBounds::of(const Handle(Geom_Surface
     return std::make_unique<TorusBounds>(s->MajorRadius(), s->MinorRadius());
   if (const auto s = Handle(Geom_BSplineSurface)::DownCast(surface)) return of_spline(s);
   if (const auto s = Handle(Geom_BezierSurface)::DownCast(surface))
-    return std::make_unique<PatchBounds>(std::vector<Patch>{{{0, 1, 0, 1}, Net(s).bounds(1, 1)}}, false);
+    return of_patches(
+        {0, 1}, {0, 1}, [&](std::size_t, std::size_t) { return s; }, false);
   return of_swept(surface);
 }
 

@@ -86,18 +86,21 @@ Measured measured(const TopoDS_Shape& shape) {
   return {volume.Mass(), area.Mass()};
 }
 
-constexpr double kTolerance = 0.05;
-
-space::Solid read(const std::string& bytes, const std::string& ending, CurveRule curves) {
+std::vector<CadPart> parts(const std::string& bytes, const std::string& ending, CurveRule curves, double tolerance,
+                           bool balls) {
   ReadContext context;
   context.unit = Unit::kMillimetre;
   DrawingRules rules;
   rules.curves = curves;
-  rules.tolerance = fmt::format("{}", kTolerance);
+  rules.tolerance = fmt::format("{}", tolerance);
   context.use(rules);
-  std::vector<CadPart> parts = read_cad(bytes, ending, context, Real(1), {.balls = false});
-  EXPECT_EQ(parts.size(), 1U);
-  return parts.at(0).solid;
+  return read_cad(bytes, ending, context, Real(1), {.balls = balls});
+}
+
+space::Solid read(const std::string& bytes, const std::string& ending, CurveRule curves, double tolerance) {
+  const std::vector<CadPart> all = parts(bytes, ending, curves, tolerance, false);
+  EXPECT_EQ(all.size(), 1U);
+  return all.at(0).solid;
 }
 
 double volume(const space::Solid& solid) { return space::six_volumes(solid.mesh).to_double() / 6e18; }
@@ -115,19 +118,23 @@ int wrong(const space::Solid& solid, const TopoDS_Shape& shape, TopAbs_State for
   return count;
 }
 
-void check(const TopoDS_Shape& shape, const std::string& bytes, const std::string& ending) {
+void check(const TopoDS_Shape& shape, const std::string& bytes, const std::string& ending, double tolerance = 0.05) {
   if (!has_cad()) GTEST_SKIP() << "libfindspace_cad.so is not built";
   const Measured truth = measured(shape);
-  const double most = kTolerance * truth.area * 1.2;
-  EXPECT_NEAR(volume(read(bytes, ending, CurveRule::kNear)), truth.volume, most);
-  const space::Solid inside = read(bytes, ending, CurveRule::kInside),
-                     outside = read(bytes, ending, CurveRule::kOutside);
+  const double most = tolerance * truth.area * 1.2;
+  const auto with = [&](CurveRule rule) { return read(bytes, ending, rule, tolerance); };
+  EXPECT_NEAR(volume(with(CurveRule::kNear)), truth.volume, most);
+  const space::Solid inside = with(CurveRule::kInside), outside = with(CurveRule::kOutside);
   EXPECT_LT(volume(inside), truth.volume);
   EXPECT_NEAR(volume(inside), truth.volume, most);
   EXPECT_GT(volume(outside), truth.volume);
   EXPECT_NEAR(volume(outside), truth.volume, most);
   EXPECT_EQ(wrong(inside, shape, TopAbs_OUT), 0);
   EXPECT_EQ(wrong(outside, shape, TopAbs_IN), 0);
+}
+
+std::size_t balls(const TopoDS_Shape& shape) {
+  return parts(step(shape), ".step", CurveRule::kNear, 0.05, true).at(0).balls.size();
 }
 
 TopoDS_Shape plate() {
@@ -181,7 +188,22 @@ TEST(IoOcctCad, CrossedCylinders) {
 }
 TEST(IoOcctCad, FreeForms) {
   const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(6, 2).Shape()).Shape();
-  check(shape, step(shape), ".step");
+  check(shape, step(shape), ".step", 0.2);
+}
+
+TEST(IoOcctCad, HullsOfBallsAreExact) {
+  if (!has_cad()) GTEST_SKIP() << "libfindspace_cad.so is not built";
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(0, 1, 0)), 1.5, 8);
+  const TopoDS_Shape low = BRepPrimAPI_MakeSphere(gp_Pnt(1, 2, 3), 1.5),
+                     high = BRepPrimAPI_MakeSphere(gp_Pnt(1, 10, 3), 1.5);
+  const TopoDS_Shape capsule = BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(rod, low).Shape(), high);
+  EXPECT_EQ(balls(capsule), 2U);
+  EXPECT_EQ(balls(BRepAlgoAPI_Fuse(rod, low).Shape()), 0U);  // one end is flat
+  EXPECT_EQ(balls(BRepAlgoAPI_Cut(rod, high).Shape()), 0U);  // one end is hollow
+  EXPECT_EQ(balls(rounded_box()), 8U);
+  EXPECT_EQ(balls(BRepPrimAPI_MakeSphere(2).Shape()), 1U);
+  EXPECT_EQ(balls(BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 2, 0, 1.5).Shape()),
+            0U);  // half of it
 }
 
 }  // namespace io_occt_cad
