@@ -154,7 +154,7 @@ NoFitPolygon made_polygon(const SearchShape& a, const SearchShape& b, double gap
   plane::SignMap map = plane::contact_map(grown, region_of(b));
   if (tie != nullptr) map = tied(map, tie->regions);
   NoFitPolygon result = Boundary(map, a.step).take();
-  if (map.faces[0].mark < 0) reach_out(result, tie->reach);
+  if (tie != nullptr && map.faces[0].mark < 0) reach_out(result, tie->reach);
   if (result.edges.size() > kMostEdges)
     throw Error(ErrorCode::kUnsupported, "two parts have too many corners to be packed together");
   return result;
