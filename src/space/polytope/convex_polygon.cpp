@@ -64,12 +64,13 @@ ConvexPolygon ConvexPolygon::point(const Point2& at) {
 PlanarPhi::PlanarPhi(const ConvexPolygon& p, const ConvexPolygon& q) {
   // The hull begins with the lowest point; of the reflected Q that is the highest one of Q.
   const auto ps = p.vertices(), qs = q.vertices();
-  const std::size_t n = std::max<std::size_t>(ps.size(), 1), m = std::max<std::size_t>(qs.size(), 1);
+  const std::size_t n = ps.size(), m = qs.size();
   const std::size_t sides_p = p.is_point() ? 0 : n, sides_q = q.is_point() ? 0 : m;
   const auto q0 = static_cast<std::size_t>(std::max_element(qs.begin(), qs.end()) - qs.begin());
+  const auto round = [](std::size_t k, std::size_t count) { return k < count ? k : k - count; };
   for (std::size_t i = 0, j = 0; i < sides_p || j < sides_q;) {
-    const std::size_t a = i % n, b = (q0 + j) % m;
-    const Point2 e = ps[(a + 1) % n] - ps[a], f = qs[b] - qs[(b + 1) % m];
+    const std::size_t a = round(i, n), b = round(q0 + j, m);
+    const Point2 e = ps[round(a + 1, n)] - ps[a], f = qs[b] - qs[round(b + 1, m)];
     const int order = i == sides_p ? -1 : j == sides_q ? 1 : turn(e, f);
     const Point2 along = order >= 0 ? e : f;
     const std::int64_t g = std::gcd(along.x, along.y);
