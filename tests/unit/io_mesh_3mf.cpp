@@ -49,11 +49,28 @@ std::string model(const std::string& more, const std::string& build, const std::
 }
 
 TEST(Mesh3mf, WrittenAndReadAgain) {
-  EXPECT_EQ(six_volumes(text_3mf(kCube, "a <cube> & \"more\"", "mm"), ".3mf"), 48e18);
-  EXPECT_EQ(six_volumes(text_3mf(kCube, "", "cm"), ".3mf"), 48e21);
-  EXPECT_NEAR(six_volumes(text_3mf(kCube, "", "mil"), ".3mf") / (48e18 * std::pow(0.0254, 3)), 1,
+  EXPECT_EQ(six_volumes(text_3mf(assembly_of(kCube), "a <cube> & \"more\"", "mm"), ".3mf"), 48e18);
+  EXPECT_EQ(six_volumes(text_3mf(assembly_of(kCube), "", "cm"), ".3mf"), 48e21);
+  EXPECT_NEAR(six_volumes(text_3mf(assembly_of(kCube), "", "mil"), ".3mf") / (48e18 * std::pow(0.0254, 3)), 1,
               1e-3);  // no sign: test
-  EXPECT_EQ(text_3mf(kCube, "t", "mm"), text_3mf(kCube, "t", "mm"));
+  EXPECT_EQ(text_3mf(assembly_of(kCube), "t", "mm"), text_3mf(assembly_of(kCube), "t", "mm"));
+}
+
+/// Copies are items of one object, and nodes of one mesh.
+TEST(Mesh3mf, CopiesStandWhereTheyAre) {
+  Assembly two = assembly_of(kCube);
+  two.copies.push_back({0, "other", {{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 1}}}, {10, 20, 30}});
+  EXPECT_EQ(six_volumes(text_3mf(two, "", "mm"), ".3mf"), 2 * 48e18);
+  for (const char* ending : {".3mf", ".glb", ".off"}) {
+    ReadContext context;
+    const space::Mesh mesh = parse_mesh(assembly_text(two, "", ending, "mm"), ending, context, millimetres);
+    ASSERT_EQ(mesh.vertices.size(), 16U) << ending;
+    const double metre = std::string(ending) == ".glb" ? 1e-3 : 1;  // no sign: test
+    const space::Point& p = mesh.vertices[8 + 3];                   // (2, 2, 0), turned and moved
+    EXPECT_NEAR(p.x, (10 + 0.6 * 2 - 0.8 * 2) * metre * 1e6, 1) << ending;
+    EXPECT_NEAR(p.y, (20 + 0.8 * 2 + 0.6 * 2) * metre * 1e6, 1) << ending;
+    EXPECT_NEAR(p.z, 30 * metre * 1e6, 1) << ending;
+  }
 }
 
 TEST(Mesh3mf, ComponentsTransformsAndUnits) {
@@ -126,7 +143,7 @@ TEST(WriteMesh, PlyKeepsEveryBit) {
 
 /// Reads the triangles back; every edge has to be there once each way.
 TEST(WriteMesh, GlbIsClosedAndInMetres) {
-  const std::string glb = glb_text(kCube, "cube", "mm");
+  const std::string glb = glb_text(assembly_of(kCube), "cube", "mm");
   const auto number = [&](std::size_t at) {
     std::uint32_t v = 0;
     std::memcpy(&v, glb.data() + at, 4);

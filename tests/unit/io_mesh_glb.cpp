@@ -84,8 +84,8 @@ TEST(MeshGlb, WhatIsWrittenIsRead) {
   const Surface cube{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}},
                      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}},
                      {}};
-  EXPECT_NEAR(six_volumes(glb_text(cube, "cube", "mm")), 48e9, 48e3);  // no sign: floats of metres
-  EXPECT_EQ(six_volumes(glb_text(cube, "cube", "m")), 48e18);
+  EXPECT_NEAR(six_volumes(glb_text(assembly_of(cube), "cube", "mm")), 48e9, 48e3);  // no sign: floats of metres
+  EXPECT_EQ(six_volumes(glb_text(assembly_of(cube), "cube", "m")), 48e18);
 }
 
 TEST(MeshGlb, StandsUprightInMetres) {

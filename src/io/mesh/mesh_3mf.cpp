@@ -197,6 +197,14 @@ void put_mesh(pugi::xml_node mesh, const Surface& s, double factor) {
   }
 }
 
+/// Column by column, for points are rows there; then the shift.
+std::string transform_text(const Assembly::Copy& copy, double factor) {
+  std::string text;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i) text += fmt::format("{} ", copy.rotation[i][j]);
+  return text + fmt::format("{} {} {}", copy.at[0] * factor, copy.at[1] * factor, copy.at[2] * factor);
+}
+
 }  // namespace
 
 Model3mf open_3mf(std::string_view bytes, ReadContext& context) {
@@ -217,7 +225,7 @@ void read_3mf(const Model3mf& model, MeshBuilder& out) {
   Reader(top, out).build(top);
 }
 
-std::string text_3mf(const Surface& s, std::string_view title, std::string_view unit) {
+std::string text_3mf(const Assembly& assembly, std::string_view title, std::string_view unit) {
   static const std::map<std::string_view, const char*> kNames{
       {"", "millimeter"}, {"mm", "millimeter"}, {"um", "micron"}, {"cm", "centimeter"},
       {"m", "meter"},     {"in", "inch"},       {"mil", "inch"}};
@@ -229,11 +237,21 @@ std::string text_3mf(const Surface& s, std::string_view title, std::string_view 
   pugi::xml_node meta = model.append_child("metadata");
   meta.append_attribute("name") = "Title";
   meta.text() = std::string(title).c_str();
-  pugi::xml_node object = model.append_child("resources").append_child("object");
-  object.append_attribute("id") = 1;
-  object.append_attribute("type") = "model";
-  put_mesh(object.append_child("mesh"), s, factor);
-  model.append_child("build").append_child("item").append_attribute("objectid") = 1;
+  pugi::xml_node resources = model.append_child("resources"), build = model.append_child("build");
+  int id = 0;
+  for (const Assembly::Kind& kind : assembly.kinds) {
+    pugi::xml_node object = resources.append_child("object");
+    object.append_attribute("id") = ++id;
+    object.append_attribute("type") = "model";
+    if (!kind.name.empty()) object.append_attribute("name") = kind.name.c_str();
+    put_mesh(object.append_child("mesh"), kind.surface, factor);
+  }
+  for (const Assembly::Copy& copy : assembly.copies) {
+    pugi::xml_node item = build.append_child("item");
+    item.append_attribute("objectid") = static_cast<int>(copy.kind) + 1;
+    if (copy.is_moved()) item.append_attribute("transform") = transform_text(copy, factor).c_str();
+    if (!copy.name.empty()) item.append_attribute("partnumber") = copy.name.c_str();
+  }
   std::ostringstream xml;
   document.save(xml, "", pugi::format_raw);
   return bytes_3mf(xml.str());

@@ -24,7 +24,7 @@ struct Model3mf {
 Model3mf open_3mf(std::string_view bytes, ReadContext& context);
 void read_3mf(const Model3mf& model, MeshBuilder& out);
 
-/// `unit` as scenes name it; empty: millimetres.
-std::string text_3mf(const Surface& surface, std::string_view title, std::string_view unit);
+/// An object a kind, an item a copy. `unit` as scenes name it; empty: millimetres.
+std::string text_3mf(const Assembly& assembly, std::string_view title, std::string_view unit);
 
 }  // namespace findspace::io

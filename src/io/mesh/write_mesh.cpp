@@ -78,6 +78,26 @@ std::string one_line(std::string_view text) {
 
 }  // namespace
 
+Assembly assembly_of(Surface surface) { return {{{"", std::move(surface)}}, {Assembly::Copy{}}}; }
+
+Surface united(const Assembly& assembly) {
+  Surface all;
+  for (const Assembly::Copy& copy : assembly.copies) {
+    const Surface& one = assembly.kinds[copy.kind].surface;
+    const int first = static_cast<int>(all.vertices.size());
+    for (const Vec& v : one.vertices) {
+      Vec& to = all.vertices.emplace_back(copy.at);
+      for (std::size_t k = 0; k < 3; ++k) to[k] += dot(copy.rotation[k], v);
+    }
+    for (std::vector<int> face : one.faces) {
+      for (int& v : face) v += first;
+      all.faces.push_back(std::move(face));
+      all.labels.push_back(copy.name);
+    }
+  }
+  return all;
+}
+
 std::string obj_text(const Surface& s, std::string_view title) {
   std::string out;
   put(out, "# {}\n", one_line(title));
@@ -161,12 +181,19 @@ std::string surface_text(const Surface& surface, std::string_view title, std::st
   if (ending == ".off") return off_text(surface);
   if (ending == ".stl") return stl_text(surface, title);
   if (ending == ".ply") return ply_text(surface, title);
-  if (ending == ".glb") return glb_text(surface, title, unit);
+  if (ending == ".glb") return glb_text(assembly_of(surface), title, unit);
   if (ending == ".step") return step_text(surface, title, unit);
-  if (ending == ".3mf") return text_3mf(surface, title, unit);
+  if (ending == ".3mf") return text_3mf(assembly_of(surface), title, unit);
   if (ending == ".svg") return svg_text(surface, title);
   throw Error(ErrorCode::kUnsupported,
               fmt::format("a surface is written as {}, not '{}'", fmt::join(kSurfaceEndings, " "), ending));
+}
+
+std::string assembly_text(const Assembly& assembly, std::string_view title, std::string_view ending,
+                          std::string_view unit) {
+  if (ending == ".glb") return glb_text(assembly, title, unit);
+  if (ending == ".3mf") return text_3mf(assembly, title, unit);
+  return surface_text(united(assembly), title, ending, unit);
 }
 
 }  // namespace findspace::io

@@ -22,6 +22,29 @@ struct Surface {
   std::vector<std::string> labels;  // one a face, or none: the groups of OBJ
 };
 
+/// Surfaces that stand in several places: 3MF and GLB hold each of them once, with where its copies stand.
+struct Assembly {
+  struct Kind {
+    std::string name;
+    Surface surface;
+  };
+  /// A point p of the surface is at rotation p + at.
+  struct Copy {
+    std::size_t kind = 0;
+    std::string name;
+    std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
+    std::array<double, 3> at{};
+    bool is_moved() const { return *this != Copy{kind, name}; }
+    friend bool operator==(const Copy&, const Copy&) = default;
+  };
+  std::vector<Kind> kinds;
+  std::vector<Copy> copies;
+};
+/// One surface alone, where it is.
+Assembly assembly_of(Surface surface);
+/// All copies as one surface; the labels are their names.
+Surface united(const Assembly& assembly);
+
 std::string obj_text(const Surface& surface, std::string_view title);
 std::string off_text(const Surface& surface);
 std::string stl_text(const Surface& surface, std::string_view title);
@@ -35,5 +58,8 @@ inline constexpr std::array<const char*, 8> kSurfaceEndings{".obj", ".off",  ".s
 /// empty.
 std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
                          std::string_view unit);
+/// The same: copies are kept apart in 3MF and GLB, as groups in OBJ, and nowhere else.
+std::string assembly_text(const Assembly& assembly, std::string_view title, std::string_view ending,
+                          std::string_view unit);
 
 }  // namespace findspace::io

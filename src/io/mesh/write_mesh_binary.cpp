@@ -34,59 +34,97 @@ void put_chunk(std::string& bytes, const char* type, const std::string& content)
   bytes += content;
 }
 
-/// The binary chunk: corners of triangles as indices, then places, in metres and with y upwards.
-struct GlbBuffer {
-  std::string bytes;
-  std::size_t indices = 0;  // bytes of the first
+/// Triangles of a mesh in the binary chunk: corners as indices, then places, in metres and with y upwards.
+struct GlbMesh {
+  std::size_t begin = 0, places = 0, end = 0;  // in the chunk
   std::uint32_t corners = 0;
   std::array<float, 3> low{}, high{};
 };
 
-void put_triangles(GlbBuffer& out, const Surface& s) {
+std::array<double, 3> with_y_up(const std::array<double, 3>& v, double metre) {
+  return {v[0] * metre, v[2] * metre, -v[1] * metre};
+}
+
+GlbMesh put_mesh(std::string& bytes, const Surface& s, double metre) {
+  GlbMesh out;
+  out.begin = bytes.size();
   for (const auto& face : s.faces) {
     for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-      for (const int v : {face[0], face[i], face[i + 1]}) put(out.bytes, static_cast<std::uint32_t>(v));
+      for (const int v : {face[0], face[i], face[i + 1]}) put(bytes, static_cast<std::uint32_t>(v));
       out.corners += 3;
     }
   }
-  out.indices = out.bytes.size();
-}
-
-void put_places(GlbBuffer& out, const Surface& s, double metre) {
+  out.places = bytes.size();
   for (std::size_t k = 0; k < s.vertices.size(); ++k) {
-    const auto& v = s.vertices[k];
-    const std::array<float, 3> p{static_cast<float>(v[0] * metre), static_cast<float>(v[2] * metre),
-                                 static_cast<float>(-v[1] * metre)};
+    const std::array<double, 3> p = with_y_up(s.vertices[k], metre);
     for (std::size_t c = 0; c < 3; ++c) {
-      put(out.bytes, p[c]);
-      out.low[c] = k == 0 ? p[c] : std::min(out.low[c], p[c]);
-      out.high[c] = k == 0 ? p[c] : std::max(out.high[c], p[c]);
+      const auto rounded = static_cast<float>(p[c]);
+      put(bytes, rounded);
+      out.low[c] = k == 0 ? rounded : std::min(out.low[c], rounded);
+      out.high[c] = k == 0 ? rounded : std::max(out.high[c], rounded);
     }
   }
+  out.end = bytes.size();
+  return out;
 }
 
-/// The JSON chunk; glTF forbids lists without elements, so a surface without faces is a scene without nodes.
-nlohmann::json glb_json(const GlbBuffer& b, std::size_t vertices, std::string_view title) {
+/// Column by column, y upwards on both sides.
+std::array<double, 16> glb_matrix(const Assembly::Copy& copy, double metre) {
+  // The axes of the file are x, z and -y of the copy.
+  constexpr std::array<std::size_t, 3> kAxis{0, 2, 1};
+  constexpr std::array<int, 3> kSign{1, 1, -1};
+  std::array<double, 16> m{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[4 * j + i] = kSign[i] * kSign[j] * copy.rotation[kAxis[i]][kAxis[j]];
+  const std::array<double, 3> at = with_y_up(copy.at, metre);
+  std::copy(at.begin(), at.end(), m.begin() + 12);
+  m[15] = 1;
+  return m;
+}
+
+void add_mesh(nlohmann::json& root, const GlbMesh& m, const Assembly::Kind& kind) {
+  using nlohmann::json;
+  const std::size_t first = root["bufferViews"].size();
+  json mesh{
+      {"primitives", json::array({{{"attributes", {{"POSITION", first + 1}}}, {"indices", first}, {"mode", 4}}})}};
+  if (!kind.name.empty()) mesh["name"] = kind.name;
+  root["meshes"].push_back(std::move(mesh));
+  root["accessors"].push_back(
+      {{"bufferView", first}, {"componentType", 5125}, {"count", m.corners}, {"type", "SCALAR"}});
+  root["accessors"].push_back({{"bufferView", first + 1},
+                               {"componentType", 5126},
+                               {"count", kind.surface.vertices.size()},
+                               {"type", "VEC3"},
+                               {"min", m.low},
+                               {"max", m.high}});
+  root["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", m.begin}, {"byteLength", m.places - m.begin}, {"target", 34963}});
+  root["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", m.places}, {"byteLength", m.end - m.places}, {"target", 34962}});
+}
+
+/// The JSON chunk; glTF forbids lists without elements, so an assembly without triangles is a scene without nodes.
+/// Fills the binary chunk.
+nlohmann::json glb_json(const Assembly& assembly, double metre, std::string_view title, std::string& bytes) {
   using nlohmann::json;
   json root{{"asset", {{"version", "2.0"}, {"generator", "findspace"}}}, {"scene", 0}};
   root["scenes"] = json::array({{{"name", title}}});
-  if (b.corners == 0) return root;
-  root["scenes"][0]["nodes"] = {0};
-  root["nodes"] = json::array({{{"mesh", 0}}});
-  root["meshes"] =
-      json::array({{{"primitives", json::array({{{"attributes", {{"POSITION", 1}}}, {"indices", 0}, {"mode", 4}}})}}});
-  root["accessors"] =
-      json::array({{{"bufferView", 0}, {"componentType", 5125}, {"count", b.corners}, {"type", "SCALAR"}},
-                   {{"bufferView", 1},
-                    {"componentType", 5126},
-                    {"count", vertices},
-                    {"type", "VEC3"},
-                    {"min", b.low},
-                    {"max", b.high}}});
-  root["bufferViews"] = json::array(
-      {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", b.indices}, {"target", 34963}},
-       {{"buffer", 0}, {"byteOffset", b.indices}, {"byteLength", b.bytes.size() - b.indices}, {"target", 34962}}});
-  root["buffers"] = json::array({{{"byteLength", b.bytes.size()}}});
+  std::vector<std::size_t> number(assembly.kinds.size());  // of the mesh, from 1; 0 for one without triangles
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    const auto& faces = assembly.kinds[k].surface.faces;
+    if (std::none_of(faces.begin(), faces.end(), [](const auto& face) { return face.size() > 2; })) continue;
+    add_mesh(root, put_mesh(bytes, assembly.kinds[k].surface, metre), assembly.kinds[k]);
+    number[k] = root["meshes"].size();
+  }
+  for (const Assembly::Copy& copy : assembly.copies) {
+    if (number[copy.kind] == 0) continue;
+    json node{{"mesh", number[copy.kind] - 1}};
+    if (!copy.name.empty()) node["name"] = copy.name;
+    if (copy.is_moved()) node["matrix"] = glb_matrix(copy, metre);
+    root["scenes"][0]["nodes"].push_back(root["nodes"].size());
+    root["nodes"].push_back(std::move(node));
+  }
+  if (!bytes.empty()) root["buffers"] = json::array({{{"byteLength", bytes.size()}}});
   return root;
 }
 
@@ -110,21 +148,18 @@ std::string ply_text(const Surface& s, std::string_view title) {
   return out;
 }
 
-std::string glb_text(const Surface& s, std::string_view title, std::string_view unit) {
+std::string glb_text(const Assembly& assembly, std::string_view title, std::string_view unit) {
   const double metre = unit.empty() ? 1 : formula::factor(*formula::find_unit(unit), Unit::kMetre).to_double();
-  GlbBuffer buffer;
-  put_triangles(buffer, s);
-  put_places(buffer, s, metre);
+  std::string bytes;
   std::string text =
-      glb_json(buffer, s.vertices.size(), title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+      glb_json(assembly, metre, title, bytes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   pad(text, ' ');
-  pad(buffer.bytes, '\0');
-  const bool empty = buffer.corners == 0;
+  pad(bytes, '\0');
   std::string out = "glTF";
   put(out, std::uint32_t{2});
-  put(out, static_cast<std::uint32_t>(12 + 8 + text.size() + (empty ? 0 : 8 + buffer.bytes.size())));
+  put(out, static_cast<std::uint32_t>(12 + 8 + text.size() + (bytes.empty() ? 0 : 8 + bytes.size())));
   put_chunk(out, "JSON", text);
-  if (!empty) put_chunk(out, "BIN", buffer.bytes);  // its fourth letter is the zero at the end
+  if (!bytes.empty()) put_chunk(out, "BIN", bytes);  // its fourth letter is the zero at the end
   return out;
 }
 

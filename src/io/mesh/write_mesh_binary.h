@@ -13,7 +13,7 @@
 namespace findspace::io {
 
 std::string ply_text(const Surface& surface, std::string_view title);
-/// `unit` as scenes name it; empty: metres.
-std::string glb_text(const Surface& surface, std::string_view title, std::string_view unit);
+/// A mesh a kind, a node a copy. `unit` as scenes name it; empty: metres.
+std::string glb_text(const Assembly& assembly, std::string_view title, std::string_view unit);
 
 }  // namespace findspace::io
