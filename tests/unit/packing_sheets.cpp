@@ -92,6 +92,15 @@ TEST(Sheets, TooManyOfAKind) {
   EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
 }
 
+/// An item of a strip stands on it, and not beside it on another sheet.
+TEST(Strip, IsOneSheet) {
+  Problem problem;
+  problem.height = 4;
+  problem.parts = {{"square", 2, box(2, 2), {0}}};
+  const Layout layout{4, {{0, 1, 0, false, 0, 0, 0}, {0, 2, 0, false, 1, 1, 1}}, {}};
+  EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
+}
+
 TEST(Strip, AMirroredPartFits) {
   Problem problem;
   problem.height = 2;

@@ -110,7 +110,7 @@ class Check {
 
   void check_inside(std::size_t i) {
     const bool on_sheets = problem_.on_sheets();
-    if (on_sheets && sheet_of(i) >= containers_.size()) return outside(i, 0);
+    if (sheet_of(i) >= (on_sheets ? containers_.size() : 1)) return outside(i, 0);
     const LatticeBox& box = items()[i].box;
     const int128 right = on_sheets ? containers_[sheet_of(i)].box.high.x : layout_.length.over(common_);
     const int128 top = on_sheets ? containers_[sheet_of(i)].box.high.y : height_of(problem_, layout_).over(common_);
@@ -185,7 +185,7 @@ class Check {
     const exact::Real step = exact::Real(1) / exact::Real(problem_.steps());
     const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step);
     if (a.sheet == b.sheet) return pair.holds(b.x - a.x, b.y - a.y);
-    const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_)))) + 1;
+    const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_.conditions)))) + 1;
     return pair.holds(far, 0);
   }
 
