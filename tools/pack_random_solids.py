@@ -5,9 +5,11 @@
 
 usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
-Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, a gap
-and an edge, another fourth may turn by right angles. Checked: every copy of every part, an allowed rotation, inside the walls, the height as stated and not below the lower bound, no
-two interiors meeting, and gaps as wide as asked for. Two convex parts are told apart by all axes that can separate them.
+Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, balls, a
+gap and an edge, another fourth may turn, by right angles or by rational matrices. Every third has containers of given sizes.
+Checked: every copy of every part or that it is left out, an allowed rotation, no more containers than there are, inside the
+walls, the height as stated and not below the lower bound, no two interiors meeting, and gaps as wide as asked for. Two convex
+parts are told apart by all axes that can separate them.
 Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
 
 With --kills N searches are killed after random times: each leaves a whole feasible layout in its file, or no file."""
@@ -75,6 +77,30 @@ def is_rotation(rows):
     return all(dot(p, q) == (p is q) for p in rows for q in rows) and dot(cross(rows[0], rows[1]), rows[2]) == 1
 
 
+class Ball(list):
+    """A convex part that is a ball: a list of its centre."""
+
+    def __init__(self, center, radius):
+        super().__init__([center])
+        self.radius = radius
+
+
+def radius_of(piece):
+    return getattr(piece, "radius", 0)
+
+
+def third(*entries):
+    return [[f"{e}/3" for e in entries[3 * r:3 * r + 3]] for r in range(3)]
+
+
+ORIENTATIONS = [[[1, 0, 0], [0, 1, 0], [0, 0, 1]], [["3/5", "-4/5", 0], ["4/5", "3/5", 0], [0, 0, 1]],
+                [[0, 0, 1], ["3/5", "4/5", 0], ["-4/5", "3/5", 0]], third(1, -2, 2, 2, -1, -2, 2, 2, 1)]
+
+
+def as_rows(matrix):
+    return [[Fraction(str(e)) for e in row] for row in matrix]
+
+
 def box_points(low, high):
     return [tuple(p) for p in itertools.product(*zip(low, high))]
 
@@ -85,8 +111,11 @@ def box_shape(low, high):
 
 def random_part(rng, boxes_only):
     """(shape of a scene, its convex parts as lists of points)"""
-    kind = rng.randrange(2 if boxes_only else 4)
+    kind = rng.randrange(3) - 1 if boxes_only else rng.randrange(4)
     size = [rng.randint(1, 5) for _ in range(3)]
+    if kind < 0:
+        center, radius = tuple(size), Fraction(rng.randint(1, 5), 2)
+        return {"ball": {"center": size, "radius": float(radius)}}, [Ball(center, radius)]
     if kind == 0:
         return box_shape((0, 0, 0), size), [box_points((0, 0, 0), size)]
     if kind == 1:
@@ -111,15 +140,27 @@ class Instance:
         self.edge = Fraction(rng.choice([0, 1]), 4) if self.boxes_only else Fraction(0)
         self.parts = [random_part(rng, self.boxes_only) for _ in range(rng.randint(1, 5))]
         self.demand = [rng.randint(1, 3) for _ in self.parts]
-        widest = max(max(p[k] for p in points) - min(p[k] for p in points)
-                     for k in (0, 1) for points in (sum(pieces, []) for _, pieces in self.parts))
+        widest = max(max(p[k] + radius_of(piece) for piece in pieces for p in piece) -
+                     min(p[k] - radius_of(piece) for piece in pieces for p in piece)
+                     for k in range(3) for _, pieces in self.parts)
         self.turns = number % 4 == 1
-        self.floor = [widest + 1 + rng.randint(0, 6) for _ in range(2)]
+        self.orientations = rng.choice(["right-angles", ORIENTATIONS])
+        # Nothing is too wide where all stand as given.
+        self.floor = [int(widest) + 2 + rng.randint(0, 6) for _ in range(2)]
+        self.containers = []
+        if number % 3 == 0:
+            for name in ("c", "d")[:rng.randint(1, 2)]:
+                sides = [max(1, int(widest) + rng.randint(-1, 5)) for _ in range(3)]
+                self.containers.append({"id": name, "count": rng.randint(1, 3), "size-x": sides[0], "size-y": sides[1], "size-z": sides[2]})
         self.kinds = Kinds()
 
     def problem(self):
-        more = {"allowed_orientations": "right-angles"} if self.turns else {}
-        return {"name": "random", **more, "container": {"size-x": self.floor[0], "size-y": self.floor[1]},
+        more = {"allowed_orientations": self.orientations} if self.turns else {}
+        if self.containers:
+            more["containers"] = self.containers
+        else:
+            more["container"] = {"size-x": self.floor[0], "size-y": self.floor[1]}
+        return {"name": "random", **more,
                 "item-types": [{"id": f"part{i}", "demand": n, "shape": shape}
                                for i, ((shape, _), n) in enumerate(zip(self.parts, self.demand))]}
 
@@ -133,42 +174,69 @@ class Instance:
             part, rotation = int(item["part"][4:]), item.get("rotation")
             pieces = self.parts[part][1]
             if rotation:
-                if not self.turns or not is_rotation(rotation):
+                rotation = as_rows(rotation)
+                allowed = self.orientations == "right-angles" and all(e.denominator == 1 for row in rotation for e in row)
+                allowed = allowed or rotation in [as_rows(m) for m in ORIENTATIONS if self.orientations is ORIENTATIONS]
+                if not self.turns or not is_rotation(rotation) or not allowed:
                     return f"part{part} stands in an orientation that is not allowed"
                 pieces = [[tuple(dot(row, p) for row in rotation) for p in piece] for piece in pieces]
-            placed.append((part, pieces, tuple(Fraction(c) for c in item["at"])))
+            placed.append((part, pieces, tuple(Fraction(c) for c in item["at"]), item.get("container", 0)))
+        left = {int(out["part"][4:]): out["copies"] for out in layout["left_out"]}
+        if left and not self.containers:
+            return "something is left out"
         for i, n in enumerate(self.demand):
-            if sum(1 for part, _, _ in placed if part == i) != n:
+            if sum(1 for part, _, _, _ in placed if part == i) + left.get(i, 0) != n:
                 return f"{n} copies of part{i} are wanted"
+        return self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed)
+
+    def fault_of_walls(self, layout, placed):
         height, top = Fraction(layout["height"]), Fraction(0)
-        most = [Fraction(self.floor[0]), Fraction(self.floor[1]), height]
-        for part, pieces, at in placed:
+        rooms = [[Fraction(self.floor[0]), Fraction(self.floor[1]), height]]
+        if self.containers:
+            names = layout["container"]["containers"]
+            if any(names.count(c["id"]) > c["count"] for c in self.containers):
+                return "there are too many containers of a kind"
+            known = {c["id"]: [Fraction(c[f"size-{axis}"]) for axis in "xyz"] for c in self.containers}
+            rooms = [list(known[name]) for name in names]
+            if rooms:
+                rooms[-1][2] = min(rooms[-1][2], height)
+        for part, pieces, at, room in placed:
             for points in pieces:
+                r = radius_of(points)
                 for p in points:
                     for k in range(3):
                         c = p[k] + at[k]
-                        if c < self.edge or c + self.edge > most[k]:
+                        if c - r < self.edge or c + r + self.edge > rooms[room][k]:
                             return f"part{part} is outside"
-                    top = max(top, p[2] + at[2] + self.edge)
-        if top != height:
-            return f"the height is {top}, not {height}"
-        for (i, first, at), (j, second, to) in itertools.combinations(placed, 2):
+                    if room + 1 == len(rooms):
+                        top = max(top, p[2] + at[2] + r + self.edge)
+        return f"the height is {top}, not {height}" if top != height else None
+
+    def fault_of_pairs(self, placed):
+        for (i, first, at, here), (j, second, to, there) in itertools.combinations(placed, 2):
+            if here != there:
+                continue
             for a, b in itertools.product(first, second):
-                if self.kinds.interiors_meet(a, b, minus(to, at)):
+                if radius_of(a) or radius_of(b):
+                    if self.is_nearer(a, at, b, to, 0):
+                        return f"part{i} and part{j} overlap"
+                elif self.kinds.interiors_meet(a, b, minus(to, at)):
                     return f"part{i} and part{j} overlap"
-                if self.gap and self.is_nearer(a, at, b, to):
+                if self.gap and self.is_nearer(a, at, b, to, self.gap):
                     return f"part{i} and part{j} are too near each other"
         return None
 
-    def is_nearer(self, a, at, b, to):
-        """Of two boxes."""
+    @staticmethod
+    def is_nearer(a, at, b, to, gap):
+        """Of two boxes or balls."""
         square = Fraction(0)
         for k in range(3):
             low, high = min(p[k] for p in a) + at[k], max(p[k] for p in a) + at[k]
             other_low, other_high = min(p[k] for p in b) + to[k], max(p[k] for p in b) + to[k]
             apart = max(other_low - high, low - other_high, 0)
             square += apart * apart
-        return square < self.gap * self.gap
+        least = gap + radius_of(a) + radius_of(b)
+        return square < least * least
 
 
 def moved(layout, rng):
@@ -188,7 +256,7 @@ def check(executable, number, rng, folder):
     options = instance.options()
     done = subprocess.run([executable, "pack", problem, "--work", "0.5", "--quiet", "--seed", str(number + 1), "-o", out,
                            *options], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
+    if done.returncode != 0 and not (done.returncode == 1 and instance.containers):
         return f"status {done.returncode}: {done.stderr}"
     with open(out, encoding="utf-8") as file:
         whole = json.load(file)
@@ -196,8 +264,12 @@ def check(executable, number, rng, folder):
     fault = instance.fault(layout)
     if fault:
         return fault
-    if not layout["proven"] or Fraction(layout["height"]) < Fraction(layout["lower_bound"]):
+    if (done.returncode == 1) != (not layout["items"]):
+        return f"status {done.returncode} with {len(layout['items'])} items"
+    if not layout["proven"] or Fraction(layout["height"]) < Fraction(layout["lower_bound"]) and layout["items"]:
         return "not proven, or lower than the lower bound"
+    if not layout["items"]:
+        return None
     whole["layout"] = moved(layout, rng)
     with open(out, "w", encoding="utf-8") as file:
         json.dump(whole, file)

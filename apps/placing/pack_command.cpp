@@ -87,9 +87,7 @@ class Packing {
     if (const auto& left = facts_.remnant)
       text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
                           left->height.text(), left->x.text(), left->y.text());
-    for (const packing::LeftOut& out : layout.left_out)
-      text += fmt::format("left out: {} of {}: {}\n", out.copies, problem_.parts[out.part].name, out.why);
-    return text;
+    return text + left_out_text(problem_.parts, layout.left_out);
   }
 
   /// No parts, none that are wanted or fit a sheet, or no layout in which all conditions hold.
@@ -98,9 +96,7 @@ class Packing {
     if (StopOnInterrupt::wanted()) return {"interrupted before a first layout was found\n", kInterrupted};
     if (!problem_.on_sheets() && problem_.items() > 0)
       throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
-    for (std::size_t part = 0; part < problem_.parts.size(); ++part)
-      if (problem_.parts[part].demand > 0)
-        layout.left_out.push_back({part, problem_.parts[part].demand, "it is larger than every sheet"});
+    layout.left_out = all_left_out(problem_.parts, "it is larger than every sheet");
     facts_.proven = true;
     write(layout);
     const bool wanted = problem_.items() > 0;

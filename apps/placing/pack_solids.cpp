@@ -37,7 +37,7 @@ class SolidPacking {
     io::SolidProblemRead read = read_problem(options, text, options.scene);
     for (const std::string& note : read.notes) reporter_.note(note);
     problem_ = std::move(read.problem);
-    facts_.lower_bound = packing::lower_bound(problem_);
+    if (!problem_.in_containers()) facts_.lower_bound = packing::lower_bound(problem_);
   }
 
   Outcome run() {
@@ -56,7 +56,7 @@ class SolidPacking {
       const StopOnInterrupt interrupt;
       best = packing::search_solids(problem_, search, events, StopOnInterrupt::wanted());
     }
-    if (!best) return {"there are no parts to pack\n", kDone};
+    if (!best) return empty();
     return {options_.json ? io::layout_json(problem_, *best, facts_) : summary(*best),
             StopOnInterrupt::wanted() ? kInterrupted : kDone};
   }
@@ -90,17 +90,38 @@ class SolidPacking {
                     {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }}};
     for (const char* ending : {".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"})
       writers[ending] = [&, ending] {
-        return io::surface_text(io::layout_surface(problem_, layout), problem_.name, ending, "");
+        return io::assembly_text(io::layout_assembly(problem_, layout), problem_.name, ending, "");
       };
     write_outputs(options_, writers);
   }
 
   std::string summary(const packing::SolidLayout& layout) const {
-    std::string text = fmt::format("height {}, density {:.4f} %, {} parts, proved free of overlaps\n",
-                                   layout.height.text(), 100 * facts_.density, layout.items.size());
+    std::string text = fmt::format("height {}", layout.height.text());
+    if (problem_.in_containers())
+      text = fmt::format("{} container{}, of the last {} used", layout.containers.size(),
+                         layout.containers.size() == 1 ? "" : "s", layout.height.text());
+    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * facts_.density,
+                        layout.items.size());
+    if (problem_.in_containers()) return text + left_out_text(problem_.parts, layout.left_out);
     const bool optimal = layout.height <= facts_.lower_bound;
     return text +
            (optimal ? "no layout is lower\n" : fmt::format("no layout is lower than {}\n", facts_.lower_bound.text()));
+  }
+
+  /// No parts, or none that are wanted or fit a container.
+  Outcome empty() {
+    packing::SolidLayout layout;
+    if (StopOnInterrupt::wanted()) return {"interrupted before a first layout was found\n", kInterrupted};
+    if (!problem_.conditions.empty() && problem_.items() > 0)
+      throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
+    layout.left_out = all_left_out(problem_.parts, "it is larger than every container");
+    facts_.proven = true;
+    write(layout);
+    const bool wanted = problem_.items() > 0;
+    return {options_.json ? io::layout_json(problem_, layout, facts_)
+            : wanted      ? "no part fits a container\n"
+                          : "there are no parts to pack\n",
+            wanted ? kEmpty : kDone};
   }
 
   const Options& options_;
@@ -110,7 +131,7 @@ class SolidPacking {
 };
 
 const char* kind_of(packing::SolidFault::Kind kind) {
-  constexpr const char* kNames[] = {"overlap", "gap", "outside", "count"};
+  constexpr const char* kNames[] = {"overlap", "gap", "outside", "count", "containers", "condition"};
   return kNames[std::size_t(kind)];
 }
 
@@ -133,9 +154,12 @@ std::string solid_verdict_json(const packing::SolidProblem& problem, const packi
   double deepest = 0;
   for (const packing::SolidFault& fault : verdict.faults) {
     if (fault.kind == Kind::kOverlap) deepest = std::max(deepest, fault.depth);
-    std::string of = fmt::format("\"{}\"", fault.kind == Kind::kCount ? problem.parts[fault.first].name
-                                                                      : io::item_name(problem, layout, fault.first));
-    if (fault.kind <= Kind::kGap) of += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
+    const std::string first = fault.kind == Kind::kCount        ? problem.parts[fault.first].name
+                              : fault.kind == Kind::kContainers ? problem.containers[fault.first].name
+                                                                : io::item_name(problem, layout, fault.first);
+    std::string of = fmt::format("\"{}\"", first);
+    if (fault.kind <= Kind::kGap || fault.kind == Kind::kCondition)
+      of += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
     faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [{}], \"depth\": {}, \"near\": [{}, {}, {}]}}",
                           faults.empty() ? "" : ",", kind_of(fault.kind), of, fault.depth, fault.at[0], fault.at[1],
                           fault.at[2]);

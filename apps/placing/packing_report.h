@@ -5,6 +5,8 @@
 // layout in words and as JSON.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +18,7 @@
 #include "common/process_team.h"
 #include "io/nesting/read_nesting.h"
 #include "packing/proof/verify.h"
-#include "packing/search/strip_search.h"
+#include "packing/search/search_options.h"
 
 namespace findspace::app {
 
@@ -41,6 +43,21 @@ packing::SearchOptionsOf<Layout> search_options(const Options& options) {
 /// A better layout, and a search under way; `size` is what is made small: "length".
 std::string better_text(const packing::SearchState& state, std::string_view size);
 std::string progress_text(const packing::SearchState& state, std::string_view size);
+
+/// A line for each part of which copies are left out.
+template <class Part>
+std::string left_out_text(const std::vector<Part>& parts, const std::vector<packing::LeftOut>& left_out) {
+  std::string text;
+  for (const packing::LeftOut& out : left_out)
+    text += fmt::format("left out: {} of {}: {}\n", out.copies, parts[out.part].name, out.why);
+  return text;
+}
+/// What is left out where no part fits a container.
+template <class Part>
+std::vector<packing::LeftOut> all_left_out(const std::vector<Part>& parts, const char* too_large) {
+  return packing::left_out_of(
+      parts, std::vector<int>(parts.size()), [](std::size_t) { return false; }, too_large);
+}
 
 std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
                          const packing::Verdict& verdict);

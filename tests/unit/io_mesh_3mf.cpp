@@ -65,11 +65,10 @@ TEST(Mesh3mf, CopiesStandWhereTheyAre) {
     ReadContext context;
     const space::Mesh mesh = parse_mesh(assembly_text(two, "", ending, "mm"), ending, context, millimetres);
     ASSERT_EQ(mesh.vertices.size(), 16U) << ending;
-    const double metre = std::string(ending) == ".glb" ? 1e-3 : 1;  // no sign: test
-    const space::Point& p = mesh.vertices[8 + 3];                   // (2, 2, 0), turned and moved
-    EXPECT_NEAR(p.x, (10 + 0.6 * 2 - 0.8 * 2) * metre * 1e6, 1) << ending;
-    EXPECT_NEAR(p.y, (20 + 0.8 * 2 + 0.6 * 2) * metre * 1e6, 1) << ending;
-    EXPECT_NEAR(p.z, 30 * metre * 1e6, 1) << ending;
+    const space::Point& p = mesh.vertices[8 + 3];  // (2, 2, 0), turned and moved
+    EXPECT_NEAR(p.x, (10 + 0.6 * 2 - 0.8 * 2) * 1e6, 1) << ending;
+    EXPECT_NEAR(p.y, (20 + 0.8 * 2 + 0.6 * 2) * 1e6, 1) << ending;
+    EXPECT_NEAR(p.z, 30 * 1e6, 1) << ending;
   }
 }
 

@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/mesh/read_mesh.h"
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_solids.h"
+#include "packing/solid_proof/verify_solids.h"
+#include "space/mesh/mesh.h"
 
 namespace findspace::io {
 namespace io_solids {
@@ -60,8 +63,9 @@ TEST(ReadSolids, SaysWhatIsWrong) {
   EXPECT_NE(message_of(head + R"([{"demand": 1, "path": 3}]})").find("a path is meant"), std::string::npos);
   EXPECT_NE(message_of(head + R"([{"demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}}]})").find("'id'"),
             std::string::npos);
-  const std::string ball = R"({"id": "b", "demand": 1, "shape": {"ball": {"center": [0,0,0], "radius": 1}}})";
-  EXPECT_NE(message_of(head + "[" + ball + "]}").find("flat faces"), std::string::npos);
+  const std::string round =
+      R"({"id": "b", "demand": 1, "shape": {"offset": 0.1, "of": {"box": {"min": [0,0,0], "max": [1,1,1]}}}})";
+  EXPECT_NE(message_of(head + "[" + round + "]}").find("flat faces"), std::string::npos);
   const std::string wide = R"({"id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [5,1,1]}}})";
   EXPECT_NE(message_of(head + "[" + wide + "]}").find("does not stand on the floor"), std::string::npos);
   const std::string twice = R"({"id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}})";
@@ -87,8 +91,93 @@ TEST(ReadSolids, Orientations) {
   const packing::SolidProblem standing = read(with("[[[1,0,0],[0,1,0],[0,0,1]]]")).problem;
   EXPECT_THROW(read_solid_layout(layout_json(lying, layout, {}), "layout.json", standing), Error);
   EXPECT_NE(message_of(with("[]")).find("right-angles"), std::string::npos);
-  EXPECT_NE(message_of(with("[[[1,0,0],[0,1,0],[0,0,-1]]]")).find("not a rotation"), std::string::npos);
-  EXPECT_NE(message_of(with("[[[2,0,0],[0,1,0],[0,0,1]]]")).find("0, 1, -1"), std::string::npos);
+  EXPECT_NE(message_of(with("[[[1,0,0],[0,1,0],[0,0,-1]]]")).find("determinant"), std::string::npos);
+  EXPECT_NE(message_of(with("[[[2,0,0],[0,1,0],[0,0,1]]]")).find("length 2"), std::string::npos);
+}
+
+/// As scenes spell them.
+TEST(ReadSolids, AnyRationalOrientation) {
+  const auto with = [](const std::string& allowed) {
+    return R"({"container": {"size-x": 9, "size-y": 9}, "item-types": [{"id": "b", "demand": 1, "allowed_orientations": [)" +
+           allowed + R"(], "shape": {"box": {"min": [0,0,0], "max": [5,5,5]}}}]})";
+  };
+  const packing::SolidProblem problem =
+      read(with(R"({"quaternion": [2, 0, 0, 1]}, {"matrix": [[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]},
+                   {"axis": [1, 1, 1], "degrees": 120}, 90, [["3/5", "-4/5", 0], ["4/5", "3/5", 0], [0, 0, 1]])"))
+          .problem;
+  const auto& forms = problem.parts[0].forms;
+  ASSERT_EQ(forms.size(), 5U);
+  EXPECT_EQ(forms[0].rotation, forms[1].rotation);
+  EXPECT_EQ(forms[0].rotation, forms[4].rotation);
+  EXPECT_EQ(forms[0].rotation[0][0], packing::Fraction(3, 5));
+  EXPECT_EQ(forms[2].rotation[0][2], packing::Fraction(1));
+  EXPECT_EQ(packing::box_of(problem, forms[0]).high[1], packing::Fraction(7));
+  packing::SolidLayout layout;
+  layout.height = 5;
+  layout.items = {{0, 1, 0, {4, 0, 0}}};
+  EXPECT_EQ(read_solid_layout(layout_json(problem, layout, {}), "layout.json", problem).items[0].form, 0U);
+  EXPECT_NE(message_of(with("30")).find("no rational matrix"), std::string::npos);
+  EXPECT_NE(message_of(with(R"({"quaternion": [0, 0, 0, 0]})")).find("quaternion"), std::string::npos);
+}
+
+TEST(ReadSolids, Balls) {
+  const std::string text = R"({"container": {"size-x": 9, "size-y": 9}, "item-types": [
+    {"id": "ball", "demand": 3, "shape": {"ball": {"center": [0, 1, 0], "radius": 0.5}}},
+    {"id": "pin", "demand": 1, "shape": {"union": [{"ball": {"center": [0, 0, 0], "radius": 1}},
+                                                    {"box": {"min": [0, 0, 0], "max": [1, 1, 4]}}]}}]})";
+  const packing::SolidProblem problem = read(text).problem;
+  const packing::SolidBox bounds = packing::box_of(problem, problem.parts[0].forms[0]);
+  EXPECT_EQ(bounds.low, (std::array<packing::Fraction, 3>{packing::Fraction(-1, 2), packing::Fraction(1, 2),
+                                                          packing::Fraction(-1, 2)}));
+  EXPECT_NEAR(packing::volume_of(problem, problem.parts[0]), 0.5235987756, 1e-9);
+  EXPECT_EQ(problem.parts[1].forms[0].body.parts.size(), 2U);
+}
+
+TEST(ReadSolids, Containers) {
+  const std::string head =
+      R"({"containers": [{"id": "c", "size-x": 4, "size-y": 3, "size-z": 2, "count": 5, "cost": 1.5})";
+  const std::string items =
+      R"(], "item-types": [{"id": "b", "demand": 1, "value": "1/3", "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}}]})";
+  const packing::SolidProblem problem = read(head + items).problem;
+  ASSERT_EQ(problem.containers.size(), 1U);
+  EXPECT_EQ(problem.containers[0].height, packing::Fraction(2));
+  EXPECT_EQ(problem.containers[0].count, 5);
+  EXPECT_EQ(problem.parts[0].value, packing::Fraction(1, 3));
+  EXPECT_TRUE(is_solid_problem(head + items, "a"));
+  EXPECT_NE(message_of(head + R"(,{"id": "d", "size-x": 1, "size-y": 1, "size-z": 1})" + items).find("a cost"),
+            std::string::npos);
+  EXPECT_NE(
+      message_of(head + R"(,{"id": "d", "cost": 1, "size-x": 0, "size-y": 1, "size-z": 1})" + items).find("above 0"),
+      std::string::npos);
+  EXPECT_NE(message_of(head + R"(], "container": {"size-x": 1, "size-y": 1)" + "}" + items.substr(1)).find("either"),
+            std::string::npos);
+  packing::SolidLayout layout;
+  layout.height = 1;
+  layout.containers = {0, 0};
+  layout.items = {{0, 1, 0, {0, 0, 0}, 1}};
+  layout.left_out = {{0, 2, "no container was found for it"}};
+  const packing::SolidLayout back = read_solid_layout(layout_json(problem, layout, {}), "layout.json", problem);
+  EXPECT_EQ(back.containers, layout.containers);
+  EXPECT_EQ(back.items[0].container, 1U);
+  EXPECT_EQ(back.left_out[0].copies, 2);
+  EXPECT_NE(layout_svg(problem, layout, {}).find("2 containers, 1 of the last"), std::string::npos);
+}
+
+TEST(ReadSolids, ConditionsOfPairs) {
+  const auto with = [](const std::string& more) {
+    return R"({"container": {"size-x": 9, "size-y": 9}, )" + more +
+           R"(, "item-types": [{"id": "a", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}},
+                               {"id": "b", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}}]})";
+  };
+  const packing::SolidProblem problem =
+      read(with(R"("where": "reach(self, other) <= 9", "gaps": [{"between": ["a", "b"], "gap": 2}],
+                   "pairs": [{"between": ["a", "b"], "where": "gap(self, other, along=(0, 0, 1)) >= 1"}],
+                   "groups": [{"parts": ["b"], "within": 3}])"))
+          .problem;
+  EXPECT_EQ(problem.conditions.size(), 5U);
+  EXPECT_EQ(problem.gap_of(1, 0), packing::Fraction(2));
+  EXPECT_NE(message_of(with(R"("groups": [{"parts": ["b"]}])")).find("within"), std::string::npos);
+  EXPECT_NE(message_of(with(R"("where": "gap(self, others) <= 2")")).find("'where'"), std::string::npos);
 }
 
 /// A folder of its own that goes with the test.
@@ -154,9 +243,52 @@ TEST(WriteSolids, LayoutIsReadBack) {
   ASSERT_EQ(back.items.size(), 3U);
   EXPECT_EQ(back.items[2].at, layout.items[2].at);
   EXPECT_EQ(back.items[1].copy, 2);
-  const Surface surface = layout_surface(problem, layout);
+  const Surface surface = united(layout_assembly(problem, layout));
   EXPECT_EQ(surface.faces.size(), 2 * 6 + 4U);
   EXPECT_NE(layout_svg(problem, layout, {}).find("height 17/3"), std::string::npos);
+}
+
+/// What all formats for surfaces hold of a layout, read again: as much volume in the same box.
+TEST(WriteSolids, SurfacesAreReadBack) {
+  const std::string text =
+      R"({"name": "three", "containers": [{"id": "c", "size-x": 9, "size-y": 9, "size-z": 9, "count": 2}],
+    "item-types": [{"id": "tip", "demand": 2, "allowed_orientations": [0, {"quaternion": [2, 0, 0, 1]}],
+                    "shape": {"polytope": [[0,0,0], [5,0,0], [0,5,0], [0,0,3]]}},
+                   {"id": "slab", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [4,2,1]}}}]})";
+  const packing::SolidProblem problem = read(text).problem;
+  packing::SolidLayout layout;
+  layout.height = 6;
+  layout.containers = {0, 0};
+  layout.items = {{0, 1, 0, {0, 0, 0}, 0}, {0, 2, 1, {4, 0, 0}, 1}, {1, 1, 0, {0, 0, packing::Fraction(7, 2)}, 0}};
+  ASSERT_TRUE(packing::verify(problem, layout).is_feasible());
+  const Assembly assembly = layout_assembly(problem, layout);
+  for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf", ".glb"}) {
+    ReadContext context;
+    context.grid = Grid(exact::Real::ratio(1, 1000));
+    const space::Mesh mesh =
+        parse_mesh(assembly_text(assembly, "three", ending, "m"), ending, context, [](const auto& millimetres) {
+          // 3MF states its unit, GLB is in metres.
+          return millimetres ? *millimetres / exact::Real(1000) : exact::Real(1);
+        });
+    std::array<std::int64_t, 3> low{1 << 20, 1 << 20, 1 << 20}, high{-(1 << 20), -(1 << 20), -(1 << 20)};
+    for (const space::Point& p : mesh.vertices) {
+      const std::array<std::int64_t, 3> c{p.x, p.y, p.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], c[k]);
+        high[k] = std::max(high[k], c[k]);
+      }
+    }
+    const double unit = 1000;  // steps
+    EXPECT_NEAR(low[0], 0, 1) << ending;
+    EXPECT_NEAR(low[1], 0, 1) << ending;
+    EXPECT_NEAR(high[0], (1.15 * 9 + 4 + 3) * unit, 1) << ending;  // the turned tip, beside the first container
+    EXPECT_NEAR(high[1], 5 * unit, 1) << ending;
+    EXPECT_NEAR(high[2], 4.5 * unit, 1) << ending;
+    EXPECT_NEAR(space::six_volumes(mesh).to_double() / (unit * unit * unit), 6 * (2 * 12.5 + 8), 1.5) << ending;
+  }
+  // Every copy is an item of its own in 3MF, and a node in GLB.
+  const std::string glb = assembly_text(assembly, "three", ".glb", "mm");
+  for (const char* name : {"tip#1", "tip#2", "slab#1"}) EXPECT_NE(glb.find(name), std::string::npos);
 }
 
 }  // namespace io_solids

@@ -45,7 +45,7 @@ TEST(PairFormula, HoldsAndItsRegion) {
   EXPECT_FALSE(forward.holds(Fraction::parse("3.000000001"), 0));
   EXPECT_FALSE(forward.holds(3, Fraction::parse("1.1")));  // beyond the arc about the corner
   EXPECT_EQ(forward.regions().size(), 1u);
-  EXPECT_EQ(greatest_level(problem), 2);
+  EXPECT_EQ(greatest_level(problem.conditions), 2);
 }
 
 TEST(PairFormula, OneThatHasADirection) {

@@ -43,7 +43,7 @@ SolidPart part_of(const char* name, int demand, space::Body body) {
 SolidPart with_turns(SolidPart part) {
   const SolidForm form = part.forms[0];
   part.forms.clear();
-  for (const AxisRotation& rotation : axis_rotations(false)) part.forms.push_back(turned(form, rotation));
+  for (const SolidRotation& rotation : axis_rotations(false)) part.forms.push_back(turned(form, rotation));
   return part;
 }
 
@@ -183,8 +183,8 @@ TEST(SolidMoves, LetBoxesDown) {
   const SolidProblem problem = problem_of(2, 2, {box("cube", 3, 2, 2, 2)});
   const SolidTable table(problem);
   std::vector<SolidPose> poses{{0, {0, 0, 0.3}}, {0, {0, 0, 2.5}}, {0, {0, 0, 4.9}}};
-  EXPECT_NEAR(SolidLinearMoves(table, SolidColumn(table)).shorten(poses, 7), 6, 1e-6);
-  const std::optional<SolidLayout> layout = finished(problem, table, poses, 6);
+  EXPECT_NEAR(SolidLinearMoves(table, SolidColumn(problem, table, {})).shorten(poses, 7), 6, 1e-6);
+  const std::optional<SolidLayout> layout = finished(problem, table, SolidColumn(problem, table, {}), poses, 6);
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->height, Fraction(6));
 }
@@ -194,23 +194,25 @@ TEST(SolidMoves, EndAnOverlap) {
   const SolidTable table(problem);
   std::vector<SolidPose> poses{{0, {0, 0, 0}}, {0, {1.9, 0, 0.2}}};
   double height = 2.2;
-  EXPECT_TRUE(SolidLinearMoves(table, SolidColumn(table)).separate(poses, height, 2.2));
+  EXPECT_TRUE(SolidLinearMoves(table, SolidColumn(problem, table, {})).separate(poses, height, 2.2));
   EXPECT_NEAR(poses[1].at.x, 2, 1e-6);
 }
 
 TEST(SolidFirstLayout, OverlapsNowhere) {
   const SolidProblem problem = problem_of(7, 6, {box("slab", 4, 4, 3, 1), corner("corner", 5, 4), angle(4)});
   const SolidTable table(problem);
-  const LayoutInDoubles<SolidPose> layout = first_layout(problem, table, 1);
+  const SolidColumn column(problem, table, {});
+  const LayoutInDoubles<SolidPose> layout = first_layout(problem, table, column, 1).layout;
   EXPECT_EQ(layout.poses.size(), problem.items());
-  EXPECT_EQ(SolidArrangement(table, SolidColumn(table), layout.poses, layout.length).loss(), 0);
-  EXPECT_TRUE(finished(problem, table, layout.poses, layout.length).has_value());
+  EXPECT_EQ(SolidArrangement(table, column, layout.poses, layout.length).loss(), 0);
+  EXPECT_TRUE(finished(problem, table, column, layout.poses, layout.length).has_value());
 }
 
 TEST(SolidArrangement, BestPlaceOnALineIsAnEnd) {
   const SolidProblem problem = problem_of(10, 2, {box("cube", 3, 2, 2, 2)});
   const SolidTable table(problem);
-  SolidArrangement arrangement(table, SolidColumn(table), {{0, {0, 0, 0}}, {0, {4, 0, 0}}, {0, {3, 0, 0}}}, 2);
+  const SolidColumn column(problem, table, {});
+  SolidArrangement arrangement(table, column, {{0, {0, 0, 0}}, {0, {4, 0, 0}}, {0, {3, 0, 0}}}, 2);
   const auto left = arrangement.best_on_line(2, arrangement.pose(2), {1, 0, 0}, 1e9, false);
   EXPECT_EQ(left.cost, 0);
   EXPECT_NEAR(left.t, -1, 1e-7);  // between the others
@@ -233,19 +235,20 @@ TEST(SolidSearch, SolvesConwaysPuzzle) {
 }
 
 TEST(AxisRotations, AreTwentyFour) {
-  const std::vector<AxisRotation> all = axis_rotations(false);
+  const std::vector<SolidRotation> all = axis_rotations(false);
   EXPECT_EQ(all.size(), 24U);
-  EXPECT_EQ(std::count(all.begin(), all.end(), kAsGiven), 1);
-  for (const AxisRotation& r : all) {
-    const int determinant = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
-                            r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-                            r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+  EXPECT_EQ(std::count(all.begin(), all.end(), as_given()), 1);
+  for (const SolidRotation& r : all) {
+    const auto e = [&](int i, int j) { return r[std::size_t(i)][std::size_t(j)].to_double(); };
+    const double determinant = e(0, 0) * (e(1, 1) * e(2, 2) - e(1, 2) * e(2, 1)) -
+                               e(0, 1) * (e(1, 0) * e(2, 2) - e(1, 2) * e(2, 0)) +
+                               e(0, 2) * (e(1, 0) * e(2, 1) - e(1, 1) * e(2, 0));
     EXPECT_EQ(determinant, 1);
     EXPECT_EQ(std::count(all.begin(), all.end(), r), 1);
   }
-  const std::vector<AxisRotation> upright = axis_rotations(true);
+  const std::vector<SolidRotation> upright = axis_rotations(true);
   EXPECT_EQ(upright.size(), 4U);
-  for (const AxisRotation& r : upright) EXPECT_EQ(r[2], (std::array<int, 3>{0, 0, 1}));
+  for (const SolidRotation& r : upright) EXPECT_EQ(r[2], (std::array<Fraction, 3>{0, 0, 1}));
 }
 
 TEST(SolidTable, FormsThatLookTheSameAreOne) {

@@ -27,6 +27,9 @@ inline constexpr double kCompactionGain = 1e-5;
 /// Solids this near count as touching where directions along contacts are chosen; of the floor. A thousand times what
 /// programs leave. Searches.
 inline constexpr double kSolidContact = 1e-6;
+/// Conditions of pairs hold by this much in the search; of the floor. A hundred steps of the grid on which finished
+/// layouts stand, so that they hold there, too. Searches.
+inline constexpr double kSolidTie = 1e-7;
 /// A plane whose unit normal has less than this along a line does not end what lies on the line: 2^12 roundings.
 /// Searches.
 inline constexpr double kAlongPlane = 0x1p-40;

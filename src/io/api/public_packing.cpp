@@ -85,8 +85,8 @@ io::UnscaledSheet sheet_of(const PackSheet& sheet, const std::vector<io::Unscale
   return result;
 }
 
-io::UnscaledGroup group_of(const PackGroup& group, const std::vector<io::UnscaledPart>& parts) {
-  io::UnscaledGroup result;
+io::StatedGroup group_of(const PackGroup& group, const std::vector<io::UnscaledPart>& parts) {
+  io::StatedGroup result;
   for (const std::string& name : group.parts) result.parts.push_back(index_of(name, parts, "part"));
   if (group.within) result.within = fraction(*group.within);
   if (result.within && *result.within < 0) throw Error(ErrorCode::kBadValue, "parts of a group within less than 0");
@@ -119,7 +119,7 @@ packing::Problem on_grid(const PackProblem& problem) {
   for (const PackPart& part : problem.parts) result.parts.push_back(part_of(part));
   for (const PackSheet& sheet : problem.sheets) result.sheets.push_back(sheet_of(sheet, result.parts));
   for (const PackGap& pair : problem.gaps)
-    result.pair_gaps.push_back(
+    result.gaps.push_back(
         {index_of(pair.first, result.parts, "part"), index_of(pair.second, result.parts, "part"), fraction(pair.gap)});
   for (const PackCondition& c : problem.conditions)
     result.conditions.push_back(
@@ -250,12 +250,12 @@ PackProblem pack_problem(std::string_view json) {
       for (const std::size_t part : zone.parts) (zone.holds ? shown.holds : shown.keeps_out).push_back(name_of(part));
     }
   }
-  for (const packing::PairGap& pair : inner.pair_gaps)
+  for (const packing::PairGap& pair : inner.gaps)
     result.gaps.push_back({name_of(pair.first), name_of(pair.second), pair.gap.text()});
   result.where = inner.where;
   for (const packing::PairCondition& c : inner.conditions)
     result.conditions.push_back({name_of(c.first), name_of(c.second), c.where});
-  for (const io::UnscaledGroup& group : inner.groups) {
+  for (const io::StatedGroup& group : inner.groups) {
     PackGroup& out = result.groups.emplace_back();
     for (const std::size_t part : group.parts) out.parts.push_back(name_of(part));
     out.within = public_amount(group.within);

@@ -12,6 +12,7 @@
 
 #include "io/text/json_tree.h"
 #include "packing/problem/fraction.h"
+#include "packing/problem/left_out.h"
 
 namespace findspace::io {
 
@@ -40,6 +41,14 @@ class NestingJson {
     const auto found = std::find_if(all.begin(), all.end(), same);
     if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text));
     return std::size_t(found - all.begin());
+  }
+  /// Of a layout.
+  template <class Named>
+  std::vector<packing::LeftOut> left_out(const JsonValue& value, const std::vector<Named>& parts) const {
+    std::vector<packing::LeftOut> result;
+    for (const JsonValue& out : list(value).items)
+      result.push_back({index_of(need(out, "part"), parts, "part"), whole(need(out, "copies")), need(out, "why").text});
+    return result;
   }
 
  private:

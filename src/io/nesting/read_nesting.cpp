@@ -12,7 +12,6 @@
 #include "io/nesting/nesting_json.h"
 #include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
-#include "packing/problem/pair_formula.h"
 #include "plane/build/build.h"
 #include "plane/query/topology.h"
 
@@ -35,7 +34,7 @@ class Reader : private NestingJson {
       fail(tree(),
            "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
            "(docs/nesting.md); few shapes of a scene are placed by 'findspace place'");
-    if (tree().find("container") != nullptr && tree().find("item-types") != nullptr)
+    if (tree().find("item-types") != nullptr && tree().find("items") == nullptr)
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     for (const JsonValue& item : items.items) result.parts.push_back(part(item));
@@ -48,9 +47,7 @@ class Reader : private NestingJson {
       result.height = asked.height ? *asked.height : number(need(tree(), "strip_height"));
     result.gap = asked.gap;
     result.edge = asked.edge;
-    if (const JsonValue* gaps = tree().find("gaps"))
-      for (const JsonValue& value : list(*gaps).items) result.pair_gaps.push_back(pair_gap(value, result.parts));
-    read_conditions(result);
+    read_conditions(*this, names_of(result.parts), 2, result);
     if (const JsonValue* fixed = tree().find("fixed"))
       for (const JsonValue& item : list(*fixed).items) result.fixed.push_back(fixed_part(item, result));
     return result;
@@ -68,11 +65,7 @@ class Reader : private NestingJson {
     if (problem.on_sheets())
       for (const JsonValue& sheet : list(need(need(body, "container"), "sheets")).items)
         result.sheets.push_back(index_of(sheet, problem.sheets, "sheet"));
-    const JsonValue* left = body.find("left_out");
-    if (left == nullptr) return result;
-    for (const JsonValue& out : list(*left).items)
-      result.left_out.push_back(
-          {index_of(need(out, "part"), problem.parts, "part"), whole(need(out, "copies")), need(out, "why").text});
+    if (const JsonValue* left = body.find("left_out")) result.left_out = left_out(*left, problem.parts);
     return result;
   }
 
@@ -184,36 +177,6 @@ class Reader : private NestingJson {
     return result;
   }
 
-  std::string condition(const JsonValue& value) const {
-    if (!value.is(Kind::kString)) fail(value, fmt::format("a formula is meant, not {}", value.kind_name()));
-    try {
-      packing::parse_condition(value.text);
-    } catch (const Error& e) {
-      throw e.within(fmt::format("{}:{}:{}: 'where'", name(), value.line, value.column));
-    }
-    return value.text;
-  }
-
-  void read_conditions(UnscaledProblem& problem) const {
-    if (const JsonValue* where = tree().find("where")) problem.where = condition(*where);
-    if (const JsonValue* pairs = tree().find("pairs"))
-      for (const JsonValue& value : list(*pairs).items) {
-        const JsonValue& between = list(need(value, "between"));
-        if (between.size() != 2) fail(between, "a condition is between two parts");
-        problem.conditions.push_back({index_of(between.items[0], problem.parts, "part"),
-                                      index_of(between.items[1], problem.parts, "part"),
-                                      condition(need(value, "where"))});
-      }
-    if (const JsonValue* groups = tree().find("groups"))
-      for (const JsonValue& value : list(*groups).items) {
-        UnscaledGroup& group = problem.groups.emplace_back();
-        for (const JsonValue& name : list(need(value, "parts")).items)
-          group.parts.push_back(index_of(name, problem.parts, "part"));
-        if (const JsonValue* within = value.find("within")) group.within = number(*within);
-        if (group.within && *group.within < 0) fail(value, "a distance below 0");
-      }
-  }
-
   /// "sheet" names a kind, "number" counts its sheets from 1.
   packing::FixedPart fixed_part(const JsonValue& value, const UnscaledProblem& problem) const {
     packing::FixedPart result{placed(value, problem.parts), 0};
@@ -224,15 +187,6 @@ class Reader : private NestingJson {
     if (count < 1 || count > problem.sheets[result.kind].count)
       fail(value, fmt::format("there is no sheet {} number {}", problem.sheets[result.kind].name, count));
     result.placed.sheet = std::size_t(count - 1);
-    return result;
-  }
-
-  packing::PairGap pair_gap(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
-    const JsonValue& between = list(need(value, "between"));
-    if (between.size() != 2) fail(between, "a gap is between two parts");
-    packing::PairGap result{index_of(between.items[0], parts, "part"), index_of(between.items[1], parts, "part"),
-                            number(need(value, "gap"))};
-    if (result.gap < 0) fail(value, "a gap below 0");
     return result;
   }
 

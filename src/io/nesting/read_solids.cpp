@@ -14,6 +14,8 @@
 #include "io/cad/read_cad.h"
 #include "io/mesh/read_mesh.h"
 #include "io/nesting/nesting_json.h"
+#include "io/nesting/stated_conditions.h"
+#include "io/scene/scene_rotation.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
 #include "space/mesh/mesh.h"
@@ -67,6 +69,11 @@ class SolidReader : private NestingJson {
     SolidProblemRead result = read(context, asked);
     result.problem.digits = digits;
     for (packing::SolidPart& part : result.problem.parts) part = body_of(std::move(part));
+    StatedConditions stated;
+    read_conditions(*this, names_of(result.problem.parts), 3, stated);
+    result.problem.pair_gaps = stated.gaps;
+    result.problem.conditions =
+        conditions_of(stated, result.problem.parts.size(), farthest_gap(result.problem), name());
     packing::check(result.problem, name());
     return result;
   }
@@ -79,8 +86,8 @@ class SolidReader : private NestingJson {
       packing::SolidPlaced& placed = result.items.emplace_back();
       placed.part = index_of(need(item, "part"), problem.parts, "part");
       if (const JsonValue* copy = item.find("copy")) placed.copy = whole(*copy);
-      const packing::AxisRotation stands =
-          item.find("rotation") != nullptr ? rotation(*item.find("rotation")) : packing::kAsGiven;
+      const packing::SolidRotation stands =
+          item.find("rotation") != nullptr ? rotation(*item.find("rotation")) : packing::as_given();
       const std::vector<packing::SolidForm>& forms = problem.parts[placed.part].forms;
       const auto same = [&](const packing::SolidForm& form) { return form.rotation == stands; };
       placed.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
@@ -89,7 +96,12 @@ class SolidReader : private NestingJson {
       const JsonValue& at = list(need(item, "at"));
       if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
       for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
+      if (const JsonValue* container = item.find("container")) placed.container = std::size_t(whole(*container));
     }
+    if (problem.in_containers())
+      for (const JsonValue& container : list(need(need(body, "container"), "containers")).items)
+        result.containers.push_back(index_of(container, problem.containers, "container"));
+    if (const JsonValue* left = body.find("left_out")) result.left_out = left_out(*left, problem.parts);
     return result;
   }
 
@@ -144,9 +156,7 @@ class SolidReader : private NestingJson {
     SolidProblemRead result;
     packing::SolidProblem& problem = result.problem;
     if (const JsonValue* named = tree().find("name")) problem.name = named->text;
-    const JsonValue& container = need(tree(), "container");
-    problem.width = number(need(container, "size-x"));
-    problem.depth = number(need(container, "size-y"));
+    read_containers(problem);
     problem.gap = asked.gap;
     problem.edge = asked.edge;
     const SceneReader json(name(), context);
@@ -165,9 +175,49 @@ class SolidReader : private NestingJson {
     return result;
   }
 
+  /// A floor on which the height is sought, or containers of given sizes.
+  void read_containers(packing::SolidProblem& problem) const {
+    const JsonValue *floor = tree().find("container"), *containers = tree().find("containers");
+    if (containers == nullptr) {
+      problem.width = number(need(*floor, "size-x"));
+      problem.depth = number(need(*floor, "size-y"));
+      return;
+    }
+    if (floor != nullptr) fail(*containers, "a problem has either a 'container' or 'containers'");
+    for (const JsonValue& value : list(*containers).items) {
+      packing::SolidContainer& container = problem.containers.emplace_back();
+      container.name = need(value, "id").text;
+      if (const JsonValue* count = value.find("count")) container.count = whole(*count);
+      if (const JsonValue* cost = value.find("cost")) container.cost = not_below_0(*cost, "cost");
+      container.width = number(need(value, "size-x"));
+      container.depth = number(need(value, "size-y"));
+      container.height = number(need(value, "size-z"));
+      if (container.width <= 0 || container.depth <= 0 || container.height <= 0)
+        fail(value, "a container has sizes above 0");
+      if (container.cost.has_value() != problem.containers[0].cost.has_value())
+        fail(value, "some containers have a cost and others none");
+    }
+    if (problem.containers.empty()) fail(*containers, "there are no containers");
+  }
+
+  /// In a container none is larger than its sides together; nothing where the height is sought.
+  static std::optional<Fraction> farthest_gap(const packing::SolidProblem& problem) {
+    std::optional<Fraction> result;
+    for (const packing::SolidContainer& c : problem.containers)
+      result = std::max(result.value_or(0), c.width + c.depth + c.height);
+    return result;
+  }
+
+  Fraction not_below_0(const JsonValue& value, const char* what) const {
+    const Fraction result = number(value);
+    if (result < 0) fail(value, fmt::format("a {} below 0", what));
+    return result;
+  }
+
   packing::SolidPart part(const JsonValue& item, ShapeReader& shapes, ReadContext& context) {
     packing::SolidPart result;
     result.demand = whole(need(item, "demand"));
+    if (const JsonValue* value = item.find("value")) result.value = not_below_0(*value, "value");
     const JsonValue *id = item.find("id"), *path = item.find("path"), *shape = item.find("shape");
     if ((path != nullptr) + (shape != nullptr) != 1) fail(item, "an item has either a 'path' or a 'shape'");
     if (path != nullptr) {
@@ -183,35 +233,54 @@ class SolidReader : private NestingJson {
     places_.push_back(place(item));
     const JsonValue* allowed = item.find("allowed_orientations");
     if (allowed == nullptr) allowed = tree().find("allowed_orientations");
-    rotations_.push_back(allowed != nullptr ? rotations(*allowed) : std::vector{packing::kAsGiven});
+    rotations_.push_back(allowed != nullptr ? rotations(*allowed, context) : std::vector{packing::as_given()});
     return result;
   }
 
-  /// "right-angles", "upright", or a list of matrices.
-  std::vector<packing::AxisRotation> rotations(const JsonValue& value) const {
+  /// "right-angles", "upright", or a list of orientations as scenes spell them, or of matrices row by row.
+  std::vector<packing::SolidRotation> rotations(const JsonValue& value, ReadContext& context) const {
     if (value.is(Kind::kString) && value.text == "right-angles") return packing::axis_rotations(false);
     if (value.is(Kind::kString) && value.text == "upright") return packing::axis_rotations(true);
     if (!value.is(Kind::kArray) || value.size() == 0)
-      fail(value, "orientations are \"right-angles\", \"upright\" or a list of matrices");
-    std::vector<packing::AxisRotation> result;
-    for (const JsonValue& matrix : value.items) result.push_back(rotation(matrix));
+      fail(value, "orientations are \"right-angles\", \"upright\" or a list of them");
+    const SceneReader json(name(), context);
+    std::vector<packing::SolidRotation> result;
+    for (const JsonValue& one : value.items)
+      result.push_back(one.is(Kind::kArray) ? rotation(one) : orientation(one, json));
     return result;
   }
 
-  packing::AxisRotation rotation(const JsonValue& value) const {
-    packing::AxisRotation result{};
+  packing::SolidRotation orientation(const JsonValue& value, const SceneReader& json) const {
+    const Orientation read =
+        read_orientation(value, nullptr, GridPosition{}, json, Label{nullptr, "orientation", std::string_view()});
+    if (read.rotation.rounded)
+      fail(value, "this angle has no rational matrix; a quaternion near to it has one: {\"quaternion\": [w, x, y, z]}");
+    packing::SolidRotation result;
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto entry = read.rotation.rows[r][c].fraction();
+        if (!entry) fail(value, "an orientation with too many digits");
+        result[r][c] = Fraction((*entry)[0], (*entry)[1]);
+      }
+    return result;
+  }
+
+  packing::SolidRotation rotation(const JsonValue& value) const {
+    packing::SolidRotation result{};
+    space::Rotation::Matrix rows;
     if (list(value).size() != 3) fail(value, "a rotation is a list of three rows");
     for (std::size_t r = 0; r < 3; ++r) {
       if (list(value.items[r]).size() != 3) fail(value.items[r], "a row of a rotation is a list of three numbers");
       for (std::size_t c = 0; c < 3; ++c) {
-        const Fraction entry = number(value.items[r].items[c]);
-        if (entry.denominator() != 1 || entry < -1 || entry > 1) fail(value, "rotations take axes to axes: 0, 1, -1");
-        result[r][c] = int(entry.numerator());
+        result[r][c] = number(value.items[r].items[c]);
+        rows[r][c] = packing::in_steps(result[r][c], 1);
       }
     }
-    const std::vector<packing::AxisRotation> all = packing::axis_rotations(false);
-    if (std::find(all.begin(), all.end(), result) == all.end())
-      fail(value, "this matrix is not a rotation: its rows are perpendicular, and its determinant is 1");
+    try {
+      space::Rotation::of_matrix(rows, {});
+    } catch (const Error& e) {
+      throw e.within(place(value));
+    }
     return result;
   }
 
@@ -264,15 +333,17 @@ class SolidReader : private NestingJson {
     try {
       packing::SolidForm form;
       form.body = space::body(shape);
-      const auto is_solid = [](const space::BodyPart& piece) { return piece.core && piece.radius.sign() == 0; };
+      // Polytopes, and balls of rational radius.
+      const auto is_solid = [](const space::BodyPart& piece) {
+        return piece.core ? piece.radius.sign() == 0 : piece.flat.empty() && piece.radius.fraction().has_value();
+      };
       if (form.body.outside || !std::all_of(form.body.parts.begin(), form.body.parts.end(), is_solid))
-        throw Error(ErrorCode::kUnsupported,
-                    "pack takes bounded solids with flat faces; this one is round or unbounded");
+        throw Error(ErrorCode::kUnsupported, "pack takes bounded solids with flat faces, balls, and unions of such");
       part.disjoint = form.body.parts.size() == 1 || shape.solid != nullptr;
       if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
       if (!form.is_exact() && form.surface.empty())
         throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
-      for (const packing::AxisRotation& rotation : rotations_[next_ - 1])
+      for (const packing::SolidRotation& rotation : rotations_[next_ - 1])
         part.forms.push_back(packing::turned(form, rotation));
     } catch (const Error& e) {
       throw e.within(fmt::format("item '{}' ({})", part.name, at));
@@ -285,7 +356,7 @@ class SolidReader : private NestingJson {
   std::map<std::string, File> files_;
   std::vector<plane::ShapePtr> shapes_;
   std::vector<std::string> places_;
-  std::vector<std::vector<packing::AxisRotation>> rotations_;  // of each item
+  std::vector<std::vector<packing::SolidRotation>> rotations_;  // of each item
   std::size_t next_ = 0;
 };
 
@@ -293,7 +364,8 @@ class SolidReader : private NestingJson {
 
 bool is_solid_problem(const std::string& text, const std::string& name) {
   const NestingJson json(text, name);
-  return json.tree().find("container") != nullptr && json.tree().find("item-types") != nullptr;
+  return (json.tree().find("container") != nullptr || json.tree().find("containers") != nullptr) &&
+         json.tree().find("item-types") != nullptr;
 }
 
 SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingOptions& asked,

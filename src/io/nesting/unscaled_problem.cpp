@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "io/nesting/fault_text.h"
 #include "packing/problem/pair_formula.h"
@@ -49,7 +48,7 @@ constexpr int kDigitsOfShapes = 7;
 int grid_digits(const UnscaledProblem& problem) {
   bool shapes = false;
   int digits = gap_digits(problem.gap), finer = 0;
-  for (const packing::PairGap& pair : problem.pair_gaps) digits = std::max(digits, gap_digits(pair.gap));
+  for (const packing::PairGap& pair : problem.gaps) digits = std::max(digits, gap_digits(pair.gap));
   if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
   for (const UnscaledPart& part : problem.parts) {
     digits = std::max(digits, digits_of(part.rings));
@@ -133,22 +132,14 @@ void check_reach(const packing::Problem& problem, const std::string& place) {
   for (const packing::Sheet& sheet : problem.sheets) check(box_of(sheet.shape), sheet.name);
 }
 
-void add_conditions(packing::Problem& problem, const std::vector<std::size_t>& parts, const std::string& where) {
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = i; j < parts.size(); ++j) problem.conditions.push_back({parts[i], parts[j], where});
-}
-
-/// On one sheet no gap is larger than width and height of the largest.
-void add_group(packing::Problem& problem, const UnscaledGroup& group, const std::string& place) {
-  std::optional<Fraction> within = group.within;
-  if (!within && problem.sheets.empty())
-    throw Error(ErrorCode::kBadValue, "a group says 'within' where there are no sheets", place);
-  if (!within) within = 0;
+/// On one sheet no gap is larger than width and height of the largest; nothing on a strip.
+std::optional<Fraction> farthest_gap(const packing::Problem& problem) {
+  std::optional<Fraction> result;
   for (const packing::Sheet& sheet : problem.sheets) {
     const packing::LatticeBox box = box_of(sheet.shape);
-    if (!group.within) within = std::max(*within, Fraction(box.high.x + box.high.y, problem.steps()));
+    result = std::max(result.value_or(0), Fraction(box.high.x + box.high.y, problem.steps()));
   }
-  add_conditions(problem, group.parts, fmt::format("gap(self, other) <= {}", within->text()));
+  return result;
 }
 
 /// The fixed parts alone, as a layout.
@@ -199,7 +190,7 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   result.box = box;
   result.gap = gap;
   result.edge = edge;
-  result.pair_gaps = pair_gaps;
+  result.pair_gaps = gaps;
   if (gap < 0 || edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0", place);
   if (sheets.empty() && !box && height <= edge + edge)
     throw Error(ErrorCode::kBadValue, "the strip has no height between its edges", place);
@@ -208,11 +199,7 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   for (UnscaledPart& part : parts) result.parts.push_back(part_on(part, steps, place));
   for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
   if (result.has_round_parts()) check_reach(result, place);
-  result.conditions = std::move(conditions);
-  std::vector<std::size_t> all(result.parts.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  if (!where.empty()) add_conditions(result, all, where);
-  for (const UnscaledGroup& group : groups) add_group(result, group, place);
+  result.conditions = conditions_of(*this, result.parts.size(), farthest_gap(result), place);
   for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where);
   result.fixed = std::move(fixed);
   check_fixed(result, place);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/nesting/stated_conditions.h"
 #include "packing/problem/problem.h"
 #include "plane/complex/shared_region.h"
 
@@ -38,12 +39,6 @@ struct UnscaledZone {
   bool holds = false;
 };
 
-/// Parts that stay together: any two copies on one sheet, and no farther apart than that.
-struct UnscaledGroup {
-  std::vector<std::size_t> parts;
-  std::optional<packing::Fraction> within = {};
-};
-
 struct UnscaledSheet {
   std::string name;
   int count = 1;
@@ -52,16 +47,12 @@ struct UnscaledSheet {
   std::vector<UnscaledZone> zones;
 };
 
-struct UnscaledProblem {
+struct UnscaledProblem : StatedConditions {
   std::string name;
   packing::Fraction height, gap, edge;
   bool box = false;  // of the least area, instead of a strip
   std::vector<UnscaledPart> parts;
   std::vector<UnscaledSheet> sheets;
-  std::vector<packing::PairGap> pair_gaps;
-  std::vector<packing::PairCondition> conditions;
-  std::string where;  // for all pairs
-  std::vector<UnscaledGroup> groups;
   std::vector<packing::FixedPart> fixed;
   std::vector<std::string> notes;  // what the reader of the result should know
 

@@ -154,25 +154,26 @@ void add_polyline(std::string& dxf, const char* layer, const std::vector<Corner>
 
 }  // namespace
 
+std::string left_out_json(const std::string& part, const packing::LeftOut& out) {
+  return fmt::format("\n    {{\"part\": {}, \"copies\": {}, \"why\": {}}}", quoted(part), out.copies, quoted(out.why));
+}
+
 std::string layout_json(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts) {
-  std::string items, left_out, grid;
+  std::string items, grid;
   for (const packing::Placed& item : layout.items) {
     items += (items.empty() ? "\n" : ",\n") + item_json(problem, item);
     if (!packing::is_quarter(item.angle))
       grid = fmt::format("\"grid\": \"{}\", ", packing::Fraction(1, problem.steps()).text());
   }
-  for (const packing::LeftOut& out : layout.left_out)
-    left_out += fmt::format("{}\n    {{\"part\": {}, \"copies\": {}, \"why\": {}}}", left_out.empty() ? "" : ",",
-                            quoted(problem.parts[out.part].name), out.copies, quoted(out.why));
   return fmt::format(
       "{{\"findspace\": 1, \"layout\": {{\n"
       "  \"instance\": {}, \"container\": {}, \"gap\": \"{}\", \"edge\": \"{}\", \"length\": "
       "\"{}\", \"density\": {:.6f}, "
       "\"lower_bound\": \"{}\", \"proven\": {}, {}{}\n"
-      "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": [{}]}}}}\n",
+      "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": {}}}}}\n",
       quoted(problem.name), container_json(problem, layout), problem.gap.text(), problem.edge.text(),
       layout.length.text(), facts.density, facts.lower_bound.text(), facts.proven, grid, remnant_json(facts.remnant),
-      facts.seed, facts.threads, facts.seconds, items, left_out);
+      facts.seed, facts.threads, facts.seconds, items, left_out_json(problem.parts, layout.left_out));
 }
 
 std::string outline_path(const packing::Problem& problem, std::size_t part) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "packing/proof/remnant.h"
 
@@ -20,6 +21,17 @@ struct LayoutFacts {
   std::uint64_t seed = 1;
   unsigned threads = 1;
 };
+
+/// A line of a layout.
+std::string left_out_json(const std::string& part, const packing::LeftOut& out);
+/// A list of what is left out.
+template <class Part>
+std::string left_out_json(const std::vector<Part>& parts, const std::vector<packing::LeftOut>& left_out) {
+  std::string text;
+  for (const packing::LeftOut& out : left_out)
+    text += (text.empty() ? "" : ",") + left_out_json(parts[out.part].name, out);
+  return "[" + text + "]";
+}
 
 std::string layout_json(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
 /// A page a sheet, one below the other.

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_surface.h"
@@ -18,41 +20,101 @@ namespace {
 std::string quoted_name(const std::string& text) { return nlohmann::json(text).dump(); }
 
 /// Nothing where it turns nothing.
-std::string rotation_json(const packing::AxisRotation& r) {
-  if (r == packing::kAsGiven) return "";
+std::string rotation_json(const packing::SolidRotation& r) {
+  if (r == packing::as_given()) return "";
+  const auto entry = [](const packing::Fraction& f) {
+    return f.denominator() == 1 ? f.text() : fmt::format("\"{}\"", f.text());
+  };
   std::string rows;
-  for (const auto& row : r) rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", row[0], row[1], row[2]);
+  for (const auto& row : r)
+    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", entry(row[0]), entry(row[1]), entry(row[2]));
   return fmt::format("\"rotation\": [{}], ", rows);
 }
 
-std::array<double, 3> placed(const packing::SolidPlaced& item, const space::Point& p, double steps) {
-  return {item.at[0].to_double() + double(p.x) / steps, item.at[1].to_double() + double(p.y) / steps,
-          item.at[2].to_double() + double(p.z) / steps};
+std::string container_json(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
+  if (!problem.in_containers())
+    return fmt::format("{{\"size-x\": \"{}\", \"size-y\": \"{}\"}}", problem.width.text(), problem.depth.text());
+  std::string names;
+  for (const std::size_t kind : layout.containers)
+    names += (names.empty() ? "" : ", ") + quoted_name(problem.containers[kind].name);
+  return fmt::format("{{\"containers\": [{}]}}", names);
 }
 
-/// Adds its surface, or its convex parts.
-void add_item(const packing::SolidProblem& problem, const packing::SolidPlaced& item, Surface& surface) {
-  const packing::SolidForm& form = form_of(problem, item);
-  const std::string label = fmt::format("{}#{}", problem.parts[item.part].name, item.copy);
+/// A container of the layout as it is drawn: they stand side by side along x.
+struct DrawnContainer {
+  double x = 0;
+  std::array<double, 3> sides;
+};
+
+std::vector<DrawnContainer> drawn_containers(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
+  constexpr double kBetween = 0.15;  // of the width
+  if (!problem.in_containers())
+    return {{0, {problem.width.to_double(), problem.depth.to_double(), layout.height.to_double()}}};
+  std::vector<DrawnContainer> result;
+  double x = 0;
+  for (const std::size_t kind : layout.containers) {
+    const packing::SolidContainer& c = problem.containers[kind];
+    result.push_back({x, {c.width.to_double(), c.depth.to_double(), c.height.to_double()}});
+    x += (1 + kBetween) * c.width.to_double();
+  }
+  return result;
+}
+
+/// Meridians and circles of latitude of the inscribed polyhedron that stands for a ball.
+constexpr int kMeridians = 32, kCircles = 15;
+
+void add_ball(const std::array<double, 3>& center, double radius, Surface& surface) {
+  const int first = int(surface.vertices.size());
+  const auto add = [&](double across, double up, double angle) {
+    surface.vertices.push_back({center[0] + radius * across * std::cos(angle),
+                                center[1] + radius * across * std::sin(angle), center[2] + radius * up});
+  };
+  add(0, -1, 0);
+  add(0, 1, 0);
+  for (int c = 1; c <= kCircles; ++c) {
+    const double latitude = std::numbers::pi * (c / double(kCircles + 1) - 0.5);
+    for (int m = 0; m < kMeridians; ++m)
+      add(std::cos(latitude), std::sin(latitude), 2 * std::numbers::pi * m / kMeridians);
+  }
+  const auto at = [&](int circle, int m) { return first + 2 + (circle - 1) * kMeridians + m % kMeridians; };
+  for (int m = 0; m < kMeridians; ++m) {
+    surface.faces.push_back({first, at(1, m + 1), at(1, m)});
+    surface.faces.push_back({first + 1, at(kCircles, m), at(kCircles, m + 1)});
+    for (int c = 1; c < kCircles; ++c)
+      surface.faces.push_back({at(c, m), at(c, m + 1), at(c + 1, m + 1), at(c + 1, m)});
+  }
+}
+
+/// The surface of a form, or its convex parts.
+Surface surface_of(const packing::SolidProblem& problem, const packing::SolidForm& form) {
+  Surface surface;
+  const auto scaled = [](const space::Point& p, double steps) {
+    return std::array<double, 3>{double(p.x) / steps, double(p.y) / steps, double(p.z) / steps};
+  };
   const auto add = [&](const auto& points, double steps) {
     const int first = int(surface.vertices.size());
-    for (const space::Point& p : points) surface.vertices.push_back(placed(item, p, steps));
+    for (const space::Point& p : points) surface.vertices.push_back(scaled(p, steps));
     return first;
   };
   const auto add_face = [&](std::vector<int> face, int first) {
     for (int& v : face) v += first;
     surface.faces.push_back(std::move(face));
-    surface.labels.push_back(label);
   };
   for (const space::RaySolid& solid : form.surface) {
-    const int first = add(solid.surface.points, double(problem.steps()));
+    const int first = add(solid.surface.points, double(problem.steps()) * double(form.surface_scale));
     for (const auto& face : solid.surface.faces) add_face({face[0], face[1], face[2]}, first);
   }
-  if (!form.surface.empty()) return;
+  if (!form.surface.empty()) return surface;
+  const double steps = double(problem.steps()) * double(form.body.scale);
   for (const space::BodyPart& piece : form.body.parts) {
-    const int first = add(piece.core->vertices(), double(problem.steps()) * double(form.body.scale));
+    if (!piece.core) {
+      add_ball(scaled(piece.center, steps), piece.radius.to_double() / steps, surface);
+      continue;
+    }
+    const int first = add(piece.core->vertices(), steps);
     for (int f = 0; f < piece.core->facet_count(); ++f) add_face(piece.core->circuit(f), first);
   }
+  return surface;
 }
 
 constexpr std::array<std::array<int, 3>, 8> kItemColours{{{143, 176, 214},
@@ -69,15 +131,16 @@ class LayoutPicture {
  public:
   LayoutPicture(const packing::SolidProblem& problem, const packing::SolidLayout& layout)
       : problem_(problem), layout_(layout) {
-    const double w = problem.width.to_double(), d = problem.depth.to_double(), h = layout.height.to_double();
-    for (int k = 0; k < 8; ++k) corners_.push_back({k & 1 ? w : 0, k & 2 ? d : 0, k & 4 ? h : 0});
+    for (const DrawnContainer& c : drawn_containers(problem, layout))
+      for (int k = 0; k < 8; ++k)
+        corners_.push_back({c.x + (k & 1 ? c.sides[0] : 0), k & 2 ? c.sides[1] : 0, k & 4 ? c.sides[2] : 0});
     for (const auto& p : corners_) {
       low_[0] = std::min(low_[0], dot(p, kRight));
       high_[0] = std::max(high_[0], dot(p, kRight));
       low_[1] = std::min(low_[1], dot(p, kUp));
       high_[1] = std::max(high_[1], dot(p, kUp));
     }
-    scale_ = kViewSize / std::max(high_[0] - low_[0], high_[1] - low_[1]);
+    if (!corners_.empty()) scale_ = kViewSize / std::max(high_[0] - low_[0], high_[1] - low_[1]);
   }
 
   std::string svg(const std::string& title) const {
@@ -92,9 +155,11 @@ class LayoutPicture {
     constexpr std::array<std::array<int, 2>, 9> kBehind{
         {{0, 1}, {0, 2}, {0, 4}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {4, 5}, {4, 6}}};
     constexpr std::array<std::array<int, 2>, 3> kFront{{{3, 7}, {5, 7}, {6, 7}}};
-    for (const auto& edge : kBehind) text += line(edge, "#999");
+    for (std::size_t first = 0; first < corners_.size(); first += 8)
+      for (const auto& edge : kBehind) text += line(first, edge, "#999");
     text += items();
-    for (const auto& edge : kFront) text += line(edge, "#999");
+    for (std::size_t first = 0; first < corners_.size(); first += 8)
+      for (const auto& edge : kFront) text += line(first, edge, "#999");
     return text + "</g>\n</svg>\n";
   }
 
@@ -102,14 +167,15 @@ class LayoutPicture {
   std::string at(const std::array<double, 3>& p) const {
     return fmt::format("{:.2f},{:.2f}", scale_ * (dot(p, kRight) - low_[0]), scale_ * (high_[1] - dot(p, kUp)));
   }
-  std::string line(const std::array<int, 2>& edge, const char* colour) const {
+  /// Of the container whose corners begin there.
+  std::string line(std::size_t first, const std::array<int, 2>& edge, const char* colour) const {
     return fmt::format("<path d=\"M{} {}\" stroke=\"{}\" fill=\"none\" stroke-width=\"1\"/>\n",
-                       at(corners_[std::size_t(edge[0])]), at(corners_[std::size_t(edge[1])]), colour);
+                       at(corners_[first + std::size_t(edge[0])]), at(corners_[first + std::size_t(edge[1])]), colour);
   }
 
   /// Faces of all items at once, so that they are laid by their depth.
   std::string items() const {
-    const Surface surface = layout_surface(problem_, layout_);
+    const Surface surface = united(layout_assembly(problem_, layout_));
     std::vector<std::size_t> colour_of_vertex(surface.vertices.size());
     std::size_t face = 0;
     for (const packing::SolidPlaced& item : layout_.items) {
@@ -132,7 +198,7 @@ class LayoutPicture {
 
   const packing::SolidProblem& problem_;
   const packing::SolidLayout& layout_;
-  std::vector<std::array<double, 3>> corners_;
+  std::vector<std::array<double, 3>> corners_;  // eight a container
   std::array<double, 2> low_{}, high_{};
   double scale_ = 1;
 };
@@ -143,32 +209,58 @@ std::string layout_json(const packing::SolidProblem& problem, const packing::Sol
                         const LayoutFacts& facts) {
   std::string items;
   for (const packing::SolidPlaced& item : layout.items)
-    items += fmt::format("{}    {{\"part\": {}, \"copy\": {}, {}\"at\": [\"{}\", \"{}\", \"{}\"]}}",
+    items += fmt::format("{}    {{\"part\": {}, \"copy\": {}, {}{}\"at\": [\"{}\", \"{}\", \"{}\"]}}",
                          items.empty() ? "\n" : ",\n", quoted_name(problem.parts[item.part].name), item.copy,
+                         problem.in_containers() ? fmt::format("\"container\": {}, ", item.container) : "",
                          rotation_json(form_of(problem, item).rotation), item.at[0].text(), item.at[1].text(),
                          item.at[2].text());
   return fmt::format(
       "{{\"findspace\": 1, \"layout\": {{\n"
-      "  \"instance\": {}, \"container\": {{\"size-x\": \"{}\", \"size-y\": \"{}\"}}, \"gap\": \"{}\", \"edge\": "
+      "  \"instance\": {}, \"container\": {}, \"gap\": \"{}\", \"edge\": "
       "\"{}\", "
       "\"height\": \"{}\", \"density\": {:.6f}, \"lower_bound\": \"{}\", \"proven\": {},\n"
-      "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}]}}}}\n",
-      quoted_name(problem.name), problem.width.text(), problem.depth.text(), problem.gap.text(), problem.edge.text(),
+      "  \"seed\": {}, \"threads\": {}, \"seconds\": {:.2f},\n  \"items\": [{}],\n  \"left_out\": {}}}}}\n",
+      quoted_name(problem.name), container_json(problem, layout), problem.gap.text(), problem.edge.text(),
       layout.height.text(), facts.density, facts.lower_bound.text(), facts.proven, facts.seed, facts.threads,
-      facts.seconds, items);
+      facts.seconds, items, left_out_json(problem.parts, layout.left_out));
 }
 
-Surface layout_surface(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
-  Surface surface;
-  for (const packing::SolidPlaced& item : layout.items) add_item(problem, item, surface);
-  return surface;
+Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
+  Assembly result;
+  const std::vector<DrawnContainer> containers = drawn_containers(problem, layout);
+  for (const packing::SolidPart& part : problem.parts) {
+    const packing::SolidForm& form = part.forms[0];
+    result.kinds.push_back({part.name, surface_of(problem, form)});
+  }
+  for (std::size_t i = 0; i < layout.items.size(); ++i) {
+    const packing::SolidPlaced& item = layout.items[i];
+    Assembly::Copy& copy = result.copies.emplace_back();
+    copy.kind = item.part;
+    copy.name = item_name(problem, layout, i);
+    const packing::SolidRotation of_first = problem.parts[item.part].forms[0].rotation,
+                                 of_item = form_of(problem, item).rotation;
+    // The kind is drawn in its first form: back from that, then on to the item's.
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) {
+        copy.rotation[r][c] = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+          copy.rotation[r][c] += of_item[r][k].to_double() * of_first[c][k].to_double();
+      }
+    for (std::size_t k = 0; k < 3; ++k) copy.at[k] = item.at[k].to_double();
+    copy.at[0] += containers[item.container].x;
+  }
+  return result;
 }
 
 std::string layout_svg(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
                        const LayoutFacts& facts) {
   return LayoutPicture(problem, layout)
-      .svg(fmt::format("height {}, density {:.3f} %, {} parts", layout.height.text(), 100 * facts.density,
-                       layout.items.size()));
+      .svg(fmt::format("{}, density {:.3f} %, {} parts",
+                       problem.in_containers()
+                           ? fmt::format("{} container{}, {} of the last", layout.containers.size(),
+                                         layout.containers.size() == 1 ? "" : "s", layout.height.text())
+                           : "height " + layout.height.text(),
+                       100 * facts.density, layout.items.size()));
 }
 
 std::string item_name(const packing::SolidProblem& problem, const packing::SolidLayout& layout, std::size_t item) {
@@ -181,11 +273,15 @@ std::string fault_text(const packing::SolidProblem& problem, const packing::Soli
   if (fault.kind == Kind::kCount)
     return fmt::format("{} {} copies of {}", std::abs(fault.depth), fault.depth > 0 ? "extra" : "missing",
                        problem.parts[fault.first].name);
+  if (fault.kind == Kind::kContainers)
+    return fmt::format("container {}: {} too many", problem.containers[fault.first].name, fault.depth);
   const std::string where = fmt::format(" near ({:.6g}, {:.6g}, {:.6g})", fault.at[0], fault.at[1], fault.at[2]);
   const std::string first = item_name(problem, layout, fault.first);
   if (fault.kind == Kind::kOutside) return fmt::format("{} is outside by {:.6g}", first, fault.depth) + where;
   const std::string second = item_name(problem, layout, fault.second);
   if (fault.kind == Kind::kGap) return fmt::format("{} and {} are nearer than the gap", first, second) + where;
+  if (fault.kind == Kind::kCondition)
+    return fmt::format("a condition of {} and {} does not hold", first, second) + where;
   return fmt::format("{} and {} overlap, depth {:.6g}", first, second, fault.depth) + where;
 }
 

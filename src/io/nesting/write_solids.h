@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Layouts of solids as files: JSON with exact numbers, which read_solid_layout reads back; one surface of all items for
-// mesh formats; a picture. Faults of a layout as sentences.
+// Layouts of solids as files: JSON with exact numbers, which read_solid_layout reads back; an assembly for mesh
+// formats; a picture. Faults of a layout as sentences.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ namespace findspace::io {
 
 std::string layout_json(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
                         const LayoutFacts& facts);
-/// The convex parts of all items, in units; the labels are the items' names.
-Surface layout_surface(const packing::SolidProblem& problem, const packing::SolidLayout& layout);
+/// A surface a part, in units, and its copies where they stand. Balls become inscribed polyhedra.
+Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout);
 /// A view from above, with the container.
 std::string layout_svg(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
                        const LayoutFacts& facts);

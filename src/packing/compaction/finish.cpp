@@ -30,27 +30,24 @@ class Finisher {
 
   Layout rounded(const std::vector<Pose>& poses, double snap) const {
     Layout layout;
-    std::vector<std::size_t> containers;
-    for (const Pose& pose : poses) containers.push_back(row_.container_of(table_.variants()[pose.variant], pose.at));
-    std::vector<std::size_t> used(containers);
-    used.insert(used.end(), row_.fixed_containers().begin(), row_.fixed_containers().end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<std::size_t> rooms;
+    for (const Pose& pose : poses) rooms.push_back(row_.room_of(table_.variants()[pose.variant], pose.at));
+    std::vector<std::size_t> all(rooms);
+    all.insert(all.end(), row_.fixed_rooms().begin(), row_.fixed_rooms().end());
+    const UsedRooms used(std::move(all));
     if (problem_.on_sheets())
-      for (const std::size_t container : used) layout.sheets.push_back(row_.containers()[container].kind);
-    const auto sheet_of = [&](std::size_t container) {
-      return std::size_t(std::lower_bound(used.begin(), used.end(), container) - used.begin());
-    };
+      for (const std::size_t room : used.all()) layout.sheets.push_back(row_.rooms()[room].kind);
     std::vector<int> copies(problem_.parts.size());
     for (std::size_t k = 0; k < problem_.fixed.size(); ++k)
-      put_fixed(layout, problem_.fixed[k].placed, sheet_of(row_.fixed_containers()[k]), copies);
+      put_fixed(layout, problem_.fixed[k].placed, used.number_of(row_.fixed_rooms()[k]), copies);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const Variant& v = table_.variants()[poses[i].variant];
-      const std::size_t sheet = sheet_of(containers[i]);
+      const std::size_t sheet = used.number_of(rooms[i]);
       layout.items.push_back({v.part, ++copies[v.part], v.angle, v.mirrored, 0, 0, sheet});
-      put(layout, poses[i].at - Vec{row_.containers()[containers[i]].x, 0}, snap);
+      put(layout, poses[i].at - Vec{row_.rooms()[rooms[i]].low.x, 0}, snap);
     }
-    leave_out(layout, copies);
+    const auto fits = [&](std::size_t part) { return !table_.variants_of(part).empty(); };
+    layout.left_out = left_out_of(problem_.parts, copies, fits, "it is larger than every sheet");
     return layout;
   }
 
@@ -87,16 +84,6 @@ class Finisher {
     item.x = Fraction(std::max(x, left), grid);
     item.y = Fraction(std::max(y, bottom), grid);
     lengthen(layout, item, high.x);
-  }
-
-  void leave_out(Layout& layout, const std::vector<int>& copies) const {
-    for (std::size_t part = 0; part < copies.size(); ++part) {
-      const int missing = problem_.parts[part].demand - copies[part];
-      if (missing <= 0) continue;
-      const bool fits = !table_.variants_of(part).empty();
-      layout.left_out.push_back(
-          {part, missing, fits ? "no container was found for it" : "it is larger than every sheet"});
-    }
   }
 
   const Problem& problem_;
@@ -165,7 +152,7 @@ std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, cons
     // An angle may look like another one of the part up to a translation; then the pose is that one's.
     const SearchShape mine = search_shape(problem, problem.parts[item.part], item.angle, item.mirrored);
     Pose pose{table.variants_of(item.part)[0],
-              {(item.x - problem.edge).to_double() + row.containers()[problem.on_sheets() ? item.sheet : 0].x,
+              {(item.x - problem.edge).to_double() + row.rooms()[problem.on_sheets() ? item.sheet : 0].low.x,
                (item.y - problem.edge).to_double()}};
     for (const std::size_t v : table.variants_of(item.part)) {
       const auto off = table.offset_to(v, mine);

@@ -65,11 +65,11 @@ bool LinearMoves::solve(std::vector<Pose>& poses, double& length, double most, d
   const auto& variants = table_.variants();
   for (const Pose& p : poses) {
     const Variant& v = variants[p.variant];
-    const Container& container = row_.containers()[row_.container_of(v, p.at)];
-    program.add_column(std::clamp(container.x - v.low.x - p.at.x, -trust, 0.0),
-                       std::clamp(container.x + container.width - v.high.x - p.at.x, 0.0, trust), 0);
+    const Room<Vec>& room = row_.rooms()[row_.room_of(v, p.at)];
+    program.add_column(std::clamp(room.low.x - v.low.x - p.at.x, -trust, 0.0),
+                       std::clamp(room.high.x - v.high.x - p.at.x, 0.0, trust), 0);
     program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
-                       std::clamp(container.height - v.high.y - p.at.y, 0.0, trust), 0);
+                       std::clamp(room.high.y - v.high.y - p.at.y, 0.0, trust), 0);
   }
   const int end = program.add_column(row_.fixed_end(), std::max(most, row_.fixed_end()),
                                      goal == Goal::kSeparate ? kLengthOfOverlap : 1);

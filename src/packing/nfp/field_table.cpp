@@ -125,7 +125,7 @@ void FieldTable::add_fixed(const Problem& problem) {
 /// Positions are within the row: all parts one after another, or all sheets, and what is between them.
 void FieldTable::find_ties(const Problem& problem) {
   const std::size_t n = variants_.size();
-  greatest_level_ = packing::greatest_level(problem);
+  greatest_level_ = packing::greatest_level(problem.conditions);
   ties_.resize(n * n);
   reach_ = height_ + edge_;
   for (std::size_t a = 0; a < n; ++a) {

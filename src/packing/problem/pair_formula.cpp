@@ -21,17 +21,18 @@ exact::Real real(const Fraction& value) { return exact::Real(value.numerator()) 
 
 }  // namespace
 
-formula::Formula parse_condition(const std::string& where) {
+formula::Formula parse_condition(const std::string& where, int dimension) {
   formula::Context context;
+  context.dimension = dimension;
   context.shapes = {kSelf, kOther};
   context.moving = {kOther};
   return formula::parse_formula(where, context);
 }
 
-double greatest_level(const Problem& problem) {
+double greatest_level(const std::vector<PairCondition>& conditions, int dimension) {
   double greatest = 0;
-  for (const PairCondition& condition : problem.conditions) {
-    const formula::Formula where = parse_condition(condition.where);
+  for (const PairCondition& condition : conditions) {
+    const formula::Formula where = parse_condition(condition.where, dimension);
     for (const formula::Atom& atom : where.atoms()) greatest = std::max(greatest, std::abs(atom.level.to_double()));
   }
   return greatest;

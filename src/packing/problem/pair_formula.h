@@ -18,11 +18,11 @@
 namespace findspace::packing {
 
 /// The formula of a condition; throws Error with line and column.
-formula::Formula parse_condition(const std::string& where);
+formula::Formula parse_condition(const std::string& where, int dimension = 2);
 
 /// The greatest level that a condition compares a distance with, or 0. Two parts farther apart than that are as good
 /// as infinitely far apart.
-double greatest_level(const Problem& problem);
+double greatest_level(const std::vector<PairCondition>& conditions, int dimension = 2);
 
 class PairFormula {
  public:

@@ -109,22 +109,8 @@ LatticePoint rotated(const LatticePoint& p, const Fraction& angle) {
 
 }  // namespace
 
-Fraction Problem::gap_of(std::size_t first, std::size_t second) const {
-  Fraction result = gap;
-  for (const PairGap& pair : pair_gaps)
-    if ((pair.first == first && pair.second == second) || (pair.first == second && pair.second == first))
-      result = std::max(result, pair.gap);
-  return result;
-}
-
 bool Problem::has_round_parts() const {
   return std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.round != nullptr; });
-}
-
-bool Problem::are_tied(std::size_t first, std::size_t second) const {
-  return std::any_of(conditions.begin(), conditions.end(), [&](const PairCondition& c) {
-    return (c.first == first && c.second == second) || (c.first == second && c.second == first);
-  });
 }
 
 int Problem::free_copies(std::size_t part) const {

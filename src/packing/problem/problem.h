@@ -19,6 +19,8 @@
 
 #include "exact/planar/lattice_signs.h"
 #include "packing/problem/fraction.h"
+#include "packing/problem/left_out.h"
+#include "packing/problem/pair_condition.h"
 
 namespace findspace::packing {
 
@@ -63,19 +65,6 @@ struct Sheet {
   std::vector<Zone> zones = {};
 };
 
-/// Copies of two parts keep this distance, where it is more than the gap of all.
-struct PairGap {
-  std::size_t first = 0, second = 0;
-  Fraction gap;
-};
-
-/// What holds for a copy of the first part, called `self`, and one of the second, `other`: a formula (pair_formula.h).
-/// Of one part it holds for any two copies, both ways. On different sheets two parts are infinitely far apart.
-struct PairCondition {
-  std::size_t first = 0, second = 0;
-  std::string where;
-};
-
 struct Placed {
   std::size_t part = 0;
   int copy = 1;
@@ -107,20 +96,14 @@ struct Problem {
   bool on_sheets() const { return !sheets.empty(); }
   bool has_round_parts() const;
   /// Whether there is a condition between copies of two parts.
-  bool are_tied(std::size_t first, std::size_t second) const;
+  bool are_tied(std::size_t first, std::size_t second) const { return are_between(conditions, first, second); }
   /// How many copies are to be placed: the fixed ones stand already.
   int free_copies(std::size_t part) const;
   /// The least distance of copies of two parts.
-  Fraction gap_of(std::size_t first, std::size_t second) const;
+  Fraction gap_of(std::size_t first, std::size_t second) const { return widest_gap(gap, pair_gaps, first, second); }
 
   int128 steps() const { return power_of_ten(digits); }  // in a unit
   std::size_t items() const;                             // the sum of demands
-};
-
-struct LeftOut {
-  std::size_t part = 0;
-  int copies = 0;
-  std::string why;
 };
 
 struct Layout {

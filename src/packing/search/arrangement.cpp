@@ -5,7 +5,6 @@
 #include "packing/search/arrangement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -46,51 +45,9 @@ void Arrangement::reset_weights() {
   strip_weights_.assign(size(), 1);
 }
 
-void Arrangement::find_ranges() {
-  ranges_.clear();
-  first_range_.assign(1, 0);
-  excess_.clear();
-  for (const Variant& v : table_->variants()) {
-    Range tightest;
-    double least_excess = std::numeric_limits<double>::infinity();
-    for (const Container& container : row_->containers()) {
-      const double end = std::min(container.x + container.width, length_);
-      const Range range{{container.x - v.low.x, -v.low.y}, {end - v.high.x, container.height - v.high.y}};
-      if (range.low.y > range.high.y) continue;
-      if (range.low.x <= range.high.x)
-        ranges_.push_back(range);
-      else if (range.low.x - range.high.x < least_excess)
-        least_excess = (tightest = range).low.x - range.high.x;
-    }
-    const bool fits = ranges_.size() > first_range_.back();
-    if (!fits) ranges_.push_back(tightest);
-    excess_.push_back(fits || v.part == kNoPart ? 0 : least_excess);
-    first_range_.push_back(std::uint32_t(ranges_.size()));
-  }
-}
-
-Vec Arrangement::inside(std::size_t variant, Vec at) const {
-  const auto into = [&](const Range& range) {
-    return Vec{std::max(range.low.x, std::min(at.x, range.high.x)),
-               std::max(range.low.y, std::min(at.y, range.high.y))};
-  };
-  Vec best = into(ranges_[first_range_[variant]]);
-  for (std::uint32_t k = first_range_[variant] + 1; k < first_range_[variant + 1]; ++k) {
-    const Vec other = into(ranges_[k]), off = other - at, least = best - at;
-    if (std::abs(off.x) + std::abs(off.y) < std::abs(least.x) + std::abs(least.y)) best = other;
-  }
-  return best;
-}
-
-Vec Arrangement::random_position(std::size_t variant, Random& random) const {
-  const std::uint32_t first = first_range_[variant], count = first_range_[variant + 1] - first;
-  const Range& range = ranges_[first + (count > 1 ? random.below(count) : 0)];
-  return {std::max(range.low.x, random.between(range.low.x, range.high.x)), random.between(range.low.y, range.high.y)};
-}
-
 void Arrangement::set_length(double length) {
   length_ = length;
-  find_ranges();
+  ranges_.find(table_->variants(), row_->rooms(), length, shallow_);
   set_poses(poses());
 }
 
@@ -128,7 +85,7 @@ std::span<const std::uint32_t> Arrangement::near(std::size_t i, const Pose& pose
 
 double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
   const double* weights = &weights_[i * poses_.size()];
-  const double out = excess(pose.variant);
+  const double out = ranges_.excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
   std::size_t count = 0;
   for_each_near(i, pose, [&](std::size_t j) {
@@ -167,7 +124,7 @@ double Arrangement::loss() {
   overlaps_.clear();
   std::fill(depths_.begin(), depths_.end(), 0.0);
   for (std::size_t i = 0; i < size(); ++i) {
-    const double out = excess(poses_[i].variant);
+    const double out = ranges_.excess(poses_[i].variant);
     depths_[i] += out;
     sum += out;
     for (const std::uint32_t j : near(i, poses_[i])) {
@@ -193,7 +150,7 @@ void Arrangement::update_weights() {
   }
   for (double& w : weights_) w = decayed_weight(w);
   for (std::size_t i = 0; i < size(); ++i)
-    if (excess(poses_[i].variant) > 0) strip_weights_[i] *= kMostGrowth;
+    if (ranges_.excess(poses_[i].variant) > 0) strip_weights_[i] *= kMostGrowth;
 }
 
 }  // namespace findspace::packing

@@ -13,7 +13,7 @@
 
 #include "packing/nfp/row.h"
 #include "packing/search/box_list.h"
-#include "packing/search/random.h"
+#include "packing/search/position_ranges.h"
 
 namespace findspace::packing {
 
@@ -32,9 +32,9 @@ class Arrangement {
   void set_length(double length);
   void set_poses(const std::vector<Pose>& poses);
   void move(std::size_t i, const Pose& pose);
-  /// The nearest position of the variant within a container.
-  Vec inside(std::size_t variant, Vec at) const;
-  Vec random_position(std::size_t variant, Random& random) const;
+  /// The nearest position of the variant within a room.
+  Vec inside(std::size_t variant, Vec at) const { return ranges_.inside(variant, at); }
+  Vec random_position(std::size_t variant, Random& random) const { return ranges_.random_position(variant, random); }
 
   /// The weighted cost of an item at a pose, or something not below `bound` where it is not below. Lower bounds of the
   /// depths come first, and exact ones only while the pose can still be better than `bound`.
@@ -76,22 +76,13 @@ class Arrangement {
   /// farther away, until it says false.
   template <class Meet>
   void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
-  /// Where a variant may stand in a container: from the first corner to the second; crossed where it fits none.
-  struct Range {
-    Vec low, high;
-  };
-  /// Those of a variant are ranges_[first_range_[v]] to ranges_[first_range_[v + 1]].
-  void find_ranges();
   void find_ties();
-  double excess(std::size_t variant) const { return excess_[variant]; }
 
   const FieldTable* table_;
   const Row* row_;
   std::size_t size_;
   std::vector<Pose> poses_;
-  std::vector<Range> ranges_;
-  std::vector<std::uint32_t> first_range_;
-  std::vector<double> excess_;
+  PositionRanges<Vec> ranges_;
   double length_, shallow_, slack_;
   BoxList<2> boxes_;
   std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none

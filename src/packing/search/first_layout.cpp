@@ -61,17 +61,17 @@ class Builder {
   }
 
   bool is_in_room(const Variant& shape, Vec at) const {
-    const Container& container = row_.containers()[row_.container_of(shape, at)];
-    return at.x >= container.x - shape.low.x && at.x <= container.x + container.width - shape.high.x &&
-           at.y >= -shape.low.y && at.y <= container.height - shape.high.y;
+    const Room<Vec>& room = row_.rooms()[row_.room_of(shape, at)];
+    return at.x >= room.low.x - shape.low.x && at.x <= room.high.x - shape.high.x && at.y >= -shape.low.y &&
+           at.y <= room.high.y - shape.high.y;
   }
 
   std::optional<Vec> leftmost(std::size_t v) const {
     const Variant& shape = table_.variants()[v];
     std::vector<Vec> corners;
-    for (const Container& container : row_.containers()) {
-      corners.push_back({container.x - shape.low.x, -shape.low.y});
-      corners.push_back({container.x - shape.low.x, container.height - shape.high.y});
+    for (const Room<Vec>& room : row_.rooms().all()) {
+      corners.push_back({room.low.x - shape.low.x, -shape.low.y});
+      corners.push_back({room.low.x - shape.low.x, room.high.y - shape.high.y});
     }
     for (const Pose& other : result_.layout.poses)
       add_corners(v, other, table_.are_tied(v, other.variant) ? kAllCorners : kMostCorners, corners);

@@ -13,11 +13,7 @@
 
 namespace findspace::packing {
 
-struct FirstLayout {
-  DoubleLayout layout;
-  std::vector<std::size_t> left;  // a part for each copy that found no place
-  bool overlaps = false;          // on a strip, where conditions of pairs left no place at once
-};
+using FirstLayout = FirstLayoutOf<Pose>;
 
 /// The value of a copy of each part: as stated, or its area.
 std::vector<double> values_of(const Problem& problem);

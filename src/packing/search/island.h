@@ -122,7 +122,7 @@ std::vector<typename Kit::Pose> IslandOf<Kit>::shrunk(double ratio) {
   const double cut = ratio * best_.length, split = random_.between(0, best_.length);
   std::vector<Pose> poses = best_.poses;
   for (Pose& p : poses)
-    if (Kit::along(Kit::middle(table_, p)) > split) p.at = Kit::moved_back(p.at, cut);
+    if (along(Kit::middle(table_, p)) > split) p.at = Kit::moved_back(p.at, cut);
   target_ = std::max(best_.length - cut, row_.fixed_end());
   return poses;
 }

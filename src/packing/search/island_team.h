@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>
@@ -55,10 +54,6 @@ class SearchLimits {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// The coordinates of a position.
-template <class Pose>
-using Coordinates = std::array<double, sizeof(Pose::at) / sizeof(double)>;
-
 /// A layout as bytes for another process, and back.
 template <class Pose>
 void put_layout(const LayoutInDoubles<Pose>& layout, plane::ByteWriter& out) {
@@ -66,7 +61,7 @@ void put_layout(const LayoutInDoubles<Pose>& layout, plane::ByteWriter& out) {
   out.put(std::uint64_t(layout.poses.size()));
   for (const Pose& p : layout.poses) {
     out.put(p.variant);
-    for (const double c : std::bit_cast<Coordinates<Pose>>(p.at)) out.put(c);
+    for (const double c : coordinates(p.at)) out.put(c);
   }
 }
 
@@ -76,7 +71,7 @@ LayoutInDoubles<Pose> take_layout(plane::ByteReader& in) {
   layout.length = in.take<double>();
   for (std::uint64_t n = in.take_count(sizeof(double)); n > 0; --n) {
     const auto variant = in.take<std::size_t>();
-    Coordinates<Pose> at{};
+    Coordinates<decltype(Pose::at)> at{};
     for (double& c : at) c = in.take<double>();
     layout.poses.push_back({variant, std::bit_cast<decltype(Pose::at)>(at)});
   }

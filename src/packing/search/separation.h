@@ -29,6 +29,14 @@ struct LayoutInDoubles {
 };
 using DoubleLayout = LayoutInDoubles<Pose>;
 
+/// A layout to begin with.
+template <class Pose>
+struct FirstLayoutOf {
+  LayoutInDoubles<Pose> layout;
+  std::vector<std::size_t> left;  // a part for each copy that found no place
+  bool overlaps = false;          // where conditions of pairs left no place at once
+};
+
 inline constexpr double kExploreShrink = 0.001;  // of the length
 
 /// What the search is made of: in the plane here, in space in solid_search/solid_kit.h.
@@ -52,8 +60,11 @@ struct PlaneKit {
     const Variant& v = table.variants()[pose.variant];
     return (v.high.x - v.low.x) * (v.high.y - v.low.y);
   }
-  /// The coordinate along the length.
-  static double along(Vec at) { return at.x; }
+  /// A position to begin with, of a part that is moved into a room afterwards.
+  static Vec anywhere(const FieldTable& table, const packing::Row& row, Random& random) {
+    const double x = random.between(0, row.rooms().end());
+    return {x, random.between(0, table.height())};
+  }
   static Vec moved_back(Vec at, double by) { return {at.x - by, at.y}; }
   static Vec exchanged(Vec at, Vec from, Vec to) { return at + (to - from); }
 };

@@ -2,22 +2,24 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The kinds of parts, and how deep any two of them overlap at any position, in doubles. Two convex parts overlap where
-// all planes of their Phi-function are negative; their depth is minus the greatest. The depth of two unions is the sum
-// over all pairs of convex parts. So along any line it is concave between the ends of the pairs' intervals, and least
-// at one of them. With a gap the planes lie farther out by it. A pair's planes are made when it is first looked at, by
-// any thread. Guarantee: that of doubles; it steers a search, proofs do not use it. Source: phi.md 2, 10. Keywords:
-// penetration depth, configuration-space obstacle, no-fit polyhedron.
+// all planes of their Phi-function are negative; their depth is minus the greatest. Balls push the planes
+// out by their radius, and some more planes cut off the corners; two balls overlap in a ball. The depth of two unions
+// is the sum over all pairs of convex parts. So along any line it is concave between the ends of the pairs' intervals,
+// and least at one of them. With a gap the planes lie farther out by it. A pair's planes are made when it is first
+// looked at, by any thread. Guarantee: that of doubles; it steers a search, proofs do not use it. Source: phi.md 2, 10.
+// Keywords: penetration depth, configuration-space obstacle, no-fit polyhedron.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "packing/solid_problem/solid_problem.h"
+#include "packing/solid_problem/solid_pair_formula.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::packing {
@@ -27,10 +29,18 @@ using space::Vector;
 inline Vector operator+(const Vector& a, const Vector& b) { return space::plus(a, b); }
 inline Vector operator*(double s, const Vector& a) { return space::scaled(s, a); }
 
-/// The open set of the positions of B + u where it overlaps A, of two convex parts.
+/// How far out of a convex set a place is, and which way is out: of its highest plane, or from its centre.
+struct Facing {
+  double value;   // below 0 inside
+  Vector normal;  // of length 1
+};
+
+/// The open set of the positions of B + u where it overlaps A, of two convex parts: that within planes, or of two balls
+/// a ball.
 struct ConvexOverlap {
   Vector low, high;  // its box
   std::span<const space::PlaneBlock> planes;
+  double radius = 0;  // of a ball without planes, in the middle of its box
 
   bool may_hold(const Vector& u) const {
     return u.x > low.x && u.y > low.y && u.z > low.z && u.x < high.x && u.y < high.y && u.z < high.z;
@@ -39,11 +49,14 @@ struct ConvexOverlap {
   double depth(const Vector& u) const;
   /// t with u + t way in the set, where the line comes deeper than `shallow`; crossed elsewhere.
   space::LineStretch stretch(const Vector& u, const Vector& way, double shallow) const;
+  Facing facing(const Vector& u) const;
+  double value(const Vector& u) const { return planes.empty() ? from_ball(u) : highest(u).value; }
+
+ private:
   space::Highest highest(const Vector& u) const { return space::scan_planes(planes.data(), planes.size(), u); }
-  Vector normal(int plane) const {
-    const space::PlaneBlock& b = planes[std::size_t(plane) / 8];
-    return {b.x[plane % 8], b.y[plane % 8], b.z[plane % 8]};
-  }
+  Vector center() const { return 0.5 * (low + high); }
+  double from_ball(const Vector& u) const { return space::length(u - center()) - radius; }
+  space::LineStretch stretch_of_ball(const Vector& u, const Vector& way, double shallow) const;
 };
 
 /// Of two kinds.
@@ -51,6 +64,7 @@ class OverlapPair {
  public:
   Vector low, high;  // the box of all
   std::vector<ConvexOverlap> overlaps;
+  std::optional<SolidPairFormula> tie;  // where there are conditions
 
   bool may_hold(const Vector& u) const {
     return u.x > low.x && u.y > low.y && u.z > low.z && u.x < high.x && u.y < high.y && u.z < high.z;
@@ -62,35 +76,36 @@ class OverlapPair {
   std::vector<space::PlaneBlock> blocks_;
 };
 
-/// A part where it stands, relative to the corner within the edges.
+/// A part where it stands, relative to the corner within the edges, in the column of containers.
 struct SolidPose {
   std::size_t variant = 0;
   Vector at;
 };
 
-/// A form of a part that fits the floor; of forms that look the same, moved, only the first.
+/// A form of a part that fits the floor or a container; of forms that look the same, moved, only the first.
 struct SolidVariant {
   std::size_t part = 0, form = 0;
   Vector low, high;  // the box about its origin
 };
 
+/// Boxes and planes that take about as long as the conditions of a pair.
+inline constexpr std::uint64_t kWorkOfTie = 20;
+
 class SolidTable {
  public:
-  /// The problem must live as long.
+  /// A part that fits no container has no variants. The problem must live as long.
   explicit SolidTable(const SolidProblem& problem);
 
   const std::vector<SolidVariant>& variants() const { return variants_; }
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
   /// The pose of a placed part.
   SolidPose pose_of(const SolidPlaced& item) const;
-  /// Of the floor within the edges.
-  double width() const { return width_; }
-  double depth() const { return depth_; }
-  /// Of the floor, which all margins are relative to.
-  double size() const { return std::max(width_, depth_); }
+  /// Of the widest floor within the edges, which all margins are relative to.
+  double size() const { return size_; }
+  /// The widest gap of any two.
   double gap() const { return gap_; }
   double edge() const { return edge_; }
-  /// The highest part in its lowest form; no layout is lower.
+  /// The highest part in its lowest form; no layout with it is lower.
   double tallest() const { return tallest_; }
 
   /// How a copy of b overlaps one of a at the origin, or the other way round with all positions reflected: sign -1.
@@ -106,13 +121,25 @@ class SolidTable {
     return {make(a, b), sign};
   }
 
+  /// Whether there is a condition between the parts of two variants: then they are never too far apart to be looked at.
+  bool are_tied(std::size_t a, std::size_t b) const { return problem_.are_tied(variants_[a].part, variants_[b].part); }
+  bool has_ties() const { return !problem_.conditions.empty(); }
+  /// By how much their conditions hold with a copy of b at u from one of a, in doubles; below 0 where they fail. What
+  /// is put onto the grid of a layout then holds exactly.
+  double slack(std::size_t a, std::size_t b, const Vector& u) const {
+    const auto [pair, sign] = link(a, b);
+    return pair.tie->slack(sign * u) - room_;
+  }
+  /// Parts of different containers are farther apart than any condition asks.
+  double greatest_level() const { return greatest_level_; }
+
  private:
   const SolidForm& form_of(const SolidVariant& v) const { return problem_.parts[v.part].forms[v.form]; }
   void add_variants(std::size_t part);
   const OverlapPair& make(std::size_t a, std::size_t b) const;
 
   const SolidProblem& problem_;
-  double width_, depth_, gap_, edge_, tallest_ = 0;
+  double size_ = 0, gap_, edge_, tallest_ = 0, greatest_level_ = 0, room_ = 0;
   std::vector<SolidVariant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
   mutable std::vector<std::atomic<const OverlapPair*>> pairs_;

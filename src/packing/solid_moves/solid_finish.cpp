@@ -21,8 +21,8 @@ constexpr std::pair<double, bool> kSolidLoosenings[] = {{0, true},   {4, true}, 
 
 class SolidFinisher {
  public:
-  SolidFinisher(const SolidProblem& problem, const SolidTable& table)
-      : problem_(problem), table_(table), steps_(problem.digits, table.size(), problem.digits) {
+  SolidFinisher(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column)
+      : problem_(problem), table_(table), column_(column), steps_(problem.digits, table.size(), problem.digits) {
     for (const SolidVariant& v : table.variants())
       boxes_.push_back(box_of(problem, problem.parts[v.part].forms[v.form]));
   }
@@ -31,37 +31,56 @@ class SolidFinisher {
 
   SolidLayout rounded(const std::vector<SolidPose>& poses, double snap) const {
     SolidLayout layout;
+    std::vector<std::size_t> rooms;
+    for (const SolidPose& pose : poses) rooms.push_back(column_.room_of(table_.variants()[pose.variant], pose.at));
+    const UsedRooms used(rooms);
+    if (problem_.in_containers())
+      for (const std::size_t room : used.all()) layout.containers.push_back(column_.rooms()[room].kind);
     std::vector<int> copies(problem_.parts.size());
-    for (const SolidPose& pose : poses) {
-      const SolidVariant& v = table_.variants()[pose.variant];
-      SolidPlaced& item = layout.items.emplace_back(SolidPlaced{v.part, ++copies[v.part], v.form, {}});
-      const SolidBox& box = boxes_[pose.variant];
-      const double edge = table_.edge(), at[] = {pose.at.x + edge, pose.at.y + edge, pose.at.z + edge};
-      for (std::size_t k = 0; k < 3; ++k) {
-        int128 place = steps_.nearest(at[k], snap);
-        if (k < 2)
-          place =
-              std::min(place, steps_.below((k == 0 ? problem_.width : problem_.depth) - problem_.edge - box.high[k]));
-        item.at[k] = Fraction(std::max(place, steps_.above(problem_.edge - box.low[k])), steps_.in_one());
-      }
-      layout.height = std::max(layout.height, item.at[2] + box.high[2] + problem_.edge);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const SolidVariant& v = table_.variants()[poses[i].variant];
+      layout.items.push_back({v.part, ++copies[v.part], v.form, {}, used.number_of(rooms[i])});
+      put(layout, boxes_[poses[i].variant], poses[i].at - Vector{0, 0, column_.rooms()[rooms[i]].low.z}, snap);
     }
+    const auto fits = [&](std::size_t part) { return !table_.variants_of(part).empty(); };
+    layout.left_out = left_out_of(problem_.parts, copies, fits, "it is larger than every container");
     return layout;
   }
 
  private:
+  /// The last item's position: on the grid, within the walls of its container.
+  void put(SolidLayout& layout, const SolidBox& box, const Vector& pose, double snap) const {
+    SolidPlaced& item = layout.items.back();
+    const std::array<double, 3> at = coordinates(pose);
+    const std::array<Fraction, 3> size = size_of(layout, item);
+    for (std::size_t k = 0; k < 3; ++k) {
+      int128 place = steps_.nearest(at[k] + table_.edge(), snap);
+      if (k < 2 || problem_.in_containers())
+        place = std::min(place, steps_.below(size[k] - problem_.edge - box.high[k]));
+      item.at[k] = Fraction(std::max(place, steps_.above(problem_.edge - box.low[k])), steps_.in_one());
+    }
+    if (item.container + 1 < layout.containers.size()) return;
+    layout.height = std::max(layout.height, item.at[2] + box.high[2] + problem_.edge);
+  }
+
+  std::array<Fraction, 3> size_of(const SolidLayout& layout, const SolidPlaced& item) const {
+    if (!problem_.in_containers()) return {problem_.width, problem_.depth, 0};
+    const SolidContainer& container = problem_.containers[layout.containers[item.container]];
+    return {container.width, container.depth, container.height};
+  }
+
   const SolidProblem& problem_;
   const SolidTable& table_;
+  const SolidColumn& column_;
   std::vector<SolidBox> boxes_;  // of variants
   DecimalSteps steps_;
 };
 
 }  // namespace
 
-std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
+std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
                                     const std::vector<SolidPose>& poses, double height) {
-  const SolidFinisher finisher(problem, table);
-  const SolidColumn column(table);
+  const SolidFinisher finisher(problem, table, column);
   for (const auto& [steps, keep_contacts] : kSolidLoosenings) {
     std::vector<SolidPose> moved = poses;
     if (steps > 0) SolidLinearMoves(table, column).loosen(moved, height, steps * finisher.step(), keep_contacts);
@@ -83,15 +102,19 @@ SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table) {
           {part, copy, form, {problem.edge - box.low[0], problem.edge - box.low[1], z - box.low[2]}});
       const Fraction top = z + box.high[2] - box.low[2];
       layout.height = top + problem.edge;
-      z = top + problem.gap;
+      z = top + problem.widest_gap_of_all();
     }
   }
   return layout;
 }
 
-std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout) {
+std::vector<SolidPose> poses_of(const SolidTable& table, const SolidColumn& column, const SolidLayout& layout) {
   std::vector<SolidPose> poses;
-  for (const SolidPlaced& item : layout.items) poses.push_back(table.pose_of(item));
+  for (const SolidPlaced& item : layout.items) {
+    if (table.variants_of(item.part).empty()) continue;
+    poses.push_back(table.pose_of(item));
+    poses.back().at.z += column.rooms()[layout.containers.empty() ? 0 : item.container].low.z;
+  }
   return poses;
 }
 

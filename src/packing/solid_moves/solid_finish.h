@@ -10,18 +10,19 @@
 #include <optional>
 #include <vector>
 
-#include "packing/solid_depth/solid_table.h"
+#include "packing/solid_depth/solid_column.h"
 
 namespace findspace::packing {
 
 /// Nothing where the overlaps of the layout are too deep for that.
-std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
+/// What is missing is left out, for the reason given.
+std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
                                     const std::vector<SolidPose>& poses, double height);
 
-/// The boxes of the parts upon each other: always feasible.
+/// The boxes of the parts upon each other in one container without a lid: always feasible.
 SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table);
 
-/// The poses of a layout, in its order.
-std::vector<SolidPose> poses_of(const SolidTable& table, const SolidLayout& layout);
+/// The poses of a layout, in its order. The column begins with the layout's containers.
+std::vector<SolidPose> poses_of(const SolidTable& table, const SolidColumn& column, const SolidLayout& layout);
 
 }  // namespace findspace::packing

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "exact/margins/packing.h"
 #include "packing/compaction/linear_program.h"
@@ -57,9 +58,9 @@ void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::si
   first_of_pair_ = rows_.size();
   for (const ConvexOverlap& overlap : pair.overlaps) {
     if (!is_near(overlap.low, overlap.high)) continue;
-    const space::Highest highest = overlap.highest(u);
-    const Vector normal = sign * overlap.normal(highest.plane);
-    const double lacks = -highest.value;
+    const Facing facing = overlap.facing(u);
+    const Vector normal = sign * facing.normal;
+    const double lacks = -facing.value;
     if (lacks < -2 * reach) continue;
     const double wanted = goal == Goal::kLoosen && !(on_axes && is_along_axis(normal)) ? gap : 0;
     const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
@@ -68,21 +69,34 @@ void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::si
   }
 }
 
+void SolidLinearMoves::collect_tie(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach) {
+  const double slack = std::max(table_.slack(poses[a].variant, poses[b].variant, poses[b].at - poses[a].at), 0.0);
+  const double side = slack / std::numbers::sqrt3;  // half that of the greatest cube in a ball
+  if (side >= reach) return;
+  for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}})
+    for (const double sign : {1.0, -1.0}) rows_.push_back({a, b, sign * axis, -side, 0, false});
+}
+
 void SolidLinearMoves::collect(const std::vector<SolidPose>& poses, double trust, Goal goal, double gap, bool on_axes) {
   rows_.clear();
   for (std::size_t a = 0; a < poses.size(); ++a)
-    for (std::size_t b = a + 1; b < poses.size(); ++b) collect_pair(poses, a, b, 2 * trust + gap, goal, gap, on_axes);
+    for (std::size_t b = a + 1; b < poses.size(); ++b) {
+      collect_pair(poses, a, b, 2 * trust + gap, goal, gap, on_axes);
+      if (table_.has_ties() && table_.are_tied(poses[a].variant, poses[b].variant)) collect_tie(poses, a, b, 2 * trust);
+    }
 }
 
 bool SolidLinearMoves::solve(std::vector<SolidPose>& poses, double& height, double most, double trust, Goal goal) {
   LinearProgram program(table_.size());
   for (const SolidPose& p : poses) {
     const SolidVariant& v = table_.variants()[p.variant];
-    program.add_column(std::clamp(-v.low.x - p.at.x, -trust, 0.0),
-                       std::clamp(table_.width() - v.high.x - p.at.x, 0.0, trust), 0);
-    program.add_column(std::clamp(-v.low.y - p.at.y, -trust, 0.0),
-                       std::clamp(table_.depth() - v.high.y - p.at.y, 0.0, trust), 0);
-    program.add_column(std::clamp(-v.low.z - p.at.z, -trust, 0.0), trust, 0);
+    const Room<Vector>& room = column_.room_at(v, p.at);
+    program.add_column(std::clamp(room.low.x - v.low.x - p.at.x, -trust, 0.0),
+                       std::clamp(room.high.x - v.high.x - p.at.x, 0.0, trust), 0);
+    program.add_column(std::clamp(room.low.y - v.low.y - p.at.y, -trust, 0.0),
+                       std::clamp(room.high.y - v.high.y - p.at.y, 0.0, trust), 0);
+    program.add_column(std::clamp(room.low.z - v.low.z - p.at.z, -trust, 0.0),
+                       std::clamp(room.high.z - v.high.z - p.at.z, 0.0, trust), 0);
   }
   const int end = program.add_column(column_.fixed_end(), std::max(most, column_.fixed_end()),
                                      goal == Goal::kSeparate ? kHeightOfOverlap : 1);

@@ -10,19 +10,9 @@
 
 #include <vector>
 
-#include "packing/solid_depth/solid_table.h"
+#include "packing/solid_depth/solid_column.h"
 
 namespace findspace::packing {
-
-/// What stands in the container before the search: nothing yet; so it is as high as its highest part at least.
-class SolidColumn {
- public:
-  explicit SolidColumn(const SolidTable& table) : end_(table.tallest()) {}
-  double fixed_end() const { return end_; }
-
- private:
-  double end_;
-};
 
 class SolidLinearMoves {
  public:
@@ -51,6 +41,8 @@ class SolidLinearMoves {
   void collect(const std::vector<SolidPose>& poses, double trust, Goal goal, double gap, bool on_axes);
   void collect_pair(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach, Goal goal,
                     double gap, bool on_axes);
+  /// Two that are tied move by less than would end their conditions.
+  void collect_tie(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach);
   void keep(const Bound& bound);
   /// False where the program has no solution.
   bool solve(std::vector<SolidPose>& poses, double& height, double most, double trust, Goal goal);

@@ -8,19 +8,90 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace findspace::packing {
 namespace {
 
-void extend(SolidBox& box, bool first, const space::Point& p, int128 steps) {
+/// A part of a body takes in a ball of this radius about each of its corners.
+void extend(SolidBox& box, bool first, const space::Point& p, int128 steps, const Fraction& radius = 0) {
   const std::int64_t coordinates[] = {p.x, p.y, p.z};
   for (std::size_t k = 0; k < 3; ++k) {
     const Fraction c(coordinates[k], steps);
-    box.low[k] = first ? c : std::min(box.low[k], c);
-    box.high[k] = first ? c : std::max(box.high[k], c);
+    box.low[k] = first ? c - radius : std::min(box.low[k], c - radius);
+    box.high[k] = first ? c + radius : std::max(box.high[k], c + radius);
   }
 }
+
+/// In units; radii are rational.
+Fraction radius_of(const space::BodyPart& part, int128 steps) {
+  const auto radius = part.radius.fraction();
+  return Fraction((*radius)[0], bounded_product((*radius)[1], steps));
+}
+
+/// Where points go in steps that many times as fine.
+class Turn {
+ public:
+  explicit Turn(const SolidRotation& rotation) {
+    for (const auto& row : rotation)
+      for (const Fraction& entry : row) finer_ = common_multiple(finer_, entry.denominator());
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) rows_[r][c] = rotation[r][c].over(finer_);
+  }
+  /// How many times.
+  int128 finer() const { return finer_; }
+
+  std::array<int128, 3> operator()(const space::Point& p) const {
+    std::array<int128, 3> q{};
+    for (std::size_t k = 0; k < 3; ++k)
+      q[k] = bounded_product(rows_[k][0], p.x) + bounded_product(rows_[k][1], p.y) + bounded_product(rows_[k][2], p.z);
+    return q;
+  }
+
+ private:
+  int128 finer_ = 1;
+  std::array<std::array<int128, 3>, 3> rows_{};
+};
+
+/// Turned points with the largest steps on which all of them are.
+class TurnedPoints {
+ public:
+  explicit TurnedPoints(const Turn& turn) : turn_(turn), common_(turn.finer()) {}
+
+  void look_at(const space::Point& p) {
+    for (const int128 c : turn_(p)) {
+      int128 a = common_, b = c < 0 ? -c : c;
+      while (b != 0) {
+        const int128 rest = a % b;
+        a = b;
+        b = rest;
+      }
+      common_ = a;
+    }
+  }
+  /// How much finer their steps are than those of the points given; throws Error(kOutOfRange).
+  std::int64_t finer(std::int64_t scale) const {
+    return std::int64_t(in_range(turn_.finer() / common_ * scale) / scale);
+  }
+  space::Point at(const space::Point& p) const {
+    const auto [x, y, z] = turn_(p);
+    return {in_range(x / common_), in_range(y / common_), in_range(z / common_)};
+  }
+
+ private:
+  static std::int64_t in_range(int128 c) {
+    if (c > space::kCoordinateLimit || c < -space::kCoordinateLimit)
+      throw Error(ErrorCode::kOutOfRange,
+                  "its corners have too many digits in an orientation; one with smaller numbers, as of the quaternion "
+                  "(5, 1, 0, 0), is in range");
+    return std::int64_t(c);
+  }
+
+  const Turn& turn_;
+  int128 common_;
+};
 
 }  // namespace
 
@@ -28,6 +99,12 @@ std::size_t SolidProblem::items() const {
   std::size_t count = 0;
   for (const SolidPart& part : parts) count += std::size_t(part.demand);
   return count;
+}
+
+Fraction SolidProblem::widest_gap_of_all() const {
+  Fraction widest = gap;
+  for (const PairGap& pair : pair_gaps) widest = std::max(widest, pair.gap);
+  return widest;
 }
 
 std::optional<std::int64_t> common_scale(const space::Body& a, const space::Body& b) {
@@ -44,17 +121,20 @@ exact::Real in_steps(const Fraction& value, int128 steps) {
   return exact::Real(value.numerator()) * exact::Real(steps) / exact::Real(value.denominator());
 }
 
-std::vector<AxisRotation> axis_rotations(bool upright) {
-  std::vector<AxisRotation> result;
+SolidRotation as_given() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+
+std::vector<SolidRotation> axis_rotations(bool upright) {
+  std::vector<SolidRotation> result;
   std::array<std::size_t, 3> axes{0, 1, 2};
   do {
     const bool even = axes[1] == (axes[0] + 1) % 3;
     for (int signs = 0; signs < 8; ++signs) {
-      AxisRotation rotation{};
+      SolidRotation rotation{};
       int sign = even ? 1 : -1;
       for (std::size_t k = 0; k < 3; ++k) {
-        rotation[k][axes[k]] = (signs >> k & 1) != 0 ? -1 : 1;
-        sign *= rotation[k][axes[k]];
+        const int entry = (signs >> k & 1) != 0 ? -1 : 1;
+        rotation[k][axes[k]] = entry;
+        sign *= entry;
       }
       if (sign == 1 && (!upright || rotation[2][2] == 1)) result.push_back(rotation);
     }
@@ -62,25 +142,29 @@ std::vector<AxisRotation> axis_rotations(bool upright) {
   return result;
 }
 
-SolidForm turned(const SolidForm& form, const AxisRotation& rotation) {
-  if (rotation == kAsGiven) return form;
-  const auto turn = [&](const space::Point& p) {
-    const auto row = [&](const std::array<int, 3>& r) { return r[0] * p.x + r[1] * p.y + r[2] * p.z; };
-    return space::Point{row(rotation[0]), row(rotation[1]), row(rotation[2])};
-  };
+SolidForm turned(const SolidForm& form, const SolidRotation& rotation) {
+  if (rotation == as_given()) return form;
+  const Turn turn(rotation);
+  TurnedPoints of_body(turn), of_surface(turn);
+  for (const space::BodyPart& part : form.body.parts)
+    for (const space::Point& p : part.vertices()) of_body.look_at(p);
+  for (const space::RaySolid& solid : form.surface)
+    for (const space::Point& p : solid.surface.points) of_surface.look_at(p);
+  const std::int64_t finer = of_body.finer(form.body.scale);
   SolidForm result;
   result.rotation = rotation;
-  result.body.scale = form.body.scale;
+  result.body.scale = form.body.scale * finer;
   result.body.rounded = form.body.rounded;
   result.body.moved = form.body.moved;
   for (const space::BodyPart& part : form.body.parts) {
     std::vector<space::Point> corners;
-    for (const space::Point& p : part.vertices()) corners.push_back(turn(p));
-    result.body.parts.push_back(space::part_of(corners, {}));
+    for (const space::Point& p : part.vertices()) corners.push_back(of_body.at(p));
+    result.body.parts.push_back(space::part_of(corners, part.radius * exact::Real(finer)));
   }
   result.surface = form.surface;
+  result.surface_scale = form.surface_scale * of_surface.finer(form.surface_scale);
   for (space::RaySolid& solid : result.surface)
-    for (space::Point& p : solid.surface.points) p = turn(p);
+    for (space::Point& p : solid.surface.points) p = of_surface.at(p);
   return result;
 }
 
@@ -88,32 +172,39 @@ SolidBox box_of(const SolidProblem& problem, const SolidForm& form) {
   SolidBox box;
   bool first = true;
   if (!form.is_exact()) {
+    const int128 steps = bounded_product(problem.steps(), form.surface_scale);
     for (const space::RaySolid& solid : form.surface)
       for (const space::Point& p : solid.surface.points) {
-        extend(box, first, p, problem.steps());
+        extend(box, first, p, steps);
         first = false;
       }
     return box;
   }
   const int128 steps = bounded_product(problem.steps(), form.body.scale);
-  for (const space::BodyPart& piece : form.body.parts)
+  for (const space::BodyPart& piece : form.body.parts) {
+    const Fraction radius = radius_of(piece, steps);
     for (const space::Point& p : piece.vertices()) {
-      extend(box, first, p, steps);
+      extend(box, first, p, steps, radius);
       first = false;
     }
+  }
   return box;
 }
 
 bool fits(const SolidProblem& problem, const SolidBox& box) {
-  return box.high[0] - box.low[0] + problem.edge + problem.edge <= problem.width &&
-         box.high[1] - box.low[1] + problem.edge + problem.edge <= problem.depth;
+  const auto size = [&](std::size_t k) { return box.high[k] - box.low[k] + problem.edge + problem.edge; };
+  if (!problem.in_containers()) return size(0) <= problem.width && size(1) <= problem.depth;
+  return std::any_of(problem.containers.begin(), problem.containers.end(), [&](const SolidContainer& c) {
+    return c.count > 0 && size(0) <= c.width && size(1) <= c.depth && size(2) <= c.height;
+  });
 }
 
 double volume_of(const SolidProblem& problem, const SolidPart& part) {
   const space::Body& body = part.forms[0].body;
   const double steps = double(problem.steps()) * double(body.scale);
   double sum = 0;
-  for (const space::BodyPart& piece : body.parts) sum += piece.core ? piece.core->volume() : 0;
+  for (const space::BodyPart& piece : body.parts)
+    sum += piece.core ? piece.core->volume() : 4 * std::numbers::pi / 3 * std::pow(piece.radius.to_double(), 3);
   return sum / steps / steps / steps;
 }
 
@@ -123,7 +214,28 @@ double volume(const SolidProblem& problem) {
   return sum;
 }
 
+double volume(const SolidProblem& problem, const SolidLayout& layout) {
+  std::vector<double> volumes;
+  for (const SolidPart& part : problem.parts) volumes.push_back(volume_of(problem, part));
+  double sum = 0;
+  for (const SolidPlaced& item : layout.items) sum += volumes[item.part];
+  return sum;
+}
+
+double container_volume(const SolidProblem& problem, const SolidLayout& layout) {
+  const double height = layout.height.to_double();
+  if (!problem.in_containers()) return problem.width.to_double() * problem.depth.to_double() * height;
+  double sum = 0;
+  for (std::size_t k = 0; k < layout.containers.size(); ++k) {
+    const SolidContainer& container = problem.containers[layout.containers[k]];
+    const double used = k + 1 == layout.containers.size() ? height : container.height.to_double();
+    sum += container.width.to_double() * container.depth.to_double() * used;
+  }
+  return sum;
+}
+
 void check(const SolidProblem& problem, const std::string& place) {
+  if (problem.in_containers()) return;
   const Fraction width = problem.width - problem.edge - problem.edge,
                  depth = problem.depth - problem.edge - problem.edge;
   if (width <= 0 || depth <= 0) throw Error(ErrorCode::kBadValue, "the floor has no area within its edges", place);

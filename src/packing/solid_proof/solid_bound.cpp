@@ -30,11 +30,18 @@ exact::Real six_volumes_of(const space::Polytope& polytope) {
   return sum;
 }
 
+/// Eight times pi times the cube of the radius, or less.
+exact::Real six_volumes_of_ball(const exact::Real& radius) {
+  const exact::Real below_pi = exact::Real::ratio(314159265358979, 100000000000000);
+  return exact::Real(8) * below_pi * radius * radius * radius;
+}
+
 /// Of a part, in cubic units.
 exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
   exact::Real sum, most, steps(problem.steps());
   const SolidForm& form = part.forms[0];
   if (!form.is_exact()) {
+    steps = steps * exact::Real(form.surface_scale);
     for (const space::RaySolid& solid : form.surface)
       for (const auto& face : solid.surface.faces) {
         const auto& points = solid.surface.points;
@@ -45,7 +52,7 @@ exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
   }
   steps = steps * exact::Real(form.body.scale);
   for (const space::BodyPart& piece : form.body.parts) {
-    const exact::Real volume = six_volumes_of(*piece.core);
+    const exact::Real volume = piece.core ? six_volumes_of(*piece.core) : six_volumes_of_ball(piece.radius);
     sum += volume;
     if (most < volume) most = volume;
   }

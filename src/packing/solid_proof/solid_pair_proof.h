@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Two forms of parts at any rational position: whether their interiors meet, and whether they are nearer than a gap. By
-// the Phi-functions of their convex parts; by their surfaces where one of them had to be rounded. Guarantee: exact.
-// Cost: made once for two forms; then a filter in doubles, and exact arithmetic for the few facets that compete.
+// the Phi-functions of their convex parts and balls; by their surfaces where one of them had to be rounded. Guarantee:
+// exact. Cost: made once for two forms; then a filter in doubles, and exact arithmetic for the few facets that compete.
 // Keywords: collision predicate.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "packing/solid_problem/solid_problem.h"
+#include "space/body/rounded_phi.h"
 #include "space/phi/phi_union.h"
 #include "space/surface/surface_gap.h"
 
@@ -32,6 +33,7 @@ class SolidPairProof {
 
   int128 steps_;  // in a unit
   std::optional<space::PhiUnion> phi_;
+  std::optional<space::RoundedPhi> round_;  // where there are balls
   std::optional<space::SurfaceGaps> gaps_;
 };
 

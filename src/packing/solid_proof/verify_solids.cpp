@@ -5,11 +5,14 @@
 #include "packing/solid_proof/verify_solids.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 
+#include "packing/problem/pair_formula.h"
+#include "packing/solid_problem/solid_pair_formula.h"
 #include "packing/solid_proof/solid_pair_proof.h"
 #include "plane/base/parallel.h"
 
@@ -29,6 +32,10 @@ class SolidCheck {
     common_ = common_multiple(common_multiple(problem.width.denominator(), problem.depth.denominator()),
                               common_multiple(problem.gap.denominator(), problem.edge.denominator()));
     common_ = common_multiple(common_, layout.height.denominator());
+    for (const PairGap& pair : problem.pair_gaps) common_ = common_multiple(common_, pair.gap.denominator());
+    for (const std::size_t kind : layout.containers)
+      for (const Fraction& side : sides_of(problem.containers[kind]))
+        common_ = common_multiple(common_, side.denominator());
     std::map<std::array<std::size_t, 2>, SolidBox> of_form;
     for (const SolidPlaced& item : layout.items) {
       const auto [known, is_new] = of_form.try_emplace({item.part, item.form});
@@ -45,22 +52,20 @@ class SolidCheck {
         box.high[k] = form.high[k].over(common_) + item.at[k].over(common_);
       }
     }
-    gap_ = problem.gap.over(common_);
   }
 
   SolidVerdict verdict() {
     count_copies();
+    count_containers();
     int128 used = 0;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       check_inside(i);
-      used = std::max(used, boxes_[i].high[2]);
+      if (is_in_last(i)) used = std::max(used, boxes_[i].high[2]);
     }
     result_.used = Fraction(used, common_);
     check_pairs();
-    double volume = 0;
-    for (const SolidPlaced& item : layout_.items) volume += volume_of(problem_, problem_.parts[item.part]);
-    const double room = problem_.width.to_double() * problem_.depth.to_double() * layout_.height.to_double();
-    result_.density = room > 0 ? volume / room : 0;
+    const double room = container_volume(problem_, layout_);
+    result_.density = room > 0 ? volume(problem_, layout_) / room : 0;
     std::stable_sort(result_.faults.begin(), result_.faults.end(),
                      [](const SolidFault& f, const SolidFault& g) { return f.depth > g.depth; });
     return std::move(result_);
@@ -71,15 +76,39 @@ class SolidCheck {
     std::vector<int> left;
     for (const SolidPart& part : problem_.parts) left.push_back(part.demand);
     for (const SolidPlaced& item : layout_.items) --left[item.part];
+    for (const LeftOut& out : layout_.left_out) left[out.part] -= out.copies;
     for (std::size_t p = 0; p < left.size(); ++p)
       if (left[p] != 0)
         result_.faults.push_back({.kind = SolidFault::Kind::kCount, .first = p, .depth = -double(left[p])});
   }
 
+  static std::array<Fraction, 3> sides_of(const SolidContainer& c) { return {c.width, c.depth, c.height}; }
+
+  /// No more of a kind than there are.
+  void count_containers() {
+    std::vector<int> left;
+    for (const SolidContainer& container : problem_.containers) left.push_back(container.count);
+    for (const std::size_t kind : layout_.containers) --left[kind];
+    for (std::size_t kind = 0; kind < left.size(); ++kind)
+      if (left[kind] < 0)
+        result_.faults.push_back({.kind = SolidFault::Kind::kContainers, .first = kind, .depth = -double(left[kind])});
+  }
+
+  std::size_t container_of(std::size_t i) const { return layout_.items[i].container; }
+  bool is_in_last(std::size_t i) const { return container_of(i) + 1 >= layout_.containers.size(); }
+
   void check_inside(std::size_t i) {
     const Box& box = boxes_[i];
     const int128 edge = problem_.edge.over(common_);
-    const int128 most[] = {problem_.width.over(common_), problem_.depth.over(common_), layout_.height.over(common_)};
+    std::array<Fraction, 3> sides{problem_.width, problem_.depth, layout_.height};
+    if (container_of(i) >= std::max<std::size_t>(layout_.containers.size(), problem_.in_containers() ? 0 : 1))
+      return result_.faults.push_back({.kind = SolidFault::Kind::kOutside, .first = i, .at = middle(box, box)});
+    if (problem_.in_containers()) {
+      sides = sides_of(problem_.containers[layout_.containers[container_of(i)]]);
+      // The height that is stated is that up to which the last one is used.
+      if (is_in_last(i)) sides[2] = std::min(sides[2], layout_.height);
+    }
+    const int128 most[] = {sides[0].over(common_), sides[1].over(common_), sides[2].over(common_)};
     int128 out = 0;
     for (std::size_t k = 0; k < 3; ++k) out = std::max({out, edge - box.low[k], box.high[k] + edge - most[k]});
     if (out > 0)
@@ -98,36 +127,68 @@ class SolidCheck {
     for (const auto& faults : found) result_.faults.insert(result_.faults.end(), faults.begin(), faults.end());
   }
 
-  bool boxes_meet(std::size_t i, std::size_t j) const {
+  bool boxes_meet(std::size_t i, std::size_t j, int128 gap) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (boxes_[i].high[k] + gap_ <= boxes_[j].low[k] || boxes_[j].high[k] + gap_ <= boxes_[i].low[k]) return false;
+      if (boxes_[i].high[k] + gap <= boxes_[j].low[k] || boxes_[j].high[k] + gap <= boxes_[i].low[k]) return false;
     return true;
   }
 
   std::optional<SolidFault> pair_fault(std::size_t i, std::size_t j) const {
-    if (!boxes_meet(i, j)) return std::nullopt;
     const SolidPlaced &a = layout_.items[i], &b = layout_.items[j];
-    const SolidPairProof& proof = proof_of(a, b);
-    const Position u{b.at[0] - a.at[0], b.at[1] - a.at[1], b.at[2] - a.at[2]};
     SolidFault fault{.first = i, .second = j, .at = middle(boxes_[i], boxes_[j])};
-    if (proof.interiors_meet(u)) {
-      fault.depth = proof.depth(u);
-      return fault;
+    const Fraction gap = problem_.gap_of(a.part, b.part);
+    if (container_of(i) == container_of(j) && boxes_meet(i, j, gap.over(common_))) {
+      const SolidPairProof& proof = made_once<SolidPairProof>(proofs_, a, b, [&] {
+        return std::make_unique<const SolidPairProof>(problem_, form_of(problem_, a), form_of(problem_, b));
+      });
+      const Position u = between(a, b);
+      if (proof.interiors_meet(u)) {
+        fault.depth = proof.depth(u);
+        return fault;
+      }
+      fault.kind = SolidFault::Kind::kGap;
+      if (gap > 0 && proof.is_nearer(u, gap)) return fault;
     }
-    if (problem_.gap <= 0 || !proof.is_nearer(u, problem_.gap)) return std::nullopt;
-    fault.kind = SolidFault::Kind::kGap;
+    if (!problem_.are_tied(a.part, b.part) || conditions_hold(i, j)) return std::nullopt;
+    fault.kind = SolidFault::Kind::kCondition;
     return fault;
   }
 
-  const SolidPairProof& proof_of(const SolidPlaced& a, const SolidPlaced& b) const {
+  /// In different containers: those of two parts that are farther apart than any condition asks.
+  bool conditions_hold(std::size_t i, std::size_t j) const {
+    const SolidPlaced &a = layout_.items[i], &b = layout_.items[j];
+    const SolidPairFormula& pair = made_once<SolidPairFormula>(formulas_, a, b, [&] {
+      return std::make_unique<const SolidPairFormula>(problem_, a.part, form_of(problem_, a), b.part,
+                                                      form_of(problem_, b));
+    });
+    if (container_of(i) == container_of(j)) return pair.holds(between(a, b));
+    const double level = std::ceil(packing::greatest_level(problem_.conditions, 3));
+    return pair.holds({reach_of(i) + reach_of(j) + Fraction(int128(level), 1) + 1, 0, 0});
+  }
+
+  static Position between(const SolidPlaced& a, const SolidPlaced& b) {
+    return {b.at[0] - a.at[0], b.at[1] - a.at[1], b.at[2] - a.at[2]};
+  }
+
+  /// How far a part reaches from its origin along x.
+  Fraction reach_of(std::size_t i) const {
+    const SolidBox box = box_of(problem_, form_of(problem_, layout_.items[i]));
+    return std::max({box.high[0], 0 - box.low[0], Fraction(0)});
+  }
+
+  template <class T>
+  using OfForms = std::map<FormPair, std::unique_ptr<const T>>;
+
+  template <class T, class Make>
+  const T& made_once(OfForms<T>& all, const SolidPlaced& a, const SolidPlaced& b, const Make& make) const {
     const FormPair key{a.part, a.form, b.part, b.form};
     {
       const std::lock_guard lock(guard_);
-      if (const auto known = proofs_.find(key); known != proofs_.end()) return *known->second;
+      if (const auto known = all.find(key); known != all.end()) return *known->second;
     }
-    auto made = std::make_unique<const SolidPairProof>(problem_, form_of(problem_, a), form_of(problem_, b));
+    auto made = make();
     const std::lock_guard lock(guard_);
-    return *proofs_.emplace(key, std::move(made)).first->second;
+    return *all.emplace(key, std::move(made)).first->second;
   }
 
   /// Of what the boxes have in common, or of what is between them.
@@ -140,9 +201,10 @@ class SolidCheck {
 
   const SolidProblem& problem_;
   const SolidLayout& layout_;
-  int128 common_ = 1, gap_ = 0;  // boxes are integers over it, and so is the gap
+  int128 common_ = 1;  // boxes are integers over it, and so are gaps
   std::vector<Box> boxes_;
-  mutable std::map<FormPair, std::unique_ptr<const SolidPairProof>> proofs_;
+  mutable OfForms<SolidPairProof> proofs_;
+  mutable OfForms<SolidPairFormula> formulas_;
   mutable std::mutex guard_;
   SolidVerdict result_;
 };

@@ -13,18 +13,51 @@
 #include "packing/search/weights.h"
 
 namespace findspace::packing {
+namespace {
 
-SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn&, std::vector<SolidPose> poses,
+constexpr double kMostLacking = 4;  // of the floor: also of parts that no position is near enough for
+constexpr int kPlacesOfTie = 8, kHalvings = 24;
+
+}  // namespace
+
+SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn& column, std::vector<SolidPose> poses,
                                    double height)
     : table_(table),
+      column_(column),
       poses_(std::move(poses)),
       height_(height),
       shallow_(table.size() * margin::kNoOverlap),
       slack_(std::max(height, table.size()) * margin::kBoxRounding),
       boxes_(poses_.size()),
       depths_(poses_.size()) {
+  if (table.has_ties()) find_ties();
   reset_weights();
   set_length(height);
+}
+
+void SolidArrangement::find_ties() {
+  for (std::size_t i = 0; i < size(); ++i) {
+    std::vector<std::uint32_t>& others = tied_.emplace_back();
+    for (std::size_t j = 0; j < size(); ++j)
+      if (j != i && table_.are_tied(poses_[i].variant, poses_[j].variant)) others.push_back(std::uint32_t(j));
+  }
+}
+
+double SolidArrangement::lacks(std::size_t i, const SolidPose& pose, std::size_t j) const {
+  looked_at_ += kWorkOfTie;
+  const double slack = table_.slack(poses_[j].variant, pose.variant, pose.at - poses_[j].at);
+  return i != j && slack < 0 ? std::min(-slack, kMostLacking * table_.size()) : 0;
+}
+
+double SolidArrangement::cost_of_ties(std::size_t i, const SolidPose& pose, double bound) const {
+  double sum = 0;
+  if (tied_.empty()) return sum;
+  const std::vector<double>& weights = weights_of(i);
+  for (const std::uint32_t j : tied_[i]) {
+    if (sum >= bound) break;
+    sum += weights[j] * lacks(i, pose, j);
+  }
+  return sum;
 }
 
 void SolidArrangement::reset_weights() {
@@ -51,28 +84,9 @@ void SolidArrangement::grow_weight(std::size_t i, std::size_t j, double factor) 
     weights_[i].emplace_back(std::uint32_t(j), factor);
 }
 
-double SolidArrangement::excess(std::size_t variant) const {
-  const SolidVariant& v = table_.variants()[variant];
-  const double out = v.high.z - v.low.z - height_;
-  return out > shallow_ ? out : 0;
-}
-
-Vector SolidArrangement::inside(std::size_t variant, const Vector& at) const {
-  const SolidVariant& v = table_.variants()[variant];
-  return {std::max(-v.low.x, std::min(at.x, table_.width() - v.high.x)),
-          std::max(-v.low.y, std::min(at.y, table_.depth() - v.high.y)),
-          std::max(-v.low.z, std::min(at.z, height_ - v.high.z))};
-}
-
-Vector SolidArrangement::random_position(std::size_t variant, Random& random) const {
-  const SolidVariant& v = table_.variants()[variant];
-  const double x = random.between(-v.low.x, table_.width() - v.high.x);
-  const double y = random.between(-v.low.y, table_.depth() - v.high.y);
-  return {x, y, random.between(-v.low.z, std::max(-v.low.z, height_ - v.high.z))};
-}
-
 void SolidArrangement::set_length(double height) {
   height_ = height;
+  ranges_.find(table_.variants(), column_.rooms(), height, shallow_);
   set_poses(std::vector<SolidPose>(poses_));
 }
 
@@ -94,7 +108,7 @@ void SolidArrangement::move(std::size_t i, const SolidPose& pose) {
 
 double SolidArrangement::cost(std::size_t i, const SolidPose& pose, double bound) const {
   const std::vector<double>& weights = weights_of(i);
-  double sum = excess(pose.variant) * height_weights_[i];
+  double sum = ranges_.excess(pose.variant) * height_weights_[i];
   boxes_.for_each_meeting(box_at(pose, table_.gap()), looked_at_, [&](std::size_t j) {
     if (j == i) return true;
     const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
@@ -102,6 +116,7 @@ double SolidArrangement::cost(std::size_t i, const SolidPose& pose, double bound
     sum += weights[j] * pair.depth(sign * (pose.at - poses_[j].at), shallow_);
     return sum < bound;
   });
+  if (sum < bound) sum += cost_of_ties(i, pose, bound - sum);
   return sum;
 }
 
@@ -115,10 +130,10 @@ void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector
     const Vector u = sign * (pose.at - poses_[j].at);
     looked_at_ += pair.overlaps.size();
     for (const ConvexOverlap& overlap : pair.overlaps) {
-      const space::Highest highest = overlap.highest(u);
-      if (highest.value > near) continue;
-      const double depth = -highest.value;
-      result.push_back({depth > shallow_ ? depth * weights[j] : 0, sign * overlap.normal(highest.plane)});
+      const Facing facing = overlap.facing(u);
+      if (facing.value > near) continue;
+      const double depth = -facing.value;
+      result.push_back({depth > shallow_ ? depth * weights[j] : 0, sign * facing.normal});
     }
     return true;
   });
@@ -134,9 +149,10 @@ space::LineStretch SolidArrangement::within(const SolidPose& pose, const Vector&
     within_box.from = std::max(within_box.from, std::min(first, second));
     within_box.to = std::min(within_box.to, std::max(first, second));
   };
-  clip(way.x, -low.x, table_.width() - high.x);
-  clip(way.y, -low.y, table_.depth() - high.y);
-  clip(way.z, -low.z, height_ - high.z);
+  const Room<Vector>& room = column_.room_at(v, pose.at);
+  clip(way.x, room.low.x - low.x, room.high.x - high.x);
+  clip(way.y, room.low.y - low.y, room.high.y - high.y);
+  clip(way.z, room.low.z - low.z, std::min(room.high.z, height_) - high.z);
   return within_box;
 }
 
@@ -173,7 +189,7 @@ double SolidArrangement::cost_at(double t, double bound) const {
   double sum = 0;
   for (const std::uint32_t k : active_) {
     const Stretch& s = stretches_[k];
-    const double depth = -s.overlap->highest(s.u + t * s.way).value;
+    const double depth = -s.overlap->value(s.u + t * s.way);
     if (depth > shallow_) sum += s.weight * depth;
     if (sum >= bound) break;
   }
@@ -181,10 +197,32 @@ double SolidArrangement::cost_at(double t, double bound) const {
   return sum;
 }
 
+/// A line is looked at in some places; between two that differ the end is found by halving.
+void SolidArrangement::add_ends_of_ties(std::size_t i, const SolidPose& pose, const Vector& way, double start,
+                                        double end, double sense) const {
+  for (const std::uint32_t j : tied_[i]) {
+    const auto holds = [&](double t) { return lacks(i, {pose.variant, pose.at + sense * t * way}, j) <= 0; };
+    bool before = holds(start);
+    for (int k = 1; k <= kPlacesOfTie; ++k) {
+      double from = start + (end - start) * (k - 1) / kPlacesOfTie, to = start + (end - start) * k / kPlacesOfTie;
+      events_.push_back({to, kNoStretch, false});
+      const bool behind = holds(to);
+      if (behind != before) {
+        for (int step = 0; step < kHalvings; ++step) {
+          const double middle = 0.5 * (from + to);
+          (holds(middle) == before ? from : to) = middle;
+        }
+        events_.push_back({before ? from : to, kNoStretch, false});
+      }
+      before = behind;
+    }
+  }
+}
+
 SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const SolidPose& pose, const Vector& way,
                                                            double bound, bool from_end) const {
   LinePlace best{0, bound};
-  if (excess(pose.variant) > 0) return best;
+  if (ranges_.excess(pose.variant) > 0) return best;
   const space::LineStretch within_box = within(pose, way);
   if (!(within_box.from <= within_box.to)) return best;
   collect_stretches(i, pose, way, within_box);
@@ -192,6 +230,7 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
   const double start = from_end ? -within_box.to : within_box.from, end = from_end ? -within_box.from : within_box.to;
   events_.clear();
   active_.clear();
+  if (!tied_.empty()) add_ends_of_ties(i, pose, way, start, end, sense);
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     const double from = from_end ? -stretches_[k].to : stretches_[k].from;
     const double to = from_end ? -stretches_[k].from : stretches_[k].to;
@@ -205,13 +244,15 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
     return a.t != b.t ? a.t < b.t : a.begins != b.begins ? b.begins : a.stretch < b.stretch;
   });
   const auto look = [&](double t) {
-    const double cost = cost_at(sense * t, best.cost);
+    double cost = cost_at(sense * t, best.cost);
+    if (!tied_.empty() && cost < best.cost)
+      cost += cost_of_ties(i, {pose.variant, pose.at + sense * t * way}, best.cost - cost);
     if (cost < best.cost) best = {sense * t, cost};
   };
   look(start);
   for (const Event& e : events_) {
     if (best.cost <= 0 || e.t > end) break;
-    if (!e.begins) std::erase(active_, e.stretch);
+    if (!e.begins && e.stretch != kNoStretch) std::erase(active_, e.stretch);
     look(e.t);
     if (e.begins) active_.push_back(e.stretch);
   }
@@ -222,7 +263,7 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
 double SolidArrangement::loss() {
   double sum = 0;
   overlaps_.clear();
-  for (std::size_t i = 0; i < size(); ++i) sum += depths_[i] = excess(poses_[i].variant);
+  for (std::size_t i = 0; i < size(); ++i) sum += depths_[i] = ranges_.excess(poses_[i].variant);
   for (std::size_t i = 0; i < size(); ++i)
     boxes_.for_each_meeting(box_at(poses_[i], table_.gap()), looked_at_, [&](std::size_t j) {
       if (j <= i) return true;
@@ -236,6 +277,15 @@ double SolidArrangement::loss() {
       sum += depth;
       return true;
     });
+  for (std::size_t i = 0; i < tied_.size(); ++i)
+    for (const std::uint32_t j : tied_[i]) {
+      const double lacking = j < i ? lacks(i, poses_[i], j) : 0;
+      if (lacking <= 0) continue;
+      overlaps_.push_back({std::uint32_t(i), j, lacking});
+      depths_[i] += lacking;
+      depths_[j] += lacking;
+      sum += lacking;
+    }
   return sum;
 }
 
@@ -253,7 +303,7 @@ void SolidArrangement::update_weights() {
   row_.assign(size(), 1);
   row_of_ = size();
   for (std::size_t i = 0; i < size(); ++i)
-    if (excess(poses_[i].variant) > 0) height_weights_[i] *= kMostGrowth;
+    if (ranges_.excess(poses_[i].variant) > 0) height_weights_[i] *= kMostGrowth;
 }
 
 }  // namespace findspace::packing

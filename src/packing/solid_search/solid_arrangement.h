@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Solids in a container of a given height, perhaps overlapping: depths, weighted costs of positions and of lines of
-// them, and the weights that grow where an overlap persists. Cost of a position: the weighted sum of the depths.
-// Guarantee: none; it is a search's state. Keywords: guided local search, overlap minimisation.
+// them, and the weights that grow where an overlap persists. Cost of a position: the weighted sum of the depths, and of
+// what conditions of pairs lack. Guarantee: none; it is a search's state. Keywords: guided local search, overlap
+// minimisation.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 #include <vector>
 
 #include "packing/search/box_list.h"
-#include "packing/search/random.h"
+#include "packing/search/position_ranges.h"
 #include "packing/solid_depth/solid_table.h"
 #include "packing/solid_moves/solid_linear_moves.h"
 
@@ -19,7 +20,7 @@ namespace findspace::packing {
 
 class SolidArrangement {
  public:
-  /// The table must live as long.
+  /// Both must live as long.
   SolidArrangement(const SolidTable& table, const SolidColumn& column, std::vector<SolidPose> poses, double height);
 
   std::size_t size() const { return poses_.size(); }
@@ -31,9 +32,9 @@ class SolidArrangement {
   void set_length(double height);
   void set_poses(const std::vector<SolidPose>& poses);
   void move(std::size_t i, const SolidPose& pose);
-  /// The nearest position within the container.
-  Vector inside(std::size_t variant, const Vector& at) const;
-  Vector random_position(std::size_t variant, Random& random) const;
+  /// The nearest position within a room.
+  Vector inside(std::size_t variant, const Vector& at) const { return ranges_.inside(variant, at); }
+  Vector random_position(std::size_t variant, Random& random) const { return ranges_.random_position(variant, random); }
 
   /// The weighted cost of an item at a pose, or something not below `bound` where it is not below.
   double cost(std::size_t i, const SolidPose& pose, double bound) const;
@@ -44,7 +45,7 @@ class SolidArrangement {
   };
   /// Overlaps and contacts of convex parts.
   void touches(std::size_t i, const SolidPose& pose, std::vector<Touch>& result) const;
-  /// The place at + t way within the container that costs least, exactly: the ends of all intervals are tried. Of
+  /// The place at + t way within its room that costs least, exactly: the ends of all intervals are tried. Of
   /// places that cost nothing the one next to the beginning of the line, or to its end. Where none costs less than
   /// `bound` that is returned.
   struct LinePlace {
@@ -66,6 +67,7 @@ class SolidArrangement {
     std::uint32_t i, j;
     double depth;
   };
+  static constexpr std::uint32_t kNoStretch = std::uint32_t(-1);
   /// Where the line lies in the overlap of two convex parts.
   struct Stretch {
     double from, to, weight;
@@ -74,23 +76,31 @@ class SolidArrangement {
   };
   struct Event {
     double t;
-    std::uint32_t stretch;
+    std::uint32_t stretch;  // kNoStretch: a place to look at
     bool begins;
   };
 
   BoxList<3>::Box box_at(const SolidPose& pose, double wider) const;
-  /// The stretch of the line within the container.
+  /// The stretch of the line within the room.
   space::LineStretch within(const SolidPose& pose, const Vector& way) const;
   void collect_stretches(std::size_t i, const SolidPose& pose, const Vector& way,
                          const space::LineStretch& within_box) const;
   double cost_at(double t, double bound) const;
+  void find_ties();
+  /// What the conditions of item i lack at a pose, weighted.
+  double cost_of_ties(std::size_t i, const SolidPose& pose, double bound) const;
+  /// How far those with item j are from holding.
+  double lacks(std::size_t i, const SolidPose& pose, std::size_t j) const;
+  /// The places of a line at which conditions begin to hold.
+  void add_ends_of_ties(std::size_t i, const SolidPose& pose, const Vector& way, double start, double end,
+                        double sense) const;
   const std::vector<double>& weights_of(std::size_t i) const;
   void grow_weight(std::size_t i, std::size_t j, double factor);
-  /// How much higher the variant is than the container.
-  double excess(std::size_t variant) const;
 
   const SolidTable& table_;
+  const SolidColumn& column_;
   std::vector<SolidPose> poses_;
+  PositionRanges<Vector> ranges_;
   double height_, shallow_, slack_;
   BoxList<3> boxes_;
   /// Of pairs whose weight is not 1, by the first item.
@@ -99,6 +109,7 @@ class SolidArrangement {
   mutable std::vector<double> row_;  // the weights of one item with all others
   mutable std::size_t row_of_ = 0;
   std::vector<Overlap> overlaps_;
+  std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
   mutable std::vector<Stretch> stretches_;
   mutable std::vector<Event> events_;
   mutable std::vector<std::uint32_t> active_;

@@ -5,6 +5,7 @@
 #include "packing/solid_search/solid_first_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,11 +25,12 @@ constexpr double kBoxRoom = 64;                     // for containers as many ti
 constexpr std::uint64_t kWorkOfFirst = 20'000'000;  // boxes and planes: some tenths of a second
 constexpr std::size_t kMostOrders = 32;
 
-/// What parts are sorted by: their boxes' volumes, heights, bases, longest sides; then these volumes times random
-/// factors.
-std::vector<double> keys_of(const SolidTable& table, std::size_t parts, std::size_t number, Random& random) {
+/// What parts are sorted by: their boxes' volumes, heights, bases, longest sides, values, values for their volume; then
+/// the first or the last of these times random factors. Values count where parts may be left out.
+std::vector<double> keys_of(const SolidTable& table, const std::vector<double>& values, bool by_value,
+                            std::size_t number, Random& random) {
   std::vector<double> keys;
-  for (std::size_t part = 0; part < parts; ++part) {
+  for (std::size_t part = 0; part < values.size(); ++part) {
     if (table.variants_of(part).empty()) {
       keys.push_back(0);
       continue;
@@ -36,89 +38,155 @@ std::vector<double> keys_of(const SolidTable& table, std::size_t parts, std::siz
     const SolidVariant& v = table.variants()[table.variants_of(part)[0]];
     const Vector s = v.high - v.low;
     const double volume = s.x * s.y * s.z;
-    keys.push_back(number == 0   ? volume
-                   : number == 1 ? s.z
-                   : number == 2 ? s.x * s.y
-                   : number == 3 ? std::max({s.x, s.y, s.z})
-                                 : volume * random.between(0.3, 1));
+    const std::array<double, 6> fixed{
+        volume, s.z, s.x * s.y, std::max({s.x, s.y, s.z}), values[part], values[part] / volume};
+    if (number < (by_value ? 6 : 4))
+      keys.push_back(fixed[number]);
+    else
+      keys.push_back((by_value && number % 2 == 1 ? fixed[5] : volume) * random.between(0.3, 1));
   }
   return keys;
 }
 
 class SolidBuilder {
  public:
-  SolidBuilder(const SolidProblem& problem, const SolidTable& table, Random& random)
+  SolidBuilder(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column, Random& random)
       : problem_(problem),
         table_(table),
+        column_(column),
         random_(random),
         shallow_(table.size() * margin::kNoOverlap),
         boxes_(problem.items()),
         corners_(std::clamp<std::size_t>(kCornersOfAll / std::max<std::size_t>(problem.items(), 1), 2, kCornersTried)) {
+    for (const Room<Vector>& room : column.rooms().all()) tops_.push_back(room.low.z);
+    first_room_.resize(problem.parts.size());
   }
 
   /// Those of the greatest keys first.
-  LayoutInDoubles<SolidPose> build(const std::vector<double>& keys) {
+  FirstLayoutOf<SolidPose> build(const std::vector<double>& keys) {
     std::vector<std::size_t> order(problem_.parts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return keys[p] > keys[q]; });
     for (const std::size_t part : order)
-      for (int copy = 0; copy < problem_.parts[part].demand; ++copy) place(part);
+      for (int copy = 0; copy < problem_.parts[part].demand; ++copy)
+        if (!place(part)) result_.left.push_back(part);
     return std::move(result_);
   }
   std::uint64_t work() const { return work_; }
 
  private:
-  /// In the form in which it comes to stand lowest; some of them where there are many.
-  void place(std::size_t part) {
+  /// In the first room that has a place, in the form in which it comes to stand lowest; some of them where there are
+  /// many.
+  bool place(std::size_t part) {
     std::vector<std::size_t> variants = table_.variants_of(part);
     for (std::size_t k = variants.size(); k > 1; --k) std::swap(variants[k - 1], variants[random_.below(k)]);
-    variants.resize(std::min(variants.size(), kMostForms));
-    SolidPose best;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const std::size_t variant : variants) try_form(variant, best, lowest);
-    boxes_.put(result_.poses.size(), box_at(best.variant, best.at, shallow_));
-    result_.poses.push_back(best);
-    result_.length = std::max(result_.length, lowest);
+    // Where a copy of the part found no place, the next finds none.
+    for (std::size_t& room = first_room_[part]; room < tops_.size(); ++room) {
+      best_top_ = std::numeric_limits<double>::infinity();
+      best_fails_ = true;
+      std::size_t forms = 0;
+      for (std::size_t k = 0; k < variants.size() && forms < kMostForms; ++k) {
+        if (!fits(variants[k], column_.rooms()[room])) continue;
+        try_form(variants[k], room);
+        ++forms;
+      }
+      if (best_top_ == std::numeric_limits<double>::infinity()) continue;
+      auto& poses = result_.layout.poses;
+      boxes_.put(poses.size(), box_at(best_.variant, best_.at, shallow_));
+      poses.push_back(best_);
+      rooms_.push_back(room);
+      result_.overlaps |= best_fails_;
+      tops_[room] = std::max(tops_[room], best_top_);
+      result_.layout.length = std::max(result_.layout.length, best_top_);
+      return true;
+    }
+    return false;
   }
 
-  void try_form(std::size_t variant, SolidPose& best, double& lowest) {
+  bool fits(std::size_t variant, const Room<Vector>& room) const {
     const SolidVariant& v = table_.variants()[variant];
-    const double top = result_.length;  // there it is free
-    const auto attempt = [&](double x, double y) {
-      const Vector start{std::clamp(x, -v.low.x, table_.width() - v.high.x),
-                         std::clamp(y, -v.low.y, table_.depth() - v.high.y), top + table_.gap() - v.low.z};
-      const Vector at = settled(variant, start);
-      if (at.z + v.high.z < lowest || (at.z + v.high.z == lowest && at.x + at.y < best.at.x + best.at.y)) {
-        lowest = at.z + v.high.z;
-        best = {variant, at};
-      }
-    };
-    attempt(-v.low.x, -v.low.y);
-    attempt(table_.width(), -v.low.y);
-    attempt(-v.low.x, table_.depth());
-    attempt(table_.width(), table_.depth());
-    const std::size_t placed = result_.poses.size();
-    for (std::size_t k = 0; k < std::min(placed, corners_); ++k) {
+    const Vector out = (v.high - v.low) - (room.high - room.low);
+    return out.x <= shallow_ && out.y <= shallow_ && out.z <= shallow_;
+  }
+
+  /// From these coordinates of its origin, as far as the room lets it, it falls.
+  void attempt(std::size_t variant, std::size_t room_number, double x, double y, double z) {
+    const SolidVariant& v = table_.variants()[variant];
+    const Room<Vector>& room = column_.rooms()[room_number];
+    const Vector start{std::max(-v.low.x, std::min(x, room.high.x - v.high.x)),
+                       std::max(-v.low.y, std::min(y, room.high.y - v.high.y)),
+                       std::max(room.low.z - v.low.z, std::min(z, room.high.z - v.high.z))};
+    // Above all that stands it is free.
+    if (start.z + v.low.z < tops_[room_number] + table_.gap() && !is_free(variant, start)) return;
+    const Vector at = settled(variant, room, start);
+    const double top = at.z + v.high.z;
+    const bool fails = table_.has_ties() && !ties_hold({variant, at});
+    if (fails && (problem_.in_containers() || !best_fails_)) return;
+    if (fails < best_fails_ || top < best_top_ || (top == best_top_ && at.x + at.y < best_.at.x + best_.at.y)) {
+      best_fails_ = fails;
+      best_top_ = top;
+      best_ = {variant, at};
+    }
+  }
+
+  /// With all that stand already.
+  bool ties_hold(const SolidPose& pose) const {
+    const auto& poses = result_.layout.poses;
+    return std::all_of(poses.begin(), poses.end(), [&](const SolidPose& other) {
+      if (!table_.are_tied(other.variant, pose.variant)) return true;
+      work_ += kWorkOfTie;
+      return table_.slack(other.variant, pose.variant, pose.at - other.at) >= 0;
+    });
+  }
+
+  void try_form(std::size_t variant, std::size_t room_number) {
+    const SolidVariant& v = table_.variants()[variant];
+    const Room<Vector>& room = column_.rooms()[room_number];
+    const double top = tops_[room_number] + table_.gap() - v.low.z;
+    const auto fall = [&](double x, double y) { attempt(variant, room_number, x, y, top); };
+    fall(-v.low.x, -v.low.y);
+    fall(room.high.x, -v.low.y);
+    fall(-v.low.x, room.high.y);
+    fall(room.high.x, room.high.y);
+    const auto& poses = result_.layout.poses;
+    for (std::size_t k = 0; k < std::min(poses.size(), corners_); ++k) {
       // Behind or beside the box of what stands.
-      const SolidPose& other = result_.poses[placed <= corners_ ? k : random_.below(placed)];
+      const std::size_t j = poses.size() <= corners_ ? k : random_.below(poses.size());
+      const SolidPose& other = poses[j];
       const SolidVariant& w = table_.variants()[other.variant];
-      attempt(other.at.x + w.high.x - v.low.x, other.at.y + w.low.y - v.low.y);
-      attempt(other.at.x + w.low.x - v.low.x, other.at.y + w.high.y - v.low.y);
+      const Vector low = other.at + w.low - v.low, high = other.at + w.high - v.low;
+      fall(high.x, low.y);
+      fall(low.x, high.y);
+      if (!problem_.in_containers() || rooms_[j] != room_number) continue;
+      // Under the lid: from its floor, and upon it.
+      attempt(variant, room_number, high.x + table_.gap(), low.y, low.z);
+      attempt(variant, room_number, low.x, high.y + table_.gap(), low.z);
+      attempt(variant, room_number, low.x, low.y, high.z + table_.gap());
     }
     for (std::size_t k = 0; k < kRandomTried; ++k) {
-      const double x = random_.between(-v.low.x, table_.width() - v.high.x);
-      attempt(x, random_.between(-v.low.y, table_.depth() - v.high.y));
+      const double x = random_.between(-v.low.x, room.high.x - v.high.x);
+      fall(x, random_.between(-v.low.y, room.high.y - v.high.y));
     }
+  }
+
+  bool is_free(std::size_t variant, const Vector& at) const {
+    return boxes_.for_each_meeting(box_at(variant, at, table_.gap()), work_, [&](std::size_t j) {
+      const SolidPose& other = result_.layout.poses[j];
+      const auto [pair, sign] = table_.link(other.variant, variant);
+      work_ += pair.overlaps.size();
+      return pair.depth(sign * (at - other.at), shallow_) <= 0;
+    });
   }
 
   /// It falls, then slides back and left, as long as that lets it fall again.
-  Vector settled(std::size_t variant, Vector at) const {
+  Vector settled(std::size_t variant, const Room<Vector>& room, Vector at) const {
     const SolidVariant& v = table_.variants()[variant];
-    at = at - Vector{0, 0, free_way(variant, at, {0, 0, -1}, at.z + v.low.z)};
+    const auto way_down = [&] { return free_way(variant, at, {0, 0, -1}, at.z + v.low.z - room.low.z); };
+    at = at - Vector{0, 0, way_down()};
     for (int k = 0; k < kMostFalls; ++k) {
       at = at - Vector{0, free_way(variant, at, {0, -1, 0}, at.y + v.low.y), 0};
       at = at - Vector{free_way(variant, at, {-1, 0, 0}, at.x + v.low.x), 0, 0};
-      const double fall = free_way(variant, at, {0, 0, -1}, at.z + v.low.z);
+      const double fall = way_down();
       if (fall <= table_.size() * margin::kSolidContact) break;
       at = at - Vector{0, 0, fall};
     }
@@ -143,7 +211,7 @@ class SolidBuilder {
       swept.high[k] = std::max(here.high[k], there.high[k]);
     }
     boxes_.for_each_meeting(swept, work_, [&](std::size_t j) {
-      const SolidPose& other = result_.poses[j];
+      const SolidPose& other = result_.layout.poses[j];
       const auto [pair, sign] = table_.link(other.variant, variant);
       const Vector u = sign * (at - other.at), along = sign * way;
       for (const ConvexOverlap& overlap : pair.overlaps) {
@@ -162,25 +230,51 @@ class SolidBuilder {
 
   const SolidProblem& problem_;
   const SolidTable& table_;
+  const SolidColumn& column_;
   Random& random_;
   double shallow_;
   mutable std::uint64_t work_ = 0;
   BoxList<3> boxes_;
   std::size_t corners_;
-  LayoutInDoubles<SolidPose> result_;
+  std::vector<double> tops_;             // of what stands in each room
+  std::vector<std::size_t> rooms_;       // of what stands
+  std::vector<std::size_t> first_room_;  // of each part
+  SolidPose best_;                       // of the part that is being placed
+  double best_top_ = 0;
+  bool best_fails_ = false;  // a condition of pairs
+  FirstLayoutOf<SolidPose> result_;
 };
 
 }  // namespace
 
-LayoutInDoubles<SolidPose> first_layout(const SolidProblem& problem, const SolidTable& table, std::uint64_t seed) {
+std::vector<double> values_of(const SolidProblem& problem) {
+  std::vector<double> values;
+  for (const SolidPart& part : problem.parts)
+    values.push_back(part.value ? part.value->to_double() : volume_of(problem, part));
+  return values;
+}
+
+FirstLayoutOf<SolidPose> first_layout(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
+                                      std::uint64_t seed) {
   Random random(seed);
-  LayoutInDoubles<SolidPose> best;
+  const std::vector<double> values = values_of(problem);
+  FirstLayoutOf<SolidPose> best;
+  double least = 0;
   std::uint64_t work = 0;
   for (std::size_t number = 0; number == 0 || (number < kMostOrders && work < kWorkOfFirst); ++number) {
-    SolidBuilder builder(problem, table, random);
-    LayoutInDoubles<SolidPose> layout = builder.build(keys_of(table, problem.parts.size(), number, random));
+    SolidBuilder builder(problem, table, column, random);
+    FirstLayoutOf<SolidPose> layout = builder.build(keys_of(table, values, problem.in_containers(), number, random));
     work += builder.work();
-    if (number == 0 || layout.length < best.length) best = std::move(layout);
+    double lost = 0;
+    for (const std::size_t part : layout.left) lost += values[part];
+    const auto worse = [&] {
+      if (lost != least) return lost > least;
+      if (layout.overlaps != best.overlaps) return layout.overlaps;
+      return layout.layout.length >= best.layout.length;
+    };
+    if (number > 0 && worse()) continue;
+    best = std::move(layout);
+    least = lost;
   }
   return best;
 }

@@ -32,7 +32,10 @@ struct SolidKit {
     const Vector sides = v.high - v.low;
     return sides.x * sides.y * sides.z;
   }
-  static double along(const Vector& at) { return at.z; }
+  static Vector anywhere(const SolidTable& table, const SolidColumn& column, Random& random) {
+    const double x = random.between(0, table.size()), y = random.between(0, table.size());
+    return {x, y, random.between(0, column.rooms().end())};
+  }
   static Vector moved_back(const Vector& at, double by) { return {at.x, at.y, at.z - by}; }
   static Vector exchanged(const Vector& at, const Vector& from, const Vector& to) { return at + (to - from); }
 };

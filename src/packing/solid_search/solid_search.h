@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The search for a low container of solids: islands (island_team.h) of guided local search, each better layout proved
-// and given away at once. It ends early where a layout is as low as the lower bound. Guarantee: layouts given are
-// feasible, exactly. With a limit of work alone the result depends on the seed and the number of islands only, for any
-// number of threads. Cost: as long as allowed. Keywords: three-dimensional packing, open dimension.
+// The search for a low container of solids, or for few containers (search/room_search.h). It ends early where a layout
+// is as low as the lower bound. Guarantee: layouts given are feasible, exactly. With a limit of work alone the result
+// depends on the seed only, for any number of threads. Cost: as long as allowed. Keywords: three-dimensional packing,
+// open dimension, container loading.
 #pragma once
 
-#include "packing/search/strip_search.h"
+#include <atomic>
+#include <optional>
+
+#include "packing/search/search_options.h"
 #include "packing/solid_problem/solid_problem.h"
 
 namespace findspace::packing {
@@ -15,7 +18,7 @@ namespace findspace::packing {
 using SolidSearchOptions = SearchOptionsOf<SolidLayout>;
 using SolidSearchEvents = SearchEventsOf<SolidLayout>;
 
-/// Nothing where there are no parts. `stop`: ends the search when it becomes true.
+/// Nothing where there are no parts, or none that fits a container. `stop`: ends the search when it becomes true.
 std::optional<SolidLayout> search_solids(const SolidProblem& problem, const SolidSearchOptions& options,
                                          const SolidSearchEvents& events, const std::atomic<bool>& stop);
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What a search is asked, and what it says on the way: in the plane and in space.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "packing/search/island_peers.h"
+
+namespace findspace::packing {
+
+template <class Layout>
+struct SearchOptionsOf {
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  double seconds = 0;  // 0: until no better layout comes for a while
+  double work = 0;     // pairs of parts looked at by a thread; 0: no limit
+  const Layout* start = nullptr;
+  IslandPeers* peers = nullptr;  // other processes that search with this one
+};
+
+struct SearchState {
+  double seconds = 0, processor = 0;  // since the beginning
+  double length = 0, density = 0;
+  double overlap = 0;       // left in the separation under way
+  double since_better = 0;  // seconds
+};
+
+template <class Layout>
+struct SearchEventsOf {
+  std::function<void(const Layout&, const SearchState&)> better;  // a proved layout
+  std::function<void(const SearchState&)> progress;
+};
+
+}  // namespace findspace::packing

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Containers of solids upon each other (packing/nfp/rooms.h): the lower the column, the fewer are used. One that is
+// sought has no lid. Cost: linear. Keywords: container loading, three-dimensional bin packing.
+#pragma once
+
+#include <vector>
+
+#include "packing/nfp/rooms.h"
+#include "packing/solid_depth/solid_table.h"
+
+namespace findspace::packing {
+
+class SolidColumn {
+ public:
+  /// Containers of these kinds, in this order; none where the height is sought.
+  SolidColumn(const SolidProblem& problem, const SolidTable& table, const std::vector<std::size_t>& kinds);
+
+  const Rooms<Vector>& rooms() const { return rooms_; }
+  /// No layout is lower: the highest part, or 0 where it may be left out.
+  double fixed_end() const { return end_; }
+  /// The room in which a part stands.
+  std::size_t room_of(const SolidVariant& variant, const Vector& at) const {
+    return rooms_.room_of(at + 0.5 * (variant.low + variant.high));
+  }
+  const Room<Vector>& room_at(const SolidVariant& variant, const Vector& at) const {
+    return rooms_[room_of(variant, at)];
+  }
+
+ private:
+  Rooms<Vector> rooms_;
+  double end_ = 0;
+};
+
+/// All containers, the cheapest for their volume first; no more of a kind than there are parts.
+std::vector<std::size_t> cheapest_containers(const SolidProblem& problem);
+
+}  // namespace findspace::packing
