@@ -98,7 +98,7 @@ class Reading(SafetyTest):
         self.expect(3, "\\x00' is not a number", "describe", self.of_file("part.obj"))
 
     def test_kinds_that_are_read_are_listed(self):
-        self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.step"}})
+        self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.sldprt"}})
         self.expect(3, "3D shapes from .stl", "describe", "scene.json", "A")
 
     def test_ending_of_a_result_is_looked_at_first(self):

@@ -10,6 +10,7 @@
 #include "distance/planar/max_min_search.h"
 #include "distance/planar_features/curved_level_curve.h"
 #include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/nearest.h"
 
