@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exact/margins/packing.h"
 
@@ -53,16 +54,17 @@ std::vector<Piece> pieces_near(const NoFitPolygon& polygon, Vec at, double reach
   return pieces;
 }
 
-/// The half-plane that shuts out the nearest piece. Of several as near, that whose line is farthest from the position.
+/// The half-plane that shuts out the nearest piece of one or more. Of several as near, that whose line is farthest from
+/// the position.
 HalfPlane shut_out(const std::vector<Piece>& pieces, Vec at, double slack) {
-  double nearest = -1, farthest_line = 0;
-  const Piece* best = nullptr;
+  double nearest = std::numeric_limits<double>::infinity(), farthest_line = 0;
+  const Piece* best = &pieces.front();
   for (const Piece& piece : pieces) {
     const Vec off = at - piece.nearest(at);
     const double distance = std::sqrt(dot(off, off)), line = dot(piece.beside.normal, at) - piece.beside.offset;
-    const bool nearer = best == nullptr || distance < nearest - slack;
+    const bool nearer = distance < nearest - slack;
     if (!nearer && !(distance <= nearest + slack && line > farthest_line)) continue;
-    nearest = best == nullptr ? distance : std::min(nearest, distance);
+    nearest = std::min(nearest, distance);
     best = &piece;
     farthest_line = line;
   }
