@@ -44,11 +44,12 @@ PreparedWorld::PreparedWorld(const PreparedWorld& before, ShapeChanges changes)
     names.push_back(name);
     boxes_.erase(name);
     boundary_components_.erase(name);
-    if (region)
-      world_.shapes.insert_or_assign(name, *std::move(region));
-    else
+    if (!region) {
       world_.shapes.erase(name);
-    if (region) prepare(name);
+      continue;
+    }
+    world_.shapes.insert_or_assign(name, *std::move(region));
+    prepare(name);
   }
   const auto changed = [&](const std::vector<std::string>& of) {
     return std::any_of(of.begin(), of.end(), [&](const std::string& name) { return changes.count(name) != 0; });
