@@ -202,7 +202,7 @@ TEST(SolidFirstLayout, OverlapsNowhere) {
   const SolidProblem problem = problem_of(7, 6, {box("slab", 4, 4, 3, 1), corner("corner", 5, 4), angle(4)});
   const SolidTable table(problem);
   const SolidColumn column(problem, table, {});
-  const LayoutInDoubles<SolidPose> layout = first_layout(problem, table, column, 1).layout;
+  LayoutInDoubles<SolidPose> layout = first_layout(problem, table, column, 1).layout;
   EXPECT_EQ(layout.poses.size(), problem.items());
   EXPECT_EQ(SolidArrangement(table, column, layout.poses, layout.length).loss(), 0);
   EXPECT_TRUE(finished(problem, table, column, layout.poses, layout.length).has_value());

@@ -9,11 +9,9 @@
 // only ends the search. Other processes may take part; all of them give the same layouts. Cost: as long as allowed.
 // Keywords: strip packing, bin packing, knapsack.
 //
-// The kit has the types Core, which is the kit of the islands, Problem and Layout, kRound, and the functions
-//   islands(threads)  first_layout(problem, table, row, seed)  values_of(problem)  poses_of(problem, table, row,
-//   layout) finished(problem, table, row, poses, length)  safe_layout(problem, table)  is_feasible(problem, layout)
-//   cheapest(problem)  containers(layout)  length(layout)  density(problem, layout)  least_length(problem)
-//   has_containers(problem)  has_fixed(problem)
+// The kit has the type Core, which is the kit of the islands, Problem, Layout and kRound. Its functions make a first
+// layout, poses of a layout and a proved layout of poses, which may drop some of them (finished). They tell what a
+// layout uses and what the problem has: containers, values, a least length.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +60,7 @@ class RoomSearch {
     const bool is_free = !first.overlaps || separated(first.layout);
     if (!agree(first, is_free)) return std::nullopt;
     std::erase_if(first.left, [&](std::size_t part) { return table_.variants_of(part).empty(); });
-    offer(first.layout);
+    offer_first(first);
     if (first.layout.poses.empty()) return std::move(best_);
     fill(first);
     if (options_.peers != nullptr && agree(first, true)) offer(first.layout);
@@ -162,14 +160,28 @@ class RoomSearch {
     if (events_.progress) events_.progress(state());
   }
 
-  void offer(const Found& layout) {
+  /// What cannot be proved in it is left, so that it is added anew.
+  void offer_first(First& first) {
+    std::vector<Pose> kept = offer(first.layout);
+    if (kept.size() == first.layout.poses.size()) return;
+    std::vector<std::size_t> missing(problem_.parts.size());
+    for (const Pose& p : first.layout.poses) ++missing[Core::part_of(table_, p)];
+    for (const Pose& p : kept) --missing[Core::part_of(table_, p)];
+    for (std::size_t part = 0; part < missing.size(); ++part) first.left.insert(first.left.end(), missing[part], part);
+    first.layout.poses = std::move(kept);
+  }
+
+  /// What of it is proved.
+  std::vector<Pose> offer(const Found& layout) {
+    std::vector<Pose> poses = layout.poses;
     offered_ = layout.length;
-    std::optional<Layout> proved = Kit::finished(problem_, table_, row_, layout.poses, layout.length);
+    std::optional<Layout> proved = Kit::finished(problem_, table_, row_, poses, layout.length);
     if (!proved && !best_ && !Kit::has_containers(problem_)) proved = safe_layout();
-    if (!proved || (best_ && !is_better(*proved, *best_))) return;
+    if (!proved || (best_ && !is_better(*proved, *best_))) return poses;
     best_ = std::move(proved);
     better_at_ = limits_.seconds();
     if (events_.better) events_.better(*best_, state());
+    return poses;
   }
 
   std::optional<Layout> safe_layout() const {

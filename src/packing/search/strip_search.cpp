@@ -30,7 +30,7 @@ struct StripKit {
     return packing::poses_of(problem, table, row, layout);
   }
   static std::optional<Layout> finished(const Problem& problem, const FieldTable& table, const packing::Row& row,
-                                        const std::vector<Pose>& poses, double length) {
+                                        std::vector<Pose>& poses, double length) {
     return packing::finished(problem, table, row, poses, length);
   }
   static Layout safe_layout(const Problem& problem, const FieldTable& table) { return layout_of_boxes(problem, table); }

@@ -5,6 +5,7 @@
 #include "packing/solid_moves/solid_finish.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "packing/compaction/decimal_steps.h"
@@ -18,6 +19,8 @@ constexpr double kSolidSnap = 8;  // fine steps
 /// Gaps in steps of the fine grid, and whether contacts along an axis stay.
 constexpr std::pair<double, bool> kSolidLoosenings[] = {{0, true},   {4, true},   {4, false},   {32, true},
                                                         {32, false}, {512, true}, {4096, false}};
+
+constexpr int kMostLeavings = 4;
 
 class SolidFinisher {
  public:
@@ -76,18 +79,49 @@ class SolidFinisher {
   DecimalSteps steps_;
 };
 
+/// The second item of each pair that stays too near is left out.
+std::optional<SolidLayout> without_faults(const SolidProblem& problem, const SolidFinisher& finisher,
+                                          std::vector<SolidPose>& poses) {
+  using Kind = SolidFault::Kind;
+  for (int k = 0; k < kMostLeavings; ++k) {
+    SolidLayout layout = finisher.rounded(poses, kSolidSnap);
+    const SolidVerdict verdict = verify(problem, layout);
+    if (verdict.is_feasible()) return layout;
+    std::vector<char> leaves(poses.size());
+    for (const SolidFault& fault : verdict.faults) {
+      if (fault.kind == Kind::kCount || fault.kind == Kind::kContainers) continue;
+      if (fault.kind == Kind::kOutside)
+        leaves[fault.first] = 1;
+      else if (leaves[fault.first] == 0)
+        leaves[fault.second] = 1;
+    }
+    std::size_t i = 0;
+    std::erase_if(poses, [&](const SolidPose&) { return leaves[i++] != 0; });
+    if (poses.empty()) break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
-                                    const std::vector<SolidPose>& poses, double height) {
+                                    std::vector<SolidPose>& poses, double height) {
   const SolidFinisher finisher(problem, table, column);
+  std::vector<SolidPose> nearest;
+  std::size_t least_faults = std::numeric_limits<std::size_t>::max();
   for (const auto& [steps, keep_contacts] : kSolidLoosenings) {
     std::vector<SolidPose> moved = poses;
     if (steps > 0) SolidLinearMoves(table, column).loosen(moved, height, steps * finisher.step(), keep_contacts);
     SolidLayout layout = finisher.rounded(moved, kSolidSnap + 2 * steps);
-    if (verify(problem, layout).is_feasible()) return layout;
+    const SolidVerdict verdict = verify(problem, layout);
+    if (verdict.is_feasible()) return layout;
+    if (verdict.faults.size() >= least_faults) continue;
+    least_faults = verdict.faults.size();
+    nearest = std::move(moved);
   }
-  return std::nullopt;
+  if (!problem.in_containers()) return std::nullopt;
+  poses = std::move(nearest);
+  return without_faults(problem, finisher, poses);
 }
 
 SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table) {

@@ -15,9 +15,10 @@
 namespace findspace::packing {
 
 /// Nothing where the overlaps of the layout are too deep for that.
-/// What is missing is left out, for the reason given.
+/// What is missing is left out, for the reason given; in containers of given sizes so is what overlaps after all:
+/// then it is no longer among the poses.
 std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
-                                    const std::vector<SolidPose>& poses, double height);
+                                    std::vector<SolidPose>& poses, double height);
 
 /// The boxes of the parts upon each other in one container without a lid: always feasible.
 SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table);

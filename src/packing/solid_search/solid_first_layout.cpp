@@ -21,6 +21,7 @@ constexpr std::size_t kCornersTried = 24, kRandomTried = 8;
 constexpr std::size_t kCornersOfAll = 20000;  // fewer of each where parts are many
 constexpr int kMostFalls = 6;
 constexpr std::size_t kMostForms = 4;
+constexpr std::size_t kMostFailures = 4;            // of copies of a part in a room
 constexpr double kBoxRoom = 64;                     // for containers as many times as high as the floor is wide
 constexpr std::uint64_t kWorkOfFirst = 20'000'000;  // boxes and planes: some tenths of a second
 constexpr std::size_t kMostOrders = 32;
@@ -60,6 +61,7 @@ class SolidBuilder {
         corners_(std::clamp<std::size_t>(kCornersOfAll / std::max<std::size_t>(problem.items(), 1), 2, kCornersTried)) {
     for (const Room<Vector>& room : column.rooms().all()) tops_.push_back(room.low.z);
     first_room_.resize(problem.parts.size());
+    failures_.resize(problem.parts.size());
   }
 
   /// Those of the greatest keys first.
@@ -80,8 +82,8 @@ class SolidBuilder {
   bool place(std::size_t part) {
     std::vector<std::size_t> variants = table_.variants_of(part);
     for (std::size_t k = variants.size(); k > 1; --k) std::swap(variants[k - 1], variants[random_.below(k)]);
-    // Where a copy of the part found no place, the next finds none.
-    for (std::size_t& room = first_room_[part]; room < tops_.size(); ++room) {
+    // Where some copies of the part found no place, the next is not tried.
+    for (std::size_t room = first_room_[part]; room < tops_.size(); ++room) {
       best_top_ = std::numeric_limits<double>::infinity();
       best_fails_ = true;
       std::size_t forms = 0;
@@ -90,7 +92,10 @@ class SolidBuilder {
         try_form(variants[k], room);
         ++forms;
       }
-      if (best_top_ == std::numeric_limits<double>::infinity()) continue;
+      if (best_top_ == std::numeric_limits<double>::infinity()) {
+        if (room == first_room_[part] && ++failures_[part] % kMostFailures == 0) ++first_room_[part];
+        continue;
+      }
       auto& poses = result_.layout.poses;
       boxes_.put(poses.size(), box_at(best_.variant, best_.at, shallow_));
       poses.push_back(best_);
@@ -236,10 +241,10 @@ class SolidBuilder {
   mutable std::uint64_t work_ = 0;
   BoxList<3> boxes_;
   std::size_t corners_;
-  std::vector<double> tops_;             // of what stands in each room
-  std::vector<std::size_t> rooms_;       // of what stands
-  std::vector<std::size_t> first_room_;  // of each part
-  SolidPose best_;                       // of the part that is being placed
+  std::vector<double> tops_;                        // of what stands in each room
+  std::vector<std::size_t> rooms_;                  // of what stands
+  std::vector<std::size_t> first_room_, failures_;  // of each part
+  SolidPose best_;                                  // of the part that is being placed
   double best_top_ = 0;
   bool best_fails_ = false;  // a condition of pairs
   FirstLayoutOf<SolidPose> result_;

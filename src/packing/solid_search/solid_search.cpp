@@ -33,8 +33,7 @@ struct ColumnKit {
     return packing::poses_of(table, column, layout);
   }
   static std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
-                                             const SolidColumn& column, const std::vector<SolidPose>& poses,
-                                             double height) {
+                                             const SolidColumn& column, std::vector<SolidPose>& poses, double height) {
     return packing::finished(problem, table, column, poses, height);
   }
   static SolidLayout safe_layout(const SolidProblem& problem, const SolidTable& table) {
