@@ -20,8 +20,8 @@ struct Surface {
   /// Circuits of corners.
   std::vector<std::vector<int>> faces;
 
-  /// As a file: ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step", or a picture, ".svg"; the unit for those that state
-  /// one. Error(kUnsupported) for another ending.
+  /// As a file: ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step", or a picture, ".svg"; the unit for those that
+  /// state one. Error(kUnsupported) for another ending.
   std::string text(std::string_view ending, std::string_view unit = {}) const;
 };
 
