@@ -113,7 +113,7 @@ double farthest(const space::Body& body) {
 CommonParts common_parts(const space::Body& a, const space::Body& b, double steps) {
   if (const auto scale = common_scale(a, b))
     return {space::at_scale(a, *scale).parts, space::at_scale(b, *scale).parts, steps * double(*scale)};
-  const double scale = double(space::kCoordinateLimit / 4) / std::max(farthest(a), farthest(b));
+  const double scale = double(space::kCoordinateLimit) / 4 / std::max(farthest(a), farthest(b));
   return {rounded_parts(a, scale / double(a.scale)), rounded_parts(b, scale / double(b.scale)), steps * scale};
 }
 
