@@ -185,6 +185,34 @@ ShapePtr dxf(const std::string& entities, FileChoice choice = {}, const std::str
 
 const std::string kSquare = "0 LWPOLYLINE|8 cut|90 4|70 1|10 0|20 0|10 20|20 0|10 20|20 20|10 0|20 20|";
 
+/// What is drawn by several elements, as one part: an outline within another is its hole.
+TEST(OnePart, NestsOverAllElements) {
+  Context context;
+  context.one_part = true;
+  const auto rings = [](const ShapePtr& shape) {
+    EXPECT_EQ(shape->kind, Shape::Kind::kRings);
+    return shape->contours.size();
+  };
+  const std::string svg = "<svg width='100mm' viewBox='0 0 100 100'><rect width='50' height='20'/>";
+  const std::string with_hole = svg + "<g><circle cx='10' cy='10' r='5'/></g></svg>";
+  EXPECT_EQ(rings(read_svg(with_hole, "f.svg", {}, context)), 2U);
+  FileChoice second;
+  second.index = 1;  // of the elements, as in scenes
+  EXPECT_EQ(read_svg(with_hole, "f.svg", second, context)->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(read_svg(svg + "<rect x='60' width='9' height='9'/></svg>", "f.svg", {}, context)->children.size(), 2U);
+  const std::string outer = "[[[0,0],[50,0],[50,20],[0,20],[0,0]]]", inner = "[[[5,5],[9,5],[9,9],[5,5]]]";
+  const auto feature = [](const std::string& coordinates) {
+    return R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": )" + coordinates + "}}";
+  };
+  const std::string features =
+      R"({"type": "FeatureCollection", "features": [)" + feature(outer) + "," + feature(inner) + "]}";
+  EXPECT_EQ(rings(read_geojson(features, "f.geojson", {}, context)), 2U);
+  EXPECT_EQ(rings(read_wkt("POLYGON((0 0,50 0,50 20,0 20,0 0)) LINESTRING(5 5,9 5,9 9,5 5)", "f.wkt", {}, context)),
+            2U);
+  const std::string crossed = svg + "<circle cx='50' cy='10' r='5'/></svg>";
+  expect_refused([&] { read_svg(crossed, "f.svg", {}, context); }, "touches or crosses");
+}
+
 TEST(ReadDxf, Refuses) {
   Context context;
   for (const char* text : {"", "0\n", "0\nSECTION\n2\nENTITIES\n0\nLINE\n"}) {

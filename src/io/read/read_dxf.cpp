@@ -65,7 +65,7 @@ class DxfReader {
   std::vector<ShapePtr> read() {
     for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, entity.layer(), 0);
     draw_hatches();
-    std::vector<ShapePtr> parts = joined();
+    std::vector<ShapePtr> parts = closed_parts(outline_.take(), context_, document_.name);
     if (parts.empty() && choice_.layer) refuse_layer();
     for (const auto& [type, count] : left_out_) {
       const bool text = type == "TEXT" || type == "MTEXT";
@@ -80,14 +80,6 @@ class DxfReader {
   }
 
  private:
-  std::vector<ShapePtr> joined() try {
-    Drawing drawing = outline_.take();
-    close_outlines(drawing, context_, document_.name);
-    return parts_of(std::move(drawing), context_, document_.name);
-  } catch (const Error& e) {
-    throw e.within(document_.name);
-  }
-
   void refuse_layer() const {
     std::string hint = choice("layers", *choice_.layer, {layers_.begin(), layers_.end()});
     throw Error(ErrorCode::kUnknownName,

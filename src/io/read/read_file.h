@@ -42,6 +42,8 @@ exact::Real file_scale(const std::optional<exact::Real>& millimetres, const std:
                        ReadContext& context);
 /// The part that `choice.index` wants, or all of them as a collection. Throws where there is none.
 plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& name, const FileChoice& choice);
+/// Whether the outlines of all elements nest as one part.
+bool nests(const FileChoice& choice, const ReadContext& context);
 /// Refuses a choice that the format has no meaning for.
 void refuse_choice(bool given, const char* key, const char* format, const std::string& name);
 /// The place of a byte of a text: "name:line:column".

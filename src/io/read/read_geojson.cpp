@@ -35,7 +35,9 @@ class GeoJsonReader {
                   fmt::format("there is no feature '{}'{}", *choice_.id, choice("features", *choice_.id, ids_)),
                   json_.file());
     }
-    return std::move(parts_);
+    if (!nests(choice_, context_) || outlines_ < 2) return std::move(parts_);
+    context_.repeated_points = repeated_;  // they are met again
+    return closed_parts(std::move(pool_), context_, json_.file());
   }
 
  private:
@@ -108,7 +110,13 @@ class GeoJsonReader {
       json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a type of GeoJSON; the types are {}", kind, kTypes),
                  {}, value);
     }
+    pool(outline.drawn());
     return json_.placed({}, value, [&] { return lines_of(outline.take(), context_, place(value)); });
+  }
+
+  void pool(const Drawing& drawing) {
+    ++outlines_;
+    append(pool_, drawing);
   }
 
   template <class Take>
@@ -132,7 +140,7 @@ class GeoJsonReader {
     outline.finish();
   }
 
-  ShapePtr polygon(const JsonValue& value) const {
+  ShapePtr polygon(const JsonValue& value) {
     Outline outline(context_, scale_);
     for (const JsonValue& ring : list(value, "a polygon")) {
       const std::size_t before = outline.drawn().chains.size();
@@ -140,6 +148,7 @@ class GeoJsonReader {
       if (outline.drawn().chains.size() == before + 1 && open_chains(outline.drawn()) == 0) continue;
       json_.fail(ErrorCode::kGeometry, "a ring must have an area and end at its first point", {}, ring);
     }
+    pool(outline.drawn());
     return json_.placed({}, value, [&] { return polygon_of(outline.take(), context_, place(value)); });
   }
 
@@ -147,6 +156,9 @@ class GeoJsonReader {
   const FileChoice& choice_;
   ReadContext& context_;
   Real scale_;
+  Drawing pool_;  // the outlines of all geometries
+  int outlines_ = 0;
+  std::int64_t repeated_ = context_.repeated_points;  // before
   std::vector<ShapePtr> parts_;
   std::vector<std::string> ids_;
 };

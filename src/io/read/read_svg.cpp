@@ -4,8 +4,9 @@
 // SVG drawings: path, polygon, polyline, line, rect, circle, ellipse, use, in groups, with transforms. SVG's y axis
 // points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
 // The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
-// element is the area it encloses (even-odd), whatever its fill. What is open is joined over all elements, where ends
-// meet or the gap is allowed. Layers are Inkscape's, groups by id, and colours.
+// element is the area it encloses (even-odd), whatever its fill; or all elements nest as one part, where that is asked.
+// What is open is joined over all elements, where ends meet or the gap is allowed. Layers are Inkscape's, groups by id,
+// and colours.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -205,6 +206,7 @@ class SvgReader {
     draw_svg_element(node, local_name(node), map, outline);
     Drawing drawing = outline.take();
     const bool empty = drawing.chains.empty() && drawing.discs.empty();
+    if (nests(choice_, context_) && !empty) return append(pool_, drawing);
     if (!context_.drawing.open_lines || context_.drawing.join > 0) {
       for (Chain& chain : drawing.chains)
         if (!chain.closed) pool_.chains.push_back(std::move(chain));
@@ -216,13 +218,10 @@ class SvgReader {
     parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
   }
 
-  /// Open outlines of all elements, joined.
-  void add_pooled() try {
-    if (pool_.chains.empty()) return;
-    close_outlines(pool_, context_, name_);
-    for (ShapePtr& part : parts_of(std::move(pool_), context_, name_)) parts_.push_back(std::move(part));
-  } catch (const Error& e) {
-    throw e.within(name_);
+  /// Open outlines of all elements, joined; or all outlines, nested.
+  void add_pooled() {
+    if (pool_.chains.empty() && pool_.discs.empty()) return;
+    for (ShapePtr& part : closed_parts(std::move(pool_), context_, name_)) parts_.push_back(std::move(part));
   }
 
   void check_found() const {
@@ -248,7 +247,7 @@ class SvgReader {
   SvgStyles styles_{pugi::xml_node()};
   std::map<std::string, pugi::xml_node, std::less<>> by_id_;
   std::string colour_;  // of the layer that is chosen
-  Drawing pool_;        // open outlines
+  Drawing pool_;        // open outlines, or all
   std::vector<ShapePtr> parts_;
   std::set<std::string> ids_, layers_;
   std::map<std::string, int> left_out_;

@@ -110,8 +110,8 @@ class WktScanner {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const std::string& name, ReadContext& context, Real scale)
-      : from_(text, name), context_(context), scale_(std::move(scale)) {}
+  WktReader(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context, Real scale)
+      : from_(text, name), name_(name), choice_(choice), context_(context), scale_(std::move(scale)) {}
 
   std::vector<ShapePtr> read() {
     std::vector<ShapePtr> shapes;
@@ -119,7 +119,9 @@ class WktReader {
       shapes.push_back(geometry(0));
       if (!from_.take(';')) from_.take(',');
     }
-    return shapes;
+    if (!nests(choice_, context_) || outlines_ < 2) return shapes;
+    context_.repeated_points = repeated_;  // they are met again
+    return closed_parts(std::move(pool_), context_, name_);
   }
 
  private:
@@ -176,7 +178,13 @@ class WktReader {
       from_.go_to(start);
       from_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a geometry that is read", name));
     }
+    pool(outline.drawn());
     return lines_of(outline.take(), context_, place);
+  }
+
+  void pool(const Drawing& drawing) {
+    ++outlines_;
+    append(pool_, drawing);
   }
 
   ShapePtr several(const std::string& name, const std::string& place, int depth) {
@@ -206,6 +214,7 @@ class WktReader {
       }
     } while (from_.take(','));
     from_.need(')');
+    pool(outline.drawn());
     return polygon_of(outline.take(), context_, place);
   }
 
@@ -259,8 +268,13 @@ class WktReader {
   }
 
   WktScanner from_;
+  const std::string& name_;
+  const FileChoice& choice_;
   ReadContext& context_;
   Real scale_;
+  Drawing pool_;  // the outlines of all geometries
+  int outlines_ = 0;
+  std::int64_t repeated_ = context_.repeated_points;  // before
 };
 
 }  // namespace
@@ -269,7 +283,7 @@ ShapePtr read_wkt(std::string_view text, const std::string& name, const FileChoi
   refuse_choice(choice.id.has_value(), "id", "WKT", name);
   refuse_choice(choice.layer.has_value(), "layer", "WKT", name);
   Real scale = file_scale(std::nullopt, name, choice, context);
-  return chosen(WktReader(text, name, context, scale).read(), name, choice);
+  return chosen(WktReader(text, name, choice, context, scale).read(), name, choice);
 }
 
 }  // namespace findspace::io

@@ -226,6 +226,19 @@ ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& plac
   return united(std::move(all), place);
 }
 
+std::vector<ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name) try {
+  close_outlines(drawing, context, name);
+  return parts_of(std::move(drawing), context, name);
+} catch (const Error& e) {
+  throw e.within(name);
+}
+
+void append(Drawing& all, const Drawing& more) {
+  all.chains.insert(all.chains.end(), more.chains.begin(), more.chains.end());
+  all.discs.insert(all.discs.end(), more.discs.begin(), more.discs.end());
+  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+}
+
 ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place) {
   std::vector<Contour> rings;
   for (Chain& chain : take_closed(drawing)) rings.push_back(std::move(chain.edges));

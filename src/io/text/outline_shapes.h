@@ -28,6 +28,10 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
 std::vector<plane::ShapePtr> parts_of(Drawing drawing, ReadContext& context, const std::string& place);
 /// The same as one shape: the part, or the union of the parts.
 plane::ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& place);
+/// The parts of a whole drawing, whose open chains are closed as the rules say. Errors name it.
+std::vector<plane::ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name);
+/// What is drawn besides.
+void append(Drawing& all, const Drawing& more);
 /// All chains as polylines, also those that come back to their first point, and the points.
 plane::ShapePtr lines_of(Drawing drawing, ReadContext& context, const std::string& place);
 /// The first closed chain as outer ring, the others as its holes.

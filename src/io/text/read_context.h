@@ -42,6 +42,7 @@ struct ReadContext {
 
   DrawingRules scene_rules;  // as the scene states them
   DrawingUse drawing;        // of the shape that is read
+  bool one_part = false;     // the outlines of a drawing nest over all its elements, unless one is chosen by its index
   CurveLog curves;
 
   RoundingLog rounding;
