@@ -70,6 +70,13 @@ TEST(ReadSolids, SaysWhatIsWrong) {
   EXPECT_NE(message_of(head + "[" + wide + "]}").find("does not stand on the floor"), std::string::npos);
   const std::string twice = R"({"id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}})";
   EXPECT_NE(message_of(head + "[" + twice + "," + twice + "]}").find("two items 'w'"), std::string::npos);
+  const std::string item = R"("id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}})";
+  const std::string open = head + "[{" + item;
+  EXPECT_NE(message_of(open + R"(}], "unit": "cm"})").find("no unit"), std::string::npos);
+  EXPECT_NE(message_of(open + R"(}], "gap": 2})").find("unknown key 'gap', did you mean 'gaps'"), std::string::npos);
+  EXPECT_NE(message_of(open + R"(, "mirrored": true}]})").find("unknown key 'mirrored'"), std::string::npos);
+  EXPECT_NE(message_of(open + R"(}], "gaps": [{"between": ["w", "w"], "gap": 1, "x": 1}]})").find("key 'x'"),
+            std::string::npos);
 }
 
 TEST(ReadSolids, Orientations) {

@@ -42,6 +42,13 @@ class NestingJson {
     if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text));
     return std::size_t(found - all.begin());
   }
+  /// Refuses a second of that name; `one` is the last of them.
+  template <class Named>
+  void check_name(const JsonValue& one, const std::vector<Named>& all, const char* what) const {
+    const auto same = [&](const Named& other) { return other.name == all.back().name; };
+    if (std::count_if(all.begin(), all.end(), same) > 1)
+      fail(one, fmt::format("there are two {} '{}': give them an 'id' each", what, all.back().name));
+  }
   /// Of a layout.
   template <class Named>
   std::vector<packing::LeftOut> left_out(const JsonValue& value, const std::vector<Named>& parts) const {

@@ -37,10 +37,16 @@ class Reader : private NestingJson {
     if (tree().find("item-types") != nullptr && tree().find("items") == nullptr)
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
-    for (const JsonValue& item : items.items) result.parts.push_back(part(item));
+    for (const JsonValue& item : items.items) {
+      result.parts.push_back(part(item));
+      check_name(item, result.parts, "items");
+    }
     read_shapes(items, asked, result);
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
-      for (const JsonValue& value : list(*sheets).items) result.sheets.push_back(sheet(value, result.parts));
+      for (const JsonValue& value : list(*sheets).items) {
+        result.sheets.push_back(sheet(value, result.parts));
+        check_name(value, result.sheets, "sheets");
+      }
     check_costs(result);
     if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !asked.height;
     if (result.sheets.empty() && !result.box)
@@ -104,6 +110,7 @@ class Reader : private NestingJson {
     ReadContext context(asked.read);
     context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
     context.grid = Grid(exact::Real(1) / exact::Real(steps));
+    context.one_part = true;
     const SceneReader json(name(), context);
     read_rules(json);
     JsonValue none;

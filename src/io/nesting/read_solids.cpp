@@ -6,10 +6,14 @@
 
 #include <findspace/error.h>
 
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
 
 #include "io/cad/read_cad.h"
 #include "io/mesh/read_mesh.h"
@@ -28,6 +32,19 @@ using Kind = JsonValue::Kind;
 
 constexpr int kMostDigits = 9;
 constexpr int kCadDigits = 6;  // as scenes have it: curved faces have no coordinates of their own
+
+using Key = std::string_view;
+constexpr std::array<Key, 11> kKeys{"name", "container", "containers", "item-types", "shapes", "allowed_orientations",
+                                    "gaps", "pairs",     "where",      "groups",     "comment"};  // of data sets
+constexpr std::array<Key, 6> kItemKeys{"id", "demand", "path", "shape", "allowed_orientations", "value"};
+constexpr std::array<Key, 2> kFloorKeys{"size-x", "size-y"};
+constexpr std::array<Key, 6> kContainerKeys{"id", "count", "cost", "size-x", "size-y", "size-z"};
+constexpr std::array<Key, 2> kGapKeys{"between", "gap"}, kPairKeys{"between", "where"}, kGroupKeys{"parts", "within"};
+constexpr std::array<std::pair<Key, std::span<const Key>>, 5> kKeysOfLists{{{"item-types", kItemKeys},
+                                                                            {"containers", kContainerKeys},
+                                                                            {"gaps", kGapKeys},
+                                                                            {"pairs", kPairKeys},
+                                                                            {"groups", kGroupKeys}}};
 
 /// "Stoyan et al. 2005" as a folder of the data sets is named: "stoyan2005".
 std::string short_folder(const std::string& words) {
@@ -64,6 +81,7 @@ class SolidReader : private NestingJson {
     ReadContext context(options_);
     context.folder = std::filesystem::path(name()).parent_path();
     context.take_bytes(size_, name());
+    check_keys(context);
     const int digits = digits_needed(context);
     context.grid = grid_of(digits);
     SolidProblemRead result = read(context, asked);
@@ -106,6 +124,20 @@ class SolidReader : private NestingJson {
   }
 
  private:
+  /// Of all objects but shapes, which have their own reader.
+  void check_keys(ReadContext& context) const {
+    if (const JsonValue* unit = tree().find("unit"))
+      fail(*unit, "a problem of solids has no unit: the numbers of meshes are taken as they are, STEP and IGES in mm");
+    const SceneReader json(name(), context);
+    json.check_keys(tree(), kKeys, {});
+    for (const auto& [list, keys] : kKeysOfLists)
+      if (const JsonValue* values = tree().find(list); values != nullptr && values->is(Kind::kArray))
+        for (const JsonValue& value : values->items)
+          if (value.is(Kind::kObject)) json.check_keys(value, keys, {});
+    if (const JsonValue* floor = tree().find("container"); floor != nullptr && floor->is(Kind::kObject))
+      json.check_keys(*floor, kFloorKeys, {});
+  }
+
   static Grid grid_of(int digits) { return Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits))); }
 
   /// Of all numbers of shapes, and of all vertices in files, which are read on the way.
@@ -166,10 +198,7 @@ class SolidReader : private NestingJson {
     ShapeReader shapes(json, named != nullptr ? *named : none);
     for (const JsonValue& item : list(need(tree(), "item-types")).items) {
       problem.parts.push_back(part(item, shapes, context));
-      const std::string& own = problem.parts.back().name;
-      const auto same = [&](const packing::SolidPart& other) { return other.name == own; };
-      if (std::count_if(problem.parts.begin(), problem.parts.end(), same) > 1)
-        fail(item, fmt::format("there are two items '{}': give them an 'id'", own));
+      check_name(item, problem.parts, "items");
     }
     result.notes = context.summary();
     return result;
@@ -194,6 +223,7 @@ class SolidReader : private NestingJson {
       container.height = number(need(value, "size-z"));
       if (container.width <= 0 || container.depth <= 0 || container.height <= 0)
         fail(value, "a container has sizes above 0");
+      check_name(value, problem.containers, "containers");
       if (container.cost.has_value() != problem.containers[0].cost.has_value())
         fail(value, "some containers have a cost and others none");
     }
