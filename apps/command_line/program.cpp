@@ -33,7 +33,7 @@ std::unique_ptr<ResultFile> open_store(const VerbEntry& verb, const Options& opt
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
-  check_outputs(options, endings_of(verb.name));  // before anything is read
+  if (!verb.is("pack")) check_outputs(options, endings_of(verb.name));  // before anything is read
   const plane::ThreadLimit threads(options.threads);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());
@@ -66,7 +66,7 @@ int report(Reporter& reporter) {
 
 int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   reporter.stage("");
-  const bool wanted = options.json || !options.quiet || options.outputs.empty();
+  const bool wanted = is_printed(options);
   const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
   begin_printing();
   if (wanted && outcome.stream) outcome.stream(put);

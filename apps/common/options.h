@@ -76,6 +76,9 @@ inline io::ReadOptions reading(const Options& o) {
   return {!o.no_files, o.root, o.input_limit, o.work_limit, o.drawings};
 }
 
+/// Whether the answer is printed, besides the files.
+inline bool is_printed(const Options& o) { return o.json || !o.quiet || o.outputs.empty(); }
+
 /// Exit statuses (docs/commands.md).
 enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, kInternal = 70, kInterrupted = 130 };
 

@@ -16,8 +16,8 @@ namespace findspace::app {
 /// From now on SIGINT, SIGTERM and SIGHUP end the process with 128 plus their number, unless they are ignored.
 void end_on_signals();
 
-/// Sets the time and memory limits of the options; reaching one ends the process with status 4. A verb that ends in
-/// time by itself is stopped only where it is late by more than kLate of its time.
+/// Sets the time and memory limits of the options; reaching one ends the process with status 4, without an answer. A
+/// verb that ends in time by itself is stopped only where it is late by more than kLate of its time.
 void set_limits(const Options& options, bool ends_in_time);
 inline constexpr double kLate = 0.05;
 /// Of its time, what such a verb may spend before it writes.
@@ -38,6 +38,9 @@ class RequestTime {
 
 /// What an end by a signal says instead of "nothing was written"; the text lives as long as the process.
 void say_at_the_end(const char* text);
+/// From now on the time limit of the options is no failure: it ends the process with status 0 after this answer on
+/// standard output. Called by one thread; the answer before it stays until the next.
+void answer_at_the_end(std::string text);
 /// The result is being printed: from now on a part of it may stand there.
 void begin_printing();
 /// All is done: no limit ends the process any more.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/commands.h"
+#include "common/run_limits.h"
 #include "common/session.h"
 #include "common/stop_on_interrupt.h"
 #include "io/nesting/read_nesting.h"
@@ -50,7 +51,7 @@ class Packing {
                                                                           StopOnInterrupt::wanted());
     }
     if (!best) return empty();
-    return {options_.json ? json(*best) : summary(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
+    return {answer(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
   }
 
  private:
@@ -62,6 +63,7 @@ class Packing {
     facts_.proven = packing::verify(problem_, layout).feasible();
     facts_.remnant = packing::largest_remnant(problem_, layout);
     write(layout);
+    answer_at_the_end(is_printed(options_) ? answer(layout) : "");
     if (!options_.quiet) reporter_.note(better_text(state, "length"));
   }
 
@@ -74,6 +76,8 @@ class Packing {
   }
 
   std::string json(const packing::Layout& layout) const { return io::layout_json(problem_, layout, facts_); }
+
+  std::string answer(const packing::Layout& layout) const { return options_.json ? json(layout) : summary(layout); }
 
   std::string summary(const packing::Layout& layout) const {
     std::string text = fmt::format("length {}", layout.length.text());

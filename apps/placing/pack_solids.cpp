@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "common/run_limits.h"
 #include "common/session.h"
 #include "common/stop_on_interrupt.h"
 #include "io/nesting/read_solids.h"
@@ -57,8 +58,7 @@ class SolidPacking {
       best = packing::search_solids(problem_, search, events, StopOnInterrupt::wanted());
     }
     if (!best) return empty();
-    return {options_.json ? io::layout_json(problem_, *best, facts_) : summary(*best),
-            StopOnInterrupt::wanted() ? kInterrupted : kDone};
+    return {answer(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
   }
 
  private:
@@ -80,6 +80,7 @@ class SolidPacking {
     facts_.density = state.density;
     facts_.proven = packing::verify(problem_, layout).is_feasible();
     write(layout);
+    answer_at_the_end(is_printed(options_) ? answer(layout) : "");
     if (!options_.quiet) reporter_.note(better_text(state, "height"));
   }
 
@@ -93,6 +94,10 @@ class SolidPacking {
         return io::assembly_text(io::layout_assembly(problem_, layout), problem_.name, ending, "");
       };
     write_outputs(options_, writers);
+  }
+
+  std::string answer(const packing::SolidLayout& layout) const {
+    return options_.json ? io::layout_json(problem_, layout, facts_) : summary(layout);
   }
 
   std::string summary(const packing::SolidLayout& layout) const {
