@@ -5,12 +5,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
+#include "findspace/error.h"
 #include "formula/language/names.h"
 #include "io/mesh/write_mesh.h"
+#include "io/text/units.h"
+#include "packing/problem/fraction.h"
 
 namespace findspace::app {
+namespace {
+
+std::optional<packing::Fraction> fraction(const std::string& text) try {
+  return packing::Fraction::parse(text);
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::string seconds(const std::string& text) {
   double value = 0;
@@ -53,14 +66,49 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
   return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
+std::string length_text(const std::string& text) {
+  const auto length = fraction(text);
+  if (length && *length >= 0) return "";
+  return fmt::format("a number from 0 on is meant, without a unit, such as 2.5; not '{}'", text);
+}
+
+std::string sheet_text(const std::string& text) {
+  const std::vector<std::string> sizes = at_commas(text);
+  const auto is_size = [](const std::string& size) {
+    const auto length = fraction(size);
+    return length && *length > 0;
+  };
+  if (sizes.size() == 2 && std::all_of(sizes.begin(), sizes.end(), is_size)) return "";
+  return fmt::format("a width and a height above 0 are meant, without a unit, such as 600,400; not '{}'", text);
+}
+
+std::string angles_text(const std::string& text) {
+  for (const std::string& angle : at_commas(text))
+    if (!fraction(angle)) return fmt::format("angles in degrees are meant, such as 0,90,180; not '{}'", text);
+  return "";
+}
+
+std::string unit_text(const std::string& text) try {
+  io::parse_unit(text);
+  return "";
+} catch (const Error& e) {
+  return e.message();
+}
+
+std::vector<std::string> at_commas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
 std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "batch") return {".jsonl"};
   if (verb == "check" || verb == "measure") return {".svg", ".json"};
-  if (verb == "pack") {
-    std::vector<std::string> all{".json", ".dxf"};
-    all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
-    return all;
-  }
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");

@@ -21,10 +21,18 @@ std::optional<std::uint64_t> size_of(const std::string& text);
 /// What is wrong with such a size, or nothing.
 std::string size_text(const std::string& text);
 
+/// What is wrong with a length of a packing, the size of its sheets, angles separated by commas, or a unit; or nothing.
+std::string length_text(const std::string& text);
+std::string sheet_text(const std::string& text);
+std::string angles_text(const std::string& text);
+std::string unit_text(const std::string& text);
+/// At the commas: one more than there are.
+std::vector<std::string> at_commas(const std::string& text);
+
 /// "; did you mean 'map'?", or "" where no name is near.
 std::string meant(const std::string& word, const std::vector<std::string>& names);
 
-/// Of the files that a verb can write, whatever the scene.
+/// Of the files that a verb other than pack can write, whatever the scene.
 std::vector<std::string> endings_of(std::string_view verb);
 
 }  // namespace findspace::app

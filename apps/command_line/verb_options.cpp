@@ -68,12 +68,15 @@ void add_lines(CLI::App& command, std::string_view verb, Options& o) {
 void add_strip(CLI::App& command, Options& o) {
   command.add_option("--height", o.height, "the height of the strip, instead of the file's")
       ->type_name("H")
+      ->check(length_text)
       ->group(kPlaneGroup);
   command.add_option("--gap", o.gap, "the least distance of any two parts (default 0)")
       ->type_name("D")
+      ->check(length_text)
       ->group(kPlaneGroup);
   command.add_option("--edge", o.edge, "the least distance of a part to the sides of the strip (default 0)")
       ->type_name("D")
+      ->check(length_text)
       ->group(kPlaneGroup);
 }
 
@@ -111,13 +114,20 @@ void add_drawings(CLI::App& command, Options& o) {
 void add_drawn_parts(CLI::App& command, Options& o) {
   command.add_option("--sheet", o.sheet, "sheets of this size for drawings, instead of --height")
       ->type_name("W,H")
+      ->check(sheet_text)
       ->group(kDrawing);
-  command.add_option("--angles", o.angles, "the angles at which drawings may lie, in degrees (default 0)")
-      ->delimiter(',')
+  command
+      .add_option_function<std::string>(
+          "--angles", [&o](const std::string& text) { o.angles = at_commas(text); },
+          "the angles at which drawings may lie, in degrees (default 0)")
       ->type_name("DEG[,DEG]")
+      ->check(angles_text)
       ->group(kDrawing);
   command.add_flag("--mirrored", o.mirrored, "drawings may be turned over")->group(kDrawing);
-  command.add_option("--unit", o.unit, "the unit of the result (default mm)")->type_name("UNIT")->group(kDrawing);
+  command.add_option("--unit", o.unit, "the unit of the result (default mm)")
+      ->type_name("UNIT")
+      ->check(unit_text)
+      ->group(kDrawing);
   command.add_option("--layer", o.layer, "the layer of drawings that is read (default: all)")
       ->type_name("NAME")
       ->group(kDrawing);

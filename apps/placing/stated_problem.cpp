@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include "findspace/error.h"
+#include "formula/language/lexer.h"
 #include "io/text/file_kind.h"
 #include "io/text/read_text.h"
 #include "io/write/json_text.h"
@@ -33,12 +35,39 @@ bool is_drawing(const std::string& word) {
   return std::find(kDrawings.begin(), kDrawings.end(), ending) != kDrawings.end();
 }
 
+constexpr int kMostCopies = 1000000;
+
 /// "x12"
 std::optional<int> count_of(const std::string& word) {
-  constexpr std::size_t kMostDigits = 6;
   const bool digits = word.find_first_not_of("0123456789", 1) == std::string::npos;
-  if (word.size() < 2 || word[0] != 'x' || !digits || word.size() > 1 + kMostDigits) return std::nullopt;
-  return std::stoi(word.substr(1));
+  if (word.size() < 2 || word[0] != 'x' || !digits) return std::nullopt;
+  int count = 0;
+  const auto [end, error] = std::from_chars(word.data() + 1, word.data() + word.size(), count);
+  if (error != std::errc{} || count > kMostCopies)
+    throw Error(ErrorCode::kUsage, fmt::format("{}: a count is from 0 to {}", word, kMostCopies));
+  return count;
+}
+
+[[noreturn]] void refuse_word(const std::string& word) {
+  if (count_of(word)) throw Error(ErrorCode::kUsage, fmt::format("{}: a count follows a drawing", word));
+  throw Error(ErrorCode::kUsage, fmt::format("{}: a drawing ({}) and how many of it are meant, such as bracket.dxf "
+                                             "x12; a problem in JSON stands alone",
+                                             formula::printable(word), fmt::join(kDrawings, " ")));
+}
+
+/// Counts of the same file are added.
+std::vector<Drawing> added_up(const std::vector<Drawing>& named) {
+  std::vector<Drawing> result;
+  for (const Drawing& drawing : named) {
+    const auto same = [&](const Drawing& other) { return other.file == drawing.file; };
+    const auto known = std::find_if(result.begin(), result.end(), same);
+    if (known == result.end())
+      result.push_back(drawing);
+    else if ((known->count += drawing.count) > kMostCopies)
+      throw Error(ErrorCode::kUsage,
+                  fmt::format("{}: its counts together are above {}", drawing.file.string(), kMostCopies));
+  }
+  return result;
 }
 
 std::vector<Drawing> drawings_of(const std::vector<std::string>& words) {
@@ -46,17 +75,19 @@ std::vector<Drawing> drawings_of(const std::vector<std::string>& words) {
   bool counted = true;
   for (const std::string& word : words) {
     if (is_drawing(word)) {
-      result.push_back({word, 1});
+      if (formula::printable(word) != word)
+        throw Error(ErrorCode::kUsage, fmt::format("{}: parts are called as their files, and this name is not UTF-8",
+                                                   formula::printable(word)));
+      result.push_back({std::filesystem::path(word).lexically_normal(), 1});
       counted = false;
     } else if (const std::optional<int> count = count_of(word); count && !counted) {
       result.back().count = *count;
       counted = true;
     } else {
-      throw Error(ErrorCode::kUsage,
-                  fmt::format("{}: a drawing and how many of it are meant, such as bracket.dxf x12", word));
+      refuse_word(word);
     }
   }
-  return result;
+  return added_up(result);
 }
 
 /// The name of a part: that of its file, with its folder where two files are called so.
@@ -77,8 +108,6 @@ std::string item_json(const Drawing& drawing, const std::string& name, const Opt
 /// "600,400"
 std::string sheet_json(const std::string& size, int count) {
   const std::size_t comma = size.find(',');
-  if (comma == std::string::npos)
-    throw Error(ErrorCode::kUsage, fmt::format("--sheet {}: a width and a height are meant, such as 600,400", size));
   return fmt::format(R"("sheets": [{{"id": "sheet", "count": {}, "width": {}, "height": {}}}])", count,
                      io::json_string(size.substr(0, comma)), io::json_string(size.substr(comma + 1)));
 }
@@ -106,6 +135,8 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
 
 StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options) {
   if (is_drawing(words[0]) || words.size() > 1) return drawn_problem(words, options);
+  if (io::is_space_ending(io::lower_ending(std::filesystem::path(words[0]).extension().string())))
+    refuse_word(words[0]);
   if (options.sheet || !options.angles.empty() || options.mirrored || options.unit || options.layer)
     throw Error(ErrorCode::kUsage,
                 "--sheet, --angles, --mirrored, --unit and --layer are for drawings; a problem says them itself");

@@ -95,6 +95,52 @@ TEST_F(Program, PacksDrawingsWithCounts) {
   EXPECT_EQ(run("pack scene.json --angles 0,90").status, 2);  // a problem says them itself
 }
 
+/// A drawing that is named twice is one part; an element within another is a hole.
+TEST_F(Program, PacksOneDrawingNamedTwice) {
+  std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="8" height="4"/>)"
+                                      R"(<rect x="2" y="1" width="4" height="2"/></svg>)";
+  const std::string drawings = "a.svg x2 ./a.svg ";
+  const Result strip = run("pack " + drawings + "--height 4 --work 1 --threads 1 -o layout.json");
+  EXPECT_TRUE(contains(strip.out, "length 24, density 75.0000 %, 3 parts")) << strip.out << strip.err;
+  EXPECT_EQ(run("verify layout.json " + drawings + "--height 4").status, 0);
+  EXPECT_EQ(run("verify layout.json a.svg x3 --height 4").status, 0);
+}
+
+/// The time limit ends the process wherever it is: the best layout is the answer.
+TEST_F(Program, PackAnswersWhenItsTimeIsOver) {
+  std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="4"/></svg>)";
+  const std::string command =
+      "cd '" + folder_.string() +
+      "' || exit 1; '" FINDSPACE_PROGRAM
+      "' pack a.svg x9 --height 20 --threads 1 --time-limit 300 -o layout.json > out.txt 2> err.txt & search=$!; "
+      "for k in $(seq 100); do test -s layout.json && break; sleep 0.1; done; sleep 0.5; kill -ALRM $search; wait "
+      "$search";
+  EXPECT_EQ(std::system(command.c_str()), 0) << read("err.txt");
+  EXPECT_TRUE(contains(read("out.txt"), "9 parts, proved free of overlaps")) << read("out.txt") << read("err.txt");
+}
+
+TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
+  std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="4"/></svg>)";
+  const auto expect_usage = [&](const std::string& words, const std::string& said) {
+    const Result result = run("pack " + words);
+    EXPECT_EQ(result.status, 2) << words;
+    EXPECT_TRUE(contains(result.err, said)) << words << ": " << result.err;
+  };
+  expect_usage("a.svg --height 9 --angles foo", "--angles: angles in degrees are meant");
+  expect_usage("a.svg --height 9 --angles 0,,90", "--angles: angles in degrees are meant");
+  for (const char* size : {"100,100,100", "60mm,60mm", "0,0", "100", ","})
+    expect_usage(std::string("a.svg --sheet ") + size, "--sheet: a width and a height above 0 are meant");
+  expect_usage("a.svg --height 9 --unit furlong", "--unit: unknown unit 'furlong'");
+  expect_usage("a.svg --height 9 --gap 2mm", "--gap: a number from 0 on is meant");
+  expect_usage("a.svg --height 60mm", "--height: a number from 0 on is meant");
+  expect_usage("a.svg x1234567 --height 9", "from 0 to 1000000");
+  expect_usage("a.svg x900000 a.svg x900000 --height 9", "together are above 1000000");
+  for (const char* other : {"kit.json x2", "bracket.step x2", "bracket.step", "c.pdf x2"})
+    expect_usage(std::string(other) + " --height 9", "(.svg .dxf .wkt .geojson)");
+  expect_usage("a.svg --height 9 -o foo.pdf", "one of .json .svg .dxf\n");
+  expect_usage("$(printf '\\377').svg --height 9", "not UTF-8");
+}
+
 /// The longest line, in letters.
 std::size_t columns(const std::string& text) {
   std::size_t most = 0, column = 0;
