@@ -41,6 +41,7 @@
 #include <sstream>
 
 #include "brep_mesh.h"
+#include "loaded.h"
 #include "rounded.h"
 
 namespace findspace::cad {
@@ -123,12 +124,14 @@ class File : public io::CadFile {
     std::istringstream stream(bytes);
     if (reader.ChangeReader().ReadStream("", stream) != IFSelect_RetDone)
       fail(CadFault::kSyntax, "Open CASCADE cannot read this as STEP: it is cut off, or not well formed");
+    require_loaded(reader.Reader().WS());
     Handle(TDocStd_Document) document = new TDocStd_Document("");
     reader.SetNameMode(true);
     reader.SetColorMode(false);
     reader.SetLayerMode(false);
     reader.SetPropsMode(false);
     if (!reader.Transfer(document)) nothing();
+    require_translated(reader.Reader().WS());
     take(document);
   }
 
@@ -152,11 +155,13 @@ class File : public io::CadFile {
     close_it();
     if (status != IFSelect_RetDone)
       fail(CadFault::kSyntax, "Open CASCADE cannot read this as IGES: it is cut off, or not well formed");
+    require_loaded(reader.WS());
     Handle(TDocStd_Document) document = new TDocStd_Document("");
     reader.SetNameMode(true);
     reader.SetColorMode(false);
     reader.SetLayerMode(false);
     if (!reader.Transfer(document)) nothing();
+    require_translated(reader.WS());
     take(document);
   }
 

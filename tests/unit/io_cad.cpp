@@ -144,6 +144,30 @@ TEST_F(IoCad, BadFilesAreRefused) {
   EXPECT_NE(said(cards.substr(0, cards.size() / 2), {}, ".igs"), "");
 }
 
+/// The text with the first `from` after `at` as `to`.
+std::string with(std::string text, const std::string& from, const std::string& to, const std::string& at = "") {
+  const std::size_t found = text.find(from, text.find(at));
+  EXPECT_NE(found, std::string::npos) << from;
+  return found == std::string::npos ? text : text.replace(found, from.size(), to);
+}
+
+/// Open CASCADE drops what it does not know, or crashes on it.
+TEST_F(IoCad, PartsThatAreNotUnderstoodAreRefused) {
+  const std::string whole = bytes_of("assembly.step");
+  const auto says = [](const std::string& bytes, const std::string& words) {
+    EXPECT_NE(said(bytes).find(words), std::string::npos) << said(bytes) << " should say " << words;
+  };
+  says(with(whole, "MANIFOLD_SOLID_BREP", "MANIFOLD_SOLID_BREX", "#242 ="), "#242 (MANIFOLD_SOLID_BREX)");
+  says(with(whole, "SPHERICAL_SURFACE", "SPHERICAL_SURFAXE"), "(SPHERICAL_SURFAXE)");
+  says(with(whole, "NEXT_ASSEMBLY_USAGE", "NEXT_ASSEMBLY_USE"), "(NEXT_ASSEMBLY_USE_OCCURRENCE)");
+  says(with(whole, "= SHAPE_DEFINITION_", "= SHAPED_DEFINITION_"), "(SHAPED_DEFINITION_REPRESENTATION)");
+  says(with(whole, "= CONTEXT_DEPENDENT_", "= CONTEXT_FREE_"), "(CONTEXT_FREE_SHAPE_REPRESENTATION)");
+  const std::string bracket = bytes_of("bracket.step");
+  says(with(bracket, "'',#", "'',#99999", "= VECTOR("), "Unresolved Reference");
+  says(with(bracket, "'',#", "'',#99999", "= VERTEX_POINT("), "Unresolved Reference");
+  says(with(bracket, "CARTESIAN_POINT", "CARTESIAN_PIONT"), "(CARTESIAN_PIONT)");
+}
+
 TEST_F(IoCad, OneMeshOfAllSolids) {
   ReadContext context = context_with();
   space::Mesh mesh = parse_mesh(bytes_of("assembly.step"), ".step", context, [](const auto& mm) { return *mm; });
