@@ -4,8 +4,8 @@
 // The library of CAD files: STEP (AP203, AP214, AP242) and IGES by Open CASCADE. Assemblies are walked with their
 // placements composed; parts keep the names of their products. Faces that no solid holds (usual in IGES) are sewn where
 // their edges lie within the tolerance that the file states. Exceptions of Open CASCADE end here, and it prints
-// nothing. It keeps settings in globals, so one file is read, or one solid meshed, at a time. Keywords: B-rep, STEP,
-// IGES, assembly, XDE.
+// nothing. Each file has a process of its own (child.h): Open CASCADE may crash, and it keeps settings in globals.
+// Keywords: B-rep, STEP, IGES, assembly, XDE.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -37,10 +37,10 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cstdio>
-#include <mutex>
 #include <sstream>
 
 #include "brep_mesh.h"
+#include "child.h"
 #include "loaded.h"
 #include "rounded.h"
 
@@ -50,15 +50,9 @@ namespace {
 using io::CadFault;
 using io::CadProblem;
 
-std::mutex& one_at_a_time() {
-  static std::mutex mutex;
-  return mutex;
-}
-
 /// Runs work and takes what it throws as a problem.
 template <class Work>
 CadProblem guarded(Work work) {
-  const std::lock_guard lock(one_at_a_time());
   try {
     work();
     return {};
@@ -264,19 +258,24 @@ void silence() {
   static_cast<void>(done);
 }
 
-}  // namespace
-}  // namespace findspace::cad
-
-extern "C" __attribute__((visibility("default"))) std::unique_ptr<findspace::io::CadFile> findspace_read_cad(
-    const std::string& bytes, bool iges, findspace::io::CadProblem& problem) {
-  auto file = std::make_unique<findspace::cad::File>();
-  problem = findspace::cad::guarded([&] {
-    findspace::cad::silence();
+std::unique_ptr<io::CadFile> read_here(const std::string& bytes, bool iges, CadProblem& problem) {
+  auto file = std::make_unique<File>();
+  problem = guarded([&] {
+    silence();
     if (iges)
       file->read_iges(bytes);
     else
       file->read_step(bytes);
   });
-  if (problem.fault != findspace::io::CadFault::kNone) return nullptr;
+  if (problem.fault != CadFault::kNone) return nullptr;
   return file;
+}
+
+}  // namespace
+}  // namespace findspace::cad
+
+extern "C" __attribute__((visibility("default"))) std::unique_ptr<findspace::io::CadFile> findspace_read_cad(
+    const std::string& bytes, bool iges, findspace::io::CadProblem& problem) {
+  return findspace::cad::read_in_child(
+      [&](findspace::io::CadProblem& found) { return findspace::cad::read_here(bytes, iges, found); }, problem);
 }
