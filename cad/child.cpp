@@ -137,7 +137,8 @@ void serve(const End& end, const ReadHere& read) {
 [[noreturn]] void be_child(int socket, pid_t parent, const ReadHere& read) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM, SIGALRM})
+  std::set_new_handler(nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM, SIGHUP, SIGALRM})
     ::signal(signal, SIG_DFL);
   try {
     serve(End(socket), read);
@@ -200,7 +201,7 @@ class ChildFile : public CadFile {
   CadProblem died() const {
     if (!ended_) status_ = wait_for(child_);
     ended_ = true;
-    if (!WIFSIGNALED(status_)) return {CadFault::kUnsupported, "Open CASCADE ran out of memory"};
+    if (!WIFSIGNALED(status_)) return {CadFault::kMemory, ""};
     return {CadFault::kUnsupported, std::string("Open CASCADE crashed on this file (") + strsignal(WTERMSIG(status_)) +
                                         "): it is damaged, or holds what Open CASCADE cannot read"};
   }

@@ -43,6 +43,7 @@
 #include "child.h"
 #include "loaded.h"
 #include "rounded.h"
+#include "text_check.h"
 
 namespace findspace::cad {
 namespace {
@@ -63,7 +64,7 @@ CadProblem guarded(Work work) {
     return {CadFault::kUnsupported, std::string("Open CASCADE gave up: ") + failure.DynamicType()->Name() +
                                         (text == nullptr || *text == 0 ? "" : std::string(": ") + text)};
   } catch (const std::bad_alloc&) {
-    return {CadFault::kUnsupported, "Open CASCADE ran out of memory"};
+    return {CadFault::kMemory, ""};
   }
 }
 
@@ -113,6 +114,7 @@ void require_closed(const TopoDS_Shape& shell, const std::string& what) {
 class File : public io::CadFile {
  public:
   void read_step(const std::string& bytes) {
+    check_step_text(bytes);
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     STEPCAFControl_Reader reader;
     std::istringstream stream(bytes);
@@ -131,6 +133,7 @@ class File : public io::CadFile {
 
   /// The reader of IGES opens files by name, so the bytes get one in memory.
   void read_iges(const std::string& bytes) {
+    check_iges_text(bytes);
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     const int file = memfd_create("findspace", MFD_CLOEXEC);
     const auto close_it = [&] { close(file); };

@@ -130,7 +130,7 @@ TEST_F(IoCad, PinLiesOnItsSide) {
 
 TEST_F(IoCad, BadFilesAreRefused) {
   const std::string whole = bytes_of("bracket.step");
-  EXPECT_NE(said("").find("cannot read this as STEP"), std::string::npos) << said("");
+  EXPECT_NE(said("").find("no STEP file"), std::string::npos) << said("");
   for (const double part : {0.2, 0.5, 0.8})
     EXPECT_NE(said(whole.substr(0, std::size_t(double(whole.size()) * part))), "");
   EXPECT_NE(said("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"), "");
@@ -166,6 +166,25 @@ TEST_F(IoCad, PartsThatAreNotUnderstoodAreRefused) {
   says(with(bracket, "'',#", "'',#99999", "= VECTOR("), "Unresolved Reference");
   says(with(bracket, "'',#", "'',#99999", "= VERTEX_POINT("), "Unresolved Reference");
   says(with(bracket, "CARTESIAN_POINT", "CARTESIAN_PIONT"), "(CARTESIAN_PIONT)");
+}
+
+/// Open CASCADE runs without end on nan.
+TEST_F(IoCad, WhatIsNoNumberIsRefused) {
+  const auto says = [](const std::string& bytes, const std::string& words, const std::string& ending = ".step") {
+    EXPECT_NE(said(bytes, {}, ending).find(words), std::string::npos)
+        << said(bytes, {}, ending) << " should say " << words;
+  };
+  const std::string step = bytes_of("bracket.step"), iges = bytes_of("bracket.igs");
+  const std::string at = "VERTEX_POINT";
+  says(with(step, "(0.", "(nan", at), "'nan' is not a value");
+  says(with(step, "(0.", "(1.2.3", at), "'1.2.3' is not a number");
+  says(with(step, "(0.", "(1.E300", at), ", line ");
+  says(with(step, "(0.", "(1.E300", at), "'1.E300' is too large");
+  EXPECT_EQ(said(with(step, "('',", "('nan /* 1.E300',", at)), "");
+  says(with(iges, "123,0.", "123,na"), "'na' is not a number", ".igs");
+  says(with(iges, "123,0.,0.,1.;  ", "123,0.,0.,1.E300;"), "", ".igs");
+  says(step.substr(0, step.size() / 2), "cut off");
+  says(iges.substr(0, iges.size() / 2), "cut off", ".igs");
 }
 
 TEST_F(IoCad, OneMeshOfAllSolids) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace findspace::io {
@@ -21,24 +22,39 @@ std::filesystem::path own_folder() {
   return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();  // a program knows no path of its own
 }
 
-void* load() {
+struct Library {
+  ReadCad* read = nullptr;
+  std::string why;  // it is there and cannot be loaded
+};
+
+Library load() {
   const std::filesystem::path here = own_folder();
+  Library out;
+  const auto open = [&](const char* path) {
+    void* const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (library != nullptr) out.read = reinterpret_cast<ReadCad*>(dlsym(library, kReadCad));
+    return out.read != nullptr;
+  };
   for (const std::filesystem::path& folder : {here, here.parent_path().parent_path()}) {  // a module lies deeper
-    if (folder.empty() || !std::filesystem::exists(folder / kCadLibrary)) continue;
-    if (void* library = dlopen((folder / kCadLibrary).c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+    std::error_code none;
+    if (folder.empty() || !std::filesystem::exists(folder / kCadLibrary, none)) continue;
+    if (open((folder / kCadLibrary).c_str())) return out;
+    if (const char* const said = dlerror(); said != nullptr) out.why = said;
   }
-  return dlopen(kCadLibrary, RTLD_NOW | RTLD_LOCAL);
+  if (open(kCadLibrary)) return out;
+  const char* const said = dlerror();  // where the system has none, it says this of the name itself
+  const std::string absent = std::string(kCadLibrary) + ": cannot open shared object file: No such file";
+  if (out.why.empty() && said != nullptr && std::string_view(said).substr(0, absent.size()) != absent) out.why = said;
+  return out;
 }
 
 }  // namespace
 
 /// Beside the program, or two folders above the Python module, as it is built; else where the system looks.
-ReadCad* cad_reader() {
-  static ReadCad* const kFound = []() -> ReadCad* {
-    void* const library = load();
-    return library == nullptr ? nullptr : reinterpret_cast<ReadCad*>(dlsym(library, kReadCad));
-  }();
-  return kFound;
+ReadCad* cad_reader(std::string* why) {
+  static const Library kFound = load();
+  if (why != nullptr) *why = kFound.why;
+  return kFound.read;
 }
 
 }  // namespace findspace::io

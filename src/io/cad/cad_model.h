@@ -42,7 +42,7 @@ struct CadMesh {
   double bound = 0;  // the largest of the faces
 };
 
-enum class CadFault { kNone, kFile, kSyntax, kGeometry, kUnsupported };
+enum class CadFault { kNone, kFile, kSyntax, kGeometry, kUnsupported, kMemory };
 
 struct CadProblem {
   CadFault fault = CadFault::kNone;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <set>
 
 #include "io/cad/cad_library.h"
@@ -26,6 +27,7 @@ constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr std::uint64_t kTriangleWork = 10;  // units
 
 [[noreturn]] void raise(const CadProblem& problem) {
+  if (problem.fault == CadFault::kMemory) throw std::bad_alloc();
   static constexpr std::array<ErrorCode, 5> kCodes{ErrorCode::kUnsupported, ErrorCode::kFile, ErrorCode::kSyntax,
                                                    ErrorCode::kGeometry, ErrorCode::kUnsupported};
   throw Error(kCodes[static_cast<std::size_t>(problem.fault)], problem.message);
@@ -235,7 +237,11 @@ class SolidOfCad {
 };
 
 std::unique_ptr<CadFile> open_cad(const std::string& bytes, const std::string& ending) {
-  ReadCad* const read = cad_reader();
+  std::string why;
+  ReadCad* const read = cad_reader(&why);
+  if (read == nullptr && !why.empty())
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("STEP and IGES are read by Open CASCADE, and {} cannot be loaded: {}", kCadLibrary, why));
   if (read == nullptr)
     throw Error(ErrorCode::kUnsupported,
                 fmt::format("STEP and IGES are read by Open CASCADE, and {} is not there: install Debian's "
