@@ -102,6 +102,7 @@ class End {
 
 struct Names {
   std::string part, place;
+  std::vector<std::string> assemblies;
 };
 
 /// What is asked of the child: a mesh, or whether the solid is rounded.
@@ -128,7 +129,7 @@ void serve(const End& end, const ReadHere& read) {
   if (!end.put(problem) || !file) return;
   if (!end.put(file->notes()) || !end.put(file->solids())) return;
   for (std::size_t k = 0; k < file->solids(); ++k)
-    if (!end.put(file->name(k)) || !end.put(file->place_name(k))) return;
+    if (!end.put(file->name(k)) || !end.put(file->place_name(k)) || !end.put(file->assemblies(k))) return;
   for (Question asked; end.get(asked) && answer(end, *file, asked);) {
   }
 }
@@ -168,7 +169,7 @@ class ChildFile : public CadFile {
     if (!end_.get(notes_) || !end_.get(count)) return died();
     for (std::size_t k = 0; k < count; ++k) {
       Names& names = names_.emplace_back();
-      if (!end_.get(names.part) || !end_.get(names.place)) return died();
+      if (!end_.get(names.part) || !end_.get(names.place) || !end_.get(names.assemblies)) return died();
     }
     return {};
   }
@@ -176,6 +177,7 @@ class ChildFile : public CadFile {
   std::size_t solids() const override { return names_.size(); }
   std::string name(std::size_t k) const override { return names_[k].part; }
   std::string place_name(std::size_t k) const override { return names_[k].place; }
+  std::vector<std::string> assemblies(std::size_t k) const override { return names_[k].assemblies; }
   std::vector<std::string> notes() const override { return notes_; }
   std::optional<CadRounded> rounded(std::size_t k) const override {
     CadRounded out;

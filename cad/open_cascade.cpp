@@ -71,6 +71,7 @@ CadProblem guarded(Work work) {
 struct Part {
   TopoDS_Shape solid;
   std::string name, place;
+  std::vector<std::string> assemblies{};
 };
 
 std::string name_of(const TDF_Label& label) {
@@ -165,6 +166,7 @@ class File : public io::CadFile {
   std::size_t solids() const override { return parts_.size(); }
   std::string name(std::size_t k) const override { return parts_[k].name; }
   std::string place_name(std::size_t k) const override { return parts_[k].place; }
+  std::vector<std::string> assemblies(std::size_t k) const override { return parts_[k].assemblies; }
   std::optional<io::CadRounded> rounded(std::size_t k) const override {
     std::optional<io::CadRounded> out;
     const CadProblem problem = guarded([&] { out = rounded_of(parts_[k].solid); });
@@ -192,6 +194,7 @@ class File : public io::CadFile {
       leaf(XCAFDoc_ShapeTool::GetShape(label).Moved(placed), name_of(label), place);
       return;
     }
+    const std::size_t first = parts_.size();
     TDF_LabelSequence components;
     XCAFDoc_ShapeTool::GetComponents(label, components);
     for (int k = 1; k <= components.Length(); ++k) {
@@ -199,6 +202,9 @@ class File : public io::CadFile {
       if (!XCAFDoc_ShapeTool::GetReferredShape(components(k), part)) continue;
       walk(part, placed * XCAFDoc_ShapeTool::GetLocation(components(k)), name_of(components(k)), depth + 1);
     }
+    for (std::size_t k = first; k < parts_.size(); ++k)
+      for (const std::string& name : {name_of(label), place})
+        if (!name.empty()) parts_[k].assemblies.push_back(name);
   }
 
   void leaf(const TopoDS_Shape& shape, const std::string& name, const std::string& place) {

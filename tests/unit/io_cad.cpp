@@ -109,6 +109,9 @@ TEST_F(IoCad, PartsAreChosen) {
   ReadContext context = context_with();
   EXPECT_EQ(read(bytes, context, {.id = "plate"}).size(), 2U);
   EXPECT_EQ(read(bytes, context, {.id = "plate turned"}).size(), 1U);
+  EXPECT_EQ(read(bytes, context, {.id = "half"}).size(), 3U);
+  EXPECT_EQ(read(bytes, context, {.id = "first half"}).size(), 3U);
+  EXPECT_EQ(read(bytes, context, {.id = "assembly", .index = 3}).size(), 1U);
   EXPECT_EQ(read(bytes, context, {.id = "plate", .index = 1})[0].solid.mesh.vertices.size(), 8U);
   EXPECT_EQ(read(bytes, context, {.id = "ball", .balls = false})[0].solid.form, Solid::Form::kMesh);
   EXPECT_NE(said(bytes, {.id = "nut"}).find("there are plate, pin, ball"), std::string::npos);

@@ -57,6 +57,8 @@ class CadFile {
   /// The name of the part, and that of its place in the assembly; either may be empty.
   virtual std::string name(std::size_t solid) const = 0;
   virtual std::string place_name(std::size_t solid) const = 0;
+  /// The names of the assemblies that hold it, and of their places.
+  virtual std::vector<std::string> assemblies(std::size_t solid) const = 0;
   /// Where it is exactly that: a ball, a capsule, a box with all edges rounded.
   virtual std::optional<CadRounded> rounded(std::size_t solid) const = 0;
   /// No bound is above `tolerance`; no more than `most` triangles.

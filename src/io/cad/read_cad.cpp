@@ -269,10 +269,17 @@ std::string names_in(const CadFile& file) {
   return names.size() > kListed ? out + fmt::format(" and {} more", names.size() - kListed) : out;
 }
 
+/// Whether the solid is that part, or in an assembly of that name.
+bool is_in(const CadFile& file, std::size_t k, const std::string& name) {
+  const std::vector<std::string> assemblies = file.assemblies(k);
+  return file.name(k) == name || file.place_name(k) == name ||
+         std::find(assemblies.begin(), assemblies.end(), name) != assemblies.end();
+}
+
 std::vector<std::size_t> chosen_solids(const CadFile& file, const CadChoice& choice) {
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < file.solids(); ++k)
-    if (!choice.id || file.name(k) == *choice.id || file.place_name(k) == *choice.id) out.push_back(k);
+    if (!choice.id || is_in(file, k, *choice.id)) out.push_back(k);
   if (out.empty())
     throw Error(ErrorCode::kBadValue, fmt::format("it has no part '{}'; there are {}", *choice.id, names_in(file)));
   if (!choice.index) return out;

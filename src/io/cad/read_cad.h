@@ -25,7 +25,8 @@ struct CadPart {
   std::vector<space::Solid> balls{};  // where there are any: it is the hull of these, and `solid` is empty
 };
 
-/// Which parts are wanted: all, those of a product or place of that name, or one of them by its number from 0.
+/// Which parts are wanted: all, those of a part, an assembly or a place of that name, or one of them by its number from
+/// 0.
 struct CadChoice {
   std::optional<std::string> id{};
   std::optional<std::size_t> index{};
