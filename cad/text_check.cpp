@@ -147,7 +147,11 @@ class IgesText {
     for (int line = 1; !text_.empty(); ++line) {
       const std::string_view card = text_.substr(0, text_.find('\n'));
       text_.remove_prefix(std::min(text_.size(), card.size() + 1));
+      if (std::all_of(card.begin(), card.end(), is_blank)) continue;
       const char section = card.size() > kSection ? card[kSection] : ' ';
+      if (!ended && std::string_view("SGDPTBC").find(section) == std::string_view::npos)
+        fail(CadFault::kSyntax, "line " + std::to_string(line) +
+                                    " is no line of IGES: column 73 names no section; the file is damaged or cut off");
       ended = ended || section == 'T';
       if (section == 'G') global_ += card.substr(0, kSection);
       if (section == 'P') parameters(card, line);

@@ -185,7 +185,8 @@ TEST_F(IoCad, WhatIsNoNumberIsRefused) {
   says(with(step, "(0.", "(1.E300", at), "'1.E300' is too large");
   EXPECT_EQ(said(with(step, "('',", "('nan /* 1.E300',", at)), "");
   says(with(iges, "123,0.", "123,na"), "'na' is not a number", ".igs");
-  says(with(iges, "123,0.,0.,1.;  ", "123,0.,0.,1.E300;"), "", ".igs");
+  says(with(iges, "123,0.,0.,1.;    ", "123,0.,0.,1.E300;"), "'1.E300' is too large", ".igs");
+  says(with(iges, "123,0.,0.,1.;", "123,0.,0.,1.E3;"), "column 73", ".igs");
   says(step.substr(0, step.size() / 2), "cut off");
   says(iges.substr(0, iges.size() / 2), "cut off", ".igs");
 }
