@@ -27,6 +27,8 @@ using io::CadPlace;
 using io::CadProblem;
 using io::CadRounded;
 
+constexpr int kNoMemory = 1, kGaveUp = 2;  // how the child exits
+
 /// One end of the socket. A value is its bytes, a list its length and its values.
 class End {
  public:
@@ -143,8 +145,10 @@ void serve(const End& end, const ReadHere& read) {
     ::signal(signal, SIG_DFL);
   try {
     serve(End(socket), read);
-  } catch (...) {  // for want of memory: the parent sees the end of the socket
-    _exit(1);
+  } catch (const std::bad_alloc&) {  // the parent sees the end of the socket
+    _exit(kNoMemory);
+  } catch (...) {
+    _exit(kGaveUp);
   }
   _exit(0);
 }
@@ -203,7 +207,8 @@ class ChildFile : public CadFile {
   CadProblem died() const {
     if (!ended_) status_ = wait_for(child_);
     ended_ = true;
-    if (!WIFSIGNALED(status_)) return {CadFault::kMemory, ""};
+    if (WIFEXITED(status_) && WEXITSTATUS(status_) == kNoMemory) return {CadFault::kMemory, ""};
+    if (!WIFSIGNALED(status_)) return {CadFault::kUnsupported, "Open CASCADE gave up on this file"};
     return {CadFault::kUnsupported, std::string("Open CASCADE crashed on this file (") + strsignal(WTERMSIG(status_)) +
                                         "): it is damaged, or holds what Open CASCADE cannot read"};
   }

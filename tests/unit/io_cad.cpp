@@ -191,6 +191,12 @@ TEST_F(IoCad, WhatIsNoNumberIsRefused) {
   says(iges.substr(0, iges.size() / 2), "cut off", ".igs");
 }
 
+/// A face of no loop, as the card has it.
+TEST_F(IoCad, CrashesAreRefusals) {
+  const std::string problem = said(with(bytes_of("bracket.igs"), "510,197,1,1,205;", "510,197,0,1,205;"), {}, ".igs");
+  EXPECT_NE(problem.find("Open CASCADE"), std::string::npos) << problem;
+}
+
 TEST_F(IoCad, OneMeshOfAllSolids) {
   ReadContext context = context_with();
   space::Mesh mesh = parse_mesh(bytes_of("assembly.step"), ".step", context, [](const auto& mm) { return *mm; });
