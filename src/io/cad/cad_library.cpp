@@ -39,10 +39,12 @@ Library load() {
     std::error_code none;
     if (folder.empty() || !std::filesystem::exists(folder / kCadLibrary, none)) continue;
     if (open((folder / kCadLibrary).c_str())) return out;
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): each thread has its own message
     if (const char* const said = dlerror(); said != nullptr) out.why = said;
   }
   if (open(kCadLibrary)) return out;
-  const char* const said = dlerror();  // where the system has none, it says this of the name itself
+  // Where the system has none, it says this of the name itself.
+  const char* const said = dlerror();  // NOLINT(concurrency-mt-unsafe): as above
   const std::string absent = std::string(kCadLibrary) + ": cannot open shared object file: No such file";
   if (out.why.empty() && said != nullptr && std::string_view(said).substr(0, absent.size()) != absent) out.why = said;
   return out;
