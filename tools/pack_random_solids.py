@@ -187,29 +187,40 @@ class Instance:
         for i, n in enumerate(self.demand):
             if sum(1 for part, _, _, _ in placed if part == i) + left.get(i, 0) != n:
                 return f"{n} copies of part{i} are wanted"
-        return self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed)
+        return self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed) or self.fault_of_height(layout, placed)
+
+    def rooms(self, layout):
+        """Of the containers in use, or of the one below the height; None where too many of a kind are used."""
+        height = Fraction(layout["height"])
+        if not self.containers:
+            return [[Fraction(self.floor[0]), Fraction(self.floor[1]), height]]
+        names = layout["container"]["containers"]
+        if any(names.count(c["id"]) > c["count"] for c in self.containers):
+            return None
+        known = {c["id"]: [Fraction(c[f"size-{axis}"]) for axis in "xyz"] for c in self.containers}
+        rooms = [list(known[name]) for name in names]
+        if rooms:
+            rooms[-1][2] = min(rooms[-1][2], height)
+        return rooms
 
     def fault_of_walls(self, layout, placed):
-        height, top = Fraction(layout["height"]), Fraction(0)
-        rooms = [[Fraction(self.floor[0]), Fraction(self.floor[1]), height]]
-        if self.containers:
-            names = layout["container"]["containers"]
-            if any(names.count(c["id"]) > c["count"] for c in self.containers):
-                return "there are too many containers of a kind"
-            known = {c["id"]: [Fraction(c[f"size-{axis}"]) for axis in "xyz"] for c in self.containers}
-            rooms = [list(known[name]) for name in names]
-            if rooms:
-                rooms[-1][2] = min(rooms[-1][2], height)
+        rooms = self.rooms(layout)
+        if rooms is None:
+            return "there are too many containers of a kind"
         for part, pieces, at, room in placed:
             for points in pieces:
                 r = radius_of(points)
-                for p in points:
-                    for k in range(3):
-                        c = p[k] + at[k]
-                        if c - r < self.edge or c + r + self.edge > rooms[room][k]:
-                            return f"part{part} is outside"
-                    if room + 1 == len(rooms):
-                        top = max(top, p[2] + at[2] + r + self.edge)
+                for p, k in itertools.product(points, range(3)):
+                    c = p[k] + at[k]
+                    if c - r < self.edge or c + r + self.edge > rooms[room][k]:
+                        return f"part{part} is outside"
+        return None
+
+    def fault_of_height(self, layout, placed):
+        last = len(self.rooms(layout)) - 1
+        tops = [p[2] + at[2] + radius_of(points) + self.edge
+                for _, pieces, at, room in placed if room == last for points in pieces for p in points]
+        top, height = max(tops, default=Fraction(0)), Fraction(layout["height"])
         return f"the height is {top}, not {height}" if top != height else None
 
     def fault_of_pairs(self, placed):
