@@ -11,21 +11,13 @@
 #include "packing/problem/round_part.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
+#include "packing_found.h"
 
 namespace findspace::packing {
 namespace packing_conditions {
 
 Ring box_ring(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 Polygon box(int w, int h) { return make_polygon({box_ring(0, 0, w, h)}, "box"); }
-
-Layout found(const Problem& problem, double work) {
-  const std::atomic<bool> stop = false;
-  SearchOptions options;
-  options.work = work;
-  const auto layout = search_strip(problem, options, {}, stop);
-  EXPECT_TRUE(verify(problem, layout.value()).feasible());
-  return *layout;
-}
 
 /// Two dots and a block that would lie between them.
 Problem dots_and_block() {

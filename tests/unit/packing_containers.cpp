@@ -10,24 +10,10 @@
 #include "packing/solid_depth/solid_column.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "packing/solid_search/solid_search.h"
+#include "packing_solid_parts.h"
 
 namespace findspace::packing {
 namespace packing_containers {
-
-SolidPart box(const char* name, int demand, int w, int d, int h) {
-  std::vector<space::Point> corners;
-  for (int k = 0; k < 8; ++k) corners.push_back({k & 1 ? w : 0, k & 2 ? d : 0, k & 4 ? h : 0});
-  SolidPart part{.name = name, .demand = demand, .forms = {}};
-  part.forms.emplace_back().body.parts = {space::part_of(corners, {})};
-  return part;
-}
-
-SolidPart with_turns(SolidPart part) {
-  const SolidForm form = part.forms[0];
-  part.forms.clear();
-  for (const SolidRotation& rotation : axis_rotations(false)) part.forms.push_back(turned(form, rotation));
-  return part;
-}
 
 SolidContainer container(const char* name, int count, int w, int d, int h) { return {name, count, {}, w, d, h}; }
 

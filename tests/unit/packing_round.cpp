@@ -15,6 +15,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/strip_search.h"
+#include "packing_found.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/contour/contour.h"
@@ -60,15 +61,6 @@ Problem strip(Fraction height, std::vector<Part> parts) {
   problem.height = height;
   problem.parts = std::move(parts);
   return problem;
-}
-
-Layout found(const Problem& problem, double work) {
-  const std::atomic<bool> stop = false;
-  SearchOptions options;
-  options.work = work;
-  const auto layout = search_strip(problem, options, {}, stop);
-  EXPECT_TRUE(verify(problem, layout.value()).feasible());
-  return *layout;
 }
 
 TEST(RoundPart, ExactBoxAndPolygonAbout) {
@@ -218,7 +210,9 @@ TEST(RoundSearch, MirroredOnSheets) {
   const Layout layout = found(problem, 4e6);
   EXPECT_TRUE(layout.left_out.empty());
   for (const Placed& item : layout.items) {
-    if (item.part == 1) EXPECT_GE(item.x, Fraction(15));
+    if (item.part == 1) {
+      EXPECT_GE(item.x, Fraction(15));
+    }
   }
 }
 

@@ -14,23 +14,10 @@
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "packing/solid_search/solid_search.h"
+#include "packing_solid_parts.h"
 
 namespace findspace::packing {
 namespace packing_round_solids {
-
-SolidPart part_of(const char* name, int demand, std::vector<space::BodyPart> parts) {
-  SolidPart part{.name = name, .demand = demand, .forms = {}};
-  part.forms.emplace_back().body.parts = std::move(parts);
-  return part;
-}
-
-space::BodyPart block(int w, int d, int h) {
-  std::vector<space::Point> corners;
-  for (int k = 0; k < 8; ++k) corners.push_back({k & 1 ? w : 0, k & 2 ? d : 0, k & 4 ? h : 0});
-  return space::part_of(corners, {});
-}
-
-SolidPart box(const char* name, int demand, int w, int d, int h) { return part_of(name, demand, {block(w, d, h)}); }
 
 space::BodyPart ball_at(const space::Point& center, int radius) {
   return space::part_of(std::vector<space::Point>{center}, exact::Real(radius));

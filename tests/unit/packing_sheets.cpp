@@ -10,23 +10,13 @@
 #include "packing/nfp/row.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
+#include "packing_found.h"
 
 namespace findspace::packing {
 namespace packing_sheets {
 
 Ring box_ring(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 Polygon box(int w, int h) { return make_polygon({box_ring(0, 0, w, h)}, "box"); }
-
-Layout found(const Problem& problem, double work, std::uint64_t seed = 1, unsigned threads = 1) {
-  const std::atomic<bool> stop = false;
-  SearchOptions options;
-  options.work = work;
-  options.seed = seed;
-  options.threads = threads;
-  const auto layout = search_strip(problem, options, {}, stop);
-  EXPECT_TRUE(verify(problem, layout.value()).feasible());
-  return *layout;
-}
 
 TEST(Sheets, BoxesThatFillThem) {
   Problem problem;

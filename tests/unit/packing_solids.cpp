@@ -15,17 +15,11 @@
 #include "packing/solid_search/solid_arrangement.h"
 #include "packing/solid_search/solid_first_layout.h"
 #include "packing/solid_search/solid_search.h"
+#include "packing_solid_parts.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::packing {
 namespace packing_solids {
-
-space::BodyPart block(const space::Point& low, const space::Point& high) {
-  std::vector<space::Point> corners;
-  for (int k = 0; k < 8; ++k)
-    corners.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
-  return space::part_of(corners, {});
-}
 
 space::Body body_of(std::vector<space::BodyPart> parts) {
   space::Body body;
@@ -37,18 +31,6 @@ SolidPart part_of(const char* name, int demand, space::Body body) {
   SolidPart part{.name = name, .demand = demand, .forms = {}};
   part.forms.emplace_back().body = std::move(body);
   return part;
-}
-
-/// As it is given, and turned in all ways.
-SolidPart with_turns(SolidPart part) {
-  const SolidForm form = part.forms[0];
-  part.forms.clear();
-  for (const SolidRotation& rotation : axis_rotations(false)) part.forms.push_back(turned(form, rotation));
-  return part;
-}
-
-SolidPart box(const char* name, int demand, int w, int d, int h) {
-  return part_of(name, demand, body_of({block({0, 0, 0}, {w, d, h})}));
 }
 
 /// Of two boxes: 3 wide, 3 high, 1 thick.

@@ -95,7 +95,7 @@ class Reader : private NestingJson {
       if (const JsonValue* inner = data.find("inner"))
         for (const JsonValue& hole : list(*inner).items) rings.push_back(ring(hole));
     } else {
-      fail(type, "a shape is a simple_polygon or a polygon");
+      fail(type, "\"type\" is simple_polygon or polygon; other shapes are written as in a scene, without it");
     }
     return rings;
   }

@@ -176,24 +176,22 @@ ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const
                    const JsonValue& at, const Label& label) {
   ReadContext& context = reader.context();
   const std::string name = path.string();
-  return reader.json().placed(label, at, [&] {
+  std::vector<CadPart> parts = reader.json().placed(label, at, [&] {
     refuse_choice(choice.layer.has_value(), "layer", "a CAD file", name);
     refuse_choice(choice.unit.has_value(), "unit", "a CAD file, which states its own", name);
     const std::string ending = lower_ending(path.extension().string());
     const std::string bytes = context.take_file(path);
     require_kind(bytes, ending, name);
     const exact::Real scale = file_scale(exact::Real(1), name, choice, context);
-    std::vector<CadPart> parts = [&] {
-      try {
-        return read_cad(bytes, ending, context, scale, {.id = choice.id, .index = choice.index});
-      } catch (const Error& e) {
-        throw e.within(name);
-      }
-    }();
-    std::vector<ShapePtr> shapes;
-    for (CadPart& part : parts) shapes.push_back(part_shape(reader, std::move(part), label, at));
-    return united(std::move(shapes), reader.json().place(label, at), true);
+    try {
+      return read_cad(bytes, ending, context, scale, {.id = choice.id, .index = choice.index});
+    } catch (const Error& e) {
+      throw e.within(name);
+    }
   });
+  std::vector<ShapePtr> shapes;
+  for (CadPart& part : parts) shapes.push_back(part_shape(reader, std::move(part), label, at));
+  return united(std::move(shapes), reader.json().place(label, at), true);
 }
 
 }  // namespace
