@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include "brep_mesh.h"
+#include "problem.h"
 
 namespace findspace::cad {
 namespace {

@@ -42,6 +42,7 @@
 #include "brep_mesh.h"
 #include "child.h"
 #include "loaded.h"
+#include "problem.h"
 #include "rounded.h"
 #include "text_check.h"
 

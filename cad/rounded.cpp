@@ -20,11 +20,12 @@
 #include <limits>
 #include <vector>
 
+#include "exact/margins/cad.h"
+
 namespace findspace::cad {
 namespace {
 
 constexpr std::size_t kMostCentres = 64;
-constexpr double kSame = 1e-9;  // of the sizes: what a file's decimals and doubles lose
 
 /// The greatest (x - base) . way over an edge; infinite where it is no line and no circle.
 double most_along(const TopoDS_Edge& edge, const gp_XYZ& way, const gp_XYZ& base) {
@@ -78,8 +79,8 @@ class Rounded {
     return !centres_.empty();
   }
 
-  bool same(double a, double b) const { return std::abs(a - b) <= kSame * size_; }
-  bool below(double a, double b) const { return a <= b + kSame * size_; }
+  bool same(double a, double b) const { return std::abs(a - b) <= margin::kRoundedSolid * size_; }
+  bool below(double a, double b) const { return a <= b + margin::kRoundedSolid * size_; }
 
   template <class Holds>
   static bool all_edges(const TopoDS_Face& face, Holds holds) {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "brep_mesh.h"
+#include "problem.h"
 
 namespace findspace::cad {
 namespace {
