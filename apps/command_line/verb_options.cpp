@@ -108,6 +108,12 @@ void add_drawings(CLI::App& command, Options& o) {
           "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
           "outlines that stay open are lines (default: an error)")
       ->group(kDrawing);
+  command.add_option("--repair", o.drawings.repair, "join what is not joined in a mesh, up to this width (default 0)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command.add_option("--close-holes", o.drawings.close_holes, "close holes of a mesh up to this width (default 0)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
 }
 
 /// What drawings do not say.

@@ -45,6 +45,7 @@ class SpaceReader {
   }
 
   Shape shape(Solid solid) const {
+    solid.step = grid_.step_size();
     plane::Shape tree;
     tree.solid = std::make_shared<const Solid>(std::move(solid));
     return api::make_shape(std::make_shared<const plane::Shape>(std::move(tree)), grid_, 3, rounding_);

@@ -41,10 +41,15 @@ Tried<std::shared_ptr<const space::CsgSolid>> cut_of(const plane::Shape& shape) 
   return cut;
 }
 
+/// Where a mesh crosses itself, its convex parts do not add up; its surface knows the place.
 Tried<LazyBody::Pointer> shared_body(const plane::Shape& shape) {
   auto made = space::try_body(shape);
-  if (!made) return made.refusal();
-  return std::make_shared<const space::Body>(*std::move(made));
+  if (made) return std::make_shared<const space::Body>(*std::move(made));
+  if (made.refusal().fault()) {
+    const auto surface = space::try_ray_solids(shape);
+    if (!surface && surface.refusal().fault()) return surface.refusal();
+  }
+  return made.refusal();
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, c
   require_kind(bytes, ending, path.string());
   try {
     space::Mesh mesh = parse_mesh(bytes, ending, context, scale);
-    for (const std::string& note : space::clean(mesh, context.grid.step_size())) {
+    for (const std::string& note : space::clean(mesh, context.grid.step_size(), context.drawing.repair)) {
       context.notes.push_back(fmt::format("{}: {}", path.filename().string(), note));
     }
     return mesh;

@@ -177,7 +177,7 @@ class SolidReader : private NestingJson {
     try {
       const std::string ending = lower_ending(file.path.extension().string());
       require_kind(file.bytes, ending, file.path.string());
-      if (is_cad_ending(ending)) context.use(context.options.drawings);
+      context.use(context.options.drawings);
       return parse_mesh(file.bytes, ending, context, [](const auto&) { return exact::Real(1); });
     } catch (const Error& e) {
       throw e.within(file.path.string());
@@ -322,7 +322,7 @@ class SolidReader : private NestingJson {
     const std::string name = file.path.filename().string();
     try {
       const space::Mesh raw = solid.mesh;
-      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size(), slit_of(raw)))
+      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size(), repair_of(raw, context)))
         context.notes.push_back(fmt::format("{}: {}", name, note));
       take_loose_vertices(raw, solid, name, context);
       plane::Shape shape;
@@ -331,6 +331,12 @@ class SolidReader : private NestingJson {
     } catch (const Error& e) {
       throw e.within(file.path.string());
     }
+  }
+
+  static space::MeshRepair repair_of(const space::Mesh& mesh, const ReadContext& context) {
+    space::MeshRepair how = context.drawing.repair;
+    how.width = std::max(how.width, slit_of(mesh));
+    return how;
   }
 
   /// How wide slits can be that stem from rounded vertices: some steps, if the mesh has many.

@@ -240,6 +240,8 @@ DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object
   }
   length("tolerance", rules.tolerance);
   length("join", rules.join);
+  length("repair", rules.repair);
+  length("close_holes", rules.close_holes);
   if (const JsonValue* lines = object.find("open_lines"))
     rules.open_lines = read_flag(json, lines, false, label.part("open_lines"));
   return rules;

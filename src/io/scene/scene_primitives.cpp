@@ -189,7 +189,9 @@ std::span<const ShapeKind> primitive_kinds() {
        {"polyline", {}, build_polyline},
        {"path", {"curves", "tolerance"}, build_path},
        {"cells", {}, build_cells},
-       {"file", {"id", "layer", "index", "unit", "curves", "tolerance", "join", "open_lines"}, build_file}}};
+       {"file",
+        {"id", "layer", "index", "unit", "curves", "tolerance", "join", "open_lines", "repair", "close_holes"},
+        build_file}}};
   return kinds;
 }
 

@@ -10,6 +10,7 @@
 
 #include "io/cad/read_cad.h"
 #include "io/mesh/read_mesh.h"
+#include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
@@ -25,6 +26,7 @@ using space::Solid;
 
 ShapePtr share_solid(ShapeReader& reader, Solid solid, const Label& label, const JsonValue& at) {
   reader.use_dimension(3, label, at);
+  solid.step = reader.context().grid.step_size();
   Shape shape = reader.node(Shape::Kind::kPoints, label, at);
   shape.solid = std::make_shared<const Solid>(std::move(solid));
   return share(std::move(shape));
@@ -121,6 +123,7 @@ ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValu
   static constexpr std::array<std::string_view, 2> kKeys{"vertices", "faces"};
   json.expect(value, JsonValue::Kind::kObject, "\"mesh\"", label);
   json.check_keys(value, kKeys, label);
+  const RulesBeside rules(reader, object, label);
   Solid solid;
   solid.form = Solid::Form::kMesh;
   solid.mesh.vertices = points(json, json.need(value, "vertices", label), label.part("vertices"));
@@ -130,7 +133,8 @@ ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValu
     solid.mesh.faces.push_back(face(json, faces.items[i], solid.mesh.vertices.size(), label.part("face", i)));
   }
   json.placed(label, value, [&] {
-    for (std::string& note : space::clean(solid.mesh, reader.context().grid.step_size()))
+    for (std::string& note :
+         space::clean(solid.mesh, reader.context().grid.step_size(), reader.context().drawing.repair))
       reader.context().notes.push_back(label.text() + ": " + note);
   });
   return share_solid(reader, std::move(solid), label, object);
@@ -142,7 +146,7 @@ std::span<const ShapeKind> space_kinds() {
   static const std::array<ShapeKind, 4> kinds{{{"polytope", {}, build_polytope},
                                                {"ball", {}, build_ball},
                                                {"prism", {}, build_prism},
-                                               {"mesh", {}, build_mesh}}};
+                                               {"mesh", {"repair", "close_holes"}, build_mesh}}};
   return kinds;
 }
 

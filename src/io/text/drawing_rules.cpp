@@ -17,8 +17,9 @@ constexpr std::array<std::string_view, 3> kCurveRules{"near", "inside", "outside
 }  // namespace
 
 DrawingRules DrawingRules::over(const DrawingRules& those) const {
-  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance, join ? join : those.join,
-          open_lines ? open_lines : those.open_lines};
+  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance,
+          join ? join : those.join,       open_lines ? open_lines : those.open_lines,
+          repair ? repair : those.repair, close_holes ? close_holes : those.close_holes};
 }
 
 CurveRule parse_curve_rule(std::string_view text) {

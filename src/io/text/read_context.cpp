@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/number/decimal.h"
 #include "findspace/error.h"
 #include "io/text/read_text.h"
 #include "plane/curve/curve_arcs.h"
@@ -33,6 +34,13 @@ void ReadContext::take_bytes(std::uint64_t bytes, const std::string& what) {
   bytes_left -= bytes;
 }
 
+std::int64_t ReadContext::whole_steps(const std::string& length) const {
+  const exact::Real steps = grid.steps(parse_length(length, unit));
+  if (steps > exact::Real(exact::int128(exact::kMaxGridCoordinate)))
+    throw Error(ErrorCode::kBadValue, fmt::format("the length '{}' is larger than any mesh may be", length));
+  return std::int64_t(steps.to_double());
+}
+
 void ReadContext::use(const DrawingRules& rules) {
   drawing = {};
   if (rules.curves) drawing.curves = *rules.curves;
@@ -42,6 +50,8 @@ void ReadContext::use(const DrawingRules& rules) {
   if (rules.tolerance) drawing.tolerance = grid.steps(parse_length(*rules.tolerance, unit)).to_double();
   if (rules.join) drawing.join = grid.steps(parse_length(*rules.join, unit)).to_double();
   if (rules.open_lines) drawing.open_lines = *rules.open_lines;
+  if (rules.repair) drawing.repair.width = whole_steps(*rules.repair);
+  if (rules.close_holes) drawing.repair.hole = whole_steps(*rules.close_holes);
   if (drawing.tolerance < plane::kLeastBound)
     throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {:.3g} grid steps is too small; {} are needed, so "
                                                   "give the scene a finer \"grid\"",

@@ -12,6 +12,7 @@
 
 #include "io/text/read_limits.h"
 #include "io/text/units.h"
+#include "space/mesh/mesh_repair.h"
 
 namespace findspace::io {
 
@@ -20,6 +21,7 @@ struct DrawingUse {
   CurveRule curves = CurveRule::kNear;
   double tolerance = 1000, join = 0;
   bool open_lines = false;
+  space::MeshRepair repair{};
 };
 
 /// What curves have become.
@@ -58,6 +60,8 @@ struct ReadContext {
 
   /// Makes these rules those of what is read from here on; throws Error. Needs the unit and the grid.
   void use(const DrawingRules& rules);
+  /// A length as text in whole grid steps, rounded down; throws Error.
+  std::int64_t whole_steps(const std::string& length) const;
 
   /// All of it in words, e.g. "12 points rounded to the grid, largest move 3.1e-07 mm".
   std::vector<std::string> summary() const;

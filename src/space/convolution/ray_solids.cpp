@@ -3,6 +3,7 @@
 #include "space/convolution/ray_solids.h"
 
 #include <findspace/error.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -52,7 +53,8 @@ Tried<Triangles> prism(const Solid& solid) {
 }
 
 /// The surface, if it does not cross itself.
-Tried<Triangles> simple(Triangles surface) {
+/// `step`: the size of a grid step in the message.
+Tried<Triangles> simple(Triangles surface, double step) {
   const Tried<RayBody> made = RayBody::of(surface);
   if (!made) return made.refusal();
   const RayBody& body = *made;
@@ -62,14 +64,15 @@ Tried<Triangles> simple(Triangles surface) {
     std::string out;
     for (int k = 0; k < 3; ++k) {
       const Point& p = body.corner(f, k);
-      out += (k > 0 ? " " : "") + ("(" + std::to_string(p.x)) + ", " + std::to_string(p.y) + ", " +
-             std::to_string(p.z) + ")";
+      out += fmt::format("{}({:g}, {:g}, {:g})", k > 0 ? " " : "", double(p.x) * step, double(p.y) * step,
+                         double(p.z) * step);
     }
     return out;
   };
-  return Refusal(Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
-                                                 text((*crossing)[0]) + " and triangle " + text((*crossing)[1]) +
-                                                 ", in grid steps"));
+  return Refusal(Error(ErrorCode::kGeometry,
+                       fmt::format("the mesh crosses itself, so what lies inside is not clear: triangle {} and "
+                                   "triangle {}",
+                                   text((*crossing)[0]), text((*crossing)[1]))));
 }
 
 Tried<RaySolid> primitive(const Solid& solid) {
@@ -78,7 +81,8 @@ Tried<RaySolid> primitive(const Solid& solid) {
       return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
     case Solid::Form::kPrism: {
-      Tried<Triangles> surface = solid.form == Solid::Form::kMesh ? simple(triangles(solid.mesh)) : prism(solid);
+      Tried<Triangles> surface =
+          solid.form == Solid::Form::kMesh ? simple(triangles(solid.mesh), solid.step) : prism(solid);
       if (!surface) return surface.refusal();
       return RaySolid{*std::move(surface), {}, {}};
     }

@@ -16,6 +16,8 @@
 
 #include "space/mesh/mesh_edges.h"
 #include "space/mesh/mesh_orientation.h"
+#include "space/mesh/mesh_repair.h"
+#include "space/mesh/vertex_orders.h"
 #include "space/polytope/triangulate.h"
 
 namespace findspace::space {
@@ -102,43 +104,6 @@ void flatten(Mesh& mesh, std::vector<std::string>& notes) {
   mesh.faces = std::move(flat);
 }
 
-/// Vertices in ascending order of each coordinate, to look up those that may lie on an edge.
-class VertexOrders {
- public:
-  VertexOrders(const Mesh& mesh, std::vector<int> vertices) : mesh_(mesh) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      order_[axis] = vertices;
-      std::sort(order_[axis].begin(), order_[axis].end(), [&](int v, int w) { return at(axis, v) < at(axis, w); });
-    }
-  }
-
-  /// Calls visit(v) for each vertex in the slab about the edge that holds fewest of them.
-  template <class Visit>
-  void each_near(int a, int b, Visit visit) const {
-    std::span<const int> fewest = slab(0, a, b);
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      if (const auto s = slab(axis, a, b); s.size() < fewest.size()) fewest = s;
-    }
-    for (const int v : fewest) visit(v);
-  }
-
- private:
-  std::int64_t at(std::size_t axis, int v) const {
-    const Point& p = mesh_.vertices[v];
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-  }
-  std::span<const int> slab(std::size_t axis, int a, int b) const {
-    const std::int64_t low = std::min(at(axis, a), at(axis, b)), high = std::max(at(axis, a), at(axis, b));
-    const auto first =
-        std::partition_point(order_[axis].begin(), order_[axis].end(), [&](int v) { return at(axis, v) < low; });
-    const auto last = std::partition_point(first, order_[axis].end(), [&](int v) { return at(axis, v) <= high; });
-    return {first, last};
-  }
-
-  const Mesh& mesh_;
-  std::array<std::vector<int>, 3> order_;
-};
-
 bool strictly_between(const Point& a, const Point& b, const Point& p) {
   if (!((a < p && p < b) || (b < p && p < a))) return false;
   const auto within = [](std::int64_t u, std::int64_t v, std::int64_t w) { return (u <= w) == (w <= v) || w == v; };
@@ -167,7 +132,7 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
       ring.push_back(a);
       if (!odd.contains(undirected(a, b))) return;
       std::vector<int> on;
-      orders.each_near(a, b, [&](int v) {
+      orders.each_near(a, b, 0, [&](int v) {
         if (strictly_between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[v])) on.push_back(v);
       });
       const bool rising = mesh.vertices[a] < mesh.vertices[b];
@@ -221,10 +186,14 @@ void check_closed(const Mesh& mesh, double step) {
   if (const std::size_t n = repeated_faces(mesh); n > 0)
     twice = fmt::format("{} face{} twice", n, n == 1 ? " stands" : "s stand");
   if (open == 0 && twice.empty()) return;
-  if (open == 0) throw Error(ErrorCode::kGeometry, "in the mesh " + twice);
+  if (open == 0) throw Error(ErrorCode::kGeometry, "in the mesh " + twice + "; --repair takes them once");
   if (open > kListed) list += fmt::format("; and {} more", open - kListed);
   if (!twice.empty()) twice += "; ";
-  throw Error(ErrorCode::kGeometry, fmt::format("the mesh is not closed: {}{} open edges: {}", twice, open, list));
+  throw Error(
+      ErrorCode::kGeometry,
+      fmt::format(
+          "the mesh is not closed: {}{} open edges: {}; --repair joins what is near, --close-holes closes holes", twice,
+          open, list));
 }
 
 }  // namespace
@@ -264,59 +233,18 @@ exact::Real six_volumes(const Mesh& mesh) {
   return sum;
 }
 
-namespace {
-
-/// Whether the vertex is no farther than `slit` from the line through an edge, and beside it.
-bool is_beside(const Mesh& mesh, const MeshEdge& edge, int vertex, std::int64_t slit) {
-  const Point &a = mesh.vertices[std::size_t(edge.first)], &b = mesh.vertices[std::size_t(edge.second)],
-              &p = mesh.vertices[std::size_t(vertex)];
-  const auto dot = [](const auto& u, const auto& v) {
-    return exact::Real(u.x) * exact::Real(v.x) + exact::Real(u.y) * exact::Real(v.y) +
-           exact::Real(u.z) * exact::Real(v.z);
-  };
-  if (dot(p - a, b - a).sign() <= 0 || dot(p - b, a - b).sign() <= 0) return false;
-  const Wide3 area = exact::cross(b - a, p - a);
-  return dot(area, area) <= dot(b - a, b - a) * exact::Real(slit) * exact::Real(slit);
-}
-
-/// Leads an open edge over a vertex nearly on it, where the edges to that vertex are open as well.
-bool close_slit(Mesh& mesh, std::int64_t slit) {
-  std::map<int, std::set<int>> open;  // to the other ends
-  std::map<MeshEdge, int> face_at;
-  MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
-    if (uses.size() % 2 == 0) return;
-    open[edge.first].insert(edge.second);
-    open[edge.second].insert(edge.first);
-    face_at[edge] = uses[0].face;
-  });
-  for (const auto& [edge, f] : face_at)
-    for (const int v : open[edge.first]) {
-      if (open[edge.second].count(v) == 0 || !is_beside(mesh, edge, v, slit)) continue;
-      std::vector<int>& face = mesh.faces[std::size_t(f)];
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const int from = face[i], to = face[(i + 1) % face.size()];
-        if (std::minmax(from, to) != std::minmax(edge.first, edge.second)) continue;
-        face.insert(face.begin() + std::ptrdiff_t(i) + 1, v);
-        return true;
-      }
-    }
-  return false;
-}
-
-}  // namespace
-
-std::vector<std::string> clean(Mesh& mesh, double step, std::int64_t slit) {
+std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
   std::vector<std::string> notes;
   weld(mesh, notes);
   if (mesh.faces.empty()) throw Error(ErrorCode::kGeometry, "the mesh has no faces");
   drop_empty_faces(mesh, notes);
   flatten(mesh, notes);
   split_edges(mesh, notes);
-  int slits = 0;
-  while (slit > 0 && close_slit(mesh, slit)) ++slits;
-  if (slits > 0) {
-    notes.push_back(fmt::format("{} slits between faces were closed", slits));
+  if (how.asked()) {
+    repair(mesh, how, step, notes);
+    drop_empty_faces(mesh, notes);
     flatten(mesh, notes);
+    split_edges(mesh, notes);
   }
   orient(mesh, step, notes);
   check_closed(mesh, step);

@@ -3,14 +3,16 @@
 //
 // Closed surfaces on the grid. A mesh read from anywhere is cleaned first: equal vertices are joined (welding on the
 // grid), faces without area dropped, edges split where a vertex lies on them (T-junctions), and faces turned so that
-// normals point outward. A surface that is not closed then is refused, and the message lists its open edges. Guarantee:
-// every decision is exact; the enclosed set does not change. Keywords: watertight, manifold, STL repair.
+// normals point outward. A surface that is not closed then is refused, and the message lists its open edges, unless a
+// repair (mesh_repair.h) was asked for and closes it. Guarantee: every decision is exact; without a repair the enclosed
+// set does not change. Keywords: watertight, manifold, STL repair.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "space/mesh/mesh_repair.h"
 #include "space/polytope/convex_polygon.h"
 #include "space/polytope/solid.h"
 
@@ -26,9 +28,8 @@ void each_edge(const std::vector<int>& face, Visit visit) {
 }
 
 /// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
-/// Where vertices of a file are rounded, T-junctions leave slits: open edges are led over vertices that are no farther
-/// than `slit` steps.
-std::vector<std::string> clean(Mesh& mesh, double step, std::int64_t slit = 0);
+/// A surface that is not closed then is repaired as `how` allows, and refused if that does not close it.
+std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how = {});
 
 /// Whether a clean mesh bounds a convex set: one piece of Euler number 2, no edge with the surface above it.
 bool is_convex(const Mesh& mesh);

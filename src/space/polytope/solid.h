@@ -32,6 +32,7 @@ struct Solid {
   exact::Real radius{};
   std::vector<plane::Contour> contours;
   std::int64_t low = 0, high = 0;
+  double step = 1;  // the size of a grid step, for messages
 };
 
 /// The 3D primitive of a node, or null.

@@ -98,6 +98,7 @@ class Rotator {
     for (const auto& f : surface.faces) mesh.faces.push_back({f[0], f[1], f[2]});
     const bool convex = is_convex(mesh);
     out = Solid{};
+    out.step = given.step;
     out.mesh = {rounded(mesh.vertices, r), {}};
     if (convex) return out;  // the hull of its vertices
     out.form = Solid::Form::kMesh;
