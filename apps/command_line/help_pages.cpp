@@ -195,6 +195,7 @@ constexpr Line kSceneKeys[] = {
      "of angle and pose: the centre of the rotation, and the angles in degrees, in space also orientations"},
     {"curves, tolerance", "arcs for other curves: inside, outside or near (default), and how far off at most"},
     {"join, open_lines", "of drawings: gaps up to this length are closed; true: open lines are polylines"},
+    {"repair, close_holes", "of meshes: what is no farther apart is joined; holes up to this width are closed"},
     {"motion", "shapes that move in time: way points, times, angles"},
     {"place", "several shapes to place: shapes, each, pairs, constraints, minimize, method, angles, count"},
     {"$schema", "the address of docs/scene.schema.json, for editors; not read"}};
@@ -213,12 +214,13 @@ constexpr Line kPlaneShapes[] = {
     {"cells", "an exact boundary, as convert writes it"},
     {"file", "a .svg .dxf .wkt .geojson .json; with id, layer, index, unit, join"}};
 
-constexpr Line kSpaceShapes[] = {{"polytope", "the convex hull of points [[X, Y, Z], ..]"},
-                                 {"box", "{\"min\": [X, Y, Z], \"max\": [X, Y, Z]}"},
-                                 {"ball", "{\"center\": [X, Y, Z], \"radius\": R}"},
-                                 {"prism", "{\"polygon\": [..], \"holes\": [..], \"z\": [LOW, HIGH]}"},
-                                 {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
-                                 {"file", "a .stl .obj .off .ply .3mf .glb .step .iges; with unit"}};
+constexpr Line kSpaceShapes[] = {
+    {"polytope", "the convex hull of points [[X, Y, Z], ..]"},
+    {"box", "{\"min\": [X, Y, Z], \"max\": [X, Y, Z]}"},
+    {"ball", "{\"center\": [X, Y, Z], \"radius\": R}"},
+    {"prism", "{\"polygon\": [..], \"holes\": [..], \"z\": [LOW, HIGH]}"},
+    {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
+    {"file", "a .stl .obj .off .ply .3mf .glb .step .iges; with unit, repair, close_holes"}};
 
 constexpr Line kMadeShapes[] = {
     {"union, intersection", "of a list of shapes"},
