@@ -116,6 +116,17 @@ void add_drawings(CLI::App& command, Options& o) {
       ->group(kDrawing);
 }
 
+void add_dxf(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--dxf",
+          [&o](const std::string& word) { o.dxf = word == "2000" ? io::DxfVersion::k2000 : io::DxfVersion::kR12; },
+          "r12 or 2000: the version of a DXF file that is written (default r12, which every program reads)")
+      ->type_name("VERSION")
+      ->check(CLI::IsMember({"r12", "2000"}).description(""))
+      ->group(kDrawing);
+}
+
 /// What drawings do not say.
 void add_drawn_parts(CLI::App& command, Options& o) {
   command.add_option("--sheet", o.sheet, "sheets of this size for drawings, instead of --height")
@@ -171,6 +182,7 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
       ->expected(1)
       ->allow_extra_args(false)
       ->group(kCommon);
+  add_dxf(command, o);
   add_start(command, o);
   command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlaneGroup);
   command
@@ -328,6 +340,7 @@ void add_board(CLI::App& command, std::string_view verb, Options& o) {
 
 /// What a region or a shape is made into.
 void add_forms(CLI::App& command, std::string_view verb, Options& o) {
+  if (verb == "map" || verb == "convert" || verb == "place") add_dxf(command, o);
   if (verb == "map")
     command
         .add_option("--apply", o.apply,

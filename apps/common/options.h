@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/export/dxf_writer.h"
 #include "io/text/read_limits.h"
 #include "io/text/spool.h"
 
@@ -58,6 +59,7 @@ struct Options {
   std::filesystem::path store;                         // the folder of results that are kept; empty: none
   std::uint64_t store_limit = std::uint64_t{1} << 30;  // bytes
   io::DrawingRules drawings;                           // before those of the scene
+  io::DxfVersion dxf = io::DxfVersion::kR12;           // of drawings that are written
   std::optional<std::string> height;                   // of pack and verify: of the strip, instead of the file's
   std::string gap = "0", edge = "0";                   // of pack and verify: least distances
   std::optional<std::string> sheet;                    // of pack and verify, for drawings: "W,H", decimals

@@ -72,7 +72,7 @@ class Packing {
   void write(const packing::Layout& layout) const {
     write_outputs(options_, {{".json", [&] { return json(layout); }},
                              {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }},
-                             {".dxf", [&] { return io::layout_dxf(problem_, layout); }}});
+                             {".dxf", [&] { return io::layout_dxf(problem_, layout, options_.dxf); }}});
   }
 
   std::string json(const packing::Layout& layout) const { return io::layout_json(problem_, layout, facts_); }

@@ -45,7 +45,7 @@ Answer answered(const planning::Relations& relations, bool one_by_one, const pla
 /// The placed shapes as a file to cut, a layer a shape.
 std::string cut_file(const Session& session, const Problem& problem, const Answer& answer) {
   const io::PlacedRegions placed = io::placed_regions(problem, answer.poses);
-  io::DrawingText text = io::shapes_dxf(placed.named(), session.step(), session.scene().unit);
+  io::DrawingText text = io::shapes_dxf(placed.named(), session.step(), session.scene().unit, session.options().dxf);
   if (!text.lost.empty()) session.reporter().note(text.lost);
   return std::move(text.text);
 }

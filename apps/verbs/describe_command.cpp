@@ -93,7 +93,9 @@ Outcome run_convert(const Options& options, Reporter& reporter) {
   };
   const auto svg = [&] { return drawn(session, io::shape_svg(region, session.step(), name, session.scene().unit)); };
   const io::NamedRegion named{name, &region};
-  const auto dxf = [&] { return drawn(session, io::shapes_dxf({&named, 1}, session.step(), session.scene().unit)); };
+  const auto dxf = [&] {
+    return drawn(session, io::shapes_dxf({&named, 1}, session.step(), session.scene().unit, options.dxf));
+  };
   const auto geojson = [&] { return drawn(session, io::shapes_geojson({&named, 1}, session.step())); };
   const auto text = [&] { return wkt(session, region); };
   write_outputs(options, {{".json", json}, {".svg", svg}, {".dxf", dxf}, {".geojson", geojson}, {".wkt", text}});

@@ -90,7 +90,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
   session.reporter().stage("writing");
   const auto dxf = [&] {
     const io::NamedRegion named{"region", &map.region};
-    io::DrawingText text = io::shapes_dxf({&named, 1}, session.step(), session.scene().unit);
+    io::DrawingText text = io::shapes_dxf({&named, 1}, session.step(), session.scene().unit, session.options().dxf);
     if (!text.lost.empty()) session.reporter().note(text.lost);
     return std::move(text.text);
   };

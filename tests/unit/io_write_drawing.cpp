@@ -18,9 +18,9 @@ namespace io_write_drawing {
 using exact::Real;
 using plane::Region;
 
-std::string dxf(const Region& s, const std::string& name = "part 1") {
-  const NamedRegion named{name, &s};
-  return shapes_dxf({&named, 1}, Real(1), formula::Unit::kMillimetre).text;
+std::string dxf(const Region& s, DxfVersion version = DxfVersion::kR12) {
+  const NamedRegion named{"part 1", &s};
+  return shapes_dxf({&named, 1}, Real(1), formula::Unit::kMillimetre, version).text;
 }
 
 std::string geojson(const Region& s) {
@@ -64,9 +64,11 @@ TEST(WriteDrawing, PartsReadBack) {
                           plane::disc(0, 0, Real(5)) & plane::box(-9, 0, 9, 9),
                           plane::disc(0, 0, Real(25)) - interior(plane::box(-7, -7, 7, 7)),
                           box + plane::box(30, 20, 40, 40), box + plane::point(50, 5)})
-    EXPECT_TRUE(same_set(from_dxf(dxf(s)), s)) << dxf(s);
-  EXPECT_TRUE(
-      same_set(from_dxf(dxf(box + plane::segment({30, 10}, {40, 17}))), box + plane::segment({30, 10}, {40, 17})));
+    for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::k2000})
+      EXPECT_TRUE(same_set(from_dxf(dxf(s, version)), s)) << dxf(s, version);
+  const Region with_segment = box + plane::segment({30, 10}, {40, 17});
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::k2000})
+    EXPECT_TRUE(same_set(from_dxf(dxf(with_segment, version)), with_segment));
 }
 
 TEST(WriteDrawing, LayersAreShapes) {
@@ -77,6 +79,8 @@ TEST(WriteDrawing, LayersAreShapes) {
   choice.layer = "left_side";
   EXPECT_TRUE(same_set(from_dxf(text, choice), a));
   EXPECT_TRUE(same_set(from_dxf(text), a + b));
+  choice.layer = "left side";
+  EXPECT_TRUE(same_set(from_dxf(shapes_dxf(named, Real(1), {}, DxfVersion::k2000).text, choice), a));
 }
 
 TEST(WriteDrawing, RandomRegionsReadBack) {

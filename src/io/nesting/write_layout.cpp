@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -46,11 +47,7 @@ std::string remnant_json(const std::optional<packing::Remnant>& remnant) {
       remnant->sheet, remnant->x.text(), remnant->y.text(), remnant->width.text(), remnant->height.text());
 }
 
-/// A corner of an outline, and the arc to the next one as drawings have it: tan(angle / 4), 0 of a segment.
-struct Corner {
-  double x = 0, y = 0, bulge = 0;
-};
-using Outlines = std::vector<std::vector<Corner>>;
+using Outlines = std::vector<std::vector<DrawnCorner>>;
 
 /// A page of the drawing: the strip, or one sheet.
 struct Page {
@@ -117,11 +114,11 @@ std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layou
 }
 
 /// In a drawing with y upwards. Arcs in parts of less than half a circle, which no viewer can mistake.
-void add_arc(std::string& path, const Corner& from, const Corner& to) {
+void add_arc(std::string& path, const DrawnCorner& from, const DrawnCorner& to) {
   const double b = from.bulge, dx = to.x - from.x, dy = to.y - from.y;
   if (std::abs(b) > 0.5) {
     const double half = std::tan(std::atan(b) / 2);
-    const Corner middle{(from.x + to.x + b * dy) / 2, (from.y + to.y - b * dx) / 2, half};
+    const DrawnCorner middle{(from.x + to.x + b * dy) / 2, (from.y + to.y - b * dx) / 2, half};
     add_arc(path, {from.x, from.y, half}, middle);
     return add_arc(path, middle, to);
   }
@@ -140,16 +137,6 @@ std::string path_of(const Outlines& outlines) {
     path += "z";
   }
   return path;
-}
-
-/// "0 POLYLINE ... SEQEND": a closed polyline of the drawing exchange format of 1992, which all programs read.
-void add_polyline(std::string& dxf, const char* layer, const std::vector<Corner>& ring, double down) {
-  dxf += fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);
-  for (const Corner& c : ring) {
-    dxf += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.12g}\n20\n{:.12g}\n30\n0\n", layer, c.x, c.y - down);
-    if (c.bulge != 0) dxf += fmt::format("42\n{:.16g}\n", c.bulge);
-  }
-  dxf += fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
 }  // namespace
@@ -181,7 +168,7 @@ std::string outline_path(const packing::Problem& problem, std::size_t part) {
   item.part = part;
   Outlines outlines = outlines_of(problem, item);
   for (auto& ring : outlines)
-    for (Corner& c : ring) c = {c.x, -c.y, -c.bulge};
+    for (DrawnCorner& c : ring) c = {c.x, -c.y, -c.bulge};
   return path_of(outlines);
 }
 
@@ -225,18 +212,24 @@ std::string layout_svg(const packing::Problem& problem, const packing::Layout& l
       layout.items.size());
 }
 
-std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout) {
-  std::string dxf = "0\nSECTION\n2\nENTITIES\n";
+std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout, DxfVersion version) {
+  const std::array<std::string, 2> layers{"sheet", "cut"};
+  DxfWriter dxf(version, std::nullopt, layers);
   double down = 0;
+  const auto add = [&](const std::string& layer, const Outlines& outlines) {
+    for (std::vector<DrawnCorner> ring : outlines) {
+      for (DrawnCorner& c : ring) c.y -= down;
+      dxf.polyline(layer, ring, true);
+    }
+  };
   const std::vector<Page> pages = pages_of(problem, layout);
   for (std::size_t k = 0; k < pages.size(); ++k) {
-    for (const auto& ring : pages[k].outline) add_polyline(dxf, "sheet", ring, down);
+    add("sheet", pages[k].outline);
     for (const packing::Placed& item : layout.items)
-      if (item.sheet == k)
-        for (const auto& ring : outlines_of(problem, item)) add_polyline(dxf, "cut", ring, down);
+      if (item.sheet == k) add("cut", outlines_of(problem, item));
     if (k + 1 < pages.size()) down += 1.1 * pages[k + 1].height;
   }
-  return dxf + "0\nENDSEC\n0\nEOF\n";
+  return dxf.take();
 }
 
 }  // namespace findspace::io

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/export/dxf_writer.h"
 #include "packing/proof/remnant.h"
 
 namespace findspace::io {
@@ -38,7 +39,7 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
 /// A part as SVG path data about its origin, y downwards.
 std::string outline_path(const packing::Problem& problem, std::size_t part);
-/// Outlines on the layers "cut" and "sheet", arcs as bulges; coordinates are rounded to twelve digits.
-std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout);
+/// Outlines on the layers "cut" and "sheet", arcs as bulges.
+std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout, DxfVersion version);
 
 }  // namespace findspace::io
