@@ -290,6 +290,41 @@ TEST(ReadDxf, OpenOutlinesAreRefusedJoinedOrNoted) {
   EXPECT_EQ(context.notes.at(0), "f.dxf: 1 open outline is read as a polyline, without an inside");
 }
 
+TEST(ReadDxf, WhatDrawsNothingIsLeftOut) {
+  Context context;
+  context.drawing.join = 2;
+  ShapePtr square = read_dxf(
+      dxf_text(kSquare + "0 LINE|10 3|20 3|11 3|21 3|0 LWPOLYLINE|70 0|10 4|20 4|" + "0 LINE|10 90|20 3|11 91|21 4|",
+               "4"),
+      "f.dxf", {}, context);
+  ASSERT_EQ(square->kind, Shape::Kind::kRings);
+  EXPECT_EQ(square->contours.size(), 1u);
+  EXPECT_EQ(context.repeated_points, 2);
+  EXPECT_EQ(context.notes.at(0), "f.dxf: 1 open line is no longer than the gaps that are closed, left out");
+  expect_refused([] { dxf(kSquare + "0 LINE|10 90|20 3|11 91|21 4|"); }, "an outline is open");
+}
+
+TEST(ReadDxf, ALineThereAndBackIsALine) {
+  const std::string back = "0 LWPOLYLINE|70 1|10 0|20 0|10 9|20 3|10 6|20 2|";
+  expect_refused([&] { dxf(back); }, "no area");
+  Context context;
+  context.drawing.open_lines = true;
+  EXPECT_EQ(read_dxf(dxf_text(back, "4"), "f.dxf", {}, context)->kind, Shape::Kind::kPolyline);
+}
+
+TEST(ReadDxf, ArcsTooFlatForTheGridAreCurves) {
+  // A radius of 125 km: 1.25e11 steps of a micrometre, and too many of a tenth of a nanometre.
+  const std::string flat = "0 LWPOLYLINE|70 1|10 0|20 0|42 0.000002|10 1000|20 0|10 1000|20 50|10 0|20 50|";
+  for (const auto& [step, curves] : {std::pair{Real::ratio(1, 1000), 0}, {Real::ratio(1, 10000000), 1}}) {
+    Context context;
+    context.grid = Grid(step);
+    context.use({});
+    ShapePtr shape = read_dxf(dxf_text(flat, "4"), "f.dxf", {}, context);
+    ASSERT_EQ(shape->kind, Shape::Kind::kRings);
+    EXPECT_EQ(context.curves.curves, curves);
+  }
+}
+
 TEST(ReadDxf, HeightsAreNoted) {
   auto notes = [](const std::string& entities) {
     Context context;

@@ -118,9 +118,13 @@ class EntityDrawer {
   }
 
   void run(const std::vector<Vertex>& v, bool closed) {
-    if (v.size() < 2) throw Error(ErrorCode::kGeometry, "a polyline of fewer than two vertices");
+    if (v.empty()) throw Error(ErrorCode::kGeometry, "a polyline without vertices");
     Placed placed = out();
     placed.move_to(v[0].x, v[0].y);
+    if (v.size() == 1) {  // draws nothing
+      placed.line_to(v[0].x, v[0].y);
+      return placed.finish();
+    }
     for (std::size_t i = 1; i < v.size(); ++i) placed.bulge_to(v[i - 1].bulge, v[i].x, v[i].y);
     if (!closed) return placed.finish();
     if (v.back().bulge.sign() != 0) placed.bulge_to(v.back().bulge, v[0].x, v[0].y);

@@ -240,6 +240,39 @@ std::pair<Gap, std::size_t> close_gaps(std::vector<Chain>& chains, double most, 
   return {widest, count};
 }
 
+/// Drops open chains of segments that fit into a square of this side: CAD programs leave such lines behind.
+std::size_t drop_debris(std::vector<Chain>& chains, double most) {
+  return std::erase_if(chains, [&](const Chain& c) {
+    if (c.closed || !c.curves.empty()) return false;
+    const GridPoint from = c.edges[0].start;
+    return std::all_of(c.edges.begin(), c.edges.end(), [&](const ContourEdge& e) {
+      return !e.arc && std::abs(double(e.start.x - from.x)) <= most && std::abs(double(e.start.y - from.y)) <= most;
+    });
+  });
+}
+
+/// Segments alone, out along a line and back.
+bool runs_back(const Chain& c) {
+  if (!c.curves.empty()) return false;
+  const GridPoint from = c.edges[0].start;
+  const auto farthest = std::max_element(c.edges.begin(), c.edges.end(), [&](const auto& a, const auto& b) {
+    return distance(a.start, from) < distance(b.start, from);
+  });
+  const exact::int128 dx = farthest->start.x - from.x, dy = farthest->start.y - from.y;
+  return std::all_of(c.edges.begin(), c.edges.end(), [&](const ContourEdge& e) {
+    return !e.arc && dx * (e.start.y - from.y) == dy * (e.start.x - from.x);
+  });
+}
+
+/// Closed chains that run back on themselves become open ones.
+void open_lines_there_and_back(std::vector<Chain>& chains) {
+  for (Chain& c : chains) {
+    if (!c.closed || !runs_back(c)) continue;
+    c.edges.push_back(ContourEdge{.start = c.edges[0].start});
+    c.closed = false;
+  }
+}
+
 std::string length_text(double steps, const ReadContext& context) {
   const std::string unit = context.unit ? fmt::format(" {}", formula::name(*context.unit)) : "";
   return fmt::format("{:.3g}{}", steps * context.grid.step_size(), unit);
@@ -297,6 +330,10 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
                       length_text(widest.width, context), point_text(end_place(drawing.chains, widest.a), step)));
   }
   join_open_chains(drawing, step);
+  if (const std::size_t debris = drop_debris(drawing.chains, context.drawing.join); debris > 0)
+    context.notes.push_back(fmt::format("{}: {} no longer than the gaps that are closed, left out", name,
+                                        debris == 1 ? "1 open line is" : fmt::format("{} open lines are", debris)));
+  if (context.drawing.open_lines) open_lines_there_and_back(drawing.chains);
   const int open = open_chains(drawing);
   if (open == 0) return;
   if (!context.drawing.open_lines) refuse_open(drawing.chains, context);

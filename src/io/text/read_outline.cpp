@@ -3,6 +3,8 @@
 #include "io/text/read_outline.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "findspace/error.h"
@@ -16,7 +18,32 @@ using plane::GridPoint;
 
 namespace {
 
+constexpr double kFlat = 0.5;  // grid steps: an arc that rises less is a segment
+
 ContourEdge segment(GridPoint from) { return {.start = from}; }
+
+double chord_of(GridPoint from, GridPoint to) { return std::hypot(double(to.x - from.x), double(to.y - from.y)); }
+
+/// Of an arc, in grid steps: its radius, and how far it rises over its chord.
+double radius_of(GridPoint from, GridPoint to, const Real& bulge) {
+  const double b = std::abs(bulge.to_double());
+  return chord_of(from, to) * (1 + b * b) / (4 * b);
+}
+double rise_of(GridPoint from, GridPoint to, const Real& bulge) {
+  return chord_of(from, to) * std::abs(bulge.to_double()) / 2;
+}
+
+/// The arc as a rational curve of degree 2, exactly: its radius is too large for an arc on the grid. With t = tan of a
+/// quarter of its angle, the tangents at its ends meet at height 2t / (1 - t^2) halves of the chord over its middle.
+plane::Curve as_curve(GridPoint from, GridPoint to, const Real& bulge) {
+  const Real square = bulge * bulge, dx(to.x - from.x), dy(to.y - from.y);
+  const Real height = bulge / (Real(1) - square);
+  const plane::CurvePoint top{(Real(from.x) + Real(to.x)) / Real(2) + dy * height,
+                              (Real(from.y) + Real(to.y)) / Real(2) - dx * height};
+  const std::array<plane::CurvePoint, 3> points{{{Real(from.x), Real(from.y)}, top, {Real(to.x), Real(to.y)}}};
+  const std::array<Real, 3> weights{Real(1), (Real(1) - square) / (Real(1) + square), Real(1)};
+  return plane::bezier_curve(points, weights, from, to);
+}
 
 }  // namespace
 
@@ -37,7 +64,7 @@ void Outline::begin() {
 
 void Outline::add(ContourEdge edge, GridPoint to) {
   if (edge.arc) {
-    bool flat = plane::sagitta(edge, to) < 0.5;
+    bool flat = plane::sagitta(edge, to) < kFlat;
     if (flat) {
       edge = segment(edge.start);
       context_.rounding.add(0.5, 0);
@@ -70,6 +97,8 @@ void Outline::bulge_to(const Real& bulge, const Real& x, const Real& y) {
   GridPoint to = grid_point(x, y);
   if (to == at_) return;
   if (bulge.sign() == 0) return add(segment(at_), to);
+  if (radius_of(at_, to, bulge) > static_cast<double>(Grid::kLimit) && rise_of(at_, to, bulge) >= kFlat)
+    return add(as_curve(at_, to, bulge));
   bool moved = false;
   ContourEdge edge = plane::bulge_arc(at_, to, bulge, &moved);
   if (moved) context_.rounding.add(0.5, 0.5);
@@ -163,7 +192,9 @@ void Outline::close() {
 }
 
 void Outline::finish() {
-  if (running_ && !edges_.empty()) {
+  const bool point = edges_.size() == 1 && !edges_[0].arc && curves_.empty() && at_ == start_;
+  if (point) ++context_.repeated_points;
+  if (running_ && !edges_.empty() && !point) {
     bool closed = at_ == start_;
     if (!closed) edges_.push_back(segment(at_));
     end_chain(closed);
