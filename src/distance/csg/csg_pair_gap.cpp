@@ -214,19 +214,12 @@ Answer CsgPair::protrusion_out(const RealVector& p) const {
                          Real::from_double(out.found.bound + margin::kFoundError * size_)};
   v.witness = point_pair(space::real(place), space::real(out.nearest));
   if (!out.part) return v;
-  for (const BodyPart& part : b_->parts) {
-    if (part.radius.sign() > 0) continue;
-    for (const space::Point& corner : part.vertices()) {
-      if (space::length(space::plus(exact::approx(corner), space::rounded(p)) - place) > margin::kAtVertex * size_)
-        continue;
-      BodyPart one;
-      one.center = corner;
-      for (Answer& named : named_gaps(*out.part->sets, one, p, out.nearest, size_)) {
-        if (std::fabs((named.value - v.value).to_double()) > v.error) continue;  // no sign: the same value
-        named.nearest.reset();
-        return std::move(named);
-      }
-    }
+  const auto at = corner_at(sharp_corners(*b_), p, place, size_);
+  if (!at) return v;
+  for (Answer& named : named_gaps(*out.part->sets, BodyPart{}, *at, out.nearest, size_)) {
+    if (std::fabs((named.value - v.value).to_double()) > v.error) continue;  // no sign: the same value
+    named.nearest.reset();
+    return std::move(named);
   }
   return v;
 }

@@ -137,7 +137,11 @@ class PlacesOfCsg : public MaxMinTarget {
   double shortest_share() const override { return 1; }
   int rounds() const override { return kPlaceRounds; }
 
-  void offer_in_b(const Vector& x, MaxMinBest& best) const { best.offer(x, nearest(x).least); }
+  double offer_in(const Vector& x, MaxMinBest& best) const override {
+    const NearestPlace found = nearest(x);
+    best.offer(x, found.least);
+    return space::length(x - found.at);
+  }
 
   NearestPlace nearest(const Vector& x) const {
     NearestPlace best;
@@ -168,7 +172,7 @@ class PlacesOfCsg : public MaxMinTarget {
 
   /// The distance of a place of the cell from A; it is remembered, and offered if it is in B.
   double seen(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const {
-    if (cell.round && cell.round->beyond(x) > 0) offer_in_b(cell.round->pulled_in(x), best);
+    if (cell.round && cell.round->beyond(x) > 0) offer_in(cell.round->pulled_in(x), best);
     const NearestPlace found = nearest(x);
     cell.sets.push_back(static_cast<int>(places_.size()));
     places_.push_back(found);
@@ -205,13 +209,8 @@ class PlacesOfCsg : public MaxMinTarget {
 
 CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CsgPartSearch>& a, double size, double near) {
   const PlacesOfCsg target(a, size, near);
-  TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, 0, 0, near));
-  for (const Vector& v : b.corners) target.offer_in_b(v, search.best());
-  for (const Tetrahedron& t : b.cells) search.add(t, nullptr, exact::kInfinity, {});
-  for (const RoundSolid& r : b.round) {
-    for (const Tetrahedron& t : around(r)) search.add(t, &r, exact::kInfinity, {});
-  }
-  CsgProtrusion out{search.run(kMostProtrusionCells), {}, nullptr};
+  CsgProtrusion out{
+      tetrahedral_max_min(b, target, MaxMinBest(-exact::kInfinity, 0, 0, near), kMostProtrusionCells), {}, nullptr};
   const NearestPlace nearest = target.nearest(out.found.place);
   out.nearest = nearest.at;
   out.part = nearest.part;

@@ -94,16 +94,17 @@ ProtrusionRays::Line ProtrusionRays::line(int i, int j) const {
   return {{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
 }
 
-/// What B covers on the stretch of its way: it at the start, and what its faces that look ahead sweep.
-std::vector<Tetrahedron> ProtrusionRays::swept(const Line& line, const Stretch& stretch) const {
+/// What B covers on the stretch of its way: it at the start, and what its faces that look ahead sweep; balls at once.
+Solids ProtrusionRays::swept(const Line& line, const Stretch& stretch) const {
   const auto at = [&](const Vector& v, double s) {
     return space::plus(v, space::plus(line.start, space::scaled(s, line.unit)));
   };
-  std::vector<Tetrahedron> out;
+  Solids out;
   for (const Part& part : parts_) {
+    if (part.radius > 0) out.round.push_back({at(part.center, stretch.from), at(part.center, stretch.to), part.radius});
     for (Tetrahedron t : part.solid) {
       for (Vector& v : t) v = at(v, stretch.from);
-      out.push_back(t);
+      out.cells.push_back(t);
     }
     if (stretch.to <= stretch.from) continue;
     for (std::size_t k = 0; k < part.faces.size(); ++k) {
@@ -114,21 +115,10 @@ std::vector<Tetrahedron> ProtrusionRays::swept(const Line& line, const Stretch& 
         c[v] = at(part.faces[k][v], stretch.from);
         c[v + 3] = at(part.faces[k][v], stretch.to);
       }
-      out.push_back({c[0], c[1], c[2], c[3]});
-      out.push_back({c[1], c[2], c[3], c[4]});
-      out.push_back({c[2], c[3], c[4], c[5]});
+      out.cells.push_back({c[0], c[1], c[2], c[3]});
+      out.cells.push_back({c[1], c[2], c[3], c[4]});
+      out.cells.push_back({c[2], c[3], c[4], c[5]});
     }
-  }
-  return out;
-}
-
-std::vector<RoundSolid> ProtrusionRays::swept_balls(const Line& line, const Stretch& stretch) const {
-  std::vector<RoundSolid> out;
-  for (const Part& part : parts_) {
-    const Vector start = space::plus(part.center, line.start);
-    if (part.radius > 0)
-      out.push_back({space::plus(start, space::scaled(stretch.from, line.unit)),
-                     space::plus(start, space::scaled(stretch.to, line.unit)), part.radius});
   }
   return out;
 }
@@ -206,7 +196,7 @@ exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Si
     left.pop_back();
     std::optional<Stretch> again = cut_again(side, line, s, seen);
     if (!again) {
-      const SolidMaxMin max_min = field_->max_min(swept(line, s), swept_balls(line, s), side.enough, kProvenShare);
+      const SolidMaxMin max_min = field_->max_min(swept(line, s), side.enough, kProvenShare);
       if (!max_min.complete || ++count > kMostCuts)
         return exact::Refusal("the protrusion of the shape was not found within the limit of the search");
       if (max_min.value <= side.enough) continue;

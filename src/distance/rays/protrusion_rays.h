@@ -77,8 +77,7 @@ class ProtrusionRays : public space::RaySource {
                                           std::span<const Stretch> known, Places& seen) const;
   /// What a place that was outside before cuts away of the stretch, if that is much of it.
   std::optional<Stretch> cut_again(const Side& side, const Line& line, const Stretch& stretch, Places& seen) const;
-  std::vector<Tetrahedron> swept(const Line& line, const Stretch& stretch) const;
-  std::vector<RoundSolid> swept_balls(const Line& line, const Stretch& stretch) const;
+  Solids swept(const Line& line, const Stretch& stretch) const;
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
   Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
   /// The places at which the part of B, drawn at 0, holds `off`.

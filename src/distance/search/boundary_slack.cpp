@@ -63,9 +63,9 @@ class SlackTarget : public MaxMinTarget {
 
 Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& constraints, const SlackEnd& end) {
   const SlackTarget target(constraints);
-  TetrahedralMaxMin search(target, MaxMinBest(-exact::kInfinity, end.enough, 1 - end.share, end.blur));
-  for (const Tetrahedron& t : domain) search.add(t, nullptr, exact::kInfinity, {});
-  const SolidMaxMin found = search.run(kMostSlackCells);
+  const SolidMaxMin found =
+      tetrahedral_max_min({{domain.begin(), domain.end()}}, target,
+                          MaxMinBest(-exact::kInfinity, end.enough, 1 - end.share, end.blur), kMostSlackCells);
   const int cells = (target.looks() - static_cast<int>(domain.size())) / 2;  // each is looked at by halves
   return {found.value, found.bound, found.place, cells};
 }

@@ -44,9 +44,8 @@ class PartsField : public ProtrusionField {
     size_ = space::length(space::rounded(space::minus(box.high, box.low)));
   }
   double size() const override { return size_; }
-  SolidMaxMin max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round, double slack,
-                      double share) const override {
-    return solid_max_min(solid, round, nearest_, slack, share);
+  SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
+    return solid_max_min(solids, nearest_, slack, share);
   }
   double run(const Vector& x, const Vector& way, double cut, double size) const override {
     double least = exact::kInfinity;

@@ -33,4 +33,11 @@ struct RoundSolid {
 /// Tetrahedra that cover it.
 std::vector<Tetrahedron> around(const RoundSolid& solid);
 
+/// What is searched through: the union of tetrahedra and round ones.
+struct Solids {
+  std::vector<Tetrahedron> cells{};
+  std::vector<RoundSolid> round{};
+  std::vector<space::Vector> corners{};  // places that are tried first
+};
+
 }  // namespace findspace::distance

@@ -24,7 +24,7 @@ class ConvexSets : public MaxMinTarget {
   explicit ConvexSets(std::span<const ConvexDistance> sets) : sets_(sets), all_(sets.size()) {
     std::iota(all_.begin(), all_.end(), 0);
   }
-  const std::vector<int>& all() const { return all_; }
+  std::vector<int> sets() const override { return all_; }
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     std::size_t a = 0, b = 1;
@@ -96,20 +96,9 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
   return out;
 }
 
-SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
-                          double share) {
-  return solid_max_min(solid, {}, sets, slack, share, kMostCells);
-}
-
-SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
-                          std::span<const ConvexDistance> sets, double slack, double share, int most) {
-  const ConvexSets target(sets);
-  TetrahedralMaxMin search(target, MaxMinBest(std::min(0.0, slack), slack, share, 0));
-  for (const Tetrahedron& t : solid) search.add(t, nullptr, exact::kInfinity, target.all());
-  for (const RoundSolid& r : round) {
-    for (const Tetrahedron& t : around(r)) search.add(t, &r, exact::kInfinity, target.all());
-  }
-  return search.run(most);
+SolidMaxMin solid_max_min(const Solids& solids, std::span<const ConvexDistance> sets, double slack, double share,
+                          int most) {
+  return tetrahedral_max_min(solids, ConvexSets(sets), MaxMinBest(std::min(0.0, slack), slack, share, 0), most);
 }
 
 std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {

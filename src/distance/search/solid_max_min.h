@@ -45,14 +45,11 @@ struct SolidMaxMin {
   bool complete = true;
 };
 
-struct RoundSolid;  // round_solid.h
+struct Solids;  // round_solid.h
 
 /// Greatest distances of at most `slack` need not be decided from 0; of one that is more the value may lack `share` of
-/// what it is more than the slack. At least one set.
-SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const ConvexDistance> sets, double slack,
-                          double share = 0);
-/// Over solids and round ones, with at most so many cells.
-SolidMaxMin solid_max_min(std::span<const Tetrahedron> solid, std::span<const RoundSolid> round,
-                          std::span<const ConvexDistance> sets, double slack, double share = 0, int most = kMostCells);
+/// what it is more than the slack. At least one set; at most so many cells.
+SolidMaxMin solid_max_min(const Solids& solids, std::span<const ConvexDistance> sets, double slack, double share = 0,
+                          int most = kMostCells);
 
 }  // namespace findspace::distance

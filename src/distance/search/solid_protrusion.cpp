@@ -149,7 +149,7 @@ Solids solids_of(const Body& b, const RealVector& p) {
   Solids out;
   const Vector by = space::rounded(p);
   for (const BodyPart& part : b.parts) {
-    if (part.point() || part.radius.sign() > 0) {
+    if (!part.core || part.radius.sign() > 0) {
       out.round.push_back(round_solid(part, by));
     } else {
       for (const space::Point& v : part.vertices()) out.corners.push_back(space::plus(exact::approx(v), by));
@@ -171,45 +171,57 @@ struct Target {
   Real radius;
 };
 
-/// At a vertex of B the exact distance to the nearest set is known.
-std::optional<Answer> at_vertex(const Body& b, std::span<const Target> targets, const RealVector& p,
-                                const Vector& place) {
-  for (const BodyPart& part : b.parts) {
-    if (part.radius.sign() > 0) continue;
-    for (const space::Point& v : part.vertices()) {
-      const RealVector at = space::plus(real(v), p);
-      if (space::length(space::rounded(at) - place) > margin::kAtVertex * space::size_of(place)) continue;
-      std::optional<Answer> best;
-      for (const Target& t : targets) {
-        const RealVector projection = t.planes.empty() ? t.center : *nearest_in(t.planes, at);
-        const Real core = length(space::minus(at, projection)), d = core - t.radius;
-        if (best && !(d < best->value)) continue;
-        best = Answer{};
-        best->value = d;
-        if (core.sign() > 0)
-          best->witness = point_pair(at, space::along(projection, t.radius / core, space::minus(at, projection)));
-      }
-      return best;
-    }
-  }
-  return std::nullopt;
+/// To the nearest set.
+Answer exact_distance(std::span<const Target> targets, const RealVector& at) {
+  NearestBall nearest(at);
+  for (const Target& t : targets)
+    nearest.offer(space::minus(t.planes.empty() ? t.center : *nearest_in(t.planes, at), at), t.radius);
+  return *nearest.found();
 }
 
 Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
                   const RealVector& p) {
-  const Solids solids = solids_of(b, p);
-  const SolidMaxMin max_min = solid_max_min(solids.cells, solids.round, distances, 0);
-  if (max_min.complete) {
-    if (auto exact = at_vertex(b, targets, p, max_min.place)) return *exact;
-  }
-  Answer out;
-  out.value = Real::from_double(max_min.value);
-  out.set_unproven();
-  out.error = max_min.bound - max_min.value + margin::kFoundError * space::size_of(max_min.place);
-  return out;
+  return protrusion_answer(solid_max_min(solids_of(b, p), distances, 0), sharp_corners(b), p,
+                           [&](const RealVector& at) { return exact_distance(targets, at); });
 }
 
 }  // namespace
+
+void NearestBall::offer(const RealVector& way, const Real& radius) {
+  const Real core = length(way), value = core - radius;
+  if (found_ && !(value < found_->value)) return;
+  found_ = Answer{};
+  found_->value = value;
+  if (core.sign() > 0) found_->witness = point_pair(from_, space::along(from_, value / core, way));
+}
+
+std::vector<space::Point> sharp_corners(const Body& b) {
+  std::vector<space::Point> out;
+  for (const BodyPart& part : b.parts) {
+    if (part.radius.sign() == 0) out.insert(out.end(), part.vertices().begin(), part.vertices().end());
+  }
+  return out;
+}
+
+std::optional<RealVector> corner_at(std::span<const space::Point> corners, const RealVector& p, const Vector& place,
+                                    double size) {
+  const Vector off = place - space::rounded(p);
+  for (const space::Point& v : corners) {
+    if (space::length(exact::approx(v) - off) <= margin::kAtVertex * size) return space::plus(real(v), p);
+  }
+  return std::nullopt;
+}
+
+Answer protrusion_answer(const SolidMaxMin& found, std::span<const space::Point> corners, const RealVector& p,
+                         const std::function<Answer(const RealVector&)>& exact) {
+  const double size = space::size_of(found.place);
+  if (const auto at = found.complete ? corner_at(corners, p, found.place, size) : std::nullopt) return exact(*at);
+  Answer out;
+  out.value = Real::from_double(found.value);
+  out.set_unproven();
+  out.error = found.bound - found.value + margin::kFoundError * size;
+  return out;
+}
 
 Answer protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
   std::vector<Target> targets;

@@ -9,6 +9,8 @@
 // reached (`proven` is false then). Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -25,13 +27,28 @@ namespace findspace::distance {
 std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
 /// A part with a radius, or a point, moved.
 RoundSolid round_solid(const space::BodyPart& part, const space::Vector& by);
-/// The body's parts, moved by p, as searches divide them.
-struct Solids {
-  std::vector<Tetrahedron> cells;
-  std::vector<RoundSolid> round;
-  std::vector<space::Vector> corners;  // of the polyhedra
-};
+/// The body's parts, moved by p, as searches divide them; the corners are those of the polyhedra.
 Solids solids_of(const space::Body& b, const space::RealVector& p);
+/// Of the parts without a radius.
+std::vector<space::Point> sharp_corners(const space::Body& b);
+/// The one that is at the place when moved by p, exactly.
+std::optional<space::RealVector> corner_at(std::span<const space::Point> corners, const space::RealVector& p,
+                                           const space::Vector& place, double size);
+/// The exact distance from a place to the nearest of balls.
+class NearestBall {
+ public:
+  explicit NearestBall(const space::RealVector& from) : from_(from) {}
+  /// The way to its centre.
+  void offer(const space::RealVector& way, const exact::Real& radius);
+  const std::optional<Answer>& found() const { return found_; }
+
+ private:
+  space::RealVector from_;
+  std::optional<Answer> found_;
+};
+/// What a search found; at a corner of what is moved by p by the exact distance from there.
+Answer protrusion_answer(const SolidMaxMin& found, std::span<const space::Point> corners, const space::RealVector& p,
+                         const std::function<Answer(const space::RealVector&)>& exact);
 /// Whether no polyhedron among the parts has a radius.
 bool polyhedra_and_balls(const space::Body& b);
 /// Both less the radius of a convex A, where no part of B is less round: (P (+) r) (-) r = P, so they fit as they did.

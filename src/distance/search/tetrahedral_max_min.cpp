@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -27,6 +28,40 @@ bool MaxMinBest::worth(double bound) const {
 
 std::optional<Column> MaxMinTarget::beyond(const MaxMinCell& cell, const Vector& middle) const {
   return cell.round ? cell.round->beyond_plane(middle, cell.corner) : std::nullopt;
+}
+
+namespace {
+
+class TetrahedralMaxMin {
+ public:
+  TetrahedralMaxMin(const MaxMinTarget& target, const MaxMinBest& start) : target_(target), best_(start) {}
+
+  void add(const Solids& solids);
+  SolidMaxMin run(int most);
+
+ private:
+  /// `ceiling`: nothing in it has more.
+  void add(const Tetrahedron& corner, const RoundSolid* round, double ceiling, const std::vector<int>& sets);
+  void split(const MaxMinCell& cell);
+  bool dropped(double bound);
+  double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const;
+
+  const MaxMinTarget& target_;
+  MaxMinBest best_;
+  double bound_ = -exact::kInfinity;  // of what was left out
+  plane::Subdivision<MaxMinCell> queue_{"tetrahedra of the farthest place of a solid from a set"};
+};
+
+void TetrahedralMaxMin::add(const Solids& solids) {
+  const std::vector<int> sets = target_.sets();
+  for (const Vector& v : solids.corners) target_.offer_in(v, best_);
+  for (const Tetrahedron& t : solids.cells) add(t, nullptr, exact::kInfinity, sets);
+  for (const RoundSolid& r : solids.round) {
+    // No distance grows faster than a step.
+    const double ceiling =
+        r.way ? exact::kInfinity : target_.offer_in(r.from, best_) + space::length(r.to - r.from) + r.radius;
+    for (const Tetrahedron& t : around(r)) add(t, &r, ceiling, sets);
+  }
 }
 
 void TetrahedralMaxMin::add(const Tetrahedron& corner, const RoundSolid* round, double ceiling,
@@ -102,6 +137,14 @@ void TetrahedralMaxMin::split(const MaxMinCell& cell) {
     }
   }
   for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell.round, cell.bound, cell.sets);
+}
+
+}  // namespace
+
+SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, int most) {
+  TetrahedralMaxMin search(target, start);
+  search.add(solids);
+  return search.run(most);
 }
 
 }  // namespace findspace::distance

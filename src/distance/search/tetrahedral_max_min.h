@@ -19,7 +19,6 @@
 #include "distance/search/lp_bound.h"
 #include "distance/search/round_solid.h"
 #include "exact/number/interval.h"
-#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -53,6 +52,10 @@ class MaxMinBest {
 class MaxMinTarget {
  public:
   virtual ~MaxMinTarget() = default;
+  /// That the first cells have.
+  virtual std::vector<int> sets() const { return {}; }
+  /// A place of the solid, and at most what its distance is; nothing is said where cells offer their corners.
+  virtual double offer_in(const space::Vector& /*x*/, MaxMinBest& /*best*/) const { return exact::kInfinity; }
   /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
   /// those of its sets, and others, that bound it best, with their distances. False: nothing of it counts.
   virtual bool look(MaxMinCell& cell, const space::Vector& middle, MaxMinBest& best) const = 0;
@@ -68,24 +71,7 @@ class MaxMinTarget {
   virtual int rounds() const { return 1; }
 };
 
-class TetrahedralMaxMin {
- public:
-  TetrahedralMaxMin(const MaxMinTarget& target, const MaxMinBest& start) : target_(target), best_(start) {}
-
-  MaxMinBest& best() { return best_; }
-  /// `ceiling`: nothing in it has more.
-  void add(const Tetrahedron& corner, const RoundSolid* round, double ceiling, const std::vector<int>& sets);
-  SolidMaxMin run(int most);
-
- private:
-  void split(const MaxMinCell& cell);
-  bool dropped(double bound);
-  double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const;
-
-  const MaxMinTarget& target_;
-  MaxMinBest best_;
-  double bound_ = -exact::kInfinity;  // of what was left out
-  plane::Subdivision<MaxMinCell> queue_{"tetrahedra of the farthest place of a solid from a set"};
-};
+/// With at most so many cells.
+SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, int most);
 
 }  // namespace findspace::distance

@@ -58,16 +58,8 @@ TouchingConstraint signed_touching(const space::BodyPart& part) {
   };
 }
 
-UnionProtrusion::UnionProtrusion(const space::Body& b, const space::Body& a) {
+UnionProtrusion::UnionProtrusion(const space::Body& b, const space::Body& a) : b_(solids_of(b, {})) {
   for (const space::BodyPart& part : a.parts) parts_.push_back(signed_touching(part));
-  for (const space::BodyPart& part : b.parts) {
-    if (part.core && part.radius.sign() == 0) {
-      const std::vector<Tetrahedron> cells = tetrahedra(*part.core);
-      cells_.insert(cells_.end(), cells.begin(), cells.end());
-    } else {
-      rounds_.push_back(round_solid(part, {}));
-    }
-  }
   for (const space::Body* body : {&b, &a}) {
     const space::Bounds3 box = bounds(*body);
     size_ += std::max(space::length(space::rounded(box.low)), space::length(space::rounded(box.high)));
@@ -77,8 +69,9 @@ UnionProtrusion::UnionProtrusion(const space::Body& b, const space::Body& a) {
 std::size_t UnionProtrusion::piece_of(const Vector& point) const {
   std::size_t best = 0;
   double least = exact::kInfinity;
-  for (std::size_t k = 0; k < cells_.size() + rounds_.size(); ++k) {
-    const double d = k < cells_.size() ? beyond_faces(cells_[k], point) : rounds_[k - cells_.size()].beyond(point);
+  for (std::size_t k = 0; k < b_.cells.size() + b_.round.size(); ++k) {
+    const double d =
+        k < b_.cells.size() ? beyond_faces(b_.cells[k], point) : b_.round[k - b_.cells.size()].beyond(point);
     if (d < least) {
       least = d;
       best = k;
@@ -93,7 +86,7 @@ UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double prec
     sets.emplace_back([&part, &x](const Vector& y) { return part(plus(x, y)).value; });
   // Nothing is deeper than that: so all of it counts.
   const double depth = 2 * (size_ + space::length(x));
-  const SolidMaxMin max_min = solid_max_min(cells_, rounds_, sets, -depth, precision / (2 * depth), most);
+  const SolidMaxMin max_min = solid_max_min(b_, sets, -depth, precision / (2 * depth), most);
   return {max_min.value, max_min.complete ? std::max(max_min.bound, max_min.value + precision) : max_min.bound,
           max_min.place, piece_of(max_min.place)};
 }
@@ -106,8 +99,8 @@ double UnionProtrusion::beyond(const Vector& y) const {
 
 /// A tetrahedron within the piece; of a round one near the point, and nearly touching its boundary.
 Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const {
-  if (witness.piece < cells_.size()) return cells_[witness.piece];
-  const RoundSolid& solid = rounds_[witness.piece - cells_.size()];
+  if (witness.piece < b_.cells.size()) return b_.cells[witness.piece];
+  const RoundSolid& solid = b_.round[witness.piece - b_.cells.size()];
   Vector out = witness.point - solid.projection(witness.point);
   const double far = space::length(out);
   // Deep inside any way will do.
@@ -160,7 +153,7 @@ void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) c
       witness = next;
       at = there;
       out = farther;
-    } else if (witness.piece < cells_.size()) {
+    } else if (witness.piece < b_.cells.size()) {
       return;
     } else {
       reach /= 3;

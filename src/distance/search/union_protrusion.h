@@ -61,8 +61,7 @@ class UnionProtrusion {
   std::size_t piece_of(const space::Vector& point) const;
 
   std::vector<TouchingConstraint> parts_;  // of A
-  std::vector<Tetrahedron> cells_;         // of B's polyhedra
-  std::vector<RoundSolid> rounds_;         // B's other parts, numbered after the cells
+  Solids b_;                               // the round ones are numbered after the cells
   double size_ = 1;
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "distance/search/convex_distance.h"
+#include "distance/search/round_solid.h"
 #include "distance/solid/convex_least.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/outside_cells.h"
@@ -66,7 +67,7 @@ TriedAnswer deepest_place(const Obstacles& all, const Real& radius, const RealVe
                           const std::function<TriedAnswer(const RealVector&)>& value) {
   const double size = space::size_of(space::rounded(somewhere)) + radius.to_double() + 1;
   const SolidMaxMin max_min =
-      all.domain.empty() ? SolidMaxMin{} : solid_max_min(all.domain, all.distances, margin::kTangentNoise * size);
+      all.domain.empty() ? SolidMaxMin{} : solid_max_min({all.domain}, all.distances, margin::kTangentNoise * size);
   const Real bound = radius - Real::from_double(max_min.bound + margin::kTangentNoise * size);
   std::optional<Answer> best;
   std::optional<exact::Refusal> refused;

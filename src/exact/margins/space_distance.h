@@ -175,8 +175,6 @@ inline constexpr double kBallShrunk = 0x1p-30;
 /// Of the sum of the six terms of a volume: 2^4 roundings. Filters: nearer to 0 there is no sign, and another way is
 /// taken to tell inside from outside.
 inline constexpr double kVolumeNoise = 0x1p-48;
-/// Factor over a distance that is known, up to which boxes are looked at. Searches: a greater one looks at more.
-inline constexpr double kKnownReach = 1 + 0x1p-30;
 
 // -- csg: solids that others are cut out of; relative to the size, the farthest coordinate of the pair
 

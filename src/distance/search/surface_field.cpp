@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
+#include "distance/search/surface_field.h"
+
 #include <algorithm>
 
-#include "distance/surface/surface_max_min.h"
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
 #include "space/surface/surface_gap.h"
@@ -15,12 +16,13 @@ using Sheet = space::SurfaceSet::Sheet;
 
 namespace {
 
+/// The square of the distance.
 double box_gap(const space::GridBox& box, const Vector& x) {
   const auto gap = [](std::int64_t low, std::int64_t high, double at) {
     return std::max({static_cast<double>(low) - at, at - static_cast<double>(high), 0.0});
   };
   const Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y), gap(box.low.z, box.high.z, x.z)};
-  return space::length(d);
+  return space::dot(d, d);
 }
 
 /// visit(face, distance) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
@@ -36,7 +38,7 @@ void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) 
   stack[depth++] = {0, box_gap(nodes[0].box, x)};
   while (depth > 0) {
     const Task top = stack[--depth];
-    if (top.gap > most) continue;
+    if (top.gap > most * most) continue;
     const BoxTree::Node& node = nodes[std::size_t(top.node)];
     if (node.count == 0) {
       Task one{node.first, box_gap(nodes[std::size_t(node.first)].box, x)},
@@ -47,7 +49,7 @@ void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) 
       continue;
     }
     for (int k = node.first; k < node.first + node.count; ++k) {
-      if (box_gap(sheet.tree.box(k), x) > most) continue;
+      if (box_gap(sheet.tree.box(k), x) > most * most) continue;
       const int face = sheet.tree.face(k);
       if (!visit(face, std::sqrt(space::squared_distance(sheet, face, x)))) return;
     }
@@ -94,7 +96,7 @@ std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
 }
 
 /// Of a place that is so far from the surface, by one nearby on the same side.
-std::optional<bool> inside(const Sheet& sheet, const Vector& x, double away) {
+std::optional<bool> inside_of(const Sheet& sheet, const Vector& x, double away) {
   const double limit = static_cast<double>(exact::kRayLimit);
   if (!(space::size_of(x) < limit)) return false;
   if (!(away >
@@ -113,15 +115,14 @@ SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set
   for (const auto& sheet : set.sheets()) first_.push_back(first_.back() + static_cast<int>(sheet->body.faces.size()));
 }
 
-SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
+SurfaceField::Signed SurfaceField::at(const Vector& place) const {
   const Vector x = place - by_;
   Signed out{exact::kInfinity, exact::kInfinity, true};
   const auto offer = [&](const Signed& next) {
     if (next.value < out.value) out = next;
   };
   for (const auto& sheet : set_.sheets()) {
-    const bool alone = set_.one_sheet() && known < exact::kInfinity;
-    double least = alone ? known * margin::kKnownReach + 1 : exact::kInfinity;  // a margin: it only skips boxes
+    double least = exact::kInfinity;
     int nearest = -1;
     near_faces(*sheet, x, least, [&](int face, double d) {
       if (d < least || nearest < 0) {
@@ -130,7 +131,7 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
       }
       return true;
     });
-    const auto side = inside(*sheet, x, least);
+    const auto side = inside_of(*sheet, x, least);
     const Vector projection = space::plus(space::nearest_place(*sheet, nearest, x), by_);
     offer({side.value_or(false) ? -least : least, least, side.has_value(), projection});
   }
@@ -141,6 +142,38 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, double known) const {
     offer({d, std::fabs(d), true, projection});
   }
   return out;
+}
+
+SurfaceField::Nearest SurfaceField::nearest(const Vector& place, double enough, std::span<const int> likely) const {
+  Nearest best;
+  const auto offer = [&](int part, double d) {
+    if (d < best.distance) best = {d, part};
+  };
+  for (const int part : likely) offer(part, distance(part, place));
+  const Vector x = place - by_;
+  for (std::size_t k = 0; k < set_.sheets().size() && best.distance > enough; ++k) {
+    near_faces(*set_.sheets()[k], x, best.distance, [&](int face, double d) {
+      offer(first_[k] + face, d);
+      return best.distance > enough;
+    });
+  }
+  for (std::size_t k = 0; k < set_.balls().size() && best.distance > enough; ++k) {
+    const int part = first_.back() + static_cast<int>(k);
+    offer(part, distance(part, place));
+  }
+  return best;
+}
+
+std::optional<bool> SurfaceField::inside(const Vector& place, double away) const {
+  if (away < 0) return true;  // in a ball
+  const Vector x = place - by_;
+  bool certain = true;
+  for (const auto& sheet : set_.sheets()) {
+    const auto in = inside_of(*sheet, x, away);
+    if (in.value_or(false)) return true;
+    certain = certain && in;
+  }
+  return certain ? std::optional(false) : std::nullopt;
 }
 
 double SurfaceField::distance(int part, const Vector& x) const {

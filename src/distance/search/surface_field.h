@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Signed distances of places to a set that is given by its surfaces, in doubles: those to the nearest triangle of trees
+// of boxes, with the side by the triangles above. Guarantee: doubles; a side is only said where it is certain.
+// Cost: a microsecond or so. Keywords: signed distance field, bounding volume hierarchy.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "space/surface/surface_set.h"
+
+namespace findspace::distance {
+
+class SurfaceField {
+ public:
+  /// Moved by `by`. Keeps a reference.
+  SurfaceField(const space::SurfaceSet& set, const space::Vector& by);
+
+  struct Signed {
+    double value = 0;            // negative inside
+    double distance = 0;         // from the surface that is nearest
+    bool certain = false;        // near the surface the side is not decided; the value counts as outside
+    space::Vector projection{};  // the nearest place of the surface
+  };
+  /// Inside a union it is not less than the true one; outside it is that.
+  Signed at(const space::Vector& x) const;
+  /// A triangle or a ball, by number, and the distance from it; of a ball it is signed.
+  struct Nearest {
+    double distance = exact::kInfinity;
+    int part = -1;
+  };
+  /// Where the distance is not more than `enough` any that is so near. `likely`: tried first.
+  Nearest nearest(const space::Vector& x, double enough, std::span<const int> likely) const;
+  /// Whether x, which is so far from the nearest surface, lies in the set; nothing where that is not certain.
+  std::optional<bool> inside(const space::Vector& x, double away) const;
+  /// The triangles and balls to which some place within `within` of x may be nearest, by number, if they are not more
+  /// than `most`.
+  std::optional<std::vector<int>> near(const space::Vector& x, double within, std::size_t most) const;
+  /// From one of them.
+  double distance(int part, const space::Vector& x) const;
+  const space::SurfaceSet& set() const { return set_; }
+  const space::Vector& by() const { return by_; }
+
+ private:
+  const space::SurfaceSet& set_;
+  space::Vector by_;
+  std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
+};
+
+}  // namespace findspace::distance

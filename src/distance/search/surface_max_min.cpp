@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// How far solids protrude from a set given by its surfaces: protrusion_field.h.
+#include <algorithm>
+#include <cmath>
+
+#include "distance/search/field_boxes.h"
+#include "distance/search/protrusion_field.h"
+#include "distance/search/tetrahedral_max_min.h"
+#include "exact/margins/space_distance.h"
+
+namespace findspace::distance {
+namespace {
+
+using space::Vector;
+
+/// Triangles whose distances bound a cell, at most.
+constexpr std::size_t kFewTriangles = 8;
+/// Of the octree about the surface.
+constexpr int kDepth = 9;
+/// Steps of a run, each as long as the point is clear.
+constexpr int kMostSteps = 60;
+constexpr int kMostMaxMinCells = 60000;
+
+/// A cell is bounded by a few triangles: any do.
+class SurfaceTarget : public MaxMinTarget {
+ public:
+  SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldBoxes* boxes)
+      : a_(a), b_(b), boxes_(boxes) {}
+
+  double offer_in(const Vector& x, MaxMinBest& best) const override {
+    const SurfaceField::Signed here = a_.at(x);
+    best.offer(x, here.certain ? here.value : -here.distance);
+    return here.value;
+  }
+
+  bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
+    double reach = 0;
+    for (const Vector& v : cell.corner) reach = std::max(reach, space::length(v - middle));
+    const double most = std::max(best.slack(), best.found().value);
+    if (boxes_ && reach > 4 * boxes_->least_half() && boxes_->within(cell.corner, most)) return false;
+    if (cell.sets.empty()) {
+      for (const Vector& v : cell.corner) cell.sets.push_back(a_.nearest(v, -exact::kInfinity, {}).part);
+    }
+    const SurfaceField::Nearest near = a_.nearest(middle, most - reach, cell.sets);
+    if (!best.worth(near.distance + reach)) return false;
+    cell.sets.push_back(near.part);
+    find_columns(cell);
+    if (!best.worth(cell.bound)) return false;
+    const auto inside = a_.inside(middle, near.distance);
+    const double value = inside.value_or(false) ? -std::fabs(near.distance) : near.distance;
+    cell.bound = std::min(cell.bound, value + reach);
+    if (!best.worth(cell.bound)) return false;
+    if (b_ && !cell.round && b_->field->at(middle).value > reach + best.near()) return false;
+    if (inside && value > best.found().value) offer_near(middle, cell, value, best);
+    return true;
+  }
+
+  void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
+    const SurfaceField::Nearest near = a_.nearest(x, -exact::kInfinity, cell.sets);
+    cell.sets.push_back(near.part);
+    if (!(near.distance > best.found().value)) return;
+    const auto inside = a_.inside(x, near.distance);
+    if (inside && !*inside) offer_near(x, cell, near.distance, best);
+  }
+
+  double distance(int set, const Vector& x) const override { return a_.distance(set, x); }
+
+  std::optional<Column> beyond(const MaxMinCell& cell, const Vector& middle) const override {
+    if (cell.round || !b_ || b_->hull.empty()) return MaxMinTarget::beyond(cell, middle);
+    return beyond_hull(middle, cell.corner);
+  }
+
+  double shortest_share() const override { return 1; }
+
+ private:
+  /// A place of the cell, if it is one of B's, or the place of a ball that is nearest to it.
+  void offer_near(const Vector& x, const MaxMinCell& cell, double value, MaxMinBest& best) const {
+    if (cell.round && cell.round->beyond(x) > 0)
+      offer_in(cell.round->pulled_in(x), best);
+    else if (in_b(x))
+      best.offer(x, value);
+  }
+
+  bool in_b(const Vector& x) const {
+    if (!b_) return true;
+    const SurfaceField::Signed of_b = b_->field->at(x);
+    return of_b.certain && of_b.value <= 0;
+  }
+
+  /// How far the corners are beyond the plane of B's hull that the place is farthest beyond.
+  Column beyond_hull(const Vector& x, const Tetrahedron& corners) const {
+    const Vector& by = b_->field->by();
+    const auto most = std::max_element(b_->hull.begin(), b_->hull.end(), [&](const auto& g, const auto& h) {
+      return g.approx_value(x - by) < h.approx_value(x - by);
+    });
+    Column out{};
+    for (std::size_t v = 0; v < 4; ++v) out[v] = most->approx_value(corners[v] - by);
+    return out;
+  }
+
+  /// The distances of the cell's triangles from its corners; keeps those that bound it best.
+  void find_columns(MaxMinCell& cell) const {
+    struct Bounding {
+      double most;
+      int triangle;
+      Column column;
+    };
+    std::sort(cell.sets.begin(), cell.sets.end());
+    cell.sets.erase(std::unique(cell.sets.begin(), cell.sets.end()), cell.sets.end());
+    std::vector<Bounding> order;
+    for (const int f : cell.sets) {
+      Bounding& next = order.emplace_back(Bounding{0, f, {}});
+      for (std::size_t v = 0; v < 4; ++v) next.column[v] = distance(f, cell.corner[v]);
+      next.most = *std::max_element(next.column.begin(), next.column.end());
+    }
+    std::sort(order.begin(), order.end(), [](const Bounding& p, const Bounding& q) {
+      return std::pair(p.most, p.triangle) < std::pair(q.most, q.triangle);
+    });
+    cell.bound = std::min(cell.bound, order[0].most);
+    order.resize(std::min(order.size(), kFewTriangles));
+    cell.sets.clear();
+    for (const Bounding& b : order) {
+      cell.sets.push_back(b.triangle);
+      cell.distances.push_back(b.column);
+    }
+  }
+
+  const SurfaceField& a_;
+  const SolidOfSurface* b_;
+  const FieldBoxes* boxes_;
+};
+
+class FieldOfSurface : public ProtrusionField {
+ public:
+  explicit FieldOfSurface(const space::Triangles& surface) : set_(surface), field_(set_, {}) {
+    const space::RayBody& body = set_.sheets()[0]->body;
+    const Vector low = exact::approx(body.low), high = exact::approx(body.high);
+    size_ = space::length(high - low);
+    boxes_ = std::make_unique<const FieldBoxes>(space::scaled(0.5, space::plus(low, high)), size_, kDepth,
+                                                [this](const Vector& x) { return field_.at(x).value; });
+  }
+  double size() const override { return size_; }
+  SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
+    Solids some = solids;
+    std::erase_if(some.cells, [&](const Tetrahedron& t) { return boxes_->within(t, slack); });
+    return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, boxes_.get()),
+                               MaxMinBest(std::min(0.0, slack), slack, share, 0), kMostCells);
+  }
+  double run(const Vector& x, const Vector& way, double cut, double size) const override {
+    double at = 0;
+    for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
+      const Vector there = space::plus(x, space::scaled(at, way));
+      const double clear = field_.nearest(there, -exact::kInfinity, {}).distance - cut;
+      if (!(clear > size * margin::kPlaceNoise)) break;
+      at += clear;
+    }
+    return at;
+  }
+
+ private:
+  space::SurfaceSet set_;
+  SurfaceField field_;
+  double size_;
+  std::unique_ptr<const FieldBoxes> boxes_;
+};
+
+}  // namespace
+
+SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const SurfaceField& a) {
+  double size = 0;
+  for (const Vector& v : solids.corners) size = std::max(size, space::size_of(v));
+  return tetrahedral_max_min(solids, SurfaceTarget(a, b, nullptr),
+                             MaxMinBest(-exact::kInfinity, -exact::kInfinity, 0, margin::kPlaceNoise * size),
+                             kMostMaxMinCells);
+}
+
+std::unique_ptr<ProtrusionField> field_of_surface(const space::Triangles& surface) {
+  return std::make_unique<FieldOfSurface>(surface);
+}
+
+}  // namespace findspace::distance
