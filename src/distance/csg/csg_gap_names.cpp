@@ -80,8 +80,7 @@ class Names {
   /// The corners of what the core of the set has in common with that of s moved by q.
   std::vector<space::ConvexRegion::Vertex> shared_corners(const BodyPart& set, const RealVector& q) const {
     const auto box = [](const BodyPart& part) {
-      Body one;
-      one.parts.push_back(part);
+      Body one = space::body_of_part(part);
       one.parts[0].radius = Real();
       return bounds(one);
     };

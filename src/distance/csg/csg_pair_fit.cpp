@@ -26,11 +26,6 @@ bool inside(const RealVector& p, const space::Bounds3& box) {
   return true;
 }
 
-double beyond(const Vector& p, const Vector& low, const Vector& high) {
-  const auto off = [](double x, double from, double to) { return std::max({0.0, from - x, x - to}); };
-  return space::length({off(p.x, low.x, high.x), off(p.y, low.y, high.y), off(p.z, low.z, high.z)});
-}
-
 }  // namespace
 
 struct CsgPair::Among {
@@ -41,10 +36,8 @@ struct CsgPair::Among {
   exact::Tried<PositionSet> fits() const {
     const exact::Tried<const PositionSet*> free = left->free();
     if (!free) return free.refusal();
-    return (*free)->within({low(), high()});
+    return (*free)->within(space::rounded(places));
   }
-  Vector low() const { return space::rounded(places.low); }
-  Vector high() const { return space::rounded(places.high); }
 };
 
 /// Null: B is larger than the box about A.
@@ -52,10 +45,11 @@ exact::Tried<const CsgPair::Among*> CsgPair::among() const {
   std::call_once(among_made_, [this] {
     const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
     auto out = std::make_shared<Among>();
-    out->places = {space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
+    const auto places = space::fitting(inner, outer);
+    if (!places) return;
+    out->places = *places;
     std::array<std::int64_t, 3> low{}, high{};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (out->places.high[k] < out->places.low[k]) return;
       const double from = outer.low[k].to_double(), to = outer.high[k].to_double(), tolerance = (to - from) / 4 + 2;
       low[k] = static_cast<std::int64_t>(std::floor(from - tolerance));
       high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
@@ -112,7 +106,7 @@ TriedBetween CsgPair::nearly_in_union(const RealVector& p, double level) const {
   if (!made) return made.refusal();
   const Among* all = *made;
   if (!all) return std::nullopt;
-  const double error = margin::kFoundError * size_, least = beyond(space::rounded(p), all->low(), all->high());
+  const double error = margin::kFoundError * size_, least = space::rounded(all->places).distance(space::rounded(p));
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (inside(p, all->places)) {

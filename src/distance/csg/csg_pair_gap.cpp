@@ -25,31 +25,8 @@ using space::Vector;
 
 namespace {
 
-struct Box {
-  Vector low, high;
-};
-
-Box box_of(const BodyPart& part, const Vector& p) {
-  Body one;
-  one.parts.push_back(part);
-  const space::Bounds3 box = bounds(one);
-  return {space::plus(space::rounded(box.low), p), space::plus(space::rounded(box.high), p)};
-}
-
-double apart(double low, double high, double other_low, double other_high) {
-  return std::max({0.0, low - other_high, other_low - high});
-}
-
-double distance(const Box& a, const Box& b) {
-  return space::length({apart(a.low.x, a.high.x, b.low.x, b.high.x), apart(a.low.y, a.high.y, b.low.y, b.high.y),
-                        apart(a.low.z, a.high.z, b.low.z, b.high.z)});
-}
-
-/// The part as a body of its own.
-Body body_of(const BodyPart& part) {
-  Body one;
-  one.parts.push_back(part);
-  return one;
+space::Extent box_of(const BodyPart& part, const Vector& p) {
+  return moved(space::rounded(bounds(space::body_of_part(part))), p);
 }
 
 }  // namespace
@@ -59,9 +36,9 @@ Answer CsgPair::apart(const RealVector& p) const {
   std::optional<Answer> best;
   const Vector by = space::rounded(p);
   for (const BodyPart& s : b_->parts) {
-    const Box box = box_of(s, by);
+    const space::Extent box = box_of(s, by);
     for (const CsgPartSearch& part : parts_) {
-      if (best && distance(box, {part.low(), part.high()}) > best->value.to_double()) continue;
+      if (best && space::distance(box, part.box()) > best->value.to_double()) continue;
       const TouchingConstraint to = gap_to(s, by);
       const BoundaryPlace found = part.places.nearest_to(to, {});
       if (!found.found) continue;
@@ -89,10 +66,10 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
   const Vector by = space::rounded(p);
   const Until until{level, margin::kRoughShare};
   for (const BodyPart& s : b_->parts) {
-    const Box box = box_of(s, by);
+    const space::Extent box = box_of(s, by);
     const TouchingConstraint to = gap_to(s, by);
     for (const CsgPartSearch& part : parts_) {
-      const double least = distance(box, {part.low(), part.high()});
+      const double least = space::distance(box, part.box());
       if (least > out.low) continue;
       if (least - level > margin::kFarByBoxes * size_) {
         out.low = least;
@@ -111,9 +88,9 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   const Vector by = space::rounded(p);
   double most = 0;
   for (const BodyPart& s : b_->parts) {
-    const Box box = box_of(s, by);
+    const space::Extent box = box_of(s, by);
     for (const CsgPartSearch& part : parts_) {
-      if (distance(box, {part.low(), part.high()}) > 0) continue;
+      if (space::distance(box, part.box()) > 0) continue;
       most = std::max(most, part.places.also_in(convex_constraint(s, by)).deepest({enough * size_}).value);
     }
   }
@@ -138,10 +115,7 @@ Answer CsgPair::reach_of_parts(const RealVector& p) const {
       const Vector near = space::rounded(at);
       const double radius = s.radius.to_double();
       for (const CsgPartSearch& part : parts_) {
-        const Vector far{std::max(near.x - part.low().x, part.high().x - near.x),
-                         std::max(near.y - part.low().y, part.high().y - near.y),
-                         std::max(near.z - part.low().z, part.high().z - near.z)};
-        if (best && space::length(far) + radius < best->value.to_double()) continue;
+        if (best && part.box().farthest(near) + radius < best->value.to_double()) continue;
         const auto away = [near](const Vector& x) { return space::length(x - near); };
         const BoundaryPlace found = part.places.farthest_from(away);
         if (!found.found || (best && found.value + radius <= best->value.to_double())) continue;
@@ -186,7 +160,7 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
     Answer v = searched_answer(found, size_);
     // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
     for (const BodyPart& set : part.sets->within) {
-      const Answer complete = protrusion_of_convex(body_of(set), b_->parts[0], space::negated(p));
+      const Answer complete = protrusion_of_convex(space::body_of_part(set), b_->parts[0], space::negated(p));
       const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
       if (!same || complete.witness.empty()) continue;
       const RealVector place = space::plus(complete.witness[0].at, p);

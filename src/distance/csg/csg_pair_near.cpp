@@ -16,25 +16,14 @@ using space::BodyPart;
 using space::RealVector;
 using space::Vector;
 
-namespace {
-
-double between_spans(double low, double high, double other_low, double other_high) {
-  return std::max({0.0, low - other_high, other_low - high});
-}
-
-}  // namespace
-
 /// gamma1 less a level from 0 on, inside minus how deep a place of A is in a part of B.
 class CsgPair::GapNear : public NearRule {
  public:
   GapNear(std::shared_ptr<const CsgPair> pair, double level, const Vector& unit)
       : pair_(std::move(pair)), level_(level) {
     for (const BodyPart& s : pair_->b_->parts) {
-      space::Body one;
-      one.parts.push_back(s);
-      const space::Bounds3 box = bounds(one);
-      parts_.push_back({SweptPart(s, pair_->cut_moves_ ? space::scaled(-1, unit) : unit), space::rounded(box.low),
-                        space::rounded(box.high)});
+      parts_.push_back({SweptPart(s, pair_->cut_moves_ ? space::scaled(-1, unit) : unit),
+                        space::rounded(bounds(space::body_of_part(s)))});
     }
   }
 
@@ -67,18 +56,14 @@ class CsgPair::GapNear : public NearRule {
  private:
   struct Moving {
     SweptPart swept;
-    Vector low, high;
+    space::Extent box;
   };
 
   static double distance(const Moving& s, const Vector& start, const Vector& unit, double from, double to,
                          const CsgPartSearch& part) {
-    const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
-    const auto off = [](double u, double v, double low, double high, double other_low, double other_high) {
-      return between_spans(std::min(u, v) + low, std::max(u, v) + high, other_low, other_high);
-    };
-    return space::length({off(p.x, q.x, s.low.x, s.high.x, part.low().x, part.high().x),
-                          off(p.y, q.y, s.low.y, s.high.y, part.low().y, part.high().y),
-                          off(p.z, q.z, s.low.z, s.high.z, part.low().z, part.high().z)});
+    space::Extent swept = moved(s.box, space::plus(start, space::scaled(from, unit)));
+    swept.add(moved(s.box, space::plus(start, space::scaled(to, unit))));
+    return space::distance(swept, part.box());
   }
 
   static std::function<AlongPlace(double)> beyond(const Moving& s, const Vector& start, const Vector& unit,

@@ -34,11 +34,7 @@ bool flat_sided(const BodyPart& part) { return part.core && part.radius.sign() =
 
 double cut_size(const Body& b, const space::CsgSolid& a) {
   double size = 1 + size_of(b);
-  const auto take = [&](const BodyPart& part) {
-    Body one;
-    one.parts.push_back(part);
-    size = std::max(size, 1 + size_of(one));
-  };
+  const auto take = [&](const BodyPart& part) { size = std::max(size, 1 + size_of(space::body_of_part(part))); };
   for (const CsgPart& part : a.parts) {
     std::for_each(part.within.begin(), part.within.end(), take);
     std::for_each(part.without.begin(), part.without.end(), take);

@@ -12,6 +12,7 @@
 #include "distance/search/meet_slack.h"
 #include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
+#include "space/body/body_boxes.h"
 #include "space/body/csg_solid.h"
 
 namespace findspace::distance {
@@ -21,8 +22,7 @@ struct CsgPartSearch {
   PositionSet places;
   bool empty = false;
 
-  const space::Vector& low() const { return places.box().low; }
-  const space::Vector& high() const { return places.box().high; }
+  const space::Extent& box() const { return places.box(); }
 };
 
 /// Of all coordinates and radii.

@@ -67,7 +67,7 @@ class CsgConstraints : public LazyConstraints {
     for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
       if (!all_->pairs[k].out.empty()) continue;
       const int number = static_cast<int>(cuts_.size());
-      cuts_.push_back({k, {}, all_->pairs[k].part->low(), 0});
+      cuts_.push_back({k, {}, all_->pairs[k].part->box().low, 0});
       out.reverse_convex.push_back([this, number](const Vector& x) { return beyond(number, x); });
     }
     return out;
@@ -143,7 +143,7 @@ class CsgConstraints : public LazyConstraints {
   bool apart(std::size_t k, const Vector& p, double edge = 0) const {
     const CsgPosition& pair = all_->pairs[k];
     const Vector by{edge, edge, edge}, low = space::plus(pair.low, p) - by, high = space::plus(pair.high, p),
-                                       &from = pair.part->low(), to = space::plus(pair.part->high(), by);
+                                       &from = pair.part->box().low, to = space::plus(pair.part->box().high, by);
     return high.x <= from.x - edge || high.y <= from.y - edge || high.z <= from.z - edge || to.x <= low.x + edge ||
            to.y <= low.y + edge || to.z <= low.z + edge;
   }
@@ -237,8 +237,8 @@ class CsgConstraints : public LazyConstraints {
   Slack most(std::size_t k, const Vector& p, const SlackEnd& end) const {
     at_ = p;
     const CsgPosition& pair = all_->pairs[k];
-    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->low(),
-                 &to = pair.part->high();
+    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->box().low,
+                 &to = pair.part->box().high;
     const PositionSet::Box box{{std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
                                {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)}};
     const Slack out = common_[k].deepest(end, box);
@@ -261,15 +261,13 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
   all->size = size;
   Vector low{exact::kInfinity, exact::kInfinity, exact::kInfinity}, high = space::scaled(-1, low);
   for (const BodyPart& s : b.parts) {
-    space::Body one;
-    one.parts.push_back(s);
-    const space::Bounds3 box = bounds(one);
+    const space::Extent box = space::rounded(bounds(space::body_of_part(s)));
     auto moving = meet_sets(s);
     if (!moving) return moving.refusal();
     for (const CsgPartSearch& part : parts) {
       CsgPosition& pair = all->pairs.emplace_back();
-      pair.low = space::rounded(box.low);
-      pair.high = space::rounded(box.high);
+      pair.low = box.low;
+      pair.high = box.high;
       pair.about = about_box(pair.low, pair.high);
       pair.moving = *moving;
       for (const BodyPart& set : part.sets->within) {
@@ -280,7 +278,7 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
       pair.in = convex_constraint(s, {});
       pair.part = &part;
-      const Vector from = part.low() - pair.high, to = part.high() - pair.low;
+      const Vector from = part.box().low - pair.high, to = part.box().high - pair.low;
       low = {std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};
       high = {std::max(high.x, to.x), std::max(high.y, to.y), std::max(high.z, to.z)};
     }

@@ -106,12 +106,6 @@ struct Sides {
   }
 };
 
-double off_box(const Vector& x, const PositionSet::Box& box) {
-  const auto off = [](double c, double low, double high) { return std::max({0.0, low - c, c - high}); };
-  return space::length(
-      {off(x.x, box.low.x, box.high.x), off(x.y, box.low.y, box.high.y), off(x.z, box.low.z, box.high.z)});
-}
-
 class PlacesOfCsg : public MaxMinTarget {
  public:
   PlacesOfCsg(const std::vector<CsgPartSearch>& a, double size, double near) : size_(size), share_(near / size / 4) {
@@ -147,7 +141,7 @@ class PlacesOfCsg : public MaxMinTarget {
     NearestPlace best;
     double value = exact::kInfinity;
     for (const Sides& sides : sides_) {
-      if (off_box(x, sides.part->places.box()) >= value) continue;
+      if (sides.part->box().distance(x) >= value) continue;
       auto found = sides.nearest(x, size_);
       if (!found) found = searched(*sides.part, x);
       const double d = space::length(x - found->at);

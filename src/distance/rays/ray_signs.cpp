@@ -19,13 +19,14 @@ using Source = space::RaySourcePointer;
 }  // namespace
 
 Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a, const RayGrid& grid) {
+  const auto plus = [&] { return space::constant_rays(grid, 1); };
+  if (const auto cut = cut_off_of(which)) {
+    if (level.sign() < 0) return plus();
+    return space::cut_off_rays(ray_sign_map(cut->base, cut->negated ? -level : level, b, a, grid), cut->negated, level);
+  }
   // A in B + p is -A + p in -B.
   const Body back_b = mirrored(a), back_a = mirrored(b);
   const RaySignMaker forth(b, a, grid), back(back_b, back_a, grid);
-  const auto plus = [&] { return space::constant_rays(grid, 1); };
-  const bool unsigned_one = which == Which::kD1 || which == Which::kH || which == Which::kHBack ||
-                            which == Which::kDstar || which == Which::kDstarBack || which == Which::kPenetration;
-  if (unsigned_one && level.sign() < 0) return plus();
   switch (which) {
     case Which::kGamma1:
       return forth.gamma1(level);
@@ -50,19 +51,6 @@ Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a
       both.push_back(back.mu(level));
       return space::greatest_rays(std::move(both));
     }
-    case Which::kD1:
-      return space::cut_off_rays(forth.gamma1(level), false, level);
-    case Which::kH:
-      return space::cut_off_rays(forth.mu(level), false, level);
-    case Which::kHBack:
-      return a.outside ? plus() : space::cut_off_rays(back.mu(level), false, level);
-    case Which::kDstar:
-      return a.outside ? space::constant_rays(grid, -level.sign())
-                       : space::cut_off_rays(back.eta1(-level), true, level);
-    case Which::kDstarBack:
-      return space::cut_off_rays(forth.eta1(-level), true, level);
-    case Which::kPenetration:
-      return space::cut_off_rays(forth.gamma1(-level), true, level);
     case Which::kDiameter: {
       if (a.outside) return plus();
       const Real own = std::max(diameter(a), diameter(b));
@@ -70,6 +58,8 @@ Source ray_sign_map(Which which, const Real& level, const Body& b, const Body& a
       const int least = compare(own, level);  // not above
       return space::mapped_rays(forth.gamma2(level), [least](int s) { return std::max(s, least); });
     }
+    default:
+      break;
   }
   return plus();
 }

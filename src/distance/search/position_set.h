@@ -34,6 +34,7 @@
 #include "distance/search/grown_set.h"
 #include "space/body/body.h"
 #include "space/body/open_union.h"
+#include "space/polytope/extent.h"
 
 namespace findspace::distance {
 
@@ -42,9 +43,7 @@ Answer searched_answer(const BoundaryPlace& found, double size);
 
 class PositionSet {
  public:
-  struct Box {
-    space::Vector low, high;
-  };
+  using Box = space::Extent;
   using Holds = std::function<bool(const space::RealVector&)>;
   using MakeLazy = std::function<std::unique_ptr<LazyConstraints>()>;
   /// A value that some place is known to have exactly, perhaps with the place.

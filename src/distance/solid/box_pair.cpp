@@ -65,31 +65,6 @@ bool is_open(const IntervalBox& box) {
 
 std::size_t slot(Which base) { return base == Which::kGamma1 ? 0 : base == Which::kEta1 ? 1 : 2; }
 
-/// max(floor, f) or max(floor, -f) at a level: the map of f at that level (or its negative), marks turned.
-struct Derived {
-  Which base;
-  bool negated;
-};
-
-std::optional<Derived> derived(Which which) {
-  switch (which) {
-    case Which::kD1:
-      return Derived{Which::kGamma1, false};
-    case Which::kPenetration:
-      return Derived{Which::kGamma1, true};
-    case Which::kH:
-      return Derived{Which::kMu, false};
-    case Which::kHBack:
-      return Derived{Which::kMuBack, false};
-    case Which::kDstar:
-      return Derived{Which::kDelta1, true};
-    case Which::kDstarBack:
-      return Derived{Which::kEta1, true};
-    default:
-      return std::nullopt;
-  }
-}
-
 }  // namespace
 
 BoxPair::BoxPair(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)) {
@@ -148,7 +123,7 @@ Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
 }
 
 Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
-  if (const auto d = derived(which)) {
+  if (const auto d = cut_off_of(which)) {  // at a level: the map of the base, perhaps with marks turned
     if (level.sign() < 0) return BoxComplex({}, 1);
     if (d->base != Which::kMu && d->base != Which::kMuBack) {
       const Tried<const Signs*> found = signs(d->base);

@@ -43,6 +43,25 @@ Which exchanged(Which which) {
   }
 }
 
+std::optional<CutOff> cut_off_of(Which which) {
+  switch (which) {
+    case Which::kD1:
+      return CutOff{Which::kGamma1, false};
+    case Which::kPenetration:
+      return CutOff{Which::kGamma1, true};
+    case Which::kH:
+      return CutOff{Which::kMu, false};
+    case Which::kHBack:
+      return CutOff{Which::kMuBack, false};
+    case Which::kDstar:
+      return CutOff{Which::kDelta1, true};
+    case Which::kDstarBack:
+      return CutOff{Which::kEta1, true};
+    default:
+      return std::nullopt;
+  }
+}
+
 TriedAnswer PairDistances::clearance(Inner inner, const SpacePosition& p) const { return cut(fit(inner, p), true); }
 
 TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {

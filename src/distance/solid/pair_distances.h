@@ -23,6 +23,13 @@ namespace findspace::distance {
 /// The same distance with the roles of the two exchanged.
 Which exchanged(Which which);
 
+/// A distance that is max(0, base), or max(0, -base) if negated.
+struct CutOff {
+  Which base;
+  bool negated;
+};
+std::optional<CutOff> cut_off_of(Which which);
+
 class PairDistances {
  public:
   virtual ~PairDistances() = default;

@@ -9,6 +9,7 @@
 #include "distance/search/round_solid.h"
 #include "distance/solid/convex_least.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/body_boxes.h"
 #include "space/body/outside_cells.h"
 #include "space/body/union_frontier.h"
 #include "space/polytope/deepest.h"
@@ -96,9 +97,9 @@ class Least {
  public:
   Least(const Body& b, const Body& a)
       : b_(b), a_(a), pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)) {
-    const space::Bounds3 outer = bounds(a), inner = bounds(b);
-    low_ = space::minus(outer.low, inner.high);
-    high_ = space::minus(outer.high, inner.low);
+    const space::Bounds3 box = space::meeting(bounds(b), bounds(a));
+    low_ = box.low;
+    high_ = box.high;
   }
 
   TriedAnswer of(Which which) const {
@@ -170,17 +171,10 @@ class Least {
                          [&](const RealVector& p) { return pair_.try_value(Which::kGamma1, p); });
   }
 
-  /// Where B can be at all: A's box less B's.
-  bool fit_box(RealVector& low, RealVector& high) const {
-    const space::Bounds3 outer = bounds(a_), inner = bounds(b_);
-    low = space::minus(outer.low, inner.low);
-    high = space::minus(outer.high, inner.high);
-    return low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2];
-  }
-
   TriedAnswer containment() const {
-    RealVector low, high;
-    if (!fit_box(low, high)) return std::nullopt;
+    const auto box = space::fitting(bounds(b_), bounds(a_));  // where B can be at all
+    if (!box) return std::nullopt;
+    const RealVector &low = box->low, &high = box->high;
     Body core = b_;
     Real radius;
     if (!a_.convex()) {
@@ -213,9 +207,10 @@ class Least {
   }
 
   TriedAnswer farthest_fit() const {
-    RealVector low, high;
     if (a_.round() || b_.round()) return searched(Which::kEta2, 0);
-    if (!fit_box(low, high)) return std::nullopt;
+    const auto box = space::fitting(bounds(b_), bounds(a_));
+    if (!box) return std::nullopt;
+    auto [low, high] = *box;
     const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
     const space::OpenUnion cover = space::outside_cover(b_, cells);
     if (!space::farthest_in_complement(cover, low, high, low)) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "distance/answer/answer.h"
 #include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
+#include "space/body/body_boxes.h"
 
 namespace findspace::distance {
 
@@ -93,13 +94,12 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, Depth depth) const {
     return signed_value(p, *out, -1);
   }
   std::call_once(round_overlap_made_, [&] {
-    const space::Bounds3 of_a = bounds(*a_), of_b = bounds(*b_);
+    const space::Bounds3 box = space::meeting(bounds(*b_), bounds(*a_));
     std::vector<GrownSet> sets;
     for (const BodyPart& t : a_->parts) {
       for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
     }
-    round_overlap_ = std::make_shared<const PositionSet>(
-        PositionSet::outside(std::move(sets), space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low)));
+    round_overlap_ = std::make_shared<const PositionSet>(PositionSet::outside(std::move(sets), box.low, box.high));
   });
   TriedAnswer out = round_overlap_->nearest(p, true);
   if (!out) return out.refusal();

@@ -18,6 +18,7 @@
 #include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/solid/solid_pair.h"
+#include "space/body/body_boxes.h"
 
 namespace findspace::distance {
 
@@ -29,15 +30,7 @@ using space::RealVector;
 
 namespace {
 
-/// Positions at which the box around B lies in that around A; nothing where it never does.
-std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) {
-  const space::Bounds3 outer = bounds(a), inner = bounds(b);
-  space::Bounds3 out{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (out.high[k] < out.low[k]) return std::nullopt;
-  }
-  return out;
-}
+std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) { return space::fitting(bounds(b), bounds(a)); }
 
 }  // namespace
 

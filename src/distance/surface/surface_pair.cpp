@@ -3,6 +3,7 @@
 #include "distance/surface/surface_pair.h"
 
 #include "distance/answer/answer.h"
+#include "space/body/body_boxes.h"
 
 namespace findspace::distance {
 
@@ -23,14 +24,6 @@ Answer of_gap(const SurfaceGap& gap, const RealVector& p, int sign) {
     out.nearest = space::along(p, part, gap.way);
   }
   return out;
-}
-
-bool box_fits(const space::Body& moving, const space::Body& fixed) {
-  const space::Bounds3 outer = bounds(fixed), inner = bounds(moving);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (outer.high[k] - outer.low[k] < inner.high[k] - inner.low[k]) return false;
-  }
-  return true;
 }
 
 exact::Refusal untold() { return exact::Refusal("the surfaces do not tell"); }
@@ -76,7 +69,7 @@ TriedAnswer SurfacePair::of_outlines(Which which, const RealVector& p) const {
 
 bool SurfacePair::too_large(const Side& side) {
   const auto &b = side.moving->outline, &a = side.fixed->outline;
-  return b && a && !box_fits(*b, *a);
+  return b && a && !space::fitting(bounds(*b), bounds(*a));
 }
 
 TriedAnswer SurfacePair::fit(Inner inner, const RealVector& p) const {

@@ -7,6 +7,7 @@
 
 #include "distance/rays/protrusion_rays.h"
 #include "distance/rays/ray_signs.h"
+#include "distance/solid/pair_distances.h"
 #include "space/convolution/ray_ball.h"
 
 namespace findspace::formula {
@@ -22,31 +23,6 @@ namespace {
 
 /// Pairs of triangles up to which there is memory for the surface about every corner.
 constexpr std::size_t kMostPairs = 200000;
-
-/// max(0, f), or max(0, -f) if negated.
-struct CutOff {
-  Which which;
-  bool negated;
-};
-
-std::optional<CutOff> cut_off(Which which) {
-  switch (which) {
-    case Which::kD1:
-      return CutOff{Which::kGamma1, false};
-    case Which::kPenetration:
-      return CutOff{Which::kGamma1, true};
-    case Which::kH:
-      return CutOff{Which::kMu, false};
-    case Which::kHBack:
-      return CutOff{Which::kMuBack, false};
-    case Which::kDstarBack:
-      return CutOff{Which::kEta1, true};
-    case Which::kDstar:
-      return CutOff{Which::kDelta1, true};
-    default:
-      return std::nullopt;
-  }
-}
 
 bool convex(const std::vector<RaySolid>& solids) { return solids.size() == 1 && space::is_convex(solids[0]); }
 
@@ -142,11 +118,11 @@ Tried<SurfaceRays> one(Tried<Source> source) {
 
 Tried<SurfaceRays> solid_rays(Which which, const TouchingSolid& b, const TouchingSolid& a, const Real& level,
                               const RayGrid& grid) {
-  if (const auto base = cut_off(which)) {
+  if (const auto cut = distance::cut_off_of(which)) {
     if (level.sign() < 0) return SurfaceRays::of(space::constant_rays(grid, 1));
-    Tried<SurfaceRays> rays = solid_rays(base->which, b, a, base->negated ? -level : level, grid);
+    Tried<SurfaceRays> rays = solid_rays(cut->base, b, a, cut->negated ? -level : level, grid);
     if (!rays || rays->sources.empty()) return rays;
-    return SurfaceRays::of(space::cut_off_rays(as_source(*std::move(rays)), base->negated, level));
+    return SurfaceRays::of(space::cut_off_rays(as_source(*std::move(rays)), cut->negated, level));
   }
   if (which == Which::kHausdorff) return hausdorff(b, a, level, grid);
   if (which == Which::kDiameter) return SurfaceRays();

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Boxes of bodies and of the positions at which bodies can meet. Guarantee: exact; in doubles rounded. Keywords: AABB,
+// Minkowski difference of boxes.
+#pragma once
+
+#include <optional>
+
+#include "space/body/body.h"
+#include "space/polytope/extent.h"
+
+namespace findspace::space {
+
+inline Body body_of_part(const BodyPart& part) {
+  Body one;
+  one.parts.push_back(part);
+  return one;
+}
+
+inline Extent rounded(const Bounds3& box) { return {rounded(box.low), rounded(box.high)}; }
+inline Extent moved(const Extent& box, const Vector& by) { return {plus(box.low, by), plus(box.high, by)}; }
+
+/// How far two boxes are from each other.
+inline double distance(const Extent& a, const Extent& b) { return Extent{a.low - b.high, a.high - b.low}.distance({}); }
+
+/// The positions of b at which the boxes meet.
+inline Bounds3 meeting(const Bounds3& b, const Bounds3& a) { return {minus(a.low, b.high), minus(a.high, b.low)}; }
+/// At which b lies in a; nothing where it never does.
+inline std::optional<Bounds3> fitting(const Bounds3& b, const Bounds3& a) {
+  Bounds3 out{minus(a.low, b.low), minus(a.high, b.high)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (out.high[k] < out.low[k]) return std::nullopt;
+  }
+  return out;
+}
+
+}  // namespace findspace::space
