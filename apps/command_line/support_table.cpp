@@ -67,7 +67,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `reach` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
-`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
+`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact or enclosed · fast | exact · quick
 along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact · fast | `gap` enclosed, others refused · slow | exact · slow
 # Truth at a position
 where the value is exact | exact
@@ -173,7 +173,7 @@ Some cells need more words:
 | cells | remark |
 |---|---|
 | cut | two such shapes, or one and a complement, are refused. [distances.md](distances.md#shapes-that-round-ones-are-cut-out-of) says which shape may be the cut one |
-| complements of round shapes | as "round", and `protrusion` from them is refused; complements of cut shapes are refused |
+| complements of round shapes | as "round"; complements of cut shapes are refused |
 | `margin` below 0, round convex | exact into a shape that is as round or rounder |
 | `eta2` in a ball | more than 40 corners or balls are refused |
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |

@@ -10,7 +10,6 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
-#include "distance/csg/csg_protrusion.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
@@ -176,21 +175,19 @@ exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
   return *std::move(best);
 }
 
+std::vector<NearSet> CsgPair::near_sets() const {
+  std::vector<NearSet> out;
+  for (const CsgPartSearch& part : parts_) out.push_back(part.near_set());
+  return out;
+}
+
 /// At a corner of B, and to a place that square roots name, exactly.
 Answer CsgPair::protrusion_out(const RealVector& p) const {
-  const CsgProtrusion out = csg_protrusion(solids_of(*b_, p), parts_, size_, margin::kProtrudesTo * size_);
-  const Vector& place = out.found.place;
-  Answer v;
-  v.value = Real::from_double(out.found.value);
-  v.set_unproven();
-  v.error = out.found.bound - out.found.value + margin::kFoundError * size_;
-  v.enclosed = Enclosure{Real::from_double(out.found.value - margin::kFoundError * size_),
-                         Real::from_double(out.found.bound + margin::kFoundError * size_)};
-  v.witness = point_pair(space::real(place), space::real(out.nearest));
-  if (!out.part) return v;
-  const auto at = corner_at(sharp_corners(*b_), p, place, size_);
+  const SetProtrusion out = set_protrusion(solids_of(*b_, p), near_sets(), size_, margin::kProtrudesTo * size_);
+  Answer v = out.answer(size_);
+  const auto at = corner_at(sharp_corners(*b_), p, out.found.place, size_);
   if (!at) return v;
-  for (Answer& named : named_gaps(*out.part->sets, BodyPart{}, *at, out.nearest, size_)) {
+  for (Answer& named : named_gaps(*parts_[out.set].sets, BodyPart{}, *at, out.nearest, size_)) {
     if (std::fabs((named.value - v.value).to_double()) > v.error) continue;  // no sign: the same value
     named.nearest.reset();
     return std::move(named);
@@ -200,9 +197,10 @@ Answer CsgPair::protrusion_out(const RealVector& p) const {
 
 TriedBetween CsgPair::nearly_protrudes(const RealVector& p, double level) const {
   const Solids solids = solids_of(*b_, p);
+  const std::vector<NearSet> sets = near_sets();
   const double error = margin::kFoundError * size_;
   for (double near = size_ / 16;; near /= 8) {
-    const SolidMaxMin found = csg_protrusion(solids, parts_, size_, near).found;
+    const SolidMaxMin found = set_protrusion(solids, sets, size_, near).found;
     const Between out{std::max(0.0, found.value) - error - level, found.bound + error - level};
     const double decided = std::max(out.low, -out.high);
     if ((decided > 0 && out.high - out.low <= decided) || (found.complete && near < margin::kMostFoundError * size_))

@@ -77,6 +77,19 @@ CsgPartSearch csg_part_search(const CsgPart& part, double size) {
   return out;
 }
 
+NearSet CsgPartSearch::near_set() const {
+  NearSet out{&places};
+  for (const BodyPart& set : sets->within) {
+    if (set.radius.sign() > 0) continue;
+    const std::vector<HalfSpace> planes = set.planes();
+    out.planes.insert(out.planes.end(), planes.begin(), planes.end());
+  }
+  for (const BodyPart& set : sets->without) {
+    if (set.point()) out.add_ball(set);
+  }
+  return out;
+}
+
 exact::Tried<std::vector<MeetSet>> meet_sets(const BodyPart& part) {
   if (part.point() && part.radius.sign() > 0)
     return std::vector<MeetSet>{{true, exact::approx(part.center), part.radius.to_double()}};

@@ -11,6 +11,7 @@
 
 #include "distance/search/meet_slack.h"
 #include "distance/search/position_set.h"
+#include "distance/search/set_protrusion.h"
 #include "distance/solid/solid_pair.h"
 #include "space/body/body_boxes.h"
 #include "space/body/csg_solid.h"
@@ -22,6 +23,8 @@ struct CsgPartSearch {
   PositionSet places;
   bool empty = false;
 
+  /// Of its planes and balls.
+  NearSet near_set() const;
   const space::Extent& box() const { return places.box(); }
 };
 

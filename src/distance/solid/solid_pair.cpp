@@ -6,7 +6,9 @@
 
 #include "distance/answer/answer.h"
 #include "distance/search/position_set.h"
+#include "distance/search/set_protrusion.h"
 #include "distance/search/solid_protrusion.h"
+#include "exact/margins/protrusion.h"
 #include "space/body/body_boxes.h"
 
 namespace findspace::distance {
@@ -121,7 +123,7 @@ Tried<Answer> SolidPair::protrusion_of(const Side& side, const RealVector& p, De
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
 Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
   if (!a_->round()) return protrusion_of_cells(*b_, fit_of(forth_).cells, p);
-  if (!a_->convex()) return Refusal("the protrusion from the complement of a union of round parts is not computed");
+  if (!a_->convex()) return reach_into_round_parts(p);
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   const BodyPart& part = a_->parts[0];
   Answer out;
@@ -140,6 +142,23 @@ Tried<Answer> SolidPair::reach_into_parts(const RealVector& p) const {
   if (!(*v)->proven) out.set_unproven();
   out.error = (*v)->error;
   return out;
+}
+
+/// The same, of a union: how far B protrudes from what that leaves free.
+Answer SolidPair::reach_into_round_parts(const RealVector& p) const {
+  const space::Bounds3 box = bounds(*a_);
+  std::vector<GrownSet> sets;
+  NearSet left;
+  for (const BodyPart& part : a_->parts) {
+    sets.push_back({part.planes(), real(part.center), part.radius});
+    if (part.point()) left.add_ball(part);
+  }
+  const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
+  left.places = &free;
+  const Solids solids = solids_of(*b_, p);
+  const space::Extent about = space::rounded(box);
+  const double size = 1 + space::length(space::rounded(p)) + space::length(about.low) + space::length(about.high);
+  return set_protrusion(solids, {left}, size, margin::kProtrudesTo * size).answer(size);
 }
 
 template <class Ask>

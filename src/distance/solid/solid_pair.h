@@ -83,6 +83,7 @@ class SolidPair : public PairDistances {
   Answer reach_of_parts(const space::RealVector& p) const;
   exact::Tried<Answer> protrusion_of(const Side& side, const space::RealVector& p, Depth depth) const;
   exact::Tried<Answer> reach_into_parts(const space::RealVector& p) const;
+  Answer reach_into_round_parts(const space::RealVector& p) const;
   /// What `ask` says of the side and the position as seen from it; undefined of what lies in A's complement.
   template <class Ask>
   TriedAnswer seen(Inner inner, const space::RealVector& p, const Ask& ask) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The margin of how far a body protrudes from a solid that others are cut out of (csg_protrusion.h).
+// The margin of how far a body protrudes from a solid that others are cut out of (set_protrusion.h).
 #pragma once
 
 namespace findspace::margin {

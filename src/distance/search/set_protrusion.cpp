@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "distance/csg/csg_protrusion.h"
+#include "distance/search/set_protrusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr int kPlaceRounds = 3;
 struct NearestPlace {
   double least = exact::kInfinity;  // nothing of A is nearer
   Vector at;
-  const CsgPartSearch* part = nullptr;
+  std::size_t set = 0;
 };
 
 /// A place that nothing of a set is nearer than.
@@ -31,10 +31,7 @@ struct Projection {
   Vector at;
 };
 
-struct BallOut {
-  Vector center;
-  double radius;
-};
+using BallOut = NearSet::BallOut;
 
 /// Of x in the ball, or behind the plane's part in the ball, onto what the half-space has out of the ball: onto the
 /// sphere, or the circle in which the plane meets it. Along the sphere the distance from x grows with the angle.
@@ -61,56 +58,37 @@ std::optional<Projection> out_of_ball(const space::HalfSpace& plane, const BallO
   return Projection{space::length(x - y), y};
 }
 
-/// What says without a search which place of a part is nearest, mostly.
-struct Sides {
-  const CsgPartSearch* part = nullptr;
-  std::vector<space::HalfSpace> planes;
-  std::vector<BallOut> balls;
-
-  explicit Sides(const CsgPartSearch& of) : part(&of) {
-    for (const space::BodyPart& set : of.sets->within) {
-      const std::vector<space::HalfSpace> all = set.radius.sign() == 0 ? set.planes() : std::vector<space::HalfSpace>();
-      planes.insert(planes.end(), all.begin(), all.end());
-    }
-    for (const space::BodyPart& set : of.sets->without) {
-      if (set.point()) balls.push_back({exact::approx(set.center), set.radius.to_double()});
+/// Of a convex set that holds the set, of what is out of a ball, or of both: where it belongs to the set it is the
+/// nearest place of that.
+std::optional<Projection> projected(const NearSet& set, const Vector& x, double size) {
+  const Constraints& constraints = set.places->constraints();
+  Projection most{0, x};
+  for (const TouchingConstraint& constraint : constraints.convex) {
+    const Touching at = constraint(x);
+    if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
+  }
+  for (const BallOut& ball : set.balls) {
+    const Vector way = x - ball.center;
+    const double far = space::length(way);
+    if (ball.radius - far > most.least && far > 0)
+      most = {ball.radius - far, space::plus(ball.center, space::scaled(ball.radius / far, way))};
+    for (const space::HalfSpace& plane : set.planes) {
+      const auto both = out_of_ball(plane, ball, x);
+      if (both && both->least > most.least) most = *both;
     }
   }
+  const double noise = margin::kDistanceNoise * size;
+  const bool belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),
+                                   [&](const TouchingConstraint& f) { return f(most.at).value <= noise; }) &&
+                       std::all_of(constraints.reverse_convex.begin(), constraints.reverse_convex.end(),
+                                   [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
+  return belongs ? std::optional(most) : std::nullopt;
+}
 
-  /// Of a set that holds the part, of what is out of a ball, or of both: where it belongs to the part it is the nearest
-  /// place of that.
-  std::optional<NearestPlace> nearest(const Vector& x, double size) const {
-    const Constraints& constraints = part->places.constraints();
-    Projection most{0, x};
-    for (const TouchingConstraint& constraint : constraints.convex) {
-      const Touching at = constraint(x);
-      if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
-    }
-    for (const BallOut& ball : balls) {
-      const Vector way = x - ball.center;
-      const double far = space::length(way);
-      if (ball.radius - far > most.least && far > 0)
-        most = {ball.radius - far, space::plus(ball.center, space::scaled(ball.radius / far, way))};
-      for (const space::HalfSpace& plane : planes) {
-        const auto both = out_of_ball(plane, ball, x);
-        if (both && both->least > most.least) most = *both;
-      }
-    }
-    const double noise = margin::kDistanceNoise * size;
-    const bool belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),
-                                     [&](const TouchingConstraint& f) { return f(most.at).value <= noise; }) &&
-                         std::all_of(constraints.reverse_convex.begin(), constraints.reverse_convex.end(),
-                                     [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
-    if (!belongs) return std::nullopt;
-    return NearestPlace{most.least, most.at, part};
-  }
-};
-
-class PlacesOfCsg : public MaxMinTarget {
+class PlacesOfSets : public MaxMinTarget {
  public:
-  PlacesOfCsg(const std::vector<CsgPartSearch>& a, double size, double near) : size_(size), share_(near / size / 4) {
-    for (const CsgPartSearch& part : a) sides_.emplace_back(part);
-  }
+  PlacesOfSets(const std::vector<NearSet>& sets, double size, double near)
+      : sets_(sets), size_(size), share_(near / size / 4) {}
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     double reach = 0;
@@ -140,26 +118,27 @@ class PlacesOfCsg : public MaxMinTarget {
   NearestPlace nearest(const Vector& x) const {
     NearestPlace best;
     double value = exact::kInfinity;
-    for (const Sides& sides : sides_) {
-      if (sides.part->box().distance(x) >= value) continue;
-      auto found = sides.nearest(x, size_);
-      if (!found) found = searched(*sides.part, x);
+    for (std::size_t k = 0; k < sets_.size(); ++k) {
+      const NearSet& set = sets_[k];
+      if (set.places->box().distance(x) >= value) continue;
+      auto found = projected(set, x, size_);
+      if (!found) found = searched(*set.places, x);
       const double d = space::length(x - found->at);
       best.least = std::min(best.least, found->least);
       if (d >= value) continue;
       value = d;
       best.at = found->at;
-      best.part = found->part;
+      best.set = k;
     }
     return best;
   }
 
  private:
-  std::optional<NearestPlace> searched(const CsgPartSearch& part, const Vector& x) const {
+  Projection searched(const PositionSet& places, const Vector& x) const {
     // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
     const Until until{0, 1 - share_};
-    const BoundaryPlace found = part.places.nearest_to(distance_to_point(x), {0, {}, &until});
-    return NearestPlace{found.bound, found.place, &part};
+    const BoundaryPlace found = places.nearest_to(distance_to_point(x), {0, {}, &until});
+    return {found.bound, found.place};
   }
 
   const NearestPlace& place(int set) const { return places_[static_cast<std::size_t>(set)]; }
@@ -194,20 +173,32 @@ class PlacesOfCsg : public MaxMinTarget {
     }
   }
 
-  std::vector<Sides> sides_;
+  const std::vector<NearSet>& sets_;
   double size_, share_;
   mutable std::vector<NearestPlace> places_;
 };
 
 }  // namespace
 
-CsgProtrusion csg_protrusion(const Solids& b, const std::vector<CsgPartSearch>& a, double size, double near) {
-  const PlacesOfCsg target(a, size, near);
-  CsgProtrusion out{
-      tetrahedral_max_min(b, target, MaxMinBest(-exact::kInfinity, 0, 0, near), kMostProtrusionCells), {}, nullptr};
+Answer SetProtrusion::answer(double size) const {
+  Answer out;
+  const double noise = margin::kFoundError * size;
+  out.value = exact::Real::from_double(found.value);
+  out.set_unproven();
+  out.error = found.bound - found.value + noise;
+  out.enclosed =
+      Enclosure{exact::Real::from_double(found.value - noise), exact::Real::from_double(found.bound + noise)};
+  out.witness = point_pair(space::real(found.place), space::real(nearest));
+  return out;
+}
+
+SetProtrusion set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size, double near) {
+  const PlacesOfSets target(sets, size, near);
+  SetProtrusion out{
+      tetrahedral_max_min(solids, target, MaxMinBest(-exact::kInfinity, 0, 0, near), kMostProtrusionCells), {}, 0};
   const NearestPlace nearest = target.nearest(out.found.place);
   out.nearest = nearest.at;
-  out.part = nearest.part;
+  out.set = nearest.set;
   return out;
 }
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// How far solids protrude from the union of sets of places (position_set.h): the greatest distance of a point of them
+// to the nearest place. The search is tetrahedral_max_min.h, and what bounds a cell are such places alone: the
+// distance to one of them is convex, nowhere less than that to the sets, and where it is the nearest place it has the
+// slope of that, so the bound is off by the square of the cell's size. Such places are found when a cell is first
+// looked at, and kept. Guarantee: doubles; no point of the solids is farther out than `bound`. Values are
+// proven to 2^-16 of the sizes, where the limit of cells allows it. Cost: some hundred cells, each a nearest
+// place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
+#pragma once
+
+#include <vector>
+
+#include "distance/search/position_set.h"
+#include "distance/search/round_solid.h"
+
+namespace findspace::distance {
+
+/// A set of places; some of the planes that hold it, and of the balls that it is out of, say without a search which
+/// place is nearest, mostly.
+struct NearSet {
+  struct BallOut {
+    space::Vector center;
+    double radius;
+  };
+  const PositionSet* places = nullptr;
+  std::vector<space::HalfSpace> planes{};
+  std::vector<BallOut> balls{};
+
+  void add_ball(const space::BodyPart& ball) { balls.push_back({exact::approx(ball.center), ball.radius.to_double()}); }
+};
+
+struct SetProtrusion {
+  SolidMaxMin found;
+  space::Vector nearest;  // place to that point
+  std::size_t set = 0;    // that it belongs to
+
+  /// `size`: of the coordinates.
+  Answer answer(double size) const;
+};
+
+/// Until value and bound are so near. At least one set.
+SetProtrusion set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size, double near);
+
+}  // namespace findspace::distance
