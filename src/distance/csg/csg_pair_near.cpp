@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "distance/csg/csg_pair.h"
-#include "distance/search/swept_part.h"
+#include "distance/csg/swept_part.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {

@@ -14,8 +14,8 @@
 
 #include "distance/search/round_solid.h"
 #include "distance/search/solid_max_min.h"
-#include "distance/search/surface_field.h"
 #include "space/body/body.h"
+#include "space/convolution/ray_boxes.h"
 
 namespace findspace::distance {
 
@@ -30,14 +30,6 @@ class ProtrusionField {
   /// `size`: of all.
   virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size) const = 0;
 };
-
-/// What of the solids counts where their parts are not known: what lies in the field, and so in the hull.
-struct SolidOfSurface {
-  const SurfaceField* field = nullptr;
-  std::vector<space::HalfSpace> hull;
-};
-/// How far they protrude from the set, which does not hold them; signed. `b` may be null: then all of them counts.
-SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const SurfaceField& a);
 
 std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body);
 /// Of a closed surface. Distances inside are at most 0.

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "distance/search/boundary_search.h"
-#include "distance/search/surface_field.h"
 #include "distance/surface/surface_ball_name.h"
+#include "distance/surface/surface_field.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 #include "space/polytope/extent.h"

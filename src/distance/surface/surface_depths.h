@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "distance/search/surface_field.h"
+#include "distance/surface/surface_field.h"
 #include "space/surface/touch_facets.h"
 
 namespace findspace::distance {

@@ -3,8 +3,8 @@
 //
 // SurfacePair: how far B + p, which does not lie in A, protrudes from it.
 #include "distance/search/convex_distance.h"
-#include "distance/search/protrusion_field.h"
 #include "distance/search/solid_protrusion.h"
+#include "distance/surface/surface_field.h"
 #include "distance/surface/surface_pair.h"
 #include "space/polytope/extent.h"
 

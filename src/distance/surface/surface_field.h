@@ -2,14 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Signed distances of places to a set that is given by its surfaces, in doubles: those to the nearest triangle of trees
-// of boxes, with the side by the triangles above. Guarantee: doubles; a side is only said where it is certain.
-// Cost: a microsecond or so. Keywords: signed distance field, bounding volume hierarchy.
+// of boxes, with the side by the triangles above. And how far solids protrude from the set (tetrahedral_max_min.h):
+// what bounds a cell are the distances of a few triangles, and the signed distance of its middle. Guarantee: doubles; a
+// side is only said where it is certain. Cost: a microsecond or so. Keywords: signed distance field, bounding volume
+// hierarchy.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "distance/search/round_solid.h"
 #include "space/surface/surface_set.h"
 
 namespace findspace::distance {
@@ -49,5 +52,13 @@ class SurfaceField {
   space::Vector by_;
   std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
 };
+
+/// What of the solids counts where their parts are not known: what lies in the field, and so in the hull.
+struct SolidOfSurface {
+  const SurfaceField* field = nullptr;
+  std::vector<space::HalfSpace> hull;
+};
+/// How far they protrude from the set, which does not hold them; signed. `b` may be null: then all of them counts.
+SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const SurfaceField& a);
 
 }  // namespace findspace::distance

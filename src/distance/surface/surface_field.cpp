@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "distance/search/surface_field.h"
+#include "distance/surface/surface_field.h"
 
 #include <algorithm>
 

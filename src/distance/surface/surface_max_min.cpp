@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far solids protrude from a set given by its surfaces: protrusion_field.h.
+// How far solids protrude from a set given by its surfaces: surface_field.h, and on lines protrusion_field.h.
 #include <algorithm>
 #include <cmath>
 
 #include "distance/search/field_boxes.h"
 #include "distance/search/protrusion_field.h"
 #include "distance/search/tetrahedral_max_min.h"
+#include "distance/surface/surface_field.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "distance/search/swept_part.h"
+#include "distance/csg/swept_part.h"
 
 #include <algorithm>
 #include <cmath>
