@@ -6,6 +6,7 @@
 
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
+#include "space/polytope/near_features.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -25,7 +26,7 @@ double box_gap(const space::GridBox& box, const Vector& x) {
   return space::dot(d, d);
 }
 
-/// visit(face, distance) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
+/// visit(face) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
 template <class Visit>
 void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) {
   struct Task {
@@ -50,8 +51,7 @@ void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) 
     }
     for (int k = node.first; k < node.first + node.count; ++k) {
       if (box_gap(sheet.tree.box(k), x) > most * most) continue;
-      const int face = sheet.tree.face(k);
-      if (!visit(face, std::sqrt(space::squared_distance(sheet, face, x)))) return;
+      if (!visit(sheet.tree.face(k))) return;
     }
   }
 }
@@ -112,7 +112,14 @@ std::optional<bool> inside_of(const Sheet& sheet, const Vector& x, double away) 
 }  // namespace
 
 SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set_(set), by_(by), first_{0} {
-  for (const auto& sheet : set.sheets()) first_.push_back(first_.back() + static_cast<int>(sheet->body.faces.size()));
+  for (const auto& sheet : set.sheets()) {
+    const space::RayBody& body = sheet->body;
+    for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) {
+      std::array<Vector, 3>& corners = corners_.emplace_back();
+      for (int k = 0; k < 3; ++k) corners[std::size_t(k)] = space::plus(exact::approx(body.corner(f, k)), by);
+    }
+    first_.push_back(static_cast<int>(corners_.size()));
+  }
 }
 
 SurfaceField::Signed SurfaceField::at(const Vector& place) const {
@@ -121,10 +128,12 @@ SurfaceField::Signed SurfaceField::at(const Vector& place) const {
   const auto offer = [&](const Signed& next) {
     if (next.value < out.value) out = next;
   };
-  for (const auto& sheet : set_.sheets()) {
+  for (std::size_t k = 0; k < set_.sheets().size(); ++k) {
+    const auto& sheet = set_.sheets()[k];
     double least = exact::kInfinity;
     int nearest = -1;
-    near_faces(*sheet, x, least, [&](int face, double d) {
+    near_faces(*sheet, x, least, [&](int face) {
+      const double d = distance(first_[k] + face, place);
       if (d < least || nearest < 0) {
         least = d;
         nearest = face;
@@ -149,11 +158,12 @@ SurfaceField::Nearest SurfaceField::nearest(const Vector& place, double enough, 
   const auto offer = [&](int part, double d) {
     if (d < best.distance) best = {d, part};
   };
-  for (const int part : likely) offer(part, distance(part, place));
+  for (const int part : likely) offer(part, distance_to_place(part, place));
   const Vector x = place - by_;
   for (std::size_t k = 0; k < set_.sheets().size() && best.distance > enough; ++k) {
-    near_faces(*set_.sheets()[k], x, best.distance, [&](int face, double d) {
-      offer(first_[k] + face, d);
+    near_faces(*set_.sheets()[k], x, best.distance, [&](int face) {
+      const int part = first_[k] + face;
+      offer(part, distance(part, place));
       return best.distance > enough;
     });
   }
@@ -176,12 +186,24 @@ std::optional<bool> SurfaceField::inside(const Vector& place, double away) const
   return certain ? std::optional(false) : std::nullopt;
 }
 
-double SurfaceField::distance(int part, const Vector& x) const {
-  const auto after = std::upper_bound(first_.begin(), first_.end(), part);
-  const auto k = static_cast<std::size_t>(after - first_.begin()) - 1;
-  if (k < set_.sheets().size()) return std::sqrt(space::squared_distance(*set_.sheets()[k], part - first_[k], x - by_));
+double SurfaceField::distance_to_ball(int part, const Vector& x) const {
   const auto& ball = set_.balls()[static_cast<std::size_t>(part - first_.back())];
   return space::length(x - space::plus(exact::approx(ball.center), by_)) - ball.radius.to_double();
+}
+
+double SurfaceField::distance(int part, const Vector& x) const {
+  if (part >= first_.back()) return distance_to_ball(part, x);
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
+  using space::near::triple;
+  return std::sqrt(space::near::squared_of_triangle(triple(a - x), triple(b - x), triple(c - x)));
+}
+
+double SurfaceField::distance_to_place(int part, const Vector& x) const {
+  if (part >= first_.back()) return distance_to_ball(part, x);
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
+  using space::near::triple;
+  const auto way = space::near::nearest_of_triangle(triple(a - x), triple(b - x), triple(c - x));
+  return std::sqrt(space::near::dot(way, way));
 }
 
 std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double within, std::size_t most) const {
@@ -189,8 +211,8 @@ std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double w
   std::vector<int> out;
   for (std::size_t k = 0; k < set_.sheets().size(); ++k) {
     double reach = within;
-    near_faces(*set_.sheets()[k], x, reach, [&](int face, double d) {
-      if (d <= within) out.push_back(first_[k] + face);
+    near_faces(*set_.sheets()[k], x, reach, [&](int face) {
+      if (distance(first_[k] + face, place) <= within) out.push_back(first_[k] + face);
       return out.size() <= most;
     });
     if (out.size() > most) return std::nullopt;

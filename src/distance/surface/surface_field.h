@@ -8,6 +8,7 @@
 // hierarchy.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,12 +45,17 @@ class SurfaceField {
   std::optional<std::vector<int>> near(const space::Vector& x, double within, std::size_t most) const;
   /// From one of them.
   double distance(int part, const space::Vector& x) const;
+  /// From a place of one of them, mostly the nearest one: twice as quick.
+  double distance_to_place(int part, const space::Vector& x) const;
   const space::SurfaceSet& set() const { return set_; }
   const space::Vector& by() const { return by_; }
 
  private:
+  double distance_to_ball(int part, const space::Vector& x) const;
+
   const space::SurfaceSet& set_;
   space::Vector by_;
+  std::vector<std::array<space::Vector, 3>> corners_;  // of the triangles, moved
   std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
 };
 

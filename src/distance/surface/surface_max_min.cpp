@@ -66,7 +66,7 @@ class SurfaceTarget : public MaxMinTarget {
     if (inside && !*inside) offer_near(x, cell, near.distance, best);
   }
 
-  double distance(int set, const Vector& x) const override { return a_.distance(set, x); }
+  double distance(int set, const Vector& x) const override { return a_.distance_to_place(set, x); }
 
   std::optional<Column> beyond(const MaxMinCell& cell, const Vector& middle) const override {
     if (cell.round || !b_ || b_->hull.empty()) return MaxMinTarget::beyond(cell, middle);
