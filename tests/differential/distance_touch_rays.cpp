@@ -7,11 +7,15 @@
 // the other by the triangles of its surface.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "differential/space_voxels.h"
 #include "distance/rays/protrusion_rays.h"
 #include "distance/rays/ray_signs.h"
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
+#include "space/rays/piece_rays.h"
+#include "space/rays/ray_sources.h"
 #include "space/surface/touch_rays.h"
 
 namespace findspace::distance {
@@ -111,26 +115,47 @@ TEST(TouchRays, RandomSolidsInGeneralPosition) {
   EXPECT_GT(fits.events, 20);
 }
 
-/// mu by the triangles of A against mu by its parts: no place on a line is certainly on different sides.
+space::Body with_ball(space::Body body, const space::Point& center, const Real& radius) {
+  body.parts.push_back({std::nullopt, center, radius});
+  return body;
+}
+
+/// mu by the triangles of A against mu by its parts: no place on a line is certainly on different sides. The last ones
+/// have a ball each.
 TEST(TouchRays, ProtrudesOfTheSurface) {
   std::mt19937 random(5);
   int known = 0, unknown = 0, inside = 0, different = 0;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 6; ++k) {
     const Both a(k == 0 ? space::extruded({"#.#", "###"}, 2) : space::random_cells(random, 5, 3),
                  k == 0 ? space::stretch(100) : kSkew),
         b(space::random_cells(random, 3, 2), kTilt);
     const RayGrid grid{k % 3, 1, -90, -110, 71, 57, 4, 5};
     const Real level(30 + 25 * k);
-    const auto parts = ray_sign_map(Which::kMu, level, b.body, a.body, grid);
+    const space::Point at{40, 30, 90};
+    std::vector<space::RaySolid> solids{space::RaySolid{a.surface, {}}};
+    space::Body of_a = a.body, of_b = b.body;
+    if (k > 3) {
+      solids.push_back({{}, at, Real(70)});
+      of_a = with_ball(of_a, at, Real(70));
+      of_b = with_ball(of_b, {10, -20, 5}, Real(25));
+    }
+    const auto parts = ray_sign_map(Which::kMu, level, of_b, of_a, grid);
     const auto corners = [&](const Real& l) {
       std::vector<RaySourcePointer> all;
-      for (const space::BodyPart& part : b.body.parts) {
-        for (const space::Point& v : part.vertices())
-          all.push_back(std::make_unique<space::BallRays>(space::moved(a.surface, -v), l, grid));
+      for (const space::BodyPart& part : of_b.parts) {
+        for (const space::Point& v : part.vertices()) {
+          std::vector<RaySourcePointer> near;
+          near.push_back(std::make_unique<space::BallRays>(space::moved(a.surface, -v), l, grid));
+          if (k > 3)
+            near.push_back(std::make_unique<space::PieceRays>(
+                std::vector{space::ball_piece(space::real(at - v), Real(70) + l)}, 1, grid));
+          all.push_back(space::combined_rays(
+              std::move(near), [](std::span<const std::int8_t> s) { return *std::min_element(s.begin(), s.end()); }));
+        }
       }
       return space::greatest_rays(std::move(all));
     };
-    const ProtrusionRays surface(b.body, field_of_surface(a.surface), level, corners, grid);
+    const ProtrusionRays surface(of_b, field_of_surfaces(solids), level, corners, grid);
     for (int j = 0; j < grid.nv; ++j) {
       const RayRow rows[2] = {parts->row(j), surface.row(j)};
       for (int i = 0; i < grid.nu; ++i) {

@@ -15,7 +15,7 @@
 #include "distance/search/round_solid.h"
 #include "distance/search/solid_max_min.h"
 #include "space/body/body.h"
-#include "space/convolution/ray_boxes.h"
+#include "space/convolution/ray_solids.h"
 
 namespace findspace::distance {
 
@@ -32,7 +32,7 @@ class ProtrusionField {
 };
 
 std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body);
-/// Of a closed surface. Distances inside are at most 0.
-std::unique_ptr<ProtrusionField> field_of_surface(const space::Triangles& surface);
+/// Of the union of solids, which are not too far out. Distances inside are at most 0.
+std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids);
 
 }  // namespace findspace::distance

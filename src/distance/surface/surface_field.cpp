@@ -122,6 +122,20 @@ SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set
   }
 }
 
+space::Extent SurfaceField::box() const {
+  space::Extent out{{exact::kInfinity, exact::kInfinity, exact::kInfinity},
+                    {-exact::kInfinity, -exact::kInfinity, -exact::kInfinity}};
+  for (const auto& triangle : corners_) {
+    for (const Vector& v : triangle) out.add({v, v});
+  }
+  for (const auto& ball : set_.balls()) {
+    const double r = ball.radius.to_double();
+    const Vector center = space::plus(exact::approx(ball.center), by_), by{r, r, r};
+    out.add({center - by, space::plus(center, by)});
+  }
+  return out;
+}
+
 SurfaceField::Signed SurfaceField::at(const Vector& place) const {
   const Vector x = place - by_;
   Signed out{exact::kInfinity, exact::kInfinity, true};

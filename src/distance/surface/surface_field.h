@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "distance/search/round_solid.h"
+#include "space/polytope/extent.h"
 #include "space/surface/surface_set.h"
 
 namespace findspace::distance {
@@ -48,6 +49,8 @@ class SurfaceField {
   /// From a place of one of them, mostly the nearest one: twice as quick.
   double distance_to_place(int part, const space::Vector& x) const;
   const space::SurfaceSet& set() const { return set_; }
+  /// That holds the set.
+  space::Extent box() const;
   const space::Vector& by() const { return by_; }
 
  private:

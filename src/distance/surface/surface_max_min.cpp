@@ -133,13 +133,12 @@ class SurfaceTarget : public MaxMinTarget {
   const FieldBoxes* boxes_;
 };
 
-class FieldOfSurface : public ProtrusionField {
+class FieldOfSurfaces : public ProtrusionField {
  public:
-  explicit FieldOfSurface(const space::Triangles& surface) : set_(surface), field_(set_, {}) {
-    const space::RayBody& body = set_.sheets()[0]->body;
-    const Vector low = exact::approx(body.low), high = exact::approx(body.high);
-    size_ = space::length(high - low);
-    boxes_ = std::make_unique<const FieldBoxes>(space::scaled(0.5, space::plus(low, high)), size_, kDepth,
+  explicit FieldOfSurfaces(const std::vector<space::RaySolid>& solids) : set_(made(solids)), field_(set_, {}) {
+    const space::Extent box = field_.box();
+    size_ = space::length(box.high - box.low);
+    boxes_ = std::make_unique<const FieldBoxes>(box.middle(), size_, kDepth,
                                                 [this](const Vector& x) { return field_.at(x).value; });
   }
   double size() const override { return size_; }
@@ -161,6 +160,12 @@ class FieldOfSurface : public ProtrusionField {
   }
 
  private:
+  static space::SurfaceSet made(const std::vector<space::RaySolid>& solids) {
+    space::SurfaceSet out;
+    out.add(solids, 1);
+    return out;
+  }
+
   space::SurfaceSet set_;
   SurfaceField field_;
   double size_;
@@ -177,8 +182,8 @@ SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const
                              kMostMaxMinCells);
 }
 
-std::unique_ptr<ProtrusionField> field_of_surface(const space::Triangles& surface) {
-  return std::make_unique<FieldOfSurface>(surface);
+std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids) {
+  return std::make_unique<FieldOfSurfaces>(solids);
 }
 
 }  // namespace findspace::distance

@@ -6,7 +6,6 @@
 #include "distance/search/solid_protrusion.h"
 #include "distance/surface/surface_field.h"
 #include "distance/surface/surface_pair.h"
-#include "space/polytope/extent.h"
 
 namespace findspace::distance {
 
@@ -32,8 +31,7 @@ Solids solids_about(const SurfaceField& field) {
   if (field.set().sheets().empty()) return out;
   for (const space::Point& v : corners_of(field.set()))
     out.corners.push_back(space::plus(exact::approx(v), field.by()));
-  space::Extent box{out.corners[0], out.corners[0]};
-  for (const Vector& v : out.corners) box.add({v, v});
+  const space::Extent box = field.box();
   out.cells = tetrahedra_of_box(box.low, box.high);
   return out;
 }

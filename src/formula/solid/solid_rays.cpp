@@ -7,8 +7,10 @@
 
 #include "distance/rays/protrusion_rays.h"
 #include "distance/rays/ray_signs.h"
+#include "distance/search/solid_protrusion.h"
 #include "distance/solid/pair_distances.h"
 #include "space/convolution/ray_ball.h"
+#include "space/rays/piece_rays.h"
 
 namespace findspace::formula {
 
@@ -48,37 +50,50 @@ Source protrusion_of_convex(Which which, const std::vector<RaySolid>& b, const s
   return of_a && of_b ? distance::ray_sign_map(which, level, *of_b, *of_a, grid) : nullptr;
 }
 
-/// The sign of the greatest distance of a corner to the surface, less a level above 0.
-Source corners_near(const space::Body& b, const space::Triangles& a, const Real& level, const RayGrid& grid) {
+/// The sign of the distance of a corner at p to the nearest solid, less a level above 0.
+Source corner_near(const space::Point& v, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
+  std::vector<Source> all;
+  std::vector<space::LinePiece> balls;
+  for (const RaySolid& s : a) {
+    if (s.ball())
+      balls.push_back(space::ball_piece(space::real(s.center - v), s.radius + level));
+    else
+      all.push_back(std::make_unique<space::BallRays>(space::moved(s.surface, -v), level, grid));
+  }
+  if (!balls.empty()) all.push_back(std::make_unique<space::PieceRays>(balls, 1, grid));
+  return as_source({std::move(all), true});
+}
+
+/// Of the corner for which that is greatest.
+Source corners_near(const space::Body& b, const std::vector<RaySolid>& a, const Real& level, const RayGrid& grid) {
   std::vector<space::Point> corners;
   for (const space::BodyPart& part : b.parts)
     corners.insert(corners.end(), part.vertices().begin(), part.vertices().end());
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<Source> all;
-  for (const space::Point& v : corners)
-    all.push_back(std::make_unique<space::BallRays>(space::moved(a, -v), level, grid));
+  for (const space::Point& v : corners) all.push_back(corner_near(v, a, level, grid));
   return space::greatest_rays(std::move(all));
 }
 
-/// How far a polyhedron of few corners protrudes from one that is not convex.
+/// How far polyhedra of few corners, and balls, protrude from what is not convex.
 Tried<Source> protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a, const Real& level,
                          const RayGrid& grid) {
-  if (a.size() != 1 || a[0].ball()) return nullptr;
-  for (const RaySolid& s : b.solids) {
-    if (s.ball()) return nullptr;
-    const std::size_t pairs = s.surface.faces.size() * a[0].surface.faces.size();
-    if (pairs <= kFewPairs || pairs > kMostPairs) return nullptr;
-  }
+  const auto faces = [](const std::vector<RaySolid>& solids) {
+    std::size_t sum = 0;
+    for (const RaySolid& s : solids) sum += s.surface.faces.size();
+    return sum;
+  };
+  const std::size_t pairs = faces(b.solids) * faces(a);
+  if (pairs <= kFewPairs || pairs > kMostPairs) return nullptr;
   const Tried<space::Body> made = b.body();
   if (!made) return made.refusal();
   const space::Body& body = *made;
-  if (body.scale != 1 || body.round() || body.outside) return nullptr;
+  if (body.scale != 1 || !distance::polyhedra_and_balls(body) || body.outside) return nullptr;
   const Real shift = Real::from_double(distance::ProtrusionRays::kCertain) * Real(exact::kRayLimit);
   if (level < shift) return nullptr;
   return std::make_unique<distance::ProtrusionRays>(
-      body, distance::field_of_surface(a[0].surface), level,
-      [&](const Real& l) { return corners_near(body, a[0].surface, l, grid); }, grid);
+      body, distance::field_of_surfaces(a), level, [&](const Real& l) { return corners_near(body, a, l, grid); }, grid);
 }
 
 /// A in B + p is -A + p in -B.

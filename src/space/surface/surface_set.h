@@ -31,7 +31,6 @@ class SurfaceSet {
   };
 
   SurfaceSet() = default;
-  explicit SurfaceSet(Triangles surface) { sheets_.push_back(std::make_unique<const Sheet>(std::move(surface))); }
   /// In grid steps, taken times `scale`; false where one is too far out.
   bool add(const std::vector<RaySolid>& solids, std::int64_t scale);
   /// The boundaries of the parts, at that scale; false where a part is round and no ball, or too far out.
