@@ -4,8 +4,9 @@
 // The cell that contains a point: vertex, edge or face. Guarantee: exact for every real point.
 // Method: a vertical ray upwards from a little to the right of the point (the lowest edge above it has the face below
 // it), through a table of columns; the order of two edges above the point is decided at the later of their left ends.
-// Cost: building O(n) and O(n) memory; a query looks at the edges over its column, a few of them exactly. Keywords:
-// point location, point in polygon.
+// The geometry of the complex is not copied but for the few cells that a query compares exactly.
+// Cost: building O(n) and O(n) memory; a query looks at the edges over its column, a few of them exactly. One point
+// alone needs no table: O(n), no memory. Keywords: point location, point in polygon.
 #pragma once
 
 #include <vector>
@@ -26,40 +27,31 @@ inline Mark mark_of(const CellComplex& c, Cell cell) {
                                : c.vertices[cell.index].mark;
 }
 
-/// Prepared for many points. Keeps a reference to the complex; one thread at a time.
+/// A box that encloses an edge or an isolated vertex.
+struct CellBox {
+  double x0, x1, y0, y1;
+  Index cell;  // edge, or edge count + isolated vertex
+};
+
+/// Prepared for many points. Keeps a reference to the complex. Threads: safe.
 class Locator {
  public:
   explicit Locator(const CellComplex& c);
-  Cell locate(const exact::RealPoint& p);
-  Mark mark(const exact::RealPoint& p) { return mark_of(c_, locate(p)); }
+  Cell locate(const exact::RealPoint& p) const;
+  Mark mark(const exact::RealPoint& p) const { return mark_of(c_, locate(p)); }
 
  private:
-  struct Box {
-    double x0, x1, y0, y1;  // encloses the edge or the point
-    Index cell;             // edge, or edge count + isolated vertex
-  };
   struct Span {
     Index first, last;
   };
   Index column(double x) const;
-  Span columns(const Box& b) const { return {column(b.x0), column(b.x1)}; }
-  Box box(Index cell) const;
+  Span columns(const CellBox& b) const { return {column(b.x0), column(b.x1)}; }
   void build_columns();
-  bool is_found(Index cell, Cell& found) const;
-  bool is_vertical(Index edge) const;
-  int compare_x(Index vertex) const;
-  int compare_xy(Index vertex) const;
-  int height(Index edge, Index point) const;
-  bool is_under(Index edge) const;
-  bool lies_below(Index e, Index f) const;
-  Cell search() const;
 
   const CellComplex& c_;
-  exact::Geometry geometry_;  // the complex's, and the point asked for at the end
-  Index query_ = 0;
   double left_ = 0, per_width_ = 0;
   std::vector<Index> column_start_;
-  std::vector<Box> boxes_;
+  std::vector<CellBox> boxes_;
   std::vector<Index> entries_;  // of boxes, column after column
 };
 

@@ -24,32 +24,40 @@ double distance_to_segment(double px, double py, double x0, double y0, double x1
 
 FaceOutline::FaceOutline(const CellComplex& c, const CellMeasures& measures, Index face,
                          std::span<const Index> half_edges)
-    : unbounded_(face == 0) {
-  for (Index h : half_edges) {
-    // An edge with the face on both sides comes twice.
-    if ((h & 1u) && c.face(h ^ 1u) == face) continue;
-    add(c, measures, h / 2, face);
-  }
+    : c_(c), measures_(measures), face_(face), half_edges_(half_edges) {
   for (Index v : c.faces[face].isolated) points_.push_back({measures.x(v).hi, measures.y(v).hi});
   set_frame();
 }
 
-void FaceOutline::add(const CellComplex& c, const CellMeasures& measures, Index edge, Index face) {
-  const Edge& e = c.edges[edge];
-  Curve k{
-      measures.x(e.v0).hi,      measures.y(e.v0).hi,         measures.x(e.v1).hi, measures.y(e.v1).hi, 0, 0, -1, e.half,
-      c.face(2 * edge) == face, c.face(2 * edge + 1) == face};
-  if (c.is_arc(edge)) {
-    const CellMeasures::Circle& circle = measures.circle(edge);
+template <class F>
+void FaceOutline::each_curve(F&& f) const {
+  for (Index h : half_edges_)
+    if (!(h & 1u) || c_.face(h ^ 1u) != face_) f(curve(h / 2));
+}
+
+FaceOutline::Curve FaceOutline::curve(Index edge) const {
+  const Edge& e = c_.edges[edge];
+  Curve k{measures_.x(e.v0).hi,
+          measures_.y(e.v0).hi,
+          measures_.x(e.v1).hi,
+          measures_.y(e.v1).hi,
+          0,
+          0,
+          -1,
+          e.half,
+          c_.face(2 * edge) == face_,
+          c_.face(2 * edge + 1) == face_};
+  if (c_.is_arc(edge)) {
+    const CellMeasures::Circle& circle = measures_.circle(edge);
     k.cx = circle.x.hi;
     k.cy = circle.y.hi;
     k.r = circle.radius.hi;
   }
-  curves_.push_back(k);
+  return k;
 }
 
 void FaceOutline::set_frame() {
-  if (curves_.empty() && points_.empty()) {
+  if (half_edges_.empty() && points_.empty()) {
     x0_ = y0_ = -kEmptyFrame;
     x1_ = y1_ = kEmptyFrame;
     return;
@@ -62,13 +70,14 @@ void FaceOutline::set_frame() {
     y0_ = std::min(y0_, y);
     y1_ = std::max(y1_, y);
   };
-  for (const Curve& k : curves_) {
+  each_curve([&](const Curve& k) {
+    ++curve_count_;
     see(k.x0, k.y0);
     see(k.x1, k.y1);
     if (k.half != 0) see(std::clamp(k.cx, k.x0, k.x1), k.cy + k.half * k.r);
-  }
+  });
   for (const auto& p : points_) see(p[0], p[1]);
-  if (!unbounded_) return;
+  if (face_ != 0) return;
   double tolerance = std::max({(x1_ - x0_) / 2, (y1_ - y0_) / 2, 1.0});
   x0_ -= tolerance;
   x1_ += tolerance;
@@ -76,19 +85,16 @@ void FaceOutline::set_frame() {
   y1_ += tolerance;
 }
 
+double FaceOutline::distance(const Curve& k, double x, double y) {
+  if (k.r < 0) return distance_to_segment(x, y, k.x0, k.y0, k.x1, k.y1);
+  const double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), projection = k.cx + dx / length * k.r;
+  const bool on_arc = projection >= k.x0 && projection <= k.x1 && dy * k.half >= 0;
+  return on_arc ? std::abs(length - k.r) : std::min(std::hypot(x - k.x0, y - k.y0), std::hypot(x - k.x1, y - k.y1));
+}
+
 double FaceOutline::clearance(double x, double y) const {
   double least = std::min({x - x0_, x1_ - x, y - y0_, y1_ - y});
-  for (const Curve& k : curves_) {
-    double d;
-    if (k.r < 0) {
-      d = distance_to_segment(x, y, k.x0, k.y0, k.x1, k.y1);
-    } else {
-      double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), projection = k.cx + dx / length * k.r;
-      bool on_arc = projection >= k.x0 && projection <= k.x1 && dy * k.half >= 0;
-      d = on_arc ? std::abs(length - k.r) : std::min(std::hypot(x - k.x0, y - k.y0), std::hypot(x - k.x1, y - k.y1));
-    }
-    least = std::min(least, d);
-  }
+  each_curve([&](const Curve& k) { least = std::min(least, distance(k, x, y)); });
   for (const auto& p : points_) least = std::min(least, std::hypot(x - p[0], y - p[1]));
   return least;
 }
@@ -96,13 +102,13 @@ double FaceOutline::clearance(double x, double y) const {
 /// The middle of the longest part of the vertical line at x that lies in the face.
 FaceOutline::Spot FaceOutline::widest_gap(double x) const {
   std::vector<Crossing> crossings;
-  if (unbounded_) crossings = {{y0_, true, false}, {y1_, false, true}};
-  for (const Curve& k : curves_) {
-    if (!(k.x0 <= x && x < k.x1)) continue;
+  if (face_ == 0) crossings = {{y0_, true, false}, {y1_, false, true}};
+  each_curve([&](const Curve& k) {
+    if (!(k.x0 <= x && x < k.x1)) return;
     double y = k.half == 0 ? k.y0 + (k.y1 - k.y0) * ((x - k.x0) / (k.x1 - k.x0))
                            : k.cy + k.half * std::sqrt(std::max(0.0, (k.r - (x - k.cx)) * (k.r + (x - k.cx))));
     crossings.push_back({y, k.face_above, k.face_below});
-  }
+  });
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.y < b.y; });
   Spot spot;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
@@ -136,7 +142,7 @@ FaceOutline::Spot FaceOutline::climb(Spot best, int steps) const {
 }
 
 FaceOutline::Spot FaceOutline::clearest() const {
-  const double n = double(curves_.size() + points_.size()) + 1;
+  const double n = double(curve_count_ + points_.size()) + 1;
   const int budget = int(std::clamp(kBudget / n, 8.0, 400.0)), lines = std::min(kLines, budget);
   Spot best;
   // Never at the ends nor in the very middle, where vertices like to be.

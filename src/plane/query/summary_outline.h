@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The boundary of one face in doubles, for choosing a good place in it. Nothing here is relied on: what is chosen is
-// proved with exact predicates afterwards.
+// proved with exact predicates afterwards. Cost: nothing is kept of the curves, they are made anew each time.
 #pragma once
 
 #include <span>
@@ -18,6 +18,7 @@ class FaceOutline {
     double x = 0, y = 0, clearance = -1;  // distance to the boundary; negative: no spot
   };
 
+  /// Keeps references to all of them.
   FaceOutline(const CellComplex& c, const CellMeasures& measures, Index face, std::span<const Index> half_edges);
 
   /// The place with the most clearance among those looked at.
@@ -35,15 +36,22 @@ class FaceOutline {
     double y;
     bool face_above, face_below;
   };
-  void add(const CellComplex& c, const CellMeasures& measures, Index edge, Index face);
+  /// Calls f with every curve of the boundary, one with the face on both sides once.
+  template <class F>
+  void each_curve(F&& f) const;
+  Curve curve(Index edge) const;
+  static double distance(const Curve& k, double x, double y);
   void set_frame();
   Spot widest_gap(double x) const;
   Spot climb(Spot from, int steps) const;
 
-  std::vector<Curve> curves_;
+  const CellComplex& c_;
+  const CellMeasures& measures_;
+  Index face_;
+  std::span<const Index> half_edges_;
+  std::size_t curve_count_ = 0;
   std::vector<std::array<double, 2>> points_;  // isolated vertices
-  bool unbounded_;
-  double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;  // where to look
+  double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;   // where to look
 };
 
 }  // namespace findspace::plane
