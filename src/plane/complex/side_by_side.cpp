@@ -90,6 +90,25 @@ Index append(exact::Geometry& to, const exact::Geometry& from) {
   return points;
 }
 
+void put_beside(CellComplex& to, const CellComplex& from) {
+  const Index supporting_curve = Index(to.geometry.supporting_curves.size()),
+              point = append(to.geometry, from.geometry), vertex = Index(to.vertices.size()),
+              half = Index(to.half_edges.size()), face = Index(to.faces.size()) - 1;
+  const auto new_face = [face](Index f) { return f == 0 || f == kNone ? f : f + face; };
+  for (const Vertex& v : from.vertices)
+    to.vertices.push_back({v.point + point, v.mark, shifted(v.out, half), new_face(v.face)});
+  for (const Edge& e : from.edges)
+    to.edges.push_back({e.v0 + vertex, e.v1 + vertex, e.supporting_curve + supporting_curve, e.half, e.mark});
+  for (const HalfEdge& h : from.half_edges) to.half_edges.push_back({shifted(h.next, half), new_face(h.face)});
+  for (std::size_t f = 0; f < from.faces.size(); ++f) {
+    const Face& was = from.faces[f];
+    if (f > 0) to.faces.push_back({was.mark, shifted(was.outer, half), {}, {}});
+    Face& now = f > 0 ? to.faces.back() : to.faces[0];
+    for (const Index h : was.inner) now.inner.push_back(h + half);
+    for (const Index v : was.isolated) now.isolated.push_back(v + vertex);
+  }
+}
+
 Region side_by_side(std::span<const Region* const> regions) {
   Region out = Region::uniform(0);
   std::size_t points = 0, supporting_curves = 0, vertices = 0, edges = 0, faces = 1;
@@ -106,24 +125,7 @@ Region side_by_side(std::span<const Region* const> regions) {
   out.edges.reserve(edges);
   out.half_edges.reserve(2 * edges);
   out.faces.reserve(faces);
-  for (const Region* r : regions) {
-    const Index supporting_curve = Index(out.geometry.supporting_curves.size()),
-                point = append(out.geometry, r->geometry), vertex = Index(out.vertices.size()),
-                half = Index(out.half_edges.size()), face = Index(out.faces.size()) - 1;
-    const auto new_face = [face](Index f) { return f == 0 || f == kNone ? f : f + face; };
-    for (const Vertex& v : r->vertices)
-      out.vertices.push_back({v.point + point, v.mark, shifted(v.out, half), new_face(v.face)});
-    for (const Edge& e : r->edges)
-      out.edges.push_back({e.v0 + vertex, e.v1 + vertex, e.supporting_curve + supporting_curve, e.half, e.mark});
-    for (const HalfEdge& h : r->half_edges) out.half_edges.push_back({shifted(h.next, half), new_face(h.face)});
-    for (std::size_t f = 0; f < r->faces.size(); ++f) {
-      const Face& was = r->faces[f];
-      if (f > 0) out.faces.push_back({was.mark, shifted(was.outer, half), {}, {}});
-      Face& now = f > 0 ? out.faces.back() : out.faces[0];
-      for (const Index h : was.inner) now.inner.push_back(h + half);
-      for (const Index v : was.isolated) now.isolated.push_back(v + vertex);
-    }
-  }
+  for (const Region* r : regions) put_beside(out, *r);
   return out;
 }
 

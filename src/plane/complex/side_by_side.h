@@ -20,6 +20,9 @@ std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes)
 /// The union of bounded sets whose boxes are apart.
 Region side_by_side(std::span<const Region* const> regions);
 
+/// Writes the cells of a complex beside those that are there: the boxes are apart, the unbounded faces have one mark.
+void put_beside(CellComplex& to, const CellComplex& from);
+
 /// Appends a geometry; returns the offset of its points. SupportingCurves keep their order, so crossings keep their
 /// roots.
 Index append(exact::Geometry& to, const exact::Geometry& from);

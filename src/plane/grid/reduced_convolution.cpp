@@ -145,6 +145,21 @@ std::size_t corner_count(const GridOperand& o) {
   return n;
 }
 
+/// Of many faces that are made pair by pair, the room that all of them fill: a list that grows is copied, and both are
+/// there. Where curves are left out less is filled, and what is not filled costs nothing.
+void reserve_all(ReducedConvolution& out, const std::pmr::vector<EdgeFan>& p, const std::pmr::vector<EdgeFan>& q) {
+  const auto corners = [](const std::pmr::vector<EdgeFan>& fans) {
+    std::size_t n = 0;
+    for (const EdgeFan& f : fans) n += f.corners.size();
+    return n;
+  };
+  const std::size_t count = corners(p) * q.size() + corners(q) * p.size();
+  out.geometry.supporting_curves.reserve(count);
+  out.geometry.points.reserve(count);
+  out.pieces.reserve(count);
+  out.sides.reserve(count);
+}
+
 }  // namespace
 
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b, const std::optional<GridBox>& within,
@@ -152,6 +167,7 @@ ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& 
   ReducedConvolution out;
   Arena arena(corner_count(a) + corner_count(b));
   std::pmr::vector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
+  if (!within && (p.size() == 1) != (q.size() == 1)) reserve_all(out, p, q);
   for (EdgeFan& f : p)
     for (EdgeFan& g : q) FacePair(out, f, g, within, covered, arena.memory()).add(a.geometry, b.geometry);
   return out;

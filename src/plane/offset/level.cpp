@@ -8,6 +8,7 @@
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/offset/grid_offset.h"
+#include "plane/query/in_batches.h"
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
@@ -30,14 +31,27 @@ SignMap distance_map(const Region& closed, const exact::Real& radius) {
   return disc_contact(closed, radius);
 }
 
+namespace {
+
+SignMap outer_level(const SignMap& base, const exact::Real& level) {
+  if (auto map = grid_offset(
+          base, [](Mark m) { return m <= 0; }, level))
+    return *std::move(map);
+  return distance_map(remark(base, [](Mark m) { return Mark(m <= 0); }), level);
+}
+
+}  // namespace
+
 SignMap level_map(const SignMap& base, const exact::Real& level) {
   int side = level.sign();
   if (side == 0) return base;
   if (side > 0) {
-    if (auto map = grid_offset(
-            base, [](Mark m) { return m <= 0; }, level))
-      return *std::move(map);
-    return distance_map(remark(base, [](Mark m) { return Mark(m <= 0); }), level);
+    const double far = level.interval().hi;
+    if (base.faces[0].mark > 0)
+      if (auto map = made_in_batches(base, {-far, -far, far, far},
+                                     [&](const SignMap& part) { return outer_level(part, level); }))
+        return *std::move(map);
+    return outer_level(base, level);
   }
   if (auto map = grid_offset(
           base, [](Mark m) { return m >= 0; }, -level))

@@ -121,17 +121,25 @@ BoundaryComponents::BoundaryComponents(const CellComplex& a) {
   for (const Index v : a.faces[0].isolated) flood.from_vertex(v);
 }
 
+std::size_t BoundaryComponents::edge_count(Index k) const {
+  return boundary_components_[k].edges_end - before(k).edges_end;
+}
+
 CellComplex BoundaryComponents::near(const CellComplex& a, const PieceBox& window) const {
+  std::vector<Index> chosen;
+  for (Index k = 0; k < size(); ++k)
+    if (box(k).meets(window)) chosen.push_back(k);
+  return of(a, chosen);
+}
+
+CellComplex BoundaryComponents::of(const CellComplex& a, std::span<const Index> chosen) const {
   std::vector<Index> edges, vertices, faces{0}, outer, alone;
-  BoundaryComponent before{{}, 0, 0, 0, 0};
-  for (const BoundaryComponent& i : boundary_components_) {
-    if (i.box.meets(window)) {
-      edges.insert(edges.end(), edges_.begin() + before.edges_end, edges_.begin() + i.edges_end);
-      faces.insert(faces.end(), faces_.begin() + before.faces_end, faces_.begin() + i.faces_end);
-      vertices.insert(vertices.end(), vertices_.begin() + before.vertices_end, vertices_.begin() + i.vertices_end);
-      (before.edges_end < i.edges_end ? outer : alone).push_back(i.start);
-    }
-    before = i;
+  for (const Index k : chosen) {
+    const BoundaryComponent start = before(k), &end = boundary_components_[k];
+    edges.insert(edges.end(), edges_.begin() + start.edges_end, edges_.begin() + end.edges_end);
+    faces.insert(faces.end(), faces_.begin() + start.faces_end, faces_.begin() + end.faces_end);
+    vertices.insert(vertices.end(), vertices_.begin() + start.vertices_end, vertices_.begin() + end.vertices_end);
+    (start.edges_end < end.edges_end ? outer : alone).push_back(end.start);
   }
   Numbering edge, vertex, face;
   for (const Index e : edges) edge.add(e);

@@ -7,6 +7,7 @@
 // chosen, for each question. Keywords: collection, locality, connected component, culling.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "plane/complex/broad_phase.h"
@@ -20,6 +21,10 @@ class BoundaryComponents {
   explicit BoundaryComponents(const CellComplex& a);
 
   std::size_t size() const { return boundary_components_.size(); }
+  const PieceBox& box(Index k) const { return boundary_components_[k].box; }
+  std::size_t edge_count(Index k) const;
+  /// The complex of these boundary_components alone, in ascending order.
+  CellComplex of(const CellComplex& a, std::span<const Index> chosen) const;
   /// The boundary_components that may meet the window: the complex as it is there.
   CellComplex near(const CellComplex& a, const PieceBox& window) const;
 
@@ -30,6 +35,9 @@ class BoundaryComponents {
     std::size_t edges_end, faces_end, vertices_end;  // in the lists below; they begin where those before end
   };
   class Flood;
+  BoundaryComponent before(Index k) const {
+    return k == 0 ? BoundaryComponent{{}, 0, 0, 0, 0} : boundary_components_[k - 1];
+  }
 
   std::vector<BoundaryComponent> boundary_components_;
   std::vector<Index> edges_, faces_, vertices_;

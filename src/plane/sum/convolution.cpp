@@ -29,7 +29,7 @@ class PathPair {
 
   void run() {
     auto& nodes = nodes_.nodes;
-    reserve(nodes.size());
+    out_.reserve(nodes.size());
     for (const StillWalk& still : connect_nodes(nodes_)) {
       Position at = *nodes_.turn(0, still.at[0]).center + *nodes_.turn(1, still.at[1]).center;
       out_.circled.push_back({add_position(out_.curves.geometry, at), still.rounds});
@@ -82,14 +82,6 @@ class PathPair {
     if (line.kind != Kind::kLine || arc.kind != Kind::kArc) return false;
     const Direction& d = *nodes_.line_of(line).direction;
     return d.grid() && d.x != 0 && d.y != 0;
-  }
-
-  void reserve(std::size_t more) {
-    reserve_more(out_.curves.geometry.supporting_curves, more);
-    reserve_more(out_.curves.pieces, more);
-    reserve_more(out_.curves.forward, more);
-    reserve_more(out_.chains, more);
-    reserve_more(out_.corners, more);
   }
 
   void finish(Node& n) {
@@ -155,6 +147,15 @@ class PathPair {
   ConvolutionBuilder& out_;
   ConvolutionNodes nodes_;
 };
+
+void ConvolutionBuilder::reserve(std::size_t more) {
+  reserve_more(curves.geometry.supporting_curves, more);
+  reserve_more(curves.geometry.points, more);
+  reserve_more(curves.pieces, more);
+  reserve_more(curves.forward, more);
+  reserve_more(chains, more);
+  reserve_more(corners, more);
+}
 
 void ConvolutionBuilder::add(const Part& a, const Part& b) {
   std::vector<Tracing> p, q;

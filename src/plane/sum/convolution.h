@@ -23,6 +23,8 @@ class ConvolutionBuilder {
   explicit ConvolutionBuilder(bool inward) : inward_(inward) {}
 
   void add(const Part& a, const Part& b);
+  /// Room for so many more curves: lists that grow are copied, and both are there.
+  void reserve(std::size_t more);
 
   PieceBuilder curves;
   std::vector<Chain> chains;  // per piece of `curves`

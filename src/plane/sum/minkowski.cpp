@@ -9,8 +9,10 @@
 #include "plane/base/result_store.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/cell_bytes.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/grid/grid_sum.h"
+#include "plane/query/in_batches.h"
 #include "plane/sum/pair_sums.h"
 
 namespace findspace::plane {
@@ -34,6 +36,7 @@ std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
 /// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
 SignMap open_sum(const Operand& a, const Operand& b) {
   SumOfPairs sum(true);
+  sum.reserve(a.cells.edges.size() + a.cells.vertices.size());  // about what a convex set makes of a larger one
   std::vector<Part> q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
   a.each_solid_part([&](const Part& x) {
     for (const Part& y : q) sum.add(x, y);
@@ -46,8 +49,7 @@ SignMap open_sum(const Operand& a, const Operand& b) {
 
 bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
 
-SignMap made_sum(const Operand& a, const Operand& b) {
-  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
+SignMap sum_at_once(const Operand& a, const Operand& b) {
   if (auto map = open_grid_sum(a, b)) return *std::move(map);
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
@@ -58,6 +60,23 @@ SignMap made_sum(const Operand& a, const Operand& b) {
   Region closed = std::move(flat).closed_sum();
   std::array<const CellComplex*, 2> both{&open, &closed};
   return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
+}
+
+/// A box around the operand, as it counts in the sum; nothing where it has no boundary.
+std::optional<PieceBox> extent_of(const Operand& a) {
+  const std::optional<PieceBox> box = extent(a.cells);
+  return box && a.mirrored ? PieceBox{-box->x1, -box->y1, -box->x0, -box->y0} : box;
+}
+
+SignMap made_sum(const Operand& a, const Operand& b) {
+  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
+  if (!unbounded(a) && !a.mirrored)
+    if (const auto reach = extent_of(b))
+      if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
+            return sum_at_once({part, a.wanted, a.mirrored, a.flat}, b);
+          }))
+        return *std::move(sum);
+  return sum_at_once(a, b);
 }
 
 bool put_operand(const Operand& a, ByteWriter& out) {

@@ -48,6 +48,8 @@ class SumOfPairs {
   explicit SumOfPairs(bool open, exact::Geometry geometry = {});
 
   void add(const Part& a, const Part& b);
+  /// Room for so many more curves.
+  void reserve(std::size_t more) { builder_.reserve(more); }
 
   /// -1 where the number is positive, 0 on the boundary of that, +1 elsewhere.
   SignMap open_sum() &&;
