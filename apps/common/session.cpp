@@ -313,6 +313,14 @@ formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes, b
   return world;
 }
 
+void Session::forget_shapes() {
+  for (plane::ShapePtr& s : scene_.shapes) {
+    auto bare = std::make_shared<plane::Shape>();
+    bare->name = s->name;
+    s = std::move(bare);
+  }
+}
+
 void check_outputs(const Options& options, const std::vector<std::string>& formats) {
   for (const auto& path : options.outputs) {
     if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;

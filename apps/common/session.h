@@ -64,6 +64,8 @@ class Session {
   /// at several orientations, if `poses`).
   void require_positions_in_space(bool line = false, bool poses = false) const;
   bool in_space() const { return scene_.dimension == 3; }
+  /// Lets go of how the shapes are made, where a world has their sets: only their names stay.
+  void forget_shapes();
 
  private:
   formula::World world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const;

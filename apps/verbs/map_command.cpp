@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "common/asked_numbers.h"
 #include "common/commands.h"
@@ -66,7 +67,8 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
   return {session.options().json ? json() : text, !found.intervals.empty() ? kDone : possible ? kLimit : kEmpty};
 }
 
-Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula::World& world,
+/// `world`: for a picture.
+Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula::World* world,
                      const formula::Formula& formula) {
   const plane::Summary summary = plane::summarize(map.region, session.step());
   const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
@@ -79,7 +81,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
     picture.summary = &summary;
     picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
     if (map.outer && !map.feasible) picture.around_text = "positions not excluded";
-    add_scenery(session, picture, world, &formula);
+    add_scenery(session, picture, *world, &formula);
     return io::picture_svg(picture);
   };
   const auto wkt = [&] {
@@ -104,7 +106,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
 }  // namespace
 
 Outcome run_map(const Options& options, Reporter& reporter) {
-  const Session session(options, reporter);
+  Session session(options, reporter);
   const io::Free::Kind free = session.scene().free.kind;
   if (!session.in_space()) refuse_orientation(options);
   const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
@@ -140,10 +142,14 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   const formula::Formula formula = session.where();
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
                                  [](const auto& path) { return path.extension() == ".svg"; });
-  const formula::Solver solver(session.world_of(formula, drawn));
-  if (time) return map_of_time(session, solver, formula);
-  const PlanarMap map = planar_map(session, solver, formula);
-  return line ? map_of_line(session, map) : map_of_plane(session, map, solver.world(), formula);
+  std::optional<const formula::Solver> solver(session.world_of(formula, drawn));
+  if (!drawn) session.forget_shapes();
+  if (time) return map_of_time(session, *solver, formula);
+  const PlanarMap map = planar_map(session, *solver, formula);
+  if (line) return map_of_line(session, map);
+  if (drawn) return map_of_plane(session, map, &solver->world(), formula);
+  solver.reset();  // most of the memory, of which only a picture has need
+  return map_of_plane(session, map, nullptr, formula);
 }
 
 }  // namespace findspace::app

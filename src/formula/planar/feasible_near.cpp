@@ -131,7 +131,7 @@ class Near {
     std::vector<Mark> signs;
     for (const auto& m : maps) signs.push_back(m.faces[0].mark);
     if (!varies) return evaluate(formula, signs) ? std::nullopt : std::optional(CellComplex::uniform(0));
-    return region_of(formula, maps);
+    return region_of(formula, std::move(maps));
   }
 
   /// Does an atom hold everywhere in the box, or nowhere, because its obstacles are out of reach? Nothing: they are

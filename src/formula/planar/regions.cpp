@@ -130,16 +130,19 @@ plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
                               : position_function(world, wanted.distance)->sign_map(wanted.level / world.step()));
 }
 
-plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap>& maps) {
+plane::Region region_of(const Formula& formula, std::vector<plane::SignMap> maps) {
+  if (maps.empty()) return CellComplex::uniform(evaluate(formula, {}));
+  plane::StageObserver* const observer = plane::stage_observer();
   std::vector<const CellComplex*> operands;
   for (const auto& m : maps) operands.push_back(&m);
-  if (operands.empty()) return CellComplex::uniform(evaluate(formula, {}));
-  plane::Region region =
-      plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
-  if (plane::StageObserver* observer = plane::stage_observer()) {
-    observe_overlay(*observer, operands);
-    observer->cells("region", "positions at which the formula, or a part of it, holds", region);
-  }
+  if (observer) observe_overlay(*observer, operands);
+  const auto holds = [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); };
+  plane::Region region = maps.size() == 1 ? plane::remark(std::move(maps[0]),
+                                                          [&](Mark m) {
+                                                            return holds({&m, 1});
+                                                          })
+                                          : plane::overlay(operands, holds);
+  if (observer) observer->cells("region", "positions at which the formula, or a part of it, holds", region);
   return region;
 }
 

@@ -21,7 +21,7 @@ plane::SignMap sign_map(const PreparedWorld& world, const SignMap& wanted);
 /// The same map, given to the observer of this thread (stage_observer.h), if there is one.
 plane::SignMap observed(const SignMap& wanted, plane::SignMap map);
 /// {p : the formula holds at p}, of its sign maps in order. The overlay and the region are given to the observer.
-plane::Region region_of(const Formula& formula, const std::vector<plane::SignMap>& maps);
+plane::Region region_of(const Formula& formula, std::vector<plane::SignMap> maps);
 
 /// Why the region of the formula is known between bounds only, if it is.
 std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula);

@@ -23,16 +23,22 @@ inline std::string unit_key(std::string_view unit) {
   return unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
 }
 
-/// Items separated by commas, each on its own line where `lines`.
+/// Appends items separated by commas, each on its own line where `lines`.
 template <class Items, class Text>
-std::string list(const Items& items, Text text, bool lines = false) {
-  std::string out = "[";
+void put_list(std::string& out, const Items& items, Text text, bool lines = false) {
+  out += '[';
   const char* separator = lines ? "\n      " : "";
   for (const auto& item : items) {
-    out += separator + text(item);
+    out.append(separator).append(text(item));
     separator = lines ? ",\n      " : ", ";
   }
-  return out + "]";
+  out += ']';
+}
+template <class Items, class Text>
+std::string list(const Items& items, Text text, bool lines = false) {
+  std::string out;
+  put_list(out, items, text, lines);
+  return out;
 }
 
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.

@@ -67,16 +67,16 @@ std::string face_text(const CurveNet& net, const plane::Face& f) {
 void put_cells(std::string& out, const CurveNet& net) {
   const plane::CellComplex& c = net.complex();
   out += "  \"cells\": {\n    \"vertices\": ";
-  out += list(
-      net.vertices(),
+  put_list(
+      out, net.vertices(),
       [&](Index v) { return fmt::format(R"({{"at": {}, "in": {}}})", pair(net.at(v)), truth(c.vertices[v].mark)); },
       true);
   out += ",\n    \"edges\": ";
-  out += list(
-      net.curves(), [&](const Curve& k) { return curve_text(net, k); }, true);
+  put_list(
+      out, net.curves(), [&](const Curve& k) { return curve_text(net, k); }, true);
   out += ",\n    \"faces\": ";
-  out += list(
-      c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
+  put_list(
+      out, c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
   out += "\n  }";
 }
 
@@ -132,8 +132,9 @@ std::string region_json(const plane::Region& region, const plane::Summary& summa
   put_summary(out, summary, unit);
   if (best != nullptr) put_optimum(out, *best);
   put_cells(out, CurveNet(region, step));
-  if (exact) out += ",\n  \"exact\": " + cells_json(region, step, unit);
-  return out + "\n}\n";
+  if (exact) out.append(",\n  \"exact\": ").append(cells_json(region, step, unit));
+  out += "\n}\n";
+  return out;
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,

@@ -10,6 +10,7 @@ namespace findspace::plane {
 CurveNet::CurveNet(const CellComplex& c, const exact::Real& step) : c_(c), step_(step), measures_(c) {
   find_joints();
   curve_of_edge_.assign(c.edges.size(), kNone);
+  curves_.reserve(c.edges.size());  // at most; a list that grows is copied, and both are there
   for (Index e = 0; e < c.edges.size(); ++e) {
     if (!joint_[c.origin(preferred(e))]) add_curve(preferred(e));
   }
