@@ -204,9 +204,10 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   bool EndObject(rapidjson::SizeType) { return close(); }
   bool EndArray(rapidjson::SizeType) { return close(); }
   bool Key(const char* value, rapidjson::SizeType size, bool) {
-    const std::string& key = open_.back()->keys.emplace_back(value, size);
-    if (!seen_.back().insert(key).second)
-      tokens_.fail("the key '" + key + "' stands twice in one object", tokens_.token_start());
+    const std::vector<std::string>& keys = open_.back()->keys;
+    open_.back()->keys.emplace_back(value, size);
+    if (stands_twice(keys))
+      tokens_.fail("the key '" + keys.back() + "' stands twice in one object", tokens_.token_start());
     tokens_.end_token();
     return true;
   }
@@ -215,6 +216,15 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   static JsonValue& item_of(JsonValue& list) {
     if (list.items.capacity() == 0) list.items.reserve(2);  // most lists are points
     return list.items.emplace_back();
+  }
+
+  /// Whether the last key is among those before it. Most objects have few keys.
+  bool stands_twice(const std::vector<std::string>& keys) {
+    constexpr std::size_t kFew = 8;
+    if (keys.size() <= kFew) return std::find(keys.begin(), keys.end() - 1, keys.back()) != keys.end() - 1;
+    std::unordered_set<std::string>& seen = seen_.back();
+    if (seen.empty()) seen.insert(keys.begin(), keys.end() - 1);
+    return !seen.insert(keys.back()).second;
   }
 
   JsonValue* begin(JsonValue::Kind kind) {

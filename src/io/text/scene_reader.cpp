@@ -16,19 +16,23 @@ namespace findspace::io {
 
 using exact::Real;
 
-std::string Label::text() const {
-  std::string all = outer ? outer->text() : "";
+// Every shape has its place, so it is put together without formats.
+void Label::put(std::string& all) const {
+  if (outer) outer->put(all);
   if (!all.empty() && !what.empty()) all += ", ";
   all += what;
-  if (!name.empty()) all += fmt::format(" '{}'", name);
-  if (index >= 0) all += fmt::format(" {}", index);
-  return all;
+  if (!name.empty()) all.append(" '").append(name) += '\'';
+  if (index >= 0) all.append(1, ' ').append(std::to_string(index));
 }
 
 std::string SceneReader::place(const Label& label, const JsonValue& at) const {
-  std::string words = label.text();
-  std::string line = fmt::format("{}:{}:{}", file_, at.line, at.column);
-  return words.empty() ? line : fmt::format("{} ({})", words, line);
+  std::string all;
+  label.put(all);
+  const bool bare = all.empty();
+  if (!bare) all += " (";
+  all.append(file_).append(1, ':').append(std::to_string(at.line)).append(1, ':').append(std::to_string(at.column));
+  if (!bare) all += ')';
+  return all;
 }
 
 void SceneReader::fail(ErrorCode code, const std::string& message, const Label& label, const JsonValue& at) const {

@@ -27,7 +27,14 @@ struct Label {
 
   Label part(std::string_view word, std::size_t i) const { return {this, word, {}, static_cast<long>(i)}; }
   Label part(std::string_view word) const { return {this, word}; }
-  std::string text() const;  // "shape 'board', hole 1, vertex 3"
+  /// "shape 'board', hole 1, vertex 3"
+  std::string text() const {
+    std::string all;
+    put(all);
+    return all;
+  }
+  /// Appends that.
+  void put(std::string& all) const;
 };
 
 class SceneReader {
