@@ -66,5 +66,20 @@ TEST(MeshCrossing, OneSurfaceTwistedThroughItself) {
   EXPECT_TRUE(crosses(mesh));
 }
 
+TEST(MeshCrossing, AFoldIsRefusedWithItsPlace) {
+  // From the edges of (8, 8, 0) the surface goes back flat on the bottom to (3, 3, 0), then up; steps of 0.5.
+  Triangles t{{{0, 0, 0}, {4, 0, 0}, {8, 8, 0}, {0, 4, 0}, {3, 3, 0}, {0, 0, 4}},
+              {{0, 3, 2}, {0, 2, 1}, {1, 2, 4}, {2, 3, 4}, {3, 5, 4}, {4, 5, 1}, {1, 5, 0}, {0, 5, 3}},
+              0.5};
+  const auto made = RayBody::of(t);
+  ASSERT_FALSE(made);
+  const std::string says = made.refusal().error.what();
+  EXPECT_NE(says.find("folds back on itself at the edge ("), std::string::npos) << says;
+  EXPECT_NE(says.find("(4, 4, 0)"), std::string::npos) << says;
+  EXPECT_EQ(says.find("grid steps"), std::string::npos) << says;
+  t.step = 0;
+  EXPECT_NE(std::string(RayBody::of(t).refusal().error.what()).find(", in grid steps"), std::string::npos);
+}
+
 }  // namespace space_mesh_crossing
 }  // namespace findspace::space

@@ -5,8 +5,11 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <string>
+
+#include "space/mesh/mesh.h"
 
 namespace findspace::space {
 namespace {
@@ -41,9 +44,15 @@ bool before_clockwise(const Point& a, const Point& b, const Point& p, const Poin
   return qr < 0;
 }
 
+/// "... (0, 0, 0) (1, 0, 0)": of an edge.
+Fault fault_at(const std::string& what, const Point& from, const Point& to, double step) {
+  const std::array<Point, 2> ends{from, to};
+  return fault(what + " " + places_text(ends, step));
+}
+
 /// Pairs the sides of one edge; `group` are its sides. Each rising one gets the first falling one clockwise: solid
 /// between.
-Fault pair_group(const RayBody& body, const std::vector<Side>& group, std::vector<int>& twin) {
+Fault pair_group(const RayBody& body, const std::vector<Side>& group, double step, std::vector<int>& twin) {
   if (group.size() == 2 && group[0].rising != group[1].rising) {
     twin[group[0].id] = group[1].id;
     twin[group[1].id] = group[0].id;
@@ -53,14 +62,15 @@ Fault pair_group(const RayBody& body, const std::vector<Side>& group, std::vecto
   std::vector<int> rising, falling;
   for (const Side& s : group) (s.rising ? rising : falling).push_back(s.id);
   if (rising.size() != falling.size())
-    return fault("the surface is not closed: an edge has " + std::to_string(group.size()) + " faces");
+    return fault_at("the surface is not closed: there are " + std::to_string(group.size()) + " faces at the edge",
+                    body.points[sides.from(group[0].id)], body.points[sides.to(group[0].id)], step);
   for (const int r : rising) {
     const Point &a = body.points[sides.from(r)], &b = body.points[sides.to(r)];
     int best = -1;
     for (const int f : falling) {
       if (best < 0 || before_clockwise(a, b, sides.apex(r), sides.apex(f), sides.apex(best))) best = f;
     }
-    if (best < 0 || twin[best] >= 0) return fault("faces cross or repeat at an edge");
+    if (best < 0 || twin[best] >= 0) return fault_at("faces cross or repeat at the edge", a, b, step);
     twin[r] = best;
     twin[best] = r;
   }
@@ -88,7 +98,7 @@ std::vector<Side> sorted_sides(const RayBody& body) {
   return sides;
 }
 
-exact::Tried<std::vector<int>> twins(const RayBody& body) {
+exact::Tried<std::vector<int>> twins(const RayBody& body, double step) {
   const std::vector<Side> sides = sorted_sides(body);
   std::vector<int> twin(sides.size(), -1);
   std::vector<Side> group;
@@ -97,12 +107,12 @@ exact::Tried<std::vector<int>> twins(const RayBody& body) {
     for (std::size_t j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high; ++j) {
       group.push_back(sides[j]);
     }
-    if (const Fault found = pair_group(body, group, twin)) return *found;
+    if (const Fault found = pair_group(body, group, step, twin)) return *found;
   }
   return twin;
 }
 
-Fault make_edges(RayBody& body, const std::vector<int>& twin) {
+Fault make_edges(RayBody& body, const std::vector<int>& twin, double step) {
   const Sides at{body};
   body.face_edges.resize(body.faces.size());
   for (int id = 0; id < static_cast<int>(twin.size()); ++id) {
@@ -112,7 +122,9 @@ Fault make_edges(RayBody& body, const std::vector<int>& twin) {
         -exact::sign_dot(body.normals[left], body.normal_approx[left], at.apex(twin[id]) - body.points[at.from(id)]);
     const auto& n = body.normal_approx[left];
     const auto& m = body.normal_approx[right];
-    if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0) return fault("the surface folds back on itself at an edge");
+    if (bend == 0 && n.x * m.x + n.y * m.y + n.z * m.z < 0)
+      return fault_at("the surface folds back on itself at the edge", body.points[at.from(id)], body.points[at.to(id)],
+                      step);
     body.face_edges[left][id % 3] = body.face_edges[right][twin[id] % 3] = static_cast<int>(body.edges.size());
     body.edges.push_back({at.from(id), at.to(id), left, right, bend});
   }
@@ -185,9 +197,9 @@ exact::Tried<RayBody> RayBody::of(Triangles surface) {
   out.points = std::move(surface.points);
   out.faces = std::move(surface.faces);
   if (const Fault found = out.measure_faces()) return *found;
-  const exact::Tried<std::vector<int>> twin = twins(out);
+  const exact::Tried<std::vector<int>> twin = twins(out, surface.step);
   if (!twin) return twin.refusal();
-  if (const Fault found = make_edges(out, *twin)) return *found;
+  if (const Fault found = make_edges(out, *twin, surface.step)) return *found;
   make_vertices(out, *twin);
   number_pieces(out);
   return out;

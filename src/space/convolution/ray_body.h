@@ -23,6 +23,7 @@ namespace findspace::space {
 struct Triangles {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> faces;
+  double step = 0;  // the size of a grid step in messages; 0: they say "in grid steps"
 };
 
 /// The faces of a clean mesh (mesh.h) cut into triangles that have an area and match edge by edge.

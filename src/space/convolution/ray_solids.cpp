@@ -3,9 +3,9 @@
 #include "space/convolution/ray_solids.h"
 
 #include <findspace/error.h>
-#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "space/convolution/mesh_crossing.h"
@@ -52,27 +52,25 @@ Tried<Triangles> prism(const Solid& solid) {
   return triangles(mesh);
 }
 
+Triangles surface_of(const Solid& solid) {
+  Triangles out = triangles(solid.mesh);
+  out.step = solid.step;
+  return out;
+}
+
 /// The surface, if it does not cross itself.
-/// `step`: the size of a grid step in the message.
-Tried<Triangles> simple(Triangles surface, double step) {
+Tried<Triangles> simple(Triangles surface) {
   const Tried<RayBody> made = RayBody::of(surface);
   if (!made) return made.refusal();
   const RayBody& body = *made;
   const auto crossing = crossing_faces(body);
   if (!crossing) return surface;
   const auto text = [&](int f) {
-    std::string out;
-    for (int k = 0; k < 3; ++k) {
-      const Point& p = body.corner(f, k);
-      out += fmt::format("{}({:g}, {:g}, {:g})", k > 0 ? " " : "", double(p.x) * step, double(p.y) * step,
-                         double(p.z) * step);
-    }
-    return out;
+    const std::array<Point, 3> corners{body.corner(f, 0), body.corner(f, 1), body.corner(f, 2)};
+    return places_text(corners, surface.step);
   };
-  return Refusal(Error(ErrorCode::kGeometry,
-                       fmt::format("the mesh crosses itself, so what lies inside is not clear: triangle {} and "
-                                   "triangle {}",
-                                   text((*crossing)[0]), text((*crossing)[1]))));
+  return Refusal(Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
+                                                 text((*crossing)[0]) + " and triangle " + text((*crossing)[1])));
 }
 
 Tried<RaySolid> primitive(const Solid& solid) {
@@ -81,8 +79,7 @@ Tried<RaySolid> primitive(const Solid& solid) {
       return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
     case Solid::Form::kPrism: {
-      Tried<Triangles> surface =
-          solid.form == Solid::Form::kMesh ? simple(triangles(solid.mesh), solid.step) : prism(solid);
+      Tried<Triangles> surface = solid.form == Solid::Form::kMesh ? simple(surface_of(solid)) : prism(solid);
       if (!surface) return surface.refusal();
       return RaySolid{*std::move(surface), {}, {}};
     }

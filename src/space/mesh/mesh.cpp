@@ -221,6 +221,14 @@ std::vector<Point2> projected(const Mesh& mesh, const std::vector<int>& face, co
   return ring;
 }
 
+std::string places_text(std::span<const Point> points, double step) {
+  const auto at = [unit = step > 0 ? step : 1](std::int64_t c) { return static_cast<double>(c) * unit; };
+  std::string out;
+  for (const Point& p : points)
+    out += fmt::format("{}({:g}, {:g}, {:g})", out.empty() ? "" : " ", at(p.x), at(p.y), at(p.z));
+  return step > 0 ? out : out + ", in grid steps";
+}
+
 exact::Real six_volumes(const Mesh& mesh) {
   exact::Real sum;
   for (const auto& face : mesh.faces) {

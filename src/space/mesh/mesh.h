@@ -8,6 +8,7 @@
 // set does not change. Keywords: watertight, manifold, STL repair.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,9 @@ void each_edge(const std::vector<int>& face, Visit visit) {
 /// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
 /// A surface that is not closed then is repaired as `how` allows, and refused if that does not close it.
 std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how = {});
+
+/// Points joined by spaces, for messages: "(0, 1.5, 2) (3, 0, 0)" in steps of that size.
+std::string places_text(std::span<const Point> points, double step);
 
 /// Whether a clean mesh bounds a convex set: one piece of Euler number 2, no edge with the surface above it.
 bool is_convex(const Mesh& mesh);
