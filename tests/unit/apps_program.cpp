@@ -137,7 +137,8 @@ TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
   expect_usage("a.svg x900000 a.svg x900000 --height 9", "together are above 1000000");
   for (const char* other : {"kit.json x2", "bracket.step x2", "bracket.step", "c.pdf x2"})
     expect_usage(std::string(other) + " --height 9", "(.svg .dxf .wkt .geojson)");
-  expect_usage("a.svg --height 9 -o foo.pdf", "one of .json .svg .dxf\n");
+  expect_usage("a.svg --height 9 -o foo.pdf", "one of .json .svg .dxf ");  // and of solids: nothing is read yet
+  expect_usage("a.svg --height 9 -o foo.obj", "one of .json .svg .dxf\n");
   expect_usage("$(printf '\\377').svg --height 9", "not UTF-8");
 }
 
@@ -245,6 +246,20 @@ TEST_F(Program, CheckInSpaceSaysWhatLacksAndWhereItWouldHold) {
   const json none = check(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})", "0,0,0");
   EXPECT_TRUE(none.at("nearest_feasible").is_null());
   EXPECT_FALSE(none.contains("not_computed"));
+}
+
+// The set of positions nearer than the level is a polytope grown by a ball: the way out of the polytope goes on.
+TEST_F(Program, CheckInSpaceKnowsTheNearestWithAGap) {
+  const auto nearest = [&](const std::string& b, const std::string& where) {
+    const std::string scene =
+        R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [17, 17, 17]}}, "B": )json" + b +
+        R"json(}, "moving": "B", "where": ")json" + where + "\"}";
+    return json::parse(run("check scene.json --json --at 1,2,3", scene).out).at("nearest_feasible");
+  };
+  const json expected = json::parse(R"({"at": [-3, 2, 3], "distance": 4, "attained": true})");
+  EXPECT_EQ(nearest(R"({"box": {"min": [-2, -2, -2], "max": [2, 2, 2]}})", "gap(B, A) >= 1"), expected);
+  EXPECT_EQ(nearest(R"({"ball": {"center": [0, 0, 0], "radius": 2}})", "gap(B, A) >= 1"), expected);
+  EXPECT_EQ(nearest(R"({"ball": {"center": [0, 0, 0], "radius": 2}})", "gap(B, A) > 1").at("attained"), false);
 }
 
 TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {

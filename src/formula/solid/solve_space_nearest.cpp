@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The nearest feasible position, where the region is made of boxes or is one convex polytope, or contacts decide
+// The nearest feasible position, where the region is made of boxes or is one convex set, or contacts decide
 // (nearest_contact.h). Exact where that says so.
 #include "findspace/error.h"
 #include "formula/language/nearest_contact.h"
@@ -64,18 +64,17 @@ TriedNearest nearest_feasible(const SpaceSolver& solver, const Formula& formula,
         NearestFeasible{distance::coordinates(space::scaled(step, {*at[0].from, *at[1].from, *at[2].from})),
                         *best.value(), best.attained});
   }
-  const auto convex = solver.feasible_convex(formula);
-  if (!convex || !*convex) {
-    if (auto near = from_contacts(solver, formula, p)) return near;
-    return not_computed;
+  if (const auto convex = solver.feasible_convex(formula); convex && *convex) {
+    const SpaceSolver::ConvexMap& map = **convex;
+    if (const auto best = optimize(map.set, map.step, to_p, distance::Sense::kMinimum)) {
+      if (!best->exists()) return std::optional<NearestFeasible>();
+      return std::optional(
+          NearestFeasible{distance::coordinates(space::scaled(map.step, best->at.region.vertices().front().at)),
+                          *best->value(), best->attained});
+    }
   }
-  const SpaceSolver::ConvexMap& map = **convex;
-  const auto best = optimize(map.set, map.step, to_p, distance::Sense::kMinimum);
-  if (!best) return not_computed;
-  if (!best->exists()) return std::optional<NearestFeasible>();
-  return std::optional(
-      NearestFeasible{distance::coordinates(space::scaled(map.step, best->at.region.vertices().front().at)),
-                      *best->value(), best->attained});
+  if (auto near = from_contacts(solver, formula, p)) return near;
+  return not_computed;
 }
 
 }  // namespace findspace::formula
