@@ -109,6 +109,7 @@ std::vector<std::string> at_commas(const std::string& text) {
 std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "batch") return {".jsonl"};
   if (verb == "check" || verb == "measure") return {".svg", ".json"};
+  if (verb == "pack") return {".json", ".svg", ".dxf", ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"};
   std::vector<std::string> all{".json"};
   if (verb == "phi") all.emplace_back(".txt");
   if (verb == "map") all.emplace_back(".html");

@@ -33,7 +33,7 @@ std::unique_ptr<ResultFile> open_store(const VerbEntry& verb, const Options& opt
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
-  if (!verb.is("pack")) check_outputs(options, endings_of(verb.name));  // before anything is read
+  check_outputs(options, endings_of(verb.name));  // before anything is read
   const plane::ThreadLimit threads(options.threads);
   const auto dump = StageDump::from_environment();
   const plane::ObserveStages observe(dump.get());

@@ -67,7 +67,7 @@ extern "C" void on_signal(int signal) {
     _exit(kDone);
   }
   if (signal == SIGALRM) put(last_words, STDOUT_FILENO);
-  if (signal == SIGALRM) end("the time limit is reached", kLimit);
+  if (signal == SIGALRM) end("the time limit is reached, which --time-limit raises", kLimit);
   end(signal == SIGINT ? "interrupted" : "ended by a signal", kBySignal + signal);
 }
 
@@ -150,7 +150,9 @@ void end_limits() {
   printing = 0;
 }
 
-void end_out_of_memory() { end("the memory limit, or that of the system, is reached", kLimit); }
+void end_out_of_memory() {
+  end("the memory limit, which --memory-limit raises, or that of the system is reached", kLimit);
+}
 
 ExitStatus status_of(const Error& error) {
   switch (error.code()) {

@@ -26,6 +26,11 @@ from safety_test import GIGABYTE, SECONDS, SECRET, SQUARE, TETRAHEDRON, SafetyTe
 SANITIZED = bool(os.environ.get("FINDSPACE_SANITIZE"))
 
 
+def small_files():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 16, 1 << 16))
+
+
 class Reading(SafetyTest):
     """What a scene may read."""
 
@@ -71,6 +76,20 @@ class Reading(SafetyTest):
                              ("in/link.obj", 3), (self.folder / "out/part.obj", 3)):
             self.expect(status, "outside the folder" if status else "", "describe", self.of_file(name), "--root", "in")
 
+    def packing(self, name):
+        return self.file("packing.json", {"name": "p", "strip_height": 10, "unit": "mm",
+                                          "items": [{"id": "a", "demand": 2, "shape": {"file": name}}]})
+
+    def test_files_of_a_packing_problem(self):
+        drawing = '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9"><path d="M0 0H4V3Z"/></svg>'
+        self.file("in/part.svg", drawing)
+        self.file("out/part.svg", drawing)
+        few = ("--time-limit", "1")
+        self.expect(0, "", "pack", self.packing("in/part.svg"), "--root", "in", *few)
+        self.expect(3, "outside the folder", "pack", self.packing("out/part.svg"), "--root", "in", *few)
+        self.expect(3, "switched off", "pack", self.packing("in/part.svg"), "--no-files", *few)
+        self.expect(4, "--input-limit raises", "pack", self.packing("in/part.svg"), "--input-limit", "100", *few)
+
     def test_folder_whose_name_begins_like_the_root(self):
         self.file("in/x", "")
         self.file("in-secret/part.obj", TETRAHEDRON)
@@ -102,7 +121,8 @@ class Reading(SafetyTest):
         self.expect(3, "3D shapes from .stl", "describe", "scene.json", "A")
 
     def test_ending_of_a_result_is_looked_at_first(self):
-        self.expect(2, "the ending must be one of", "map", "nowhere.json", "-o", "a.doc")
+        for verb in ("map", "check", "measure", "describe", "convert", "place", "explain", "pack"):
+            self.expect(2, "the ending must be one of", verb, "nowhere.json", "-o", "a.doc")
 
     def test_faces_that_stand_twice(self):
         self.file("a.obj", TETRAHEDRON + "f 1 3 2\nf 1 2 4\n")
@@ -242,9 +262,15 @@ class Limits(SafetyTest):
                           where="gap(B, A) >= 0 and gap(B, A) <= 3")
 
     def test_time_limit(self):
-        self.expect(4, "the time limit is reached; nothing was written", "map", self.long_scene(), "--time-limit", "0.5",
+        self.expect(4, "the time limit is reached, which --time-limit raises; nothing was written", "map", self.long_scene(), "--time-limit", "0.5",
                     "-o", "a.svg")
         self.assertEqual(self.leftovers(), ["scene.json"])
+
+    def test_time_limit_is_kept(self):
+        """No timing: the bound is wide, for machines that do much else."""
+        scene, begin = self.long_scene(), time.monotonic()
+        self.expect(4, "--time-limit raises", "map", scene, "--time-limit", "2")
+        self.assertLess(time.monotonic() - begin, 20)
 
     def test_time_limit_of_what_waits_for_its_reader(self):
         read, write = os.pipe()
@@ -261,6 +287,9 @@ class Limits(SafetyTest):
     def test_memory_limit(self):
         result = self.expect(4, "the memory limit", "map", self.long_scene(), "--memory-limit", "60M")
         self.assertLess(result.kilobytes, 66 << 10)
+        self.assertIn("--memory-limit raises", result.err)
+        self.expect(4, "nothing was written", "map", "scene.json", "--memory-limit", "60M", "-o", "a.svg")
+        self.assertEqual(self.leftovers(), ["scene.json"])
 
     def many_shapes(self):
         """Shapes that are built by several threads."""
@@ -328,6 +357,9 @@ class Limits(SafetyTest):
     def test_termination_while_writing(self):
         self.ended_by(signal.SIGTERM)
 
+    def test_hangup_while_writing(self):
+        self.ended_by(signal.SIGHUP)
+
     def test_ignored_signals_stay_ignored(self):
         scene = self.long_scene()
         child = subprocess.Popen([self.program, "map", scene, "--time-limit", "2"], stdout=subprocess.DEVNULL,
@@ -357,6 +389,19 @@ class Limits(SafetyTest):
         scene = self.scene({"A": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}}})
         nowhere = str(self.folder / "nowhere")
         self.expect(3, nowhere, "describe", scene, "--resolution", "64", "--json", env={"TMPDIR": nowhere})
+        spool = self.folder / "spool"
+        spool.mkdir()
+        result = self.expect(0, "", "describe", scene, "--resolution", "64", "--json", env={"TMPDIR": str(spool)})
+        self.assertTrue(json.loads(result.out))
+        self.assertEqual(list(spool.iterdir()), [])
+
+    def test_spool_without_room(self):
+        """A file may grow to 64 KB only, as on a full disk."""
+        scene = self.scene({"A": {"ball": {"center": [0, 0, 0], "radius": 9}}})
+        result = self.expect(3, str(self.folder), "describe", scene, "--resolution", "256", "--json",
+                             env={"TMPDIR": str(self.folder)}, preexec_fn=small_files)
+        self.assertEqual(result.out, "")
+        self.assertEqual(self.leftovers(), ["scene.json"])
 
     @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "threads are limited for other users only")
     @unittest.skipIf(SANITIZED, "limits threads")

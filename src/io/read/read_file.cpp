@@ -48,7 +48,7 @@ plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileCho
   if (format == kFormats.end()) {
     throw Error(ErrorCode::kFile,
                 fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json, and 3D "
-                            "shapes from .stl .obj .off .ply .3mf .glb",
+                            "shapes from .stl .obj .off .ply .3mf .glb .step .stp .iges .igs",
                             ending),
                 name);
   }
