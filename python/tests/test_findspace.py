@@ -36,6 +36,28 @@ def test_the_lines_of_the_manual_run(world):
     assert len(region.components[0].rings[0].vertices) >= 4
 
 
+def test_sums_of_distances_against_numpy():
+    """B is a point, so the distances to a box and a disc are two lines of numpy."""
+    world = fs.World({"A": fs.Shape.box((-5, 0), (-1, 2)), "C": fs.Shape.disc((4, -1), 1.5),
+                      "P": fs.Shape.points([(-3, 0)]), "Q": fs.Shape.points([(3, 0)]),
+                      "W": fs.Shape.box((-12, -12), (12, 12)), "B": fs.Shape.points([(0, 0)])}, moving="B")
+    at = np.random.default_rng(3).uniform(-11.9, 11.9, (2000, 2))
+    beyond = np.abs(at - (-3, 1)) - (2, 1)
+    to_a = np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(axis=1), 0)
+    to_c = np.linalg.norm(at - (4, -1), axis=1) - 1.5
+    inner, outer = world.solve_bounds("gap(B, A) + 2 * gap(B, C) <= 14 and inside(B, W)")
+    excess = to_a + 2 * to_c - 14
+    assert not inner.contains(at)[excess > 1e-7].any() and outer.contains(at)[excess < -1e-7].all()
+    assert (inner.contains(at) == outer.contains(at))[np.abs(excess) > 0.5].all() and inner.contains(at).any()
+    to_p, to_q = (np.linalg.norm(at - (x, 0), axis=1) for x in (-3, 3))
+    for formula, excess in (("gap(B, P) <= gap(B, Q)", to_p - to_q), ("2 * gap(B, P) <= gap(B, Q)", 2 * to_p - to_q)):
+        found = world.solve(f"{formula} and inside(B, W)").contains(at)
+        clear = np.abs(excess) > 1e-7
+        assert (found == (excess <= 0))[clear].all() and found.any()
+    with pytest.raises(fs.Error):
+        world.solve("gap(B, A) + 2 * gap(B, C) <= 14 and inside(B, W)")
+
+
 def test_many_positions_agree_with_single_ones(world):
     formula = fs.inside("peg", "table", 1) & ~(fs.gap("peg", "plate") < 0.5) & (fs.reach("peg", "plate") <= 70)
     query = world.query(formula)
