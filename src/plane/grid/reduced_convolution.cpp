@@ -13,7 +13,8 @@
 namespace findspace::plane {
 namespace {
 
-constexpr std::size_t kManyCurves = 3000;  // of a pair: from here on it pays to look which are covered
+constexpr std::size_t kManyCurves = 20'000;  // of a pair: from here on it may pay to look which are covered
+constexpr std::size_t kSample = 256;         // of them, looked at first: half of these must be covered
 
 /// Sums of two corners, each a point once. An open-addressing table of pairs.
 class CornerSums {
@@ -79,13 +80,31 @@ class FacePair {
     return count;
   }
 
+  bool is_covered(const EdgeFan& moved, Index e, const EdgeFan& fan, Index v) const {
+    const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
+    return covered_->covers({double(std::min(p.x, q.x) + by.x), double(std::min(p.y, q.y) + by.y),
+                             double(std::max(p.x, q.x) + by.x), double(std::max(p.y, q.y) + by.y)});
+  }
+
+  /// By a sample spread over all `count` curves: one that is not covered costs a look at every corner.
+  bool mostly_covered(std::size_t count) const {
+    std::size_t seen = 0, asked = 0, covered = 0;
+    const auto look = [&](const EdgeFan& moved, const EdgeFan& fan) {
+      each(moved, fan, [&](Index e, Index v) {
+        if (seen++ % (count / kSample) != 0) return;
+        ++asked;
+        covered += is_covered(moved, e, fan, v);
+      });
+    };
+    look(b_, a_);
+    look(a_, b_);
+    return 2 * covered >= asked;
+  }
+
   /// Those that are not covered.
   std::size_t keep_edges(const EdgeFan& moved, const EdgeFan& fan, int side) {
     each(moved, fan, [&](Index e, Index v) {
-      const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
-      const CoveredBox box{double(std::min(p.x, q.x) + by.x), double(std::min(p.y, q.y) + by.y),
-                           double(std::max(p.x, q.x) + by.x), double(std::max(p.y, q.y) + by.y)};
-      if (!covered_->covers(box)) kept_[side].push_back({e, v});
+      if (!is_covered(moved, e, fan, v)) kept_[side].push_back({e, v});
     });
     return kept_[side].size();
   }
@@ -99,7 +118,7 @@ class FacePair {
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
     std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
-    if (count < kManyCurves) covered_ = nullptr;
+    if (count < kManyCurves || (covered_ && !mostly_covered(count))) covered_ = nullptr;
     if (covered_) count = keep_edges(b_, a_, 0) + keep_edges(a_, b_, 1);
     auto& g = out_.geometry;
     reserve_more(g.supporting_curves, count);
