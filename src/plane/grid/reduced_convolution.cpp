@@ -14,7 +14,7 @@ namespace findspace::plane {
 namespace {
 
 constexpr std::size_t kManyCurves = 20'000;  // of a pair: from here on it may pay to look which are covered
-constexpr std::size_t kSample = 256;         // of them, looked at first: half of these must be covered
+constexpr std::size_t kSample = 256;         // of them, looked at first: three quarters must be covered
 
 /// Sums of two corners, each a point once. An open-addressing table of pairs.
 class CornerSums {
@@ -98,7 +98,7 @@ class FacePair {
     };
     look(b_, a_);
     look(a_, b_);
-    return 2 * covered >= asked;
+    return 4 * covered >= 3 * asked;
   }
 
   /// Those that are not covered.
