@@ -34,7 +34,7 @@ Region lobes(int count, int corners, double deep, int sense) {
 
 TEST(CoveredCurves, SumsOfLobes) {
   for (const int count : {12, 15}) {
-    const Region a = lobes(count, 300, 0.5, 1), b = lobes(count, 300, 0.5, -1);
+    const Region a = lobes(count, 2000, 0.5, 1), b = lobes(count, 2000, 0.5, -1);
     const auto p = grid_faces(a, in, false), q = grid_faces(b, in, true);
     ASSERT_TRUE(p && q);
     const GridOperand x{*p, a.geometry}, y{*q, b.geometry};

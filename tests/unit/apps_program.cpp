@@ -81,7 +81,7 @@ TEST_F(Program, PacksDrawingsWithCounts) {
   EXPECT_EQ(run("verify layout.json " + drawings + "--height 8").status, 0);
   EXPECT_EQ(run("verify layout.json " + drawings + "--height 7").status, 1);
   // Arcs stay arcs. A drawing whose rings touch could not be read back.
-  EXPECT_TRUE(contains(read("cut.dxf"), "\n42\n"));
+  EXPECT_TRUE(contains(read("cut.dxf"), "\n 42\n"));
   run("pack plate.svg lid.svg --gap 0.5 --height 8 --work 2 --threads 1 -o cut.dxf");
   const Result back = run("convert cut.dxf --layer cut -o back.svg");
   EXPECT_EQ(back.status, 0) << back.err;
@@ -275,13 +275,13 @@ TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {
 }
 
 TEST_F(Program, MeasureTellsUndefinedFromNotComputed) {
-  // A long box does not fit into a lens, and the diameter of a cut solid is not computed.
+  // A long box with round edges does not fit into a lens, and how deep it is in one is not computed.
   const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"intersection": [
     {"ball": {"center": [0, 0, 0], "radius": 3}}, {"ball": {"center": [2, 0, 0], "radius": 3}}]},
-    "B": {"box": {"min": [0, 0, 0], "max": [9, 1, 1]}}}, "moving": "B", "where": "true"})json";
+    "B": {"offset": 0.25, "of": {"box": {"min": [0, 0, 0], "max": [9, 1, 1]}}}}, "moving": "B", "where": "true"})json";
   const json found = json::parse(run("measure scene.json --at 1,0,0 --json", scene).out);
-  for (const char* name : {"diameter(B, A)", "margin(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
-  EXPECT_FALSE(found.at("not_computed").at("diameter(B, A)").get<std::string>().empty());
+  for (const char* name : {"gap(B, A)", "margin(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
+  EXPECT_FALSE(found.at("not_computed").at("gap(B, A)").get<std::string>().empty());
   EXPECT_FALSE(found.at("not_computed").contains("margin(B, A)"));
 }
 

@@ -192,9 +192,7 @@ void Outline::close() {
 }
 
 void Outline::finish() {
-  const bool point = edges_.size() == 1 && !edges_[0].arc && curves_.empty() && at_ == start_;
-  if (point) ++context_.repeated_points;
-  if (running_ && !edges_.empty() && !point) {
+  if (running_ && !edges_.empty()) {
     bool closed = at_ == start_;
     if (!closed) edges_.push_back(segment(at_));
     end_chain(closed);

@@ -58,8 +58,7 @@ class Outline {
   void spline_to(plane::Spline spline);
   /// Closes the chain; what follows without move_to begins at its first point.
   void close();
-  /// Ends the chain without closing it; it is closed all the same if it has come back to its first point. A segment
-  /// without length is dropped, and counted as a repeated point.
+  /// Ends the chain without closing it; it is closed all the same if it has come back to its first point.
   void finish();
 
   void circle(const exact::Real& x, const exact::Real& y, const exact::Real& radius);
