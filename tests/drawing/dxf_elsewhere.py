@@ -13,6 +13,7 @@ import tempfile
 from pathlib import Path
 
 import ezdxf
+from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 SCENE = {
     "findspace": 1, "unit": "mm", "moving": "lid", "where": "inside(lid, plate)",
@@ -20,6 +21,7 @@ SCENE = {
         "plate": {"difference": [{"box": {"min": [0, 0], "max": [80, 50]}}, {"disc": {"center": [20, 20], "radius": 7}}]},
         "lid": {"offset": 2, "of": {"polygon": [[0, 0], [20, 0], [20, 10], [8, 10]]}},
         "moon": {"difference": [{"disc": {"center": [0, 0], "radius": 10}}, {"disc": {"center": [6, 0], "radius": 10}}]},
+        "dünn 漢": {"box": {"min": [0, 0], "max": [5, 4]}},
         "left, side": {"box": {"min": [0, 0], "max": [3, 4]}},
     },
 }
@@ -63,16 +65,19 @@ def main(argv):
                 run(argv[1], "convert", scene, shape, "--dxf", version, "-o", out)
                 drawing = ezdxf.readfile(out)
                 assert drawing.dxfversion == name, drawing.dxfversion
-                assert not drawing.audit().has_errors, [e.message for e in drawing.audit().errors]
+                # ezdxf keeps escapes in the names of layers as they are, and then does not like their backslash.
+                errors = [e.message for e in drawing.audit().errors if "\\U+" not in e.message]
+                assert not errors, errors
                 assert drawing.header["$INSUNITS"] == 4
                 drawn = list(drawing.modelspace())
                 rings = sorted(abs(area_of(e)) for e in drawn)
                 found = rings[-1] - sum(rings[:-1])
                 assert abs(found - area) < 1e-9 * area, (shape, version, found, area)
-                layers = {e.dxf.layer for e in drawn}
-                expected = "".join(c if c.isalnum() or version == "2000" and c == " " else "_" for c in shape)
+                layers = {decode_dxf_unicode(e.dxf.layer) for e in drawn}
+                expected = "".join(c if (c.isalnum() and (c.isascii() or version == "2000")) or version == "2000" and c == " " else "_"
+                                   for c in shape)
                 assert layers == {expected}, (layers, expected)
-                assert expected in drawing.layers
+                assert expected in [decode_dxf_unicode(layer.dxf.name) for layer in drawing.layers]
                 files += 1
     print(f"{files} drawings are the same in ezdxf")
     return 0

@@ -325,6 +325,16 @@ TEST(ReadDxf, ArcsTooFlatForTheGridAreCurves) {
   }
 }
 
+TEST(ReadDxf, FlatArcsOfManyPiecesEnd) {
+  Context context;
+  context.grid = Grid(Real::ratio(1, 1000000));
+  context.use({});
+  const std::string flat = "0 LWPOLYLINE|70 1|10 0|20 0|42 0.02|10 120000|20 0|10 120000|20 100000|10 0|20 100000|";
+  ShapePtr shape = read_dxf(dxf_text(flat, "4"), "f.dxf", {}, context);
+  ASSERT_EQ(shape->kind, Shape::Kind::kRings);
+  EXPECT_LT(shape->contours[0].size(), 3000u);
+}
+
 TEST(ReadDxf, HeightsAreNoted) {
   auto notes = [](const std::string& entities) {
     Context context;

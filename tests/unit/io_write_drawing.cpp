@@ -79,6 +79,15 @@ TEST(WriteDrawing, LayersAreShapes) {
   choice.layer = "left_side";
   EXPECT_TRUE(same_set(from_dxf(text, choice), a));
   EXPECT_TRUE(same_set(from_dxf(text), a + b));
+  const NamedRegion odd[] = {{"\u00fc \u6f22", &a}, {"\u00d1", &b}, {"part", &a}, {"Part", &b}};
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::k2000}) {
+    const bool kept = version == DxfVersion::k2000;
+    for (const auto& [name, region] :
+         {std::pair{kept ? "\u00fc \u6f22" : "___", &a}, {kept ? "\u00d1" : "_", &b}, {"part", &a}, {"Part_2", &b}}) {
+      choice.layer = name;
+      EXPECT_TRUE(same_set(from_dxf(shapes_dxf(odd, Real(1), {}, version).text, choice), *region)) << name;
+    }
+  }
   choice.layer = "left side";
   EXPECT_TRUE(same_set(from_dxf(shapes_dxf(named, Real(1), {}, DxfVersion::k2000).text, choice), a));
 }

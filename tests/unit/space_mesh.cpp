@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -140,6 +141,40 @@ TEST(Mesh, WeldsAndSplitsEdges) {
   clean(soup, 1);
   EXPECT_TRUE(is_convex(soup));
   EXPECT_TRUE(six_volumes(soup) == exact::Real(48));
+}
+
+TEST(Mesh, ARepairMovesNoVertexFartherThanAsked) {
+  Mesh soup;
+  const Mesh m = cube(100);
+  for (std::size_t f = 0; f < m.faces.size(); ++f)
+    for (const std::size_t k : {1, 2}) {
+      for (const std::size_t c : {std::size_t{0}, k, k + 1}) {
+        const Point& p = m.vertices[std::size_t(m.faces[f][c])];
+        soup.vertices.push_back({p.x + std::int64_t(f % 2), p.y, p.z + std::int64_t(k == 2)});
+      }
+      const int n = int(soup.vertices.size());
+      soup.faces.push_back({n - 3, n - 2, n - 1});
+    }
+  Mesh mended = soup, open = soup;
+  EXPECT_THROW(clean(open, 1), Error);
+  const auto notes = clean(mended, 1, {.width = 2});
+  EXPECT_FALSE(notes.empty());
+  for (const Point& p : mended.vertices)
+    EXPECT_TRUE(std::find(soup.vertices.begin(), soup.vertices.end(), p) != soup.vertices.end());
+  EXPECT_NEAR(six_volumes(mended).to_double(), 6e6, 6 * 2 * 60000);
+  mended = soup;
+  mended.faces.pop_back();
+  open = mended;
+  EXPECT_THROW(clean(mended, 1, {.width = 2, .hole = 100}), Error);
+  clean(open, 1, {.width = 2, .hole = 150});
+  EXPECT_NEAR(six_volumes(open).to_double(), 6e6, 6 * 2 * 60000);
+}
+
+TEST(Mesh, ARepairWiderThanItsFacesEnds) {
+  Mesh m;
+  m.vertices = {{0, 2, 0}, {1, 2, 3}, {1, 2, 0}, {0, 0, 3}, {0, 2, 3}, {1, 0, 0}, {1, 0, 3}};
+  m.faces = {{0, 1, 2}, {3, 4, 0}, {5, 1, 6}};
+  EXPECT_THROW(clean(m, 1, {.width = 2}), Error);
 }
 
 TEST(Mesh, RefusesOpenSurfacesAndListsTheEdges) {

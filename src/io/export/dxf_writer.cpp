@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cctype>
+#include <set>
 #include <utility>
 
 namespace findspace::io {
@@ -35,20 +36,54 @@ int insunits(std::optional<formula::Unit> unit) {
   return 0;
 }
 
-/// Layers of R12 are short of blanks and signs, those of 2000 of some signs.
-bool may_name(char c, DxfVersion version) {
+/// Layers of R12 are short of blanks and signs, those of 2000 of some signs, and of blanks at their ends.
+bool may_name(std::string_view name, std::size_t at, DxfVersion version) {
+  const char c = name[at];
   if (version == DxfVersion::k2000)
     return static_cast<unsigned char>(c) >= ' ' &&
-           std::string_view("<>/\\\":;?*|=,`").find(c) == std::string_view::npos;
+           std::string_view("<>/\\\":;?*|=,`").find(c) == std::string_view::npos &&
+           (c != ' ' || (at > 0 && at + 1 < name.size()));
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '$';
+}
+
+/// The number of a character of two or three bytes of UTF-8; 0 of any other.
+unsigned code_of(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned>(static_cast<unsigned char>(text[k])); };
+  if (text.size() >= 2 && (byte(0) & 0xe0) == 0xc0) return (byte(0) & 0x1f) << 6 | (byte(1) & 0x3f);
+  if (text.size() >= 3 && (byte(0) & 0xf0) == 0xe0)
+    return (byte(0) & 0x0f) << 12 | (byte(1) & 0x3f) << 6 | (byte(2) & 0x3f);
+  return 0;
+}
+
+bool is_inner_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+/// A name that the version allows. Characters beyond ASCII are escapes of 2000, which has no UTF-8.
+std::string allowed_name(std::string_view name, DxfVersion version) {
+  std::string out;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    if (is_inner_byte(name[k])) continue;
+    const bool ascii = static_cast<unsigned char>(name[k]) < 0x80;
+    const unsigned code = ascii ? 0 : code_of(name.substr(k));
+    if (ascii)
+      out += may_name(name, k, version) ? name[k] : '_';
+    else
+      out += code != 0 && version == DxfVersion::k2000 ? fmt::format("\\U+{:04X}", code) : "_";
+  }
+  return out.empty() ? "0" : out;
+}
+
+std::string in_capitals(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
 }
 
 }  // namespace
 
 DxfWriter::DxfWriter(DxfVersion version, std::optional<formula::Unit> unit, std::span<const std::string> layers)
     : version_(version), next_(kFirstFree) {
+  name_layers(layers);
   header(unit);
-  tables(layers);
+  tables();
   if (in_2000()) blocks();
   begin("ENTITIES");
 }
@@ -106,10 +141,16 @@ void DxfWriter::end() { group(0, "ENDSEC"); }
 
 std::string DxfWriter::handle(int number) const { return fmt::format("{:X}", number); }
 
-std::string DxfWriter::layer_name(std::string_view name) const {
-  std::string out;
-  for (const char c : name) out += may_name(c, version_) ? c : '_';
-  return out.empty() ? "0" : out;
+/// Layers are told apart by names in capitals.
+void DxfWriter::name_layers(std::span<const std::string> layers) {
+  std::set<std::string> taken;
+  for (const std::string& layer : layers) {
+    if (layers_.contains(layer)) continue;
+    const std::string name = allowed_name(layer, version_);
+    std::string free = name;
+    for (int k = 2; !taken.insert(in_capitals(free)).second; ++k) free = fmt::format("{}_{}", name, k);
+    layers_.emplace(layer, free);
+  }
 }
 
 void DxfWriter::header(std::optional<formula::Unit> unit) {
@@ -147,12 +188,12 @@ void DxfWriter::table_entry(std::string_view type, std::string_view name, std::s
   group(70, 0);
 }
 
-void DxfWriter::tables(std::span<const std::string> layers) {
+void DxfWriter::tables() {
   begin("TABLES");
   if (in_2000()) tables_of_2000();
   std::vector<std::string> names{"0"};
-  for (const std::string& layer : layers)
-    if (const std::string name = layer_name(layer); name != "0") names.push_back(name);
+  for (const auto& [layer, name] : layers_)
+    if (name != "0") names.push_back(name);
   begin_table("LAYER", names.size());
   for (const std::string& name : names) {
     table_entry("LAYER", name, "AcDbLayerTableRecord");
@@ -249,7 +290,7 @@ void DxfWriter::entity(std::string_view type, std::string_view layer, std::strin
     group(330, handle(kModelSpace));
     group(100, "AcDbEntity");
   }
-  group(8, layer_name(layer));
+  group(8, layers_.find(layer)->second);
   if (in_2000()) group(100, kind);
 }
 

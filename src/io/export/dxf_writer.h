@@ -8,6 +8,8 @@
 // export, laser cutting.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,7 +29,8 @@ struct DrawnCorner {
 
 class DxfWriter {
  public:
-  /// Names of layers that the version does not allow are made such that it does.
+  /// Names of layers that the version does not allow are made such that it does, and that no two are the same. Entities
+  /// are on these layers.
   DxfWriter(DxfVersion version, std::optional<formula::Unit> unit, std::span<const std::string> layers);
 
   void polyline(std::string_view layer, std::span<const DrawnCorner> corners, bool closed);
@@ -44,19 +47,20 @@ class DxfWriter {
   void begin(std::string_view section);
   void end();
   void header(std::optional<formula::Unit> unit);
-  void tables(std::span<const std::string> layers);
+  void name_layers(std::span<const std::string> layers);
+  void tables();
   void begin_table(std::string_view name, std::size_t entries);
   void table_entry(std::string_view type, std::string_view name, std::string_view kind);
   void tables_of_2000();
   void blocks();
   void objects();
   void entity(std::string_view type, std::string_view layer, std::string_view kind);
-  std::string layer_name(std::string_view name) const;
   std::string handle(int number) const;
   std::string next_handle() { return handle(next_++); }
   bool in_2000() const { return version_ == DxfVersion::k2000; }
 
   DxfVersion version_;
+  std::map<std::string, std::string, std::less<>> layers_;
   std::string text_;
   int next_;  // handle
 };

@@ -19,6 +19,39 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+constexpr std::string_view kEscape = "\\U+";  // and four hexadecimal digits: a character
+
+void add_utf8(std::string& out, unsigned code) {
+  const auto tail = [](unsigned bits) { return static_cast<char>(0x80 | (bits & 0x3f)); };
+  if (code < 0x80) {
+    out += static_cast<char>(code);
+  } else if (code < 0x800) {
+    out += static_cast<char>(0xc0 | code >> 6);
+    out += tail(code);
+  } else {
+    out += static_cast<char>(0xe0 | code >> 12);
+    out += tail(code >> 6);
+    out += tail(code);
+  }
+}
+
+std::string without_escapes(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::string_view digits = text.substr(0, kEscape.size()) == kEscape ? text.substr(kEscape.size(), 4) : "";
+    unsigned code = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (digits.size() == 4 && error == std::errc() && end == digits.data() + 4 && code >= 0x80) {
+      add_utf8(out, code);
+      text.remove_prefix(kEscape.size() + 4);
+    } else {
+      out += text[0];
+      text.remove_prefix(1);
+    }
+  }
+  return out;
+}
+
 class DxfParser {
  public:
   DxfParser(std::string_view text, const std::string& name) : text_(text) { document_.name = name; }
@@ -107,8 +140,17 @@ class DxfParser {
     } while (now_.code == 999);
   }
 
+  /// To the next group; escapes in names are read.
   void advance() {
-    if (binary_) return advance_binary();
+    if (binary_)
+      advance_binary();
+    else
+      advance_text();
+    if ((now_.code == 2 || now_.code == 8) && now_.value.find(kEscape) != std::string_view::npos)
+      now_.value = document_.texts.emplace_back(without_escapes(now_.value));
+  }
+
+  void advance_text() {
     do {
       std::string_view code = next_line();
       int number = 0;

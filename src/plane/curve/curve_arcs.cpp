@@ -68,6 +68,7 @@ class Chainer {
     if (!(length > 0)) return {0, 0};
     return {dx / length, dy / length};
   }
+  static constexpr double kMostRadius = double(std::int64_t{1} << 40);
   static constexpr double kStep = 1.0 / (1 << 20);  // no sign: only where arcs are tried; the bound is proved
 
   double towards() const { return double(static_cast<int>(side_)); }
@@ -95,7 +96,19 @@ class Chainer {
 
   Sample local(const GridPoint& p) const { return {double(p.x - curve_.from.x), double(p.y - curve_.from.y)}; }
 
-  bool fits(double s) const { return bulges(question(s, joint(s, kWindowPart / 2))).has_value(); }
+  bool fits(double s) const {
+    const GridPoint to = joint(s, kWindowPart / 2);
+    const auto range = bulges(question(s, to));
+    return range && has_radius(*range, to);
+  }
+
+  /// Whether one of them is a segment, or an arc whose radius the grid has.
+  bool has_radius(const BulgeRange& range, const GridPoint& to) const {
+    const double b = std::max(std::abs(range.low), std::abs(range.high));
+    if (range.low <= 0 && range.high >= 0) return true;
+    const double chord = std::hypot(double(to.x - joint_.x), double(to.y - joint_.y));
+    return chord * (1 + b * b) <= kMostRadius * 4 * b;
+  }
 
   /// The largest s that fits, about; 0 where none was found.
   double farthest(double step) const {
@@ -141,7 +154,6 @@ class Chainer {
     const auto range = bulges(question(s, to));
     if (!range) return false;
     ContourEdge edge = arc_between(to, *range);
-    constexpr double kMostRadius = double(std::int64_t{1} << 40);
     if (edge.arc && !(edge.arc->r.to_double() <= kMostRadius)) return false;
     const std::vector<CurvePiece> stretch = stretch_to(s);
     const ArcClaim claim{&stretch, curve_.from, edge, to, bound_, side_, at_ == 0, s >= end_};

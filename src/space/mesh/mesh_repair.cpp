@@ -99,8 +99,12 @@ void join_vertices(Mesh& mesh, std::int64_t width, double step, std::vector<std:
     farthest = std::max(farthest, squared_distance(mesh.vertices[std::size_t(v)], mesh.vertices[std::size_t(w)]));
   }
   if (joined == 0) return;
-  for (auto& face : mesh.faces)
+  for (auto& face : mesh.faces) {
     for (int& v : face) v = to[std::size_t(v)];
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+  }
+  std::erase_if(mesh.faces, [](const std::vector<int>& face) { return face.size() < 3; });
   notes.push_back(fmt::format("{} joined with others, moved by {:.3g} at most",
                               joined == 1 ? "1 vertex was" : fmt::format("{} vertices were", joined),
                               std::sqrt(double(farthest)) * step));
@@ -123,17 +127,8 @@ class LeadOver {
   LeadOver(const Mesh& mesh, std::int64_t width)
       : mesh_(mesh), width_(width), odd_(odd_edges(mesh)), orders_(mesh, ends_of(odd_)) {}
 
-  void take(const std::vector<int>& face) {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const int a = face[i], b = face[(i + 1) % face.size()];
-      const std::vector<int> on = between(face, a, b);
-      if (on.empty()) continue;
-      if (face.size() > 3) return in_triangles(face);
-      vertices_ += on.size();
-      return as_fan(a, on, b, face[(i + 2) % face.size()]);
-    }
-    faces_.push_back(face);
-  }
+  /// A face, all sides of which may be led.
+  void take(const std::vector<int>& face) { take(face, std::vector<char>(face.size(), 1)); }
 
   std::size_t vertices() const { return vertices_; }
   std::vector<std::vector<int>> faces() { return std::move(faces_); }
@@ -154,14 +149,41 @@ class LeadOver {
     return on;
   }
 
-  void in_triangles(const std::vector<int>& face) {
-    const auto ring = projected(mesh_, face, area_vector(mesh_, face));
-    for (const auto& [a, b, c] : triangulate(ring, StraightCorner::kKeep))
-      take({face[std::size_t(a)], face[std::size_t(b)], face[std::size_t(c)]});
+  /// `open`: the sides that are still to be looked at; sides that a cut makes are not led.
+  void take(const std::vector<int>& face, const std::vector<char>& open) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      if (open[i] == 0) continue;
+      const std::vector<int> on = between(face, face[i], face[(i + 1) % face.size()]);
+      if (on.empty()) continue;
+      if (face.size() > 3) return in_triangles(face, open);
+      vertices_ += on.size();
+      return as_fan(face, i, on, open);
+    }
+    faces_.push_back(face);
   }
-  void as_fan(int a, const std::vector<int>& on, int b, int apex) {
-    for (const int v : on) take({std::exchange(a, v), v, apex});
-    take({a, b, apex});
+
+  void in_triangles(const std::vector<int>& face, const std::vector<char>& open) {
+    const auto ring = projected(mesh_, face, area_vector(mesh_, face));
+    for (const auto& t : triangulate(ring, StraightCorner::kKeep)) {
+      std::vector<int> triangle;
+      std::vector<char> sides;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto from = std::size_t(t[k]), to = std::size_t(t[(k + 1) % 3]);
+        triangle.push_back(face[from]);
+        sides.push_back((from + 1) % face.size() == to ? open[from] : 0);
+      }
+      take(triangle, sides);
+    }
+  }
+
+  /// The triangle cut from the corner across side i to the vertices that this side is led over.
+  void as_fan(const std::vector<int>& face, std::size_t i, const std::vector<int>& on, const std::vector<char>& open) {
+    int from = face[i];
+    const int last = face[(i + 1) % 3], apex = face[(i + 2) % 3];
+    take({from, on.front(), apex}, {0, 0, open[(i + 2) % 3]});
+    from = on.front();
+    for (const int v : std::span(on).subspan(1)) faces_.push_back({std::exchange(from, v), v, apex});
+    take({from, last, apex}, {0, open[(i + 1) % 3], 0});
   }
 
   const Mesh& mesh_;
