@@ -67,7 +67,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `reach` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
-`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact or enclosed · fast | exact · quick
+`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
 along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact · fast | `gap` enclosed, others refused · slow | exact · slow
 # Truth at a position
 where the value is exact | exact

@@ -258,27 +258,6 @@ TEST(CutValues, HaveLinesAlongFaces) {
   }
 }
 
-/// No two sampled places are farther from each other than the diameter, and some are nearly so.
-TEST(CutValues, HaveDiameters) {
-  std::mt19937 random(3);
-  for (const Case& c : cases()) {
-    std::vector<Vector> solid;
-    while (solid.size() < 4000) {
-      const Vector x = any(random, 30);
-      if (c.level(x) < 0) solid.push_back(x);
-    }
-    double most = 6 * std::sqrt(3);
-    for (const Vector& x : solid) {
-      for (const Vector& y : solid) most = std::max(most, space::length(x - y));
-      const Vector far{std::fabs(x.x) + kHalf, std::fabs(x.y) + kHalf, std::fabs(x.z) + kHalf};
-      most = std::max(most, space::length(far));
-    }
-    const double found = pair_of(c).value(Which::kDiameter, {})->value.to_double();
-    EXPECT_GE(found, most) << c.name;
-    EXPECT_LE(found, most + 4) << c.name;
-  }
-}
-
 /// The exact values of places that square roots name.
 TEST(CutValues, AreNamed) {
   const std::vector<Case> all = cases();

@@ -199,32 +199,8 @@ TriedAnswer CsgPair::gap(const RealVector& p, Depth depth) const {
 
 TriedAnswer CsgPair::reach(const RealVector& p) const { return std::optional(reach_of_parts(p)); }
 
-/// How far a place is from the farthest one of A is a convex function of it.
-Answer CsgPair::own_diameter() const {
-  const ConvexDistance farthest = [this](const space::Vector& x) {
-    double most = 0;
-    for (const CsgPartSearch& part : parts_)
-      most =
-          std::max(most, part.places.farthest_from([&](const space::Vector& y) { return space::length(y - x); }).value);
-    return most;
-  };
-  Answer best;
-  for (const CsgPartSearch& part : parts_) {
-    const BoundaryPlace found = part.places.farthest_from(farthest);
-    if (!found.found || found.value <= best.value.to_double()) continue;
-    best = searched_answer(found, 2 * size_);
-  }
-  return best;
-}
-
-TriedAnswer CsgPair::diameter(const RealVector& p) const {
-  Answer most = reach_of_parts(p);
-  const Real own = distance::diameter(*b_);
-  if (most.value < own) most = exact_answer<RealVector>(own, Way::kCut);
-  const space::Extent box = space::rounded(bounds(*a_));
-  if (space::length(box.high - box.low) <= most.value.to_double()) return std::optional(std::move(most));
-  std::call_once(diameter_made_, [this] { diameter_ = own_diameter(); });
-  return std::optional(most.value < diameter_.value ? diameter_ : std::move(most));
+TriedAnswer CsgPair::diameter(const RealVector& /*p*/) const {
+  return Refusal("this distance to a shape that round ones are cut out of is not computed");
 }
 
 TriedAnswer CsgPair::fit(Inner inner, const RealVector& p) const {

@@ -4,7 +4,7 @@
 // T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of B:
 //   gamma1, d1, penetration
 //                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
-//   gamma2, diameter
+//   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by set_protrusion.h; hausdorff where the
 //   other one is known; eta2  where all containers are convex;
@@ -68,7 +68,6 @@ class CsgPair : public PairDistances {
   TriedAnswer free_of_sets(const space::RealVector& p) const;
   Answer reach_of_parts(const space::RealVector& p) const;
   /// Of A.
-  Answer own_diameter() const;
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
   TriedAnswer worst_fit(const space::RealVector& p) const;
   exact::Tried<bool> is_whole(const Answer& worst) const;
@@ -116,8 +115,6 @@ class CsgPair : public PairDistances {
   mutable std::once_flag free_made_;
   mutable std::once_flag extents_made_;
   mutable bool too_large_ = false;
-  mutable std::once_flag diameter_made_;
-  mutable Answer diameter_;
 };
 
 }  // namespace findspace::distance
