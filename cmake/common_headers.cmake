@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 #
-# findspace_common_headers(TARGET): the headers that most files include, compiled once for all targets.
+# findspace_common_headers(TARGET): the headers that most files include, compiled once for all layers of the
+# library. Targets of another optimisation (apps, tests) compile their own.
 set(FINDSPACE_COMMON_HEADERS
     <algorithm> <array> <bit> <cmath> <compare> <cstdint> <deque> <filesystem> <functional> <iterator> <limits> <map> <memory>
     <mutex> <numbers> <numeric> <optional> <queue> <set> <span> <string> <string_view> <tuple> <unordered_map> <utility> <variant>

@@ -16,6 +16,23 @@ std::string count(std::int64_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+/// What a rule says, in grid steps; throws Error with its name.
+exact::Real steps_of(const char* rule, const std::string& length, const ReadContext& context) {
+  try {
+    return context.grid.steps(parse_length(length, context.unit));
+  } catch (const Error& e) {
+    throw e.within(rule);
+  }
+}
+
+/// Rounded down.
+std::int64_t whole_steps_of(const char* rule, const std::string& length, const ReadContext& context) {
+  const exact::Real steps = steps_of(rule, length, context);
+  if (steps > exact::Real(exact::int128(exact::kMaxGridCoordinate)))
+    throw Error(ErrorCode::kBadValue, fmt::format("the length '{}' is larger than any mesh may be", length), rule);
+  return std::int64_t(steps.to_double());
+}
+
 }  // namespace
 
 std::string ReadContext::take_file(const std::filesystem::path& path) {
@@ -34,24 +51,17 @@ void ReadContext::take_bytes(std::uint64_t bytes, const std::string& what) {
   bytes_left -= bytes;
 }
 
-std::int64_t ReadContext::whole_steps(const std::string& length) const {
-  const exact::Real steps = grid.steps(parse_length(length, unit));
-  if (steps > exact::Real(exact::int128(exact::kMaxGridCoordinate)))
-    throw Error(ErrorCode::kBadValue, fmt::format("the length '{}' is larger than any mesh may be", length));
-  return std::int64_t(steps.to_double());
-}
-
 void ReadContext::use(const DrawingRules& rules) {
   drawing = {};
   if (rules.curves) drawing.curves = *rules.curves;
   const exact::Real thousandth = exact::Real::ratio(1, 1000);
   const exact::Real usual = unit ? thousandth * formula::factor(Unit::kMillimetre, *unit) : thousandth;
   drawing.tolerance = std::max((usual / grid.step()).to_double(), plane::kLeastBound);
-  if (rules.tolerance) drawing.tolerance = grid.steps(parse_length(*rules.tolerance, unit)).to_double();
-  if (rules.join) drawing.join = grid.steps(parse_length(*rules.join, unit)).to_double();
+  if (rules.tolerance) drawing.tolerance = steps_of("tolerance", *rules.tolerance, *this).to_double();
+  if (rules.join) drawing.join = steps_of("join", *rules.join, *this).to_double();
   if (rules.open_lines) drawing.open_lines = *rules.open_lines;
-  if (rules.repair) drawing.repair.width = whole_steps(*rules.repair);
-  if (rules.close_holes) drawing.repair.hole = whole_steps(*rules.close_holes);
+  if (rules.repair) drawing.repair.width = whole_steps_of("repair", *rules.repair, *this);
+  if (rules.close_holes) drawing.repair.hole = whole_steps_of("close_holes", *rules.close_holes, *this);
   if (drawing.tolerance < plane::kLeastBound)
     throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {:.3g} grid steps is too small; {} are needed, so "
                                                   "give the scene a finer \"grid\"",

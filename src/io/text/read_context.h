@@ -60,8 +60,6 @@ struct ReadContext {
 
   /// Makes these rules those of what is read from here on; throws Error. Needs the unit and the grid.
   void use(const DrawingRules& rules);
-  /// A length as text in whole grid steps, rounded down; throws Error.
-  std::int64_t whole_steps(const std::string& length) const;
 
   /// All of it in words, e.g. "12 points rounded to the grid, largest move 3.1e-07 mm".
   std::vector<std::string> summary() const;

@@ -150,10 +150,8 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
 std::size_t repeated_faces(const Mesh& mesh) {
   std::set<std::vector<int>> seen;
   std::size_t repeated = 0;
-  for (std::vector<int> face : mesh.faces) {
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    if (!seen.insert(std::move(face)).second) ++repeated;
-  }
+  for (const std::vector<int>& face : mesh.faces)
+    if (!seen.insert(from_least_corner(face)).second) ++repeated;
   return repeated;
 }
 
@@ -197,6 +195,11 @@ void check_closed(const Mesh& mesh, double step) {
 }
 
 }  // namespace
+
+std::vector<int> from_least_corner(std::vector<int> face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
 
 Wide3 area_vector(const Mesh& mesh, const std::vector<int>& face) {
   Wide3 sum;
@@ -256,7 +259,10 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
   }
   orient(mesh, step, notes);
   check_closed(mesh, step);
-  if (six_volumes(mesh).sign() <= 0) throw Error(ErrorCode::kGeometry, "the mesh encloses no volume");
+  if (six_volumes(mesh).sign() <= 0)
+    throw Error(ErrorCode::kGeometry, how.asked()
+                                          ? "the mesh encloses no volume after its repair; a smaller width may help"
+                                          : "the mesh encloses no volume");
   return notes;
 }
 

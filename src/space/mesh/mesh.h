@@ -28,6 +28,9 @@ void each_edge(const std::vector<int>& face, Visit visit) {
   for (std::size_t i = 0; i < face.size(); ++i) visit(face[i], face[(i + 1) % face.size()]);
 }
 
+/// The circuit of a face from its least corner on: the same for faces that stand twice.
+std::vector<int> from_least_corner(std::vector<int> face);
+
 /// Cleans the mesh in place and says what was done. Throws Error(kGeometry). `step`: size of a grid step in messages.
 /// A surface that is not closed then is repaired as `how` allows, and refused if that does not close it.
 std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how = {});

@@ -29,27 +29,24 @@ int128 inner_product(const exact::Grid3& a, const exact::Grid3& b) {
 int128 squared_distance(const Point& p, const Point& q) { return inner_product(p - q, p - q); }
 int128 squared(std::int64_t length) { return int128(length) * length; }
 
-/// Edges with an odd number of faces, each with one of them.
-std::map<MeshEdge, int> odd_edges(const Mesh& mesh) {
-  std::map<MeshEdge, int> odd;
+/// Edges with an odd number of faces.
+std::set<MeshEdge> odd_edges(const Mesh& mesh) {
+  std::set<MeshEdge> odd;
   MeshEdges(mesh).each([&](const MeshEdge& edge, std::span<const MeshEdges::Use> uses) {
-    if (uses.size() % 2 == 1) odd[edge] = uses[0].face;
+    if (uses.size() % 2 == 1) odd.insert(edge);
   });
   return odd;
 }
 
-std::vector<int> ends_of(const std::map<MeshEdge, int>& edges) {
+std::vector<int> ends_of(const std::set<MeshEdge>& edges) {
   std::set<int> ends;
-  for (const auto& [edge, face] : edges) ends.insert({edge.first, edge.second});
+  for (const auto& [from, to] : edges) ends.insert({from, to});
   return {ends.begin(), ends.end()};
 }
 
 void drop_repeated_faces(Mesh& mesh, std::vector<std::string>& notes) {
   std::set<std::vector<int>> seen;
-  const auto repeats = [&](std::vector<int> face) {
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    return !seen.insert(std::move(face)).second;
-  };
+  const auto repeats = [&](const std::vector<int>& face) { return !seen.insert(from_least_corner(face)).second; };
   if (const std::size_t n = std::erase_if(mesh.faces, repeats); n > 0)
     notes.push_back(fmt::format("{} that stood twice {} dropped", n == 1 ? "1 face" : fmt::format("{} faces", n),
                                 n == 1 ? "was" : "were"));
@@ -188,7 +185,7 @@ class LeadOver {
 
   const Mesh& mesh_;
   std::int64_t width_;
-  std::map<MeshEdge, int> odd_;
+  std::set<MeshEdge> odd_;
   VertexOrders orders_;
   std::vector<std::vector<int>> faces_;
   std::size_t vertices_ = 0;
