@@ -27,6 +27,7 @@ TYPES = [
     (r"\bList\[", "list["), (r"\bDict\[", "dict["), (r"\bTuple\[", "tuple["),
     (r"Optional\[((?:[^\[\]]|\[(?:[^\[\]]|\[[^\]]*\])*\])*)\]", r"\1 | None"),
     (r"\bsequence\b", "Sequence[Any]"),
+    (r"(Callable\[\[[^\]]*\], None\]) = None", r"\1 | None = None"),
     (r"= <[^>]*>", "= ..."), (r"= Formula\('true'\)", "= ..."),
     (r"(?<=: )object\b", "Any"), (r"(?<=-> )object\b", "Any"),
 ]
@@ -57,6 +58,15 @@ def typed(text, argument):
     return re.sub(r"(?<!self: )\bFormula\b", "Formula | str", text)
 
 
+def with_words(arguments):
+    """**kwargs are the words of Options."""
+    if not arguments.endswith(", **kwargs"):
+        return arguments
+    from findspace import Options
+    words = re.search(r"\*, .*", signatures("__init__", Options.__init__.__doc__)[0][0])[0]
+    return arguments.removesuffix("**kwargs") + words
+
+
 def signatures(name, doc):
     """The signatures in a docstring of pybind11, one for each overload."""
     found = []
@@ -73,7 +83,7 @@ def function(name, doc, indent, result_of=None):
     for arguments, result in found:
         if len(found) > 1:
             out.append(f"{indent}@overload")
-        arguments = re.sub(r"^self: [A-Za-z]+", "self", arguments)
+        arguments = re.sub(r"^self: [A-Za-z]+", "self", with_words(arguments))
         out.append(f"{indent}def {name}({arguments}) -> {RESULTS.get(result_of, result)}: ...")
     return out
 
@@ -92,6 +102,8 @@ def methods(cls):
     for name, value in sorted(vars(cls).items()):
         if isinstance(value, property):
             out += ["    @property", f"    def {name}(self) -> {result_of_property(cls, name, value)}: ..."]
+            if value.fset:
+                out += [f"    @{name}.setter", f"    def {name}(self, value: Any) -> None: ..."]
         elif isinstance(value, staticmethod):
             for line in function(name, value.__func__.__doc__, "    "):
                 out += ["    @staticmethod", line]

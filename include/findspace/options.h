@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How much a question may cost, and who hears of it: one object for all questions of a World (World::with). A question
-// that meets a limit ends with `Stopped`, which says which limit it was: an exact answer is whole or not at all. The
-// world can be asked again. Limits are looked at between tasks, so a question may go on for a moment. Keywords:
-// timeout, cancellation token, progress.
+// How much a question may cost, and who hears of it: one object for all questions of a World (World::with), for
+// placements, packings and samples. A question that meets a limit ends with `Stopped`, which says which limit it was:
+// an exact answer is whole or not at all. The world can be asked again. A search gives the best that it found by then.
+// Limits are looked at between tasks, so a question may go on for a moment. Keywords: timeout, cancellation token,
+// progress, seed.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -51,6 +53,9 @@ struct Options {
   /// Of questions about many positions: which part of them is answered, from 0 to 1. Called from one thread at a time.
   std::function<void(double)> progress{};
   Cancel cancel{};
+  /// Of what is random, packings and samples: the same seed brings the same result.
+  std::uint64_t seed = 1;
+  double work = 0;  // of packings, in million pairs of parts looked at; 0: no limit
 };
 
 /// What a question met.

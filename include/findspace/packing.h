@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -192,28 +191,17 @@ struct PackLayout {
   double density = 0;
   /// On sheets, where something is left.
   std::optional<PackRemnant> remnant = {};
-};
-
-/// How long a search goes on, and who hears of it.
-struct PackOptions {
-  /// Of searches side by side.
-  unsigned threads = 1;
-  /// Ends after this time, or where no better layout comes for long if both limits are 0.
-  double seconds = 10;
-  /// Ends after so many million pairs of parts looked at; the same result for the same seed and threads. 0: no limit.
-  double work = 0;
-  /// Another search.
-  std::uint64_t seed = 1;
-  /// Hears of each better layout at once.
-  std::function<void(const PackLayout&)> better = {};
-  /// Ends the search; the best layout so far is the result.
-  Cancel cancel = {};
+  /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
+  std::optional<Limit> met = {};
 };
 
 /// The best layout found. Nothing where no part is wanted, none fits a sheet, or no layout was found in which all
-/// conditions hold. Error where a part is not a simple polygon, is higher than the strip, a name is unknown, or the
-/// fixed parts overlap.
-std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options = {});
+/// conditions hold. Of the options: searches side by side on all threads; the search ends after its seconds or its
+/// work, and without both where no better layout comes for long. With a limit of work alone the result depends on the
+/// seed and the number of threads only. `better` hears of each better layout at once; what it throws ends the search.
+/// Error where a part is not a simple polygon, is higher than the strip, a name is unknown, or the fixed parts overlap.
+std::optional<PackLayout> pack(const PackProblem& problem, const Options& options = {.seconds = 10},
+                               const std::function<void(const PackLayout&)>& better = {});
 
 /// What is wrong with a layout, a sentence each; nothing where it is feasible, by exact signs.
 std::vector<std::string> layout_faults(const PackProblem& problem, const PackLayout& layout);

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "findspace/number.h"
+#include "findspace/options.h"
 
 namespace findspace {
 
@@ -136,9 +137,9 @@ class Region {
   };
   /// Nothing of the empty set.
   std::optional<Nearest> nearest(const Position& to) const;
-  /// Points of the inside, evenly spread by a seed; fewer than `count` never. Error(kUnsupported) where the region has
-  /// no area, or an unbounded one.
-  std::vector<Position> sample(std::size_t count, std::uint64_t seed = 0) const;
+  /// Points of the inside, evenly spread by the options' seed; fewer than `count` never. Error(kUnsupported) where the
+  /// region has no area, or an unbounded one; Stopped at a limit.
+  std::vector<Position> sample(std::size_t count, const Options& options = {}) const;
 
   /// Plain operations of point sets; of regions of one grid. Error(kBadValue) otherwise.
   friend Region operator|(const Region& a, const Region& b);
@@ -188,6 +189,8 @@ class SignMap {
  public:
   /// -1, 0 or +1, exact; a distance that is undefined counts as +infinity.
   int sign(const Point& p) const;
+  /// Of each position; `out` is as long as `positions`.
+  void signs(std::span<const Position> positions, std::span<std::int8_t> out) const;
   /// The positions whose sign is one of those wanted.
   Region where(bool negative, bool zero, bool positive) const;
 

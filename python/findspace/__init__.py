@@ -9,18 +9,18 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Check, Component, Distance, DistanceValue,
-                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum,
+from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Cancel, Check, Component, Distance, DistanceValue,
+                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum, Options,
                          PackGroup, PackLayout, PackPart, PackProblem, PackRemnant, PackSheet, PackZone, Phi, PhiValue,
-                         PlacedPart, Placement, PoseMap, Query, Region, Ring, Shape, SpaceRegion, Stopped, Surface,
+                         PlacedPart, Placement, PoseMap, Query, Region, Ring, Shape, SignMap, SpaceRegion, Stopped, Surface,
                          World, clear, cover, covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff,
                          inside, keepout, margin, near, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _page, _plot, _shapely
 
-__all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Check", "Component", "Distance", "DistanceValue",
+__all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Cancel", "Check", "Component", "Distance", "DistanceValue",
            "Edge", "Error", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LineMap",
-           "Optimum", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackZone",
-           "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SpaceRegion", "Stopped",
+           "Optimum", "Options", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackZone",
+           "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SignMap", "SpaceRegion", "Stopped",
            "Surface", "World", "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "far", "gap",
            "group", "hausdorff", "inside", "keepout", "margin", "near", "overlaps", "pack", "place", "protrusion",
            "reach", "shape", "touches", "within"]

@@ -23,9 +23,10 @@ inline bool signalled() {
   return PyErr_CheckSignals() != 0;
 }
 
-/// work(), or the exception of the handler of a signal. What looks at a token of its own shares it.
+/// work(), or the exception of the handler of a signal.
 template <class Work>
-auto interruptible(const Work& work, const Cancel& cancel = {}) {
+auto interruptible(const Work& work) {
+  const Cancel cancel;
   constexpr std::chrono::milliseconds kBetweenLooks{20};
   bool interrupted = false;
   std::optional<decltype(work())> out;

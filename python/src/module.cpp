@@ -11,9 +11,11 @@
 
 #include "arrays.h"
 #include "findspace/findspace.h"
+#include "options.h"
 
 namespace findspace::python {
 
+void bind_options(py::module_& m);
 void bind_shapes(py::module_& m);
 void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
@@ -50,7 +52,7 @@ void bind_errors(py::module_& m) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Stopped& e) {
       const py::object raised = made(stopped, e);
-      raised.attr("limit") = e.limit() == Limit::kTime ? "time" : e.limit() == Limit::kMemory ? "memory" : "cancelled";
+      raised.attr("limit") = limit_name(e.limit());
       PyErr_SetObject(stopped.ptr(), raised.ptr());
     } catch (const Error& e) {
       PyErr_SetObject(error.ptr(), made(error, e).ptr());
@@ -66,6 +68,7 @@ PYBIND11_MODULE(_findspace, m) {
   using namespace findspace::python;
   m.doc() = "Exact maps of where a part can go (https://en.wikipedia.org/wiki/Configuration_space_(physics)).";
   bind_errors(m);
+  bind_options(m);
   bind_formulas(m);
   bind_shapes(m);
   bind_regions(m);

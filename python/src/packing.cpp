@@ -9,11 +9,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <exception>
 #include <tuple>
 
 #include "interruptible.h"
 #include "numbers.h"
+#include "options.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -218,7 +218,10 @@ void bind_layout(py::module_& m) {
           "Width and height, exactly, as text.");
   py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
       .def(pickled<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out, &PackLayout::sheets,
-                               &PackLayout::height, &PackLayout::density, &PackLayout::remnant))
+                               &PackLayout::height, &PackLayout::density, &PackLayout::remnant, &PackLayout::met))
+      .def_property_readonly(
+          "met", [](const PackLayout& l) { return limit_name(l.met); },
+          "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
       .def_property_readonly(
           "length", [](const PackLayout& l) { return l.length.text(); }, "Of the strip or box, exactly, as text.")
       .def_property_readonly(
@@ -241,22 +244,11 @@ void bind_layout(py::module_& m) {
           "What is wrong with it, exactly; an empty list where it is feasible.");
 }
 
-/// `better` hears of each better layout, and what it raises ends the search.
-std::optional<PackLayout> packed(const PackProblem& problem, PackOptions options, const py::object& better) {
-  std::exception_ptr raised;  // the interpreter's lock guards it
-  if (!better.is_none())
-    options.better = [&](const PackLayout& layout) {
-      const py::gil_scoped_acquire held;
-      try {
-        if (!raised) better(layout);
-      } catch (const py::error_already_set&) {
-        raised = std::current_exception();
-        options.cancel.request();
-      }
-    };
-  std::optional<PackLayout> found = interruptible([&] { return pack(problem, options); }, options.cancel);
-  if (raised) std::rethrow_exception(raised);
-  return found;
+/// 10 seconds where neither a time nor a work is said.
+Options search_options(const std::optional<Options>& options, const py::kwargs& words) {
+  Options asked = options_of(options, words);
+  if (!options && !words.contains("seconds") && !words.contains("work")) asked.seconds = 10;
+  return asked;
 }
 
 }  // namespace
@@ -266,30 +258,20 @@ void bind_packing(py::module_& m) {
   bind_layout(m);
   m.def(
       "pack",
-      [](const PackProblem& problem, double seconds, double work, std::uint64_t seed, unsigned threads,
-         const py::object& better) {
-        PackOptions options;
-        options.seconds = work > 0 && seconds < 0 ? 0 : seconds < 0 ? 10 : seconds;
-        options.work = work;
-        options.seed = seed;
-        options.threads = threads;
-        return packed(problem, options, better);
+      [](const PackProblem& problem, const std::optional<Options>& options,
+         const std::function<void(const PackLayout&)>& better, const py::kwargs& words) {
+        const Options asked = search_options(options, words);
+        return interruptible([&] { return pack(problem, asked, better); });
       },
-      py::arg("problem"), py::kw_only(), py::arg("seconds") = -1.0, py::arg("work") = 0.0, py::arg("seed") = 1,
-      py::arg("threads") = 1, py::arg("better") = py::none(),
+      py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
       R"doc(The best layout found, or None where there is nothing to pack. Ctrl-C ends the search.
 
 Parameters
 ----------
 problem : PackProblem
-seconds : float
-    10 unless said; without end by time where `work` is given.
-work : float
-    Millions of pairs of parts looked at: the same result for the same seed and threads. 0: no limit.
-seed : int
-    Another search.
-threads : int
-    Searches side by side.
+options : Options, optional
+    Or its words. The search ends after `seconds` or `work`; after 10 seconds where nothing is said. With `work` alone
+    the same `seed` and `threads` bring the same layout.
 better : callable, optional
     Called with each better layout at once. What it raises ends the search.
 

@@ -9,6 +9,7 @@
 #include "findspace/world.h"
 #include "interruptible.h"
 #include "numbers.h"
+#include "options.h"
 #include "pickles.h"
 #include "surfaces.h"
 
@@ -43,19 +44,6 @@ std::vector<std::string> names(const py::object& one_or_more) {
 }
 
 Body body(const py::object& value) { return py::isinstance<Body>(value) ? value.cast<Body>() : Body(names(value)); }
-
-struct PlaceOptions {
-  std::string unit;
-  unsigned threads;
-  double seconds;
-};
-
-Placement placed(const std::map<std::string, Shape>& shapes, const Demands& demands, const PlaceOptions& asked) {
-  Options options;
-  options.threads = asked.threads;
-  options.seconds = asked.seconds;
-  return interruptible([&] { return place(shapes, demands, {asked.unit}, options); });
-}
 
 void bind_motion(py::module_& m, py::class_<World>& world) {
   py::class_<Instants>(m, "Instants", "The instants of a motion at which a formula holds.")
@@ -343,16 +331,16 @@ void bind_placement(py::module_& m) {
       "place",
       [](const std::map<std::string, Shape>& shapes, const py::iterable& bodies, const std::optional<Formula>& each,
          const std::optional<Formula>& pairs, const std::vector<Formula>& constraints,
-         const std::vector<std::string>& minimize, bool together, const std::string& unit, int lines, unsigned threads,
-         double seconds) {
+         const std::vector<std::string>& minimize, bool together, const std::string& unit, int lines,
+         const std::optional<Options>& options, const py::kwargs& words) {
         Demands demands{{}, each, pairs, constraints, minimize, together, lines};
         for (const py::handle& b : bodies) demands.bodies.push_back(body(py::reinterpret_borrow<py::object>(b)));
-        return placed(shapes, demands, {unit, threads, seconds});
+        const Options asked = options_of(options, words);
+        return interruptible([&] { return place(shapes, demands, {unit}, asked); });
       },
       py::arg("shapes"), py::arg("bodies"), py::arg("each") = py::none(), py::arg("pairs") = py::none(),
       py::arg("constraints") = std::vector<Formula>(), py::arg("minimize") = std::vector<std::string>(),
-      py::arg("together") = false, py::arg("unit") = "", py::arg("lines") = 128, py::arg("threads") = 0,
-      py::arg("seconds") = 0.0,
+      py::arg("together") = false, py::arg("unit") = "", py::arg("lines") = 128, py::arg("options") = py::none(),
       R"doc(Several shapes put down, one after another or all at once.
 
 Parameters
@@ -371,8 +359,8 @@ together : bool
     All at once.
 lines : int
     Each way, where positions of space are taken on lines.
-seconds : float
-    A limit; what was found by then is given.
+options : Options, optional
+    Or its words. At a limit of time what was found by then is given.
 
 Examples
 --------

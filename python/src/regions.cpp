@@ -7,7 +7,9 @@
 #include "arrays.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "interruptible.h"
 #include "numbers.h"
+#include "options.h"
 
 namespace findspace::python {
 namespace {
@@ -196,8 +198,13 @@ void bind_questions(py::class_<Region>& region) {
           },
           py::arg("to"), "(position, distance, whether it belongs) of the nearest point of the closure, or None.")
       .def(
-          "sample", [](const Region& r, std::size_t n, std::uint64_t seed) { return array_of(r.sample(n, seed)); },
-          py::arg("count"), py::arg("seed") = 0, "Random points of the inside, shape (count, 2).")
+          "sample",
+          [](const Region& r, std::size_t n, const std::optional<Options>& options, const py::kwargs& words) {
+            const Options asked = options_of(options, words);
+            return array_of(interruptible([&] { return r.sample(n, asked); }));
+          },
+          py::arg("count"), py::arg("options") = py::none(),
+          "Random points of the inside, shape (count, 2): the same for the same `seed` of the options.")
       .def(
           "flattened",
           [](const Region& r, double bound, bool outside) {

@@ -8,6 +8,7 @@
 #include "findspace/world.h"
 #include "interruptible.h"
 #include "numbers.h"
+#include "options.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -54,6 +55,65 @@ py::object nearest(const Query& query, const py::sequence& from) {
   }
   const auto at = from.cast<Position>();
   return told(interruptible([&] { return query.nearest(at); }));
+}
+
+/// A sign map with what it was made of, which a pickle takes.
+struct SignMapOf {
+  World world;
+  std::string distance;
+  Number level;
+  SignMap signs;
+};
+
+SignMapOf sign_map(const World& world, const std::string& distance, const Number& level) {
+  return {world, distance, level, interruptible([&] { return world.sign_map(distance, level); })};
+}
+
+void bind_sign_map(py::module_& m) {
+  py::class_<SignMapOf>(m, "SignMap", R"doc(The sign of a distance minus a level at every position, exactly.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"A": fs.Shape.box((0, 0), (10, 10)), "B": fs.Shape.box((-1, -1), (1, 1))}, "B")
+>>> signs = world.sign_map("margin(B, A)", 2)
+>>> signs.sign((3, 5)), signs.sign(("2.999999", 5))
+(0, -1)
+>>> signs.signs([[5, 5], [3, 5], [2, 5]])
+array([ 1,  0, -1], dtype=int8)
+>>> signs.where(zero=True, positive=True).area
+16.0
+)doc")
+      .def(
+          "sign", [](const SignMapOf& s, const py::sequence& p) { return s.signs.sign(point(p)); }, py::arg("position"),
+          "-1, 0 or 1, exactly; a distance that is undefined counts as +infinity.")
+      .def(
+          "signs",
+          [](const SignMapOf& s, const Array& at) {
+            const std::span<const Position> all = positions(at);
+            py::array_t<std::int8_t> out{py::ssize_t(all.size())};
+            const std::span<std::int8_t> answers(out.mutable_data(), all.size());
+            interruptible([&] {
+              s.signs.signs(all, answers);
+              return true;
+            });
+            return out;
+          },
+          py::arg("positions"), "Of each position, shape (n, 2), its sign. Exact; all threads.")
+      .def(
+          "where",
+          [](const SignMapOf& s, bool negative, bool zero, bool positive) {
+            return s.signs.where(negative, zero, positive);
+          },
+          py::arg("negative") = false, py::arg("zero") = false, py::arg("positive") = false,
+          "The positions whose sign is one of those wanted, as a region.")
+      .def(py::pickle(
+          [](const SignMapOf& s) { return py::make_tuple(s.world, s.distance, s.level.text()); },
+          [](const py::tuple& t) { return sign_map(t[0].cast<World>(), t[1].cast<std::string>(), number(t[2])); }))
+      .def_readonly("distance", &SignMapOf::distance, "What was asked.")
+      .def_property_readonly(
+          "level", [](const SignMapOf& s) { return s.level.text(); }, "What is taken from it, as text.")
+      .def("__repr__", [](const SignMapOf& s) { return "<SignMap " + s.distance + " - " + s.level.text() + ">"; });
 }
 
 void bind_values(py::module_& m) {
@@ -200,25 +260,6 @@ World with_motion(World world, const py::object& state) {
   return t[3].is_none() ? moving : moving.at_time(number(t[3]));
 }
 
-World limited(const World& w, unsigned threads, double seconds, std::size_t memory, const py::object& progress) {
-  Options options;
-  options.threads = threads;
-  options.seconds = seconds;
-  options.memory = memory;
-  if (!progress.is_none()) {
-    // Worlds are copied where the interpreter's lock is not held.
-    const std::shared_ptr<const py::object> told(new py::object(progress), [](const py::object* o) {
-      const py::gil_scoped_acquire held;
-      delete o;
-    });
-    options.progress = [told](double part) {
-      const py::gil_scoped_acquire held;
-      (*told)(part);
-    };
-  }
-  return w.with(options);
-}
-
 void bind_changes(py::class_<World>& world) {
   world
       .def("set", &World::set, py::arg("name"), py::arg("shape"), py::call_guard<py::gil_scoped_release>(),
@@ -233,25 +274,30 @@ void bind_changes(py::class_<World>& world) {
               w.move(name, point(by));
           },
           py::arg("name"), py::arg("by"), "A shape elsewhere.")
-      .def("limited", &limited, py::arg("threads") = 0, py::arg("seconds") = 0.0, py::arg("memory") = 0,
-           py::arg("progress") = py::none(),
-           R"doc(The same world with limits for each question.
+      .def(
+          "limited",
+          [](const World& w, const std::optional<Options>& options, const py::kwargs& words) {
+            return w.with(options_of(options, words));
+          },
+          py::arg("options") = py::none(),
+          R"doc(The same world with limits for each question.
 
 Parameters
 ----------
-threads : int
-    0: one for each core.
-seconds : float
-    0: no limit.
-memory : int
-    Bytes that the process has in memory; 0: no limit.
-progress : callable, optional
-    Called with a part from 0 to 1, in questions about many positions.
+options : Options, optional
+    Or its words: threads, seconds, memory, progress, cancel, seed, work.
 
 Returns
 -------
 World
     Its questions raise `Stopped` at a limit.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"A": fs.Shape.box((0, 0), (1, 1)), "B": fs.Shape.disc((0, 0), 1)}, "B")
+>>> world.limited(seconds=5).options.seconds
+5.0
 )doc");
 }
 
@@ -265,6 +311,17 @@ void bind_questions(py::class_<World>& world) {
           },
           py::arg("formula"),
           "{p : the formula holds at p}, exactly: a Region, in space a SpaceRegion where it has one of its forms.")
+      .def(
+          "sign_map",
+          [](const World& w, const Distance& d, const py::object& level) {
+            return sign_map(w, d.text(), number(level));
+          },
+          py::arg("distance"), py::arg("level") = 0)
+      .def(
+          "sign_map",
+          [](const World& w, const std::string& d, const py::object& level) { return sign_map(w, d, number(level)); },
+          py::arg("distance"), py::arg("level") = 0,
+          "The sign of a distance minus a level at every position of the plane.")
       .def(
           "angles",
           [](const World& w, const Formula& f, const py::sequence& p, const py::sequence& about) {
@@ -337,6 +394,7 @@ void bind_plans(py::module_& m, py::class_<World>& world);
 void bind_worlds(py::module_& m) {
   bind_values(m);
   bind_query(m);
+  bind_sign_map(m);
   py::class_<World> world(m, "World", R"doc(Named shapes, one of which moves by a translation p.
 
 Parameters
@@ -370,7 +428,8 @@ Examples
       .def_property_readonly("moving", &World::moving, "The name of the shape that moves, or of the first of several.")
       .def_property_readonly("moving_together", &World::moving_together, "The names of all that move.")
       .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
-      .def_property_readonly("dimension", &World::dimension, "2 or 3.");
+      .def_property_readonly("dimension", &World::dimension, "2 or 3.")
+      .def_property_readonly("options", &World::options, "The limits of its questions.");
   bind_changes(world);
   bind_questions(world);
   bind_plans(m, world);

@@ -200,6 +200,51 @@ def test_limits_and_progress(world):
         world.limited(progress=fail).query("gap(peg, plate)").values(np.zeros((1000, 2)))
 
 
+def test_a_token_ends_questions(world):
+    token = fs.Cancel()
+    limited = world.limited(cancel=token)
+    timer = threading.Timer(0.2, token.request)
+    timer.start()
+    begun = time.monotonic()
+    with pytest.raises(fs.Stopped) as caught:
+        limited.query("gap(peg, plate)").values(np.random.default_rng(2).random((2_000_000, 2)) * 100)
+    assert caught.value.limit == "cancelled" and time.monotonic() - begun < 5 and token.requested
+    with pytest.raises(fs.Stopped):
+        fs.place(world.shapes, ["peg"], cancel=token)
+    square = fs.PackPart("square", [(0, 0), (1, 0), (1, 1), (0, 1)], count=9)
+    assert fs.pack(fs.PackProblem([square], height=4), seconds=60, cancel=token).met == "cancelled"
+    token.reset()
+    assert limited.holds("clear(peg, plate)", (90, 50))
+
+
+def test_options(world):
+    options = fs.Options(threads=1, seconds=5, progress=print, seed=7)
+    again = pickle.loads(pickle.dumps(options))
+    assert (again.threads, again.seconds, again.seed, again.progress) == (1, 5, 7, print)
+    assert world.limited(options).options.seconds == 5 and world.options.seconds == 0
+    with pytest.raises(TypeError):
+        world.limited(options, seconds=3)
+    with pytest.raises(TypeError):
+        world.limited(hours=3)
+    ring = (fs.Shape.disc((0, 0), 2) - fs.Shape.disc((0, 0), 1)).region
+    assert (ring.sample(50, options) == ring.sample(50, seed=7)).all()
+    assert (ring.sample(50) != ring.sample(50, seed=7)).any() and ring.contains(ring.sample(50)).all()
+
+
+def test_sign_maps(world):
+    signs = world.sign_map(fs.gap("peg", "plate"), "0.5")
+    at = np.random.default_rng(3).random((2000, 2)) * 100
+    found = signs.signs(at)
+    assert found.dtype == np.int8 and set(found) == {-1, 1}
+    assert ((found >= 0) == world.query("gap(peg, plate) >= 0.5").holds(at)).all()
+    assert signs.where(zero=True, positive=True) == world.solve("gap(peg, plate) >= 0.5")
+    assert signs.where(zero=True).contains([[81.5, 30]])[0] and signs.sign(("81.5", 30)) == 0
+    again = pickle.loads(pickle.dumps(signs))
+    assert (again.signs(at) == found).all() and (again.distance, again.level) == (signs.distance, "0.5")
+    with pytest.raises(fs.Error):
+        world.sign_map("x", 2)
+
+
 def test_ctrl_c_ends_a_question(world):
     at = np.random.default_rng(2).random((2_000_000, 2)) * 100
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))

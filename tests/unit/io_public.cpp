@@ -51,6 +51,11 @@ TEST(Public, SignMapOfAMargin) {
   EXPECT_EQ(map.sign({3, 5}), 0);
   EXPECT_EQ(map.sign({2, 5}), -1);
   EXPECT_DOUBLE_EQ(*world.distance("margin(B, A)", {3, 5}).value, 2);
+  const std::vector<Position> all{{5, 5}, {3, 5}, {2, 5}, {7, 7}};
+  std::vector<std::int8_t> signs(4);
+  map.signs(all, signs);
+  EXPECT_EQ(signs, (std::vector<std::int8_t>{1, 0, -1, 0}));
+  EXPECT_THROW(map.signs(all, std::span(signs).first(2)), Error);
   EXPECT_THROW(world.sign_map("x", 2), Error);
   EXPECT_THROW(world.sign_map("gamma1(B, A)", "2 mm"), Error);
 }

@@ -28,7 +28,7 @@ PackProblem dots_and_block() {
 TEST(PublicPacking, AGreatestDistance) {
   PackProblem problem = dots_and_block();
   problem.conditions = {{"a", "b", "gap(self, other) <= 0.5"}};
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->length.text(), "5");
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
@@ -41,7 +41,7 @@ TEST(PublicPacking, AGreatestDistance) {
 TEST(PublicPacking, AFormulaOfAllPairsAndAGroup) {
   PackProblem problem = dots_and_block();
   problem.where = "reach(self, other) <= 6";
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->length.text(), "5");
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
@@ -53,9 +53,27 @@ TEST(PublicPacking, AFormulaOfAllPairsAndAGroup) {
   problem.groups = {{{"a", "b"}}};
   EXPECT_THROW(layout_faults(problem, *layout), Error);  // a strip needs a distance
   problem.groups[0].within = 0;
-  EXPECT_EQ(pack(problem, {.seconds = 0, .work = 2})->length.text(), "5");
+  EXPECT_EQ(pack(problem, {.threads = 1, .work = 2})->length.text(), "5");
   problem.groups[0].parts[1] = "nobody";
   EXPECT_THROW(layout_faults(problem, *layout), Error);
+}
+
+TEST(PublicPacking, SaysWhatLimitItMet) {
+  const PackProblem problem = dots_and_block();
+  EXPECT_FALSE(pack(problem, {.threads = 1, .work = 1})->met.has_value());
+  EXPECT_EQ(pack(problem, {.threads = 1, .seconds = 0.05})->met, Limit::kTime);
+  EXPECT_EQ(pack(problem, {.threads = 1, .seconds = 60, .memory = 1})->met, Limit::kMemory);
+  Options options{.seconds = 60};
+  int told = 0;
+  const auto best = pack(problem, options, [&](const PackLayout& layout) {
+    EXPECT_EQ(layout.items.size(), 3u);
+    ++told;
+    options.cancel.request();
+  });
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(best->met, Limit::kCancelled);
+  options.cancel.reset();
+  EXPECT_THROW(pack(problem, options, [](const PackLayout&) { throw Error(ErrorCode::kUsage, "enough"); }), Error);
 }
 
 TEST(PublicPacking, AGroupLiesOnOneSheet) {
@@ -69,7 +87,7 @@ TEST(PublicPacking, AGroupLiesOnOneSheet) {
   apart.items = {{.part = "a"}, {.part = "b", .sheet = 1}};
   apart.left_out = {{"c", 1, ""}};
   ASSERT_EQ(layout_faults(problem, apart).size(), 1u);
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->items.size(), 3u);
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
@@ -85,14 +103,14 @@ TEST(PublicPacking, JsonIsReadInItsWords) {
   ASSERT_EQ(problem.groups.size(), 1u);
   EXPECT_EQ(problem.groups[0].within->text(), "2.5");
   EXPECT_EQ(problem.parts[0].rings[0][2].y.text(), "1.5");
-  EXPECT_TRUE(pack(problem, {.seconds = 0, .work = 1}).has_value());
+  EXPECT_TRUE(pack(problem, {.threads = 1, .work = 1}).has_value());
 }
 
 TEST(PublicPacking, ShapesWithArcs) {
   PackProblem problem;
   problem.height = 8;
   problem.parts = {PackPart::of("disc", Shape::disc({0, 0}, 2), 6)};
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->length.text(), "12");
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
@@ -111,7 +129,7 @@ TEST(PublicPacking, ShapesOfAllKinds) {
   problem.parts = {PackPart::of("plate", plate), PackPart::of("peg", Shape::disc({0, 0}, 2)),
                    PackPart::of("tile", Shape::box({0, 0}, {2, 6}, {"0.25"}))};
   problem.parts[0].angles = {0, 45};
-  const auto layout = pack(problem, {.seconds = 0, .work = 4});
+  const auto layout = pack(problem, {.threads = 1, .work = 4});
   ASSERT_TRUE(layout.has_value());
   EXPECT_EQ(layout->length.text(), "8");  // the peg in the plate
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
@@ -119,7 +137,7 @@ TEST(PublicPacking, ShapesOfAllKinds) {
   EXPECT_THROW(layout_faults(problem, *layout), Error);  // rings and a shape
   const auto refused = [&](Shape shape) {
     problem.parts = {PackPart::of("bad", std::move(shape))};
-    EXPECT_THROW(pack(problem, {.seconds = 0, .work = 1}), Error);
+    EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);
   };
   refused(Shape::polyline({{0, 0}, {3, 3}}));
   refused(Shape::unite({Shape::box({0, 0}, {1, 1}), Shape::polyline({{0, 0}, {3, 3}})}));
@@ -136,7 +154,7 @@ TEST(PublicPacking, ShapesOfJson) {
               {"id": "plain", "demand": 1, "shape": {"polygon": [[0, 0], [4, 0], [4, 1.25]]}}]})");
   ASSERT_EQ(problem.parts.size(), 3u);
   ASSERT_TRUE(problem.parts[0].shape.has_value());
-  const auto layout = pack(problem, {.seconds = 0, .work = 4});
+  const auto layout = pack(problem, {.threads = 1, .work = 4});
   ASSERT_TRUE(layout.has_value());
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
   try {
@@ -151,7 +169,7 @@ TEST(PublicPacking, WhatTheLastSheetHasLeft) {
   PackProblem problem;
   problem.sheets = {PackSheet::rectangle("plate", 10, 6, 3)};
   problem.parts = {{"box", {box_ring(0, 0, 4, 5)}, 3}};
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value() && layout->remnant.has_value());
   EXPECT_EQ(layout->remnant->sheet, 1u);
   EXPECT_EQ(layout->remnant->width.text(), "6");
@@ -162,25 +180,25 @@ TEST(PublicPacking, WhatTheLastSheetHasLeft) {
 TEST(PublicPacking, AFixedPartStandsAtItsAngle) {
   PackProblem problem = dots_and_block();
   problem.fixed = {{.part = "a", .x = 6, .y = 1, .angle = 45}};
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   EXPECT_NEAR(std::stod(layout->length.text()), 6 + std::sqrt(0.5), 1e-5);  // not on the grid of whole numbers
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
   problem.fixed[0].y = 3;
-  EXPECT_THROW(pack(problem, {.seconds = 0, .work = 1}), Error);  // it reaches beyond the strip
+  EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);  // it reaches beyond the strip
 }
 
 TEST(PublicPacking, AZoneHoldsOrKeepsOut) {
   PackProblem problem = dots_and_block();
   problem.sheets = {PackSheet::rectangle("plate", 9, 4)};
   problem.sheets[0].zones = {{{box_ring(5, 0, 9, 4)}, {}, {"block"}}};
-  const auto layout = pack(problem, {.seconds = 0, .work = 2});
+  const auto layout = pack(problem, {.threads = 1, .work = 2});
   ASSERT_TRUE(layout.has_value());
   ASSERT_EQ(layout->items.size(), 3u);
   EXPECT_TRUE(layout_faults(problem, *layout).empty());
   EXPECT_EQ(layout->length.text(), "9");  // the block lies in the zone
   problem.sheets[0].zones[0].keeps_out = {"a"};
-  EXPECT_THROW(pack(problem, {.seconds = 0, .work = 1}), Error);
+  EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);
 }
 
 }  // namespace io_public_packing

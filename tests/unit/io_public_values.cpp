@@ -187,14 +187,18 @@ TEST(PublicRegion, NearestAndSamples) {
   EXPECT_TRUE(open.closure().nearest(Position{7, 8})->attained);
   EXPECT_EQ(open.nearest(Position{1, 1})->distance, 0);
   const Region ring = Shape::subtract({Shape::disc({0, 0}, 2), Shape::disc({0, 0}, 1)}).region();
-  const std::vector<Position> drawn = ring.sample(2000, 7);
+  const std::vector<Position> drawn = ring.sample(2000, {.seed = 7});
   double right = 0;
   for (const Position& p : drawn) {
     EXPECT_TRUE(ring.contains(p));
     right += p[0] > 0;
   }
   EXPECT_NEAR(right, 1000, 120);
-  EXPECT_EQ(drawn, ring.sample(2000, 7));
+  EXPECT_EQ(drawn, ring.sample(2000, {.seed = 7}));
+  EXPECT_NE(drawn, ring.sample(2000));
+  Options options;
+  options.cancel.request();
+  EXPECT_THROW(ring.sample(1, options), Stopped);
 }
 
 TEST(PublicRegion, FlatteningStaysOnItsSide) {

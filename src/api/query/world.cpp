@@ -220,7 +220,7 @@ SignMap World::sign_map(std::string_view distance, const Number& level) const {
     plane::SignMap map =
         formula::position_function(solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);
     if (wanted.negated) map = plane::remark(std::move(map), [](plane::Mark m) { return plane::Mark(-m); });
-    return SignMap(std::make_shared<const SignMap::Data>(SignMap::Data{std::move(map), data_->grid, data_->unit()}));
+    return SignMap(std::make_shared<const SignMap::Data>(std::move(map), data_->grid, data_->unit()));
   });
 }
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "api/query/limits.h"
+#include "api/values/limits.h"
 #include "api/values/shape_data.h"
 #include "findspace/world.h"
 #include "formula/language/parse.h"

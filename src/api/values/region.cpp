@@ -11,7 +11,6 @@
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
-#include "plane/base/parallel.h"
 #include "plane/complex/overlay.h"
 #include "plane/offset/plain_sum.h"
 #include "plane/query/in_order.h"
@@ -44,22 +43,6 @@ Mark Marks::at(const Position& p) const {
   return plane::mark_of(complex_, plane::locate(complex_, exactly(p)));
 }
 
-void Marks::each(std::span<const Position> positions, bool (*is)(Mark), std::span<bool> out) const {
-  constexpr std::size_t kBlock = 8192;
-  plane::parallel_for((positions.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    std::optional<plane::Locator> locator;  // made where doubles leave a position of the block open
-    const std::size_t last = std::min(positions.size(), (block + 1) * kBlock);
-    for (std::size_t k = block * kBlock; k < last; ++k) {
-      std::optional<Mark> mark = quick(positions[k]);
-      if (!mark) {
-        if (!locator) locator.emplace(complex_);
-        mark = locator->mark(exactly(positions[k]));
-      }
-      out[k] = is(*mark);
-    }
-  });
-}
-
 }  // namespace api
 
 namespace {
@@ -69,6 +52,7 @@ exact::RealPoint steps(const Point& p, const plane::Grid& grid) {
 }
 
 bool belongs(Mark m) { return m > 0; }
+std::int8_t sign_of(Mark m) { return m; }
 
 void same_grid(const Region& a, const Region& b) {
   if (a.data().grid.step() != b.data().grid.step())
@@ -99,6 +83,11 @@ const plane::Summary& Region::Data::summary() const {
 
 const api::Marks& Region::Data::marks() const {
   std::call_once(located_, [&] { marks_.emplace(cells, grid); });
+  return *marks_;
+}
+
+const api::Marks& SignMap::Data::marks() const {
+  std::call_once(located_, [&] { marks_.emplace(map, grid); });
   return *marks_;
 }
 
@@ -176,6 +165,11 @@ bool operator==(const Region& a, const Region& b) {
 
 int SignMap::sign(const Point& p) const {
   return plane::mark_of(data_->map, plane::locate(data_->map, steps(p, data_->grid)));
+}
+
+void SignMap::signs(std::span<const Position> positions, std::span<std::int8_t> out) const {
+  if (out.size() != positions.size()) throw Error(ErrorCode::kBadValue, "as many answers as positions are given");
+  data_->marks().each(positions, sign_of, out);
 }
 
 Region SignMap::where(bool negative, bool zero, bool positive) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "findspace/region.h"
+#include "plane/base/parallel.h"
 #include "plane/contour/decimal_grid.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/locate.h"
@@ -34,8 +35,23 @@ class Marks {
       : complex_(complex), grid_(grid), buckets_(complex) {}
 
   plane::Mark at(const Position& p) const;
-  /// is(mark) of each, in parallel.
-  void each(std::span<const Position> positions, bool (*is)(plane::Mark), std::span<bool> out) const;
+  /// told(mark) of each, in parallel.
+  template <class Out>
+  void each(std::span<const Position> positions, Out (*told)(plane::Mark), std::span<Out> out) const {
+    constexpr std::size_t kBlock = 8192;
+    plane::parallel_for((positions.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+      std::optional<plane::Locator> locator;  // made where doubles leave a position of the block open
+      const std::size_t last = std::min(positions.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < last; ++k) {
+        std::optional<plane::Mark> mark = quick(positions[k]);
+        if (!mark) {
+          if (!locator) locator.emplace(complex_);
+          mark = locator->mark(exactly(positions[k]));
+        }
+        out[k] = told(*mark);
+      }
+    });
+  }
 
  private:
   std::optional<plane::Mark> quick(const Position& p) const;
@@ -88,6 +104,15 @@ struct SignMap::Data {
   plane::SignMap map;
   plane::Grid grid;
   std::string unit;
+
+  const api::Marks& marks() const;
+
+ private:
+  mutable std::once_flag located_{};
+  mutable std::optional<api::Marks> marks_{};
+
+ public:
+  Data(plane::SignMap m, plane::Grid g, std::string u) : map(std::move(m)), grid(std::move(g)), unit(std::move(u)) {}
 };
 
 }  // namespace findspace

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "api/values/limits.h"
 #include "api/values/region_data.h"
 #include "findspace/error.h"
 #include "plane/query/summary_connect.h"
@@ -145,28 +146,38 @@ std::vector<std::vector<Position>> Region::flattened(double bound, Towards side)
   return out;
 }
 
-std::vector<Position> Region::sample(std::size_t count, std::uint64_t seed) const {
-  if (!area() || !(*area() > 0))
-    throw Error(ErrorCode::kUnsupported, "points are drawn from bounded regions with an area");
+namespace {
+
+/// Points of an open region; the check of this thread is asked now and then.
+std::vector<Position> sampled(const Region& inside, std::size_t count, std::uint64_t seed) {
+  constexpr std::size_t kBetweenPolls = 256;
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (double(random() >> 11) / double(std::uint64_t(1) << 53));
   };
-  const Region inside = interior();
-  const std::vector<Component>& parts = inside.components();
+  const std::vector<Region::Component>& parts = inside.components();
   std::vector<double> up_to;  // the area of the parts so far
-  for (const Component& c : parts) up_to.push_back((up_to.empty() ? 0 : up_to.back()) + *c.area);
+  for (const Region::Component& c : parts) up_to.push_back((up_to.empty() ? 0 : up_to.back()) + *c.area);
   std::vector<Position> out;
-  while (out.size() < count) {
+  for (std::size_t tried = 0; out.size() < count;) {
     const auto part = std::upper_bound(up_to.begin(), up_to.end() - 1, uniform(0, up_to.back())) - up_to.begin();
     const Bounds& box = *parts[std::size_t(part)].bounds;
-    for (bool found = false; !found;) {
+    for (bool found = false; !found; ++tried) {
+      if (tried % kBetweenPolls == 0) plane::stop_check()->poll();
       const Position p{uniform(box.low[0], box.high[0]), uniform(box.low[1], box.high[1])};
       found = inside.contains(p);
       if (found) out.push_back(p);
     }
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<Position> Region::sample(std::size_t count, const Options& options) const {
+  if (!area() || !(*area() > 0))
+    throw Error(ErrorCode::kUnsupported, "points are drawn from bounded regions with an area");
+  return api::limited(options, [&] { return sampled(interior(), count, options.seed); });
 }
 
 }  // namespace findspace

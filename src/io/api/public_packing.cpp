@@ -7,9 +7,9 @@
 #include <findspace/packing.h>
 
 #include <algorithm>
-#include <atomic>
 
 #include "api/values/region_data.h"
+#include "io/api/public_search.h"
 #include "io/nesting/fault_text.h"
 #include "io/nesting/read_nesting.h"
 #include "io/nesting/unscaled_problem.h"
@@ -205,22 +205,13 @@ PackPart PackPart::of(std::string name, Shape shape, int count) {
   return result;
 }
 
-std::optional<PackLayout> pack(const PackProblem& problem, const PackOptions& options) {
+std::optional<PackLayout> pack(const PackProblem& problem, const Options& options,
+                               const std::function<void(const PackLayout&)>& better) {
   const packing::Problem inner = on_grid(problem);
-  packing::SearchOptions search;
-  search.seed = options.seed;
-  search.threads = std::max(1u, options.threads);
-  search.seconds = options.seconds;
-  search.work = options.work * 1000000;
-  std::atomic<bool> stop = false;
-  packing::SearchEvents events;
-  events.better = [&](const packing::Layout& layout, const packing::SearchState&) {
-    if (options.better) options.better(public_layout(inner, layout));
-    stop = stop || options.cancel.requested();
-  };
-  events.progress = [&](const packing::SearchState&) { stop = stop || options.cancel.requested(); };
-  const auto best = (inner.box ? packing::search_box : packing::search_strip)(inner, search, events, stop);
-  return best ? std::optional(public_layout(inner, *best)) : std::nullopt;
+  const auto search = inner.box ? packing::search_box : packing::search_strip;
+  const auto shown = [&](const packing::Layout& layout) { return public_layout(inner, layout); };
+  return io::searched<packing::Layout, PackLayout>(options, better, shown,
+                                                   [&](const auto&... how) { return search(inner, how...); });
 }
 
 std::vector<std::string> layout_faults(const PackProblem& problem, const PackLayout& layout) {

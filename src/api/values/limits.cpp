@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "api/query/limits.h"
+#include "api/values/limits.h"
 
 #include <unistd.h>
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "options.h"
+
+#include <memory>
+
+#include "pickles.h"
+
+namespace findspace::python {
+namespace {
+
+/// A function of Python that is told of progress. Options are copied where the interpreter's lock is not held.
+class Told {
+ public:
+  explicit Told(const py::object& function)
+      : function_(new py::object(function), [](const py::object* o) {
+          const py::gil_scoped_acquire held;
+          delete o;
+        }) {}
+
+  void operator()(double part) const {
+    const py::gil_scoped_acquire held;
+    (*function_)(part);
+  }
+  const py::object& function() const { return *function_; }
+
+ private:
+  std::shared_ptr<const py::object> function_;
+};
+
+std::function<void(double)> progress_of(const py::object& function) {
+  return function.is_none() ? std::function<void(double)>() : Told(function);
+}
+
+py::object function_of(const Options& o) {
+  const Told* told = o.progress.target<Told>();
+  return told == nullptr ? py::none() : told->function();
+}
+
+Options options_made(unsigned threads, double seconds, std::size_t memory, const py::object& progress,
+                     const std::optional<Cancel>& cancel, std::uint64_t seed, double work) {
+  return {threads, seconds, memory, progress_of(progress), cancel.value_or(Cancel()), seed, work};
+}
+
+void bind_cancel(py::module_& m) {
+  py::class_<Cancel>(m, "Cancel",
+                     R"doc(A token that ends the questions that have it, from any thread. A pickle brings another token.
+
+Examples
+--------
+>>> import findspace as fs
+>>> token = fs.Cancel()
+>>> world = fs.World({"A": fs.Shape.box((0, 0), (1, 1)), "B": fs.Shape.disc((0, 0), 1)}, "B").limited(cancel=token)
+>>> token.request()
+>>> try:
+...     world.solve("clear(B, A)")
+... except fs.Stopped as stopped:
+...     print(stopped.limit)
+cancelled
+>>> token.reset()
+>>> world.solve("clear(B, A)").bounded
+False
+)doc")
+      .def(py::init<>())
+      .def(py::pickle([](const Cancel& c) { return py::make_tuple(c.requested()); },
+                      [](const py::tuple& t) {
+                        const Cancel made;
+                        if (t[0].cast<bool>()) made.request();
+                        return made;
+                      }))
+      .def("request", &Cancel::request, "Ends what has the token.")
+      .def("reset", &Cancel::reset, "Later questions run again.")
+      .def_property_readonly("requested", &Cancel::requested, "Whether it is requested.");
+}
+
+}  // namespace
+
+Options options_of(const std::optional<Options>& given, const py::kwargs& words) {
+  if (given && !words.empty()) throw py::type_error("either options or their words are given");
+  return given ? *given : py::type::of<Options>()(**words).cast<Options>();
+}
+
+void bind_options(py::module_& m) {
+  bind_cancel(m);
+  py::class_<Options>(m, "Options", R"doc(How much a question may cost, and who hears of it.
+
+Calls that take options take their words as well: ``world.limited(seconds=5)`` is
+``world.limited(fs.Options(seconds=5))``. A pickle leaves the token out.
+
+Parameters
+----------
+threads : int
+    0: one for each core.
+seconds : float
+    Of each question; 0: no limit.
+memory : int
+    Bytes that the process has in memory; 0: no limit.
+progress : callable, optional
+    Called with a part from 0 to 1, in questions about many positions.
+cancel : Cancel, optional
+    A token that ends the question.
+seed : int
+    Of what is random, packings and samples.
+work : float
+    Of packings, in million pairs of parts looked at; 0: no limit.
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.Options(seconds=5, seed=7)
+<Options threads=0 seconds=5.0 memory=0 seed=7 work=0.0>
+)doc")
+      .def(py::init(&options_made), py::kw_only(), py::arg("threads") = 0, py::arg("seconds") = 0.0,
+           py::arg("memory") = 0, py::arg("progress") = py::none(), py::arg("cancel") = py::none(), py::arg("seed") = 1,
+           py::arg("work") = 0.0)
+      .def_readwrite("threads", &Options::threads, "0: one for each core.")
+      .def_readwrite("seconds", &Options::seconds, "Of each question; 0: no limit.")
+      .def_readwrite("memory", &Options::memory, "Bytes that the process has in memory; 0: no limit.")
+      .def_property(
+          "progress", &function_of, [](Options& o, const py::object& f) { o.progress = progress_of(f); },
+          "Called with a part from 0 to 1, or None.")
+      .def_readwrite("cancel", &Options::cancel, "The token that ends the question.")
+      .def_readwrite("seed", &Options::seed, "Of what is random.")
+      .def_readwrite("work", &Options::work, "Of packings, in million pairs of parts looked at; 0: no limit.")
+      .def(py::pickle(
+          [](const Options& o) {
+            return py::make_tuple(o.threads, o.seconds, o.memory, function_of(o), o.seed, o.work);
+          },
+          [](const py::tuple& t) {
+            return options_made(t[0].cast<unsigned>(), t[1].cast<double>(), t[2].cast<std::size_t>(), t[3],
+                                std::nullopt, t[4].cast<std::uint64_t>(), t[5].cast<double>());
+          }))
+      .def("__repr__", [](const Options& o) {
+        return py::str("<Options threads={} seconds={} memory={} seed={} work={}>")
+            .format(o.threads, o.seconds, o.memory, o.seed, o.work);
+      });
+}
+
+}  // namespace findspace::python
