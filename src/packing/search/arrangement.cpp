@@ -28,6 +28,7 @@ Arrangement::Arrangement(const FieldTable& table, const Row& row, std::vector<Po
   near_.resize(n + 1);
   looks_.resize(n);
   if (table.has_ties()) find_ties();
+  find_sizes();
   reset_weights();
   set_length(length);
 }
@@ -40,8 +41,21 @@ void Arrangement::find_ties() {
   }
 }
 
+/// Obstacles are as large as the parts in the mean.
+void Arrangement::find_sizes() {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Variant& v = table_->variants()[poses_[i].variant];
+    lengths.push_back(std::sqrt((v.high.x - v.low.x) * (v.high.y - v.low.y)));
+  }
+  sizes_ = root_sizes(std::move(lengths));
+  sizes_.resize(poses_.size(), 1);
+}
+
 void Arrangement::reset_weights() {
-  weights_.assign(poses_.size() * poses_.size(), 1);
+  weights_.clear();
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    for (std::size_t j = 0; j < poses_.size(); ++j) weights_.push_back(least_weight(i, j));
   strip_weights_.assign(size(), 1);
 }
 
@@ -129,8 +143,9 @@ double Arrangement::loss() {
     sum += out;
     for (const std::uint32_t j : near(i, poses_[i])) {
       if (j < i) continue;
-      const double depth = table_->depth(poses_[i], poses_[j]);
-      if (depth <= shallow_) continue;
+      const double measured = table_->depth(poses_[i], poses_[j]);
+      if (measured <= shallow_) continue;
+      const double depth = measured * least_weight(i, j);
       overlaps_.push_back({std::uint32_t(i), j, depth});
       depths_[i] += depth;
       depths_[j] += depth;
@@ -148,7 +163,8 @@ void Arrangement::update_weights() {
     weights_[o.i * poses_.size() + o.j] = weight;
     weights_[o.j * poses_.size() + o.i] = weight;
   }
-  for (double& w : weights_) w = decayed_weight(w);
+  for (std::size_t i = 0, k = 0; i < poses_.size(); ++i)
+    for (std::size_t j = 0; j < poses_.size(); ++j, ++k) weights_[k] = decayed_weight(weights_[k], least_weight(i, j));
   for (std::size_t i = 0; i < size(); ++i)
     if (ranges_.excess(poses_[i].variant) > 0) strip_weights_[i] *= kMostGrowth;
 }

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Parts in a strip of a given length, perhaps overlapping: depths, weighted costs of positions, and the weights that
-// grow where an overlap persists. Cost of a position: the weighted sum of the depths. Where a part is longer than the
-// strip at its angle, the excess counts as an overlap with the strip. Obstacles of sheets are parts that never move.
-// Guarantee: none; it is a search's state. Keywords: guided local search, overlap minimisation.
+// grow where an overlap persists. Cost of a position: the weighted sum of the depths. Overlaps of large parts weigh
+// more. Where a part is longer than the strip at its angle, the excess counts as an overlap with the strip. Obstacles
+// of sheets are parts that never move. Guarantee: none; it is a search's state. Keywords: guided local search, overlap
+// minimisation.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +50,7 @@ class Arrangement {
   Exit exit(const Pose& pose, std::size_t j) const;
   double weight(std::size_t i, std::size_t j) const { return weights_[i * poses_.size() + j]; }
 
-  /// The sum of all depths; fills depth_of(i), the sum of those of an item.
+  /// The sum of all depths by their least weights; fills depth_of(i), the sum of those of an item.
   double loss();
   double depth_of(std::size_t i) const { return depths_[i]; }
   /// After loss(): weights of overlaps grow, by more the deeper they are; others decay.
@@ -77,6 +78,8 @@ class Arrangement {
   template <class Meet>
   void for_each_near(std::size_t i, const Pose& pose, const Meet& meet) const;
   void find_ties();
+  void find_sizes();
+  double least_weight(std::size_t i, std::size_t j) const { return sizes_[i] * sizes_[j]; }
 
   const FieldTable* table_;
   const Row* row_;
@@ -86,7 +89,7 @@ class Arrangement {
   double length_, shallow_, slack_;
   BoxList<2> boxes_;
   std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
-  std::vector<double> weights_, strip_weights_, depths_;
+  std::vector<double> sizes_, weights_, strip_weights_, depths_;
   std::vector<Overlap> overlaps_;
   mutable std::vector<std::uint32_t> near_;
   mutable std::vector<Look> looks_;

@@ -31,6 +31,7 @@ SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn& c
       boxes_(poses_.size()),
       depths_(poses_.size()) {
   if (table.has_ties()) find_ties();
+  find_sizes();
   reset_weights();
   set_length(height);
 }
@@ -60,9 +61,18 @@ double SolidArrangement::cost_of_ties(std::size_t i, const SolidPose& pose, doub
   return sum;
 }
 
+void SolidArrangement::find_sizes() {
+  std::vector<double> lengths;
+  for (const SolidPose& p : poses_) {
+    const Vector sides = table_.variants()[p.variant].high - table_.variants()[p.variant].low;
+    lengths.push_back(std::cbrt(sides.x * sides.y * sides.z));
+  }
+  sizes_ = root_sizes(std::move(lengths));
+}
+
 void SolidArrangement::reset_weights() {
   weights_.assign(size(), {});
-  row_.assign(size(), 1);
+  row_ = sizes_;
   row_of_ = size();
   height_weights_.assign(size(), 1);
 }
@@ -70,8 +80,8 @@ void SolidArrangement::reset_weights() {
 const std::vector<double>& SolidArrangement::weights_of(std::size_t i) const {
   if (row_of_ == i) return row_;
   if (row_of_ < size())
-    for (const auto& [j, weight] : weights_[row_of_]) row_[j] = 1;
-  for (const auto& [j, weight] : weights_[i]) row_[j] = weight;
+    for (const auto& [j, weight] : weights_[row_of_]) row_[j] = sizes_[j];
+  for (const auto& [j, weight] : weights_[i]) row_[j] = weight * sizes_[j];
   row_of_ = i;
   return row_;
 }
@@ -271,22 +281,23 @@ double SolidArrangement::loss() {
       looked_at_ += pair.overlaps.size();
       const double depth = pair.depth(sign * (poses_[i].at - poses_[j].at), shallow_);
       if (depth <= 0) return true;
-      overlaps_.push_back({std::uint32_t(i), std::uint32_t(j), depth});
-      depths_[i] += depth;
-      depths_[j] += depth;
-      sum += depth;
+      add_overlap(i, j, depth);
       return true;
     });
   for (std::size_t i = 0; i < tied_.size(); ++i)
     for (const std::uint32_t j : tied_[i]) {
       const double lacking = j < i ? lacks(i, poses_[i], j) : 0;
-      if (lacking <= 0) continue;
-      overlaps_.push_back({std::uint32_t(i), j, lacking});
-      depths_[i] += lacking;
-      depths_[j] += lacking;
-      sum += lacking;
+      if (lacking > 0) add_overlap(i, j, lacking);
     }
+  for (const Overlap& o : overlaps_) sum += o.depth;
   return sum;
+}
+
+void SolidArrangement::add_overlap(std::size_t i, std::size_t j, double depth) {
+  depth *= sizes_[i] * sizes_[j];
+  overlaps_.push_back({std::uint32_t(i), std::uint32_t(j), depth});
+  depths_[i] += depth;
+  depths_[j] += depth;
 }
 
 void SolidArrangement::update_weights() {
@@ -297,10 +308,10 @@ void SolidArrangement::update_weights() {
     grow_weight(o.j, o.i, grown_weight(o.depth / deepest));
   }
   for (auto& row : weights_) {
-    for (auto& [j, weight] : row) weight = decayed_weight(weight);
+    for (auto& [j, weight] : row) weight = decayed_weight(weight, 1);
     std::erase_if(row, [](const auto& entry) { return entry.second <= 1; });
   }
-  row_.assign(size(), 1);
+  row_ = sizes_;
   row_of_ = size();
   for (std::size_t i = 0; i < size(); ++i)
     if (ranges_.excess(poses_[i].variant) > 0) height_weights_[i] *= kMostGrowth;

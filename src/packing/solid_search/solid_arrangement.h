@@ -3,8 +3,8 @@
 //
 // Solids in a container of a given height, perhaps overlapping: depths, weighted costs of positions and of lines of
 // them, and the weights that grow where an overlap persists. Cost of a position: the weighted sum of the depths, and of
-// what conditions of pairs lack. Guarantee: none; it is a search's state. Keywords: guided local search, overlap
-// minimisation.
+// what conditions of pairs lack. Overlaps of large solids weigh more. Guarantee: none; it is a search's state.
+// Keywords: guided local search, overlap minimisation.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class SolidArrangement {
   };
   LinePlace best_on_line(std::size_t i, const SolidPose& pose, const Vector& way, double bound, bool from_end) const;
 
-  /// The sum of all depths; fills depth_of(i), the sum of those of an item.
+  /// The sum of all depths by their least weights; fills depth_of(i), the sum of those of an item.
   double loss();
   double depth_of(std::size_t i) const { return depths_[i]; }
   /// After loss(): weights of overlaps grow, by more the deeper they are; others decay.
@@ -87,6 +87,8 @@ class SolidArrangement {
                          const space::LineStretch& within_box) const;
   double cost_at(double t, double bound) const;
   void find_ties();
+  void find_sizes();
+  void add_overlap(std::size_t i, std::size_t j, double depth);
   /// What the conditions of item i lack at a pose, weighted.
   double cost_of_ties(std::size_t i, const SolidPose& pose, double bound) const;
   /// How far those with item j are from holding.
@@ -103,10 +105,10 @@ class SolidArrangement {
   PositionRanges<Vector> ranges_;
   double height_, shallow_, slack_;
   BoxList<3> boxes_;
-  /// Of pairs whose weight is not 1, by the first item.
+  /// Of pairs whose weight is not the least one, by the first item: how many times as large it is.
   std::vector<std::vector<std::pair<std::uint32_t, double>>> weights_;
-  std::vector<double> height_weights_, depths_;
-  mutable std::vector<double> row_;  // the weights of one item with all others
+  std::vector<double> sizes_, height_weights_, depths_;
+  mutable std::vector<double> row_;  // the weights of one item with all others, without its own size
   mutable std::size_t row_of_ = 0;
   std::vector<Overlap> overlaps_;
   std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
