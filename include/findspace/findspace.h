@@ -12,7 +12,7 @@
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
-//   packing.h   many parts on a strip or on sheets
+//   packing.h   many parts on a strip or on sheets; solid_packing.h: solids upon a floor or in containers
 //   space_region.h, surface.h   exact sets of space, and surfaces
 //   phi.h       Phi-functions with gradients
 //   error.h     what is thrown for bad input
@@ -30,6 +30,7 @@
 #include "findspace/placement.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "findspace/solid_packing.h"
 #include "findspace/space_region.h"
 #include "findspace/surface.h"
 #include "findspace/values.h"

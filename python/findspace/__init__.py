@@ -10,17 +10,17 @@
 (True, False)
 """
 from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Cancel, Check, Component, Distance, DistanceValue,
-                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum, Options,
-                         PackGroup, PackLayout, PackPart, PackProblem, PackRemnant, PackSheet, PackZone, Phi, PhiValue,
-                         PlacedPart, Placement, PoseMap, Query, Region, Ring, Shape, SignMap, SpaceRegion, Stopped, Surface,
+                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum, Options, Orientation,
+                         PackContainer, PackGroup, PackLayout, PackPart, PackProblem, PackRemnant, PackSheet, PackSolid, PackZone, Phi, PhiValue,
+                         PlacedPart, PlacedSolid, Placement, PoseMap, Query, Region, Ring, Shape, SignMap, SolidPackLayout, SolidPackProblem, SpaceRegion, Stopped, Surface,
                          World, clear, cover, covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff,
                          inside, keepout, margin, near, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _page, _plot, _shapely
 
 __all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Cancel", "Check", "Component", "Distance", "DistanceValue",
            "Edge", "Error", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LineMap",
-           "Optimum", "Options", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackZone",
-           "Phi", "PhiValue", "PlacedPart", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SignMap", "SpaceRegion", "Stopped",
+           "Optimum", "Options", "Orientation", "PackContainer", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackSolid", "PackZone",
+           "Phi", "PhiValue", "PlacedPart", "PlacedSolid", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SignMap", "SolidPackLayout", "SolidPackProblem", "SpaceRegion", "Stopped",
            "Surface", "World", "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "far", "gap",
            "group", "hausdorff", "inside", "keepout", "margin", "near", "overlaps", "pack", "place", "protrusion",
            "reach", "shape", "touches", "within"]

@@ -22,6 +22,7 @@ void bind_worlds(py::module_& m);
 void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
 void bind_packing(py::module_& m);
+void bind_solid_packing(py::module_& m);
 
 namespace {
 
@@ -75,4 +76,5 @@ PYBIND11_MODULE(_findspace, m) {
   bind_space(m);
   bind_worlds(m);
   bind_packing(m);
+  bind_solid_packing(m);
 }

@@ -9,11 +9,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <tuple>
-
 #include "interruptible.h"
 #include "numbers.h"
 #include "options.h"
+#include "packing.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -30,18 +29,11 @@ std::vector<Ring> rings_of(const py::sequence& outline, const py::sequence& hole
   return rings;
 }
 
-std::optional<Number> amount(const py::object& value) {
-  return value.is_none() ? std::nullopt : std::optional(number(value));
-}
-
 std::vector<Number> numbers(const py::sequence& values) {
   std::vector<Number> result;
   for (const py::handle& value : values) result.push_back(number(value));
   return result;
 }
-
-using NamedGap = std::tuple<std::string, std::string, py::object>;
-using NamedCondition = std::tuple<std::string, std::string, Formula>;
 
 PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, std::vector<PackSheet> sheets,
                        const py::object& gap, const py::object& edge, std::string name, bool box,
@@ -56,20 +48,14 @@ PackProblem problem_of(std::vector<PackPart> parts, const py::object& height, st
   problem.parts = std::move(parts);
   problem.gap = number(gap);
   problem.edge = number(edge);
-  for (const auto& [first, second, distance] : gaps) problem.gaps.push_back({first, second, number(distance)});
-  for (const auto& [first, second, where] : conditions) problem.conditions.push_back({first, second, where.text()});
   problem.fixed = std::move(fixed);
-  if (where) problem.where = where->text();
-  problem.groups = std::move(groups);
+  set_conditions(problem, gaps, conditions, where, std::move(groups));
   return problem;
 }
 
 py::tuple packed_problem(const PackProblem& p) {
-  py::list gaps, conditions;
-  for (const PackGap& g : p.gaps) gaps.append(py::make_tuple(g.first, g.second, packed(g.gap)));
-  for (const PackCondition& c : p.conditions) conditions.append(py::make_tuple(c.first, c.second, c.where));
-  return py::make_tuple(p.parts, packed(p.height), p.sheets, packed(p.gap), packed(p.edge), p.name, p.box, gaps,
-                        conditions, p.fixed, p.where.empty() ? py::none() : py::object(py::str(p.where)), p.groups);
+  return py::make_tuple(p.parts, packed(p.height), p.sheets, packed(p.gap), packed(p.edge), p.name, p.box,
+                        named(p.gaps), named(p.conditions), p.fixed, where_of(p), p.groups);
 }
 
 PackProblem unpacked_problem(const py::tuple& t) {
@@ -242,13 +228,6 @@ void bind_layout(py::module_& m) {
       .def(
           "faults", [](const PackLayout& l, const PackProblem& p) { return layout_faults(p, l); }, py::arg("problem"),
           "What is wrong with it, exactly; an empty list where it is feasible.");
-}
-
-/// 10 seconds where neither a time nor a work is said.
-Options search_options(const std::optional<Options>& options, const py::kwargs& words) {
-  Options asked = options_of(options, words);
-  if (!options && !words.contains("seconds") && !words.contains("work")) asked.seconds = 10;
-  return asked;
 }
 
 }  // namespace

@@ -435,12 +435,52 @@ def test_packed_discs_against_the_distances_of_their_centres():
         gap, edge, height = chance.choice([0, Fraction(1, 8)]), chance.choice([0, Fraction(1, 4)]), chance.randint(7, 14)
         parts = [fs.PackPart(str(k), fs.Shape.disc((0, 0), str(float(r))), count=2) for k, r in enumerate(radii)]
         problem = fs.PackProblem(parts, height=height, gap=str(float(gap)), edge=str(float(edge)))
-        layout = fs.pack(problem, work=0.1, seed=seed)
+        layout = fs.pack(problem, work=0.1, seed=seed, threads=1)
         items = [(Fraction(i.at[0]), Fraction(i.at[1]), radii[int(i.part)]) for i in layout.items]
         assert len(items) == 6
         for k, (x, y, r) in enumerate(items):
             assert min(x - r, y - r, height - y - r, Fraction(layout.length) - x - r) >= edge
             assert all((x - u) ** 2 + (y - v) ** 2 >= (r + s + gap) ** 2 for u, v, s in items[:k])
+
+
+def test_packing_solids():
+    brick = fs.PackSolid("brick", fs.Shape.box((0, 0, 0), (2, 1, 1)), count=8, orientations="right-angles")
+    problem = fs.SolidPackProblem([brick], floor=(4, 2))
+    told = []
+    layout = fs.pack(problem, work=20, better=lambda better: told.append(better.height))
+    assert layout.height == layout.lower_bound == told[-1] == "2" and layout.density == 1 and layout.met is None
+    assert layout.faults(problem) == [] and layout.surface(problem).vertices.shape == (64, 3)
+    for item in layout.items:
+        corner = item.matrix @ [2, 1, 1, 1]
+        assert (corner >= -1e-12).all() and (corner[:3] <= [4, 2, 2]).all() and abs(np.linalg.det(item.matrix) - 1) < 1e-12
+    assert layout.text(problem, ".obj").count(b"\ng brick#") == 8 and "<svg" in layout.svg(problem)
+    same, there = pickle.loads(pickle.dumps((problem, layout)))
+    assert there.json(same) == layout.json(problem)
+    layout.items[0].at = layout.items[1].at
+    layout.items[0].orientation = layout.items[1].orientation
+    assert layout.faults(problem)
+
+
+def test_solids_in_containers_under_conditions():
+    parts = [fs.PackSolid("plug", fs.Shape.ball((0, 0, 0), "0.5"), count=2), fs.PackSolid("bar", fs.Shape.box((0, 0, 0), (5, 1, 1)))]
+    far = ("plug", "plug", fs.gap("self", "other") >= 5)
+    problem = fs.SolidPackProblem(parts, containers=[fs.PackContainer("tray", (9, 1, 1), count=2)], conditions=[far])
+    layout = fs.pack(problem, work=1)
+    assert layout.containers == ["tray"] and layout.faults(problem) == [] and layout.left_out == []
+    again = pickle.loads(pickle.dumps(problem))
+    assert again.containers[0].size == ("9", "1", "1") and layout.faults(again) == []
+    parts.append(fs.PackSolid("beam", fs.Shape.box((0, 0, 0), (10, 1, 1)), value=3))
+    left = fs.pack(fs.SolidPackProblem(parts, containers=problem.containers), work=1).left_out
+    assert [(l.part, l.copies) for l in left] == [("beam", 1)]
+    with pytest.raises(fs.Error, match="nobody"):
+        fs.pack(fs.SolidPackProblem(parts, containers=problem.containers, groups=[fs.PackGroup(["nobody"])]), work=1)
+    with pytest.raises(fs.Error, match="dimension|space"):
+        fs.pack(fs.SolidPackProblem([fs.PackSolid("flat", fs.Shape.box((0, 0), (1, 1)))], floor=(2, 2)), work=1)
+    with pytest.raises(ValueError, match="right-angles"):
+        fs.PackSolid("bar", fs.Shape.box((0, 0, 0), (5, 1, 1)), orientations="any")
+    stated = fs.SolidPackProblem.json('{"container": {"size-x": 4, "size-y": 2}, "item-types": [{"id": "rod", "demand": 2, '
+                                      '"shape": {"box": {"min": [0, 0, 0], "max": [1.5, 1, 1]}}}]}')
+    assert fs.pack(stated, work=1).height == "1"
 
 
 def test_packing_tells_and_ends():

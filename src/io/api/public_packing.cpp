@@ -3,10 +3,10 @@
 //
 // Packing as the public header shows it: problems and layouts as values with names, put on one grid and back.
 
+#include "io/api/public_packing.h"
+
 #include <findspace/error.h>
 #include <findspace/packing.h>
-
-#include <algorithm>
 
 #include "api/values/region_data.h"
 #include "io/api/public_search.h"
@@ -24,15 +24,11 @@ namespace {
 
 using packing::Fraction;
 
-Fraction fraction(const Number& number) { return Fraction::parse(number.text()); }
-
-template <class Named>
-std::size_t index_of(const std::string& name, const std::vector<Named>& all, const char* what) {
-  const auto same = [&](const Named& one) { return one.name == name; };
-  const auto found = std::find_if(all.begin(), all.end(), same);
-  if (found == all.end()) throw Error(ErrorCode::kUnknownName, std::string("there is no ") + what + " '" + name + "'");
-  return std::size_t(found - all.begin());
-}
+using io::amount_of;
+using io::count_of;
+using io::fraction;
+using io::index_of;
+using io::public_amount;
 
 std::vector<io::UnscaledRing> rings_of(const std::vector<Ring>& rings) {
   std::vector<io::UnscaledRing> result;
@@ -41,17 +37,6 @@ std::vector<io::UnscaledRing> rings_of(const std::vector<Ring>& rings) {
     for (const Point& p : ring) out.push_back({fraction(p.x), fraction(p.y)});
   }
   return result;
-}
-
-int count_of(int count) {
-  if (count < 0) throw Error(ErrorCode::kBadValue, "a count below 0");
-  return count;
-}
-
-std::optional<Fraction> amount_of(const std::optional<Number>& amount) {
-  if (!amount) return std::nullopt;
-  if (fraction(*amount) < 0) throw Error(ErrorCode::kBadValue, "a value or cost below 0");
-  return fraction(*amount);
 }
 
 /// The closure; RoundPart refuses what is not an area.
@@ -85,14 +70,6 @@ io::UnscaledSheet sheet_of(const PackSheet& sheet, const std::vector<io::Unscale
   return result;
 }
 
-io::StatedGroup group_of(const PackGroup& group, const std::vector<io::UnscaledPart>& parts) {
-  io::StatedGroup result;
-  for (const std::string& name : group.parts) result.parts.push_back(index_of(name, parts, "part"));
-  if (group.within) result.within = fraction(*group.within);
-  if (result.within && *result.within < 0) throw Error(ErrorCode::kBadValue, "parts of a group within less than 0");
-  return result;
-}
-
 packing::FixedPart fixed_of(const FixedPart& fixed, const io::UnscaledProblem& problem) {
   packing::FixedPart result;
   result.placed = {index_of(fixed.part, problem.parts, "part"),
@@ -118,14 +95,7 @@ packing::Problem on_grid(const PackProblem& problem) {
   result.edge = fraction(problem.edge);
   for (const PackPart& part : problem.parts) result.parts.push_back(part_of(part));
   for (const PackSheet& sheet : problem.sheets) result.sheets.push_back(sheet_of(sheet, result.parts));
-  for (const PackGap& pair : problem.gaps)
-    result.gaps.push_back(
-        {index_of(pair.first, result.parts, "part"), index_of(pair.second, result.parts, "part"), fraction(pair.gap)});
-  for (const PackCondition& c : problem.conditions)
-    result.conditions.push_back(
-        {index_of(c.first, result.parts, "part"), index_of(c.second, result.parts, "part"), c.where});
-  result.where = problem.where;
-  for (const PackGroup& group : problem.groups) result.groups.push_back(group_of(group, result.parts));
+  static_cast<io::StatedConditions&>(result) = io::stated_of(problem, result.parts);
   for (const FixedPart& fixed : problem.fixed) result.fixed.push_back(fixed_of(fixed, result));
   return std::move(result).on_grid("pack");
 }
@@ -177,10 +147,6 @@ std::vector<Ring> public_rings(const std::vector<io::UnscaledRing>& rings) {
     for (const auto& [x, y] : ring) out.push_back({x.text(), y.text()});
   }
   return result;
-}
-
-std::optional<Number> public_amount(const std::optional<Fraction>& amount) {
-  return amount ? std::optional<Number>(amount->text()) : std::nullopt;
 }
 
 PackPart public_part(const io::UnscaledPart& part) {
@@ -241,16 +207,7 @@ PackProblem pack_problem(std::string_view json) {
       for (const std::size_t part : zone.parts) (zone.holds ? shown.holds : shown.keeps_out).push_back(name_of(part));
     }
   }
-  for (const packing::PairGap& pair : inner.gaps)
-    result.gaps.push_back({name_of(pair.first), name_of(pair.second), pair.gap.text()});
-  result.where = inner.where;
-  for (const packing::PairCondition& c : inner.conditions)
-    result.conditions.push_back({name_of(c.first), name_of(c.second), c.where});
-  for (const io::StatedGroup& group : inner.groups) {
-    PackGroup& out = result.groups.emplace_back();
-    for (const std::size_t part : group.parts) out.parts.push_back(name_of(part));
-    out.within = public_amount(group.within);
-  }
+  io::show_stated(inner, io::names_of(inner.parts), result);
   for (const packing::FixedPart& f : inner.fixed)
     result.fixed.push_back({name_of(f.placed.part), f.placed.x.text(), f.placed.y.text(), f.placed.angle.text(),
                             f.placed.mirrored, inner.sheets.empty() ? "" : inner.sheets[f.kind].name,

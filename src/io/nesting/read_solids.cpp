@@ -86,12 +86,12 @@ class SolidReader : private NestingJson {
     context.grid = grid_of(digits);
     SolidProblemRead result = read(context, asked);
     result.problem.digits = digits;
-    for (packing::SolidPart& part : result.problem.parts) part = body_of(std::move(part));
-    StatedConditions stated;
-    read_conditions(*this, names_of(result.problem.parts), 3, stated);
-    result.problem.pair_gaps = stated.gaps;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) stand(result.problem.parts[k], k);
+    read_conditions(*this, names_of(result.problem.parts), 3, result.stated);
+    result.problem.pair_gaps = result.stated.gaps;
     result.problem.conditions =
-        conditions_of(stated, result.problem.parts.size(), farthest_gap(result.problem), name());
+        conditions_of(result.stated, result.problem.parts.size(), farthest_gap(result.problem), name());
+    result.shapes = std::move(shapes_);
     packing::check(result.problem, name());
     return result;
   }
@@ -230,14 +230,6 @@ class SolidReader : private NestingJson {
     if (problem.containers.empty()) fail(*containers, "there are no containers");
   }
 
-  /// In a container none is larger than its sides together; nothing where the height is sought.
-  static std::optional<Fraction> farthest_gap(const packing::SolidProblem& problem) {
-    std::optional<Fraction> result;
-    for (const packing::SolidContainer& c : problem.containers)
-      result = std::max(result.value_or(0), c.width + c.depth + c.height);
-    return result;
-  }
-
   Fraction not_below_0(const JsonValue& value, const char* what) const {
     const Fraction result = number(value);
     if (result < 0) fail(value, fmt::format("a {} below 0", what));
@@ -283,16 +275,11 @@ class SolidReader : private NestingJson {
   packing::SolidRotation orientation(const JsonValue& value, const SceneReader& json) const {
     const Orientation read =
         read_orientation(value, nullptr, GridPosition{}, json, Label{nullptr, "orientation", std::string_view()});
-    if (read.rotation.rounded)
-      fail(value, "this angle has no rational matrix; a quaternion near to it has one: {\"quaternion\": [w, x, y, z]}");
-    packing::SolidRotation result;
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto entry = read.rotation.rows[r][c].fraction();
-        if (!entry) fail(value, "an orientation with too many digits");
-        result[r][c] = Fraction((*entry)[0], (*entry)[1]);
-      }
-    return result;
+    try {
+      return packing::exact_rotation(read.rotation);
+    } catch (const Error& e) {
+      throw e.within(place(value));
+    }
   }
 
   packing::SolidRotation rotation(const JsonValue& value) const {
@@ -361,30 +348,12 @@ class SolidReader : private NestingJson {
         fmt::format("{}: {} vertices belong to no face; the convex hull of all is taken", file, loose));
   }
 
-  /// The convex parts of the shape that was read with the part.
-  packing::SolidPart body_of(packing::SolidPart part) {
-    const plane::Shape& shape = *shapes_[next_];
-    const std::string& at = places_[next_];
-    ++next_;
+  void stand(packing::SolidPart& part, std::size_t k) const {
     try {
-      packing::SolidForm form;
-      form.body = space::body(shape);
-      // Polytopes, and balls of rational radius.
-      const auto is_solid = [](const space::BodyPart& piece) {
-        return piece.core ? piece.radius.sign() == 0 : piece.flat.empty() && piece.radius.fraction().has_value();
-      };
-      if (form.body.outside || !std::all_of(form.body.parts.begin(), form.body.parts.end(), is_solid))
-        throw Error(ErrorCode::kUnsupported, "pack takes bounded solids with flat faces, balls, and unions of such");
-      part.disjoint = form.body.parts.size() == 1 || shape.solid != nullptr;
-      if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
-      if (!form.is_exact() && form.surface.empty())
-        throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
-      for (const packing::SolidRotation& rotation : rotations_[next_ - 1])
-        part.forms.push_back(packing::turned(form, rotation));
+      packing::set_forms(part, *shapes_[k], rotations_[k]);
     } catch (const Error& e) {
-      throw e.within(fmt::format("item '{}' ({})", part.name, at));
+      throw e.within(fmt::format("item '{}' ({})", part.name, places_[k]));
     }
-    return part;
   }
 
   const ReadOptions& options_;
@@ -393,10 +362,16 @@ class SolidReader : private NestingJson {
   std::vector<plane::ShapePtr> shapes_;
   std::vector<std::string> places_;
   std::vector<std::vector<packing::SolidRotation>> rotations_;  // of each item
-  std::size_t next_ = 0;
 };
 
 }  // namespace
+
+std::optional<Fraction> farthest_gap(const packing::SolidProblem& problem) {
+  std::optional<Fraction> result;
+  for (const packing::SolidContainer& c : problem.containers)
+    result = std::max(result.value_or(0), c.width + c.depth + c.height);
+  return result;
+}
 
 bool is_solid_problem(const std::string& text, const std::string& name) {
   const NestingJson json(text, name);

@@ -6,10 +6,12 @@
 // as many digits as they need, up to nine. Keywords: three-dimensional strip packing, ESICUP.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/nesting/read_nesting.h"
+#include "io/nesting/stated_conditions.h"
 #include "io/text/read_limits.h"
 #include "packing/solid_problem/solid_problem.h"
 
@@ -20,8 +22,13 @@ bool is_solid_problem(const std::string& text, const std::string& name);
 
 struct SolidProblemRead {
   packing::SolidProblem problem;
-  std::vector<std::string> notes;  // what was changed in meshes
+  std::vector<std::string> notes;       // what was changed in meshes
+  std::vector<plane::ShapePtr> shapes;  // of the parts, on the problem's grid
+  StatedConditions stated;
 };
+
+/// In a container none is larger than its sides together; nothing where the height is sought.
+std::optional<packing::Fraction> farthest_gap(const packing::SolidProblem& problem);
 
 /// Of the text of the file `name`; paths begin at its folder. Throws Error.
 SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingOptions& asked,

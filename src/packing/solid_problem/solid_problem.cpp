@@ -168,6 +168,36 @@ SolidForm turned(const SolidForm& form, const SolidRotation& rotation) {
   return result;
 }
 
+void set_forms(SolidPart& part, const plane::Shape& shape, const std::vector<SolidRotation>& rotations) {
+  SolidForm form;
+  form.body = space::body(shape);
+  // Polytopes, and balls of rational radius.
+  const auto is_solid = [](const space::BodyPart& piece) {
+    return piece.core ? piece.radius.sign() == 0 : piece.flat.empty() && piece.radius.fraction().has_value();
+  };
+  if (form.body.outside || !std::all_of(form.body.parts.begin(), form.body.parts.end(), is_solid))
+    throw Error(ErrorCode::kUnsupported, "pack takes bounded solids with flat faces, balls, and unions of such");
+  part.disjoint = form.body.parts.size() == 1 || shape.solid != nullptr;
+  if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
+  if (!form.is_exact() && form.surface.empty())
+    throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
+  for (const SolidRotation& rotation : rotations) part.forms.push_back(turned(form, rotation));
+}
+
+SolidRotation exact_rotation(const space::Rotation& rotation) {
+  if (rotation.rounded)
+    throw Error(ErrorCode::kBadValue,
+                "this angle has no rational matrix; a quaternion near to it has one: {\"quaternion\": [w, x, y, z]}");
+  SolidRotation result;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto entry = rotation.rows[r][c].fraction();
+      if (!entry) throw Error(ErrorCode::kBadValue, "an orientation with too many digits");
+      result[r][c] = Fraction((*entry)[0], (*entry)[1]);
+    }
+  return result;
+}
+
 SolidBox box_of(const SolidProblem& problem, const SolidForm& form) {
   SolidBox box;
   bool first = true;

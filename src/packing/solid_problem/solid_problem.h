@@ -21,6 +21,7 @@
 #include "packing/problem/pair_condition.h"
 #include "space/body/body.h"
 #include "space/convolution/ray_solids.h"
+#include "space/shape/rotation.h"
 
 namespace findspace::packing {
 
@@ -112,6 +113,11 @@ inline const SolidForm& form_of(const SolidProblem& problem, const SolidPlaced& 
 }
 /// Whether it stands on the floor within the edges, or in a container.
 bool fits(const SolidProblem& problem, const SolidBox& box);
+/// The forms of a part: its shape turned by each rotation. Throws Error: kUnsupported unless it is a bounded solid with
+/// flat faces, a ball or a union of such; kOutOfRange where it has too many digits.
+void set_forms(SolidPart& part, const plane::Shape& shape, const std::vector<SolidRotation>& rotations);
+/// Of which all entries are rational. Throws Error(kBadValue) for a rounded one.
+SolidRotation exact_rotation(const space::Rotation& rotation);
 /// In cubic units, as doubles find it; not less than the true one where convex parts overlap.
 double volume_of(const SolidProblem& problem, const SolidPart& part);
 /// Of all copies, and of those in a layout.

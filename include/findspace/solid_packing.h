@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Many solids packed onto a floor, as low as can be, or into few containers of given sizes; where they do not all fit
+// these, the most valuable choice of them. A solid has flat faces, is a ball, or a union of such. Every layout that is
+// handed out is proved: no two interiors meet, gaps and edges are kept, by exact signs on the shapes given. How low or
+// few is the result of a search, not proved. The units are those of the shapes. Cost: as much time as is allowed.
+// Keywords: three-dimensional packing, container loading, open dimension, bin packing, knapsack.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "findspace/number.h"
+#include "findspace/options.h"
+#include "findspace/packing.h"
+#include "findspace/shape.h"
+#include "findspace/surface.h"
+
+namespace findspace {
+
+/// How a solid stands: its point q goes to the rows times q. The rows are those of an exact rotation.
+struct Orientation {
+  /// Decimals, or fractions "3/5".
+  std::array<std::array<Number, 3>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+  /// (w, x, y, z) of any length but 0, Error(kBadValue): its matrix has rational entries.
+  static Orientation quaternion(const Number& w, const Number& x, const Number& y, const Number& z);
+  /// Counter-clockwise about an axis. Error(kBadValue) unless it is a multiple of 90 degrees; a quaternion of small
+  /// numbers is near to any other.
+  static Orientation about(Shape::Axis axis, const Number& degrees);
+  /// All 24 that take axes to axes, and the four of them about z.
+  static std::vector<Orientation> right_angles();
+  static std::vector<Orientation> upright();
+};
+
+/// A kind of solid.
+struct PackSolid {
+  /// How layouts call it.
+  std::string name;
+  /// Of space: with flat faces, a ball, or a union of such. Its grid has a decimal step.
+  Shape shape;
+  /// How many copies are wanted.
+  int count = 1;
+  /// How it may stand; as it is given where there are none.
+  std::vector<Orientation> orientations = {};
+  /// Of a copy, where not all fit; without it its volume.
+  std::optional<Number> value = {};
+};
+
+/// A kind of container, from (0, 0, 0) to (width, depth, height).
+struct PackContainer {
+  /// How layouts call it.
+  std::string name;
+  /// Along x, y and z.
+  Number width = 0, depth = 0, height = 0;
+  /// How many there are.
+  int count = 1;
+  /// Of one; the cheapest for their volume are used first. Given for all kinds or for none.
+  std::optional<Number> cost = {};
+};
+
+/// What is to be packed: into the containers, or upon a floor where there are none.
+struct SolidPackProblem {
+  /// How files call it.
+  std::string name = {};
+  /// Of the floor, along x and y: 0 <= x <= width, 0 <= y <= depth, 0 <= z. The height is sought.
+  Number width = 0, depth = 0;
+  /// Instead of a floor.
+  std::vector<PackContainer> containers = {};
+  /// All kinds of solids.
+  std::vector<PackSolid> parts = {};
+  /// The least distance of any two solids.
+  Number gap = 0;
+  /// The least distance of a solid to the walls, the floor and the lid.
+  Number edge = 0;
+  /// Wider gaps of some pairs.
+  std::vector<PackGap> gaps = {};
+  /// What holds for any two copies.
+  std::string where = {};
+  /// Conditions of some pairs.
+  std::vector<PackCondition> conditions = {};
+  /// Solids that stay together: in one container, and at most so far apart. On a floor the distance must be given.
+  std::vector<PackGroup> groups = {};
+};
+
+/// A copy of a solid: its point q goes to at + orientation q.
+struct PlacedSolid {
+  /// Its kind.
+  std::string part;
+  /// From 1 on.
+  int copy = 1;
+  /// Which of the layout's containers, from 0 on.
+  std::size_t container = 0;
+  /// One of those allowed.
+  Orientation orientation = {};
+  /// Exactly: decimals, or fractions "17/3".
+  Point3 at = {0, 0, 0};
+};
+
+/// A layout.
+struct SolidPackLayout {
+  /// Of the last container what is used.
+  Number height = 0;
+  /// Where the solids are.
+  std::vector<PlacedSolid> items = {};
+  /// What is not there.
+  std::vector<LeftOutPart> left_out = {};
+  /// The kinds of the containers that are used.
+  std::vector<std::string> containers = {};
+  /// Volume of the solids over that of the containers, the last one up to the height.
+  double density = 0;
+  /// No layout is lower; 0 in containers.
+  Number lower_bound = 0;
+  /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
+  std::optional<Limit> met = {};
+};
+
+/// The best layout found. Nothing where no solid is wanted, none fits a container, or no layout was found in which all
+/// conditions hold. The search ends by itself where no layout can be lower; else after the options' seconds or work,
+/// and without both where no better layout comes for long. With a limit of work alone the result depends on the seed
+/// only. `better` hears of each better layout at once; what it throws ends the search. Error where a shape is none that
+/// is packed, stands on the floor in no orientation, has too many digits, or a name is unknown.
+std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options = {.seconds = 10},
+                                    const std::function<void(const SolidPackLayout&)>& better = {});
+
+/// What is wrong with a layout, a sentence each; nothing where it is feasible, by exact signs.
+std::vector<std::string> layout_faults(const SolidPackProblem& problem, const SolidPackLayout& layout);
+
+/// The JSON of docs/nesting.md, "Solids", as a problem; files of items are looked for in the folder, or in the current
+/// one. Error(kSyntax) with line and column.
+SolidPackProblem solid_pack_problem(std::string_view json, const std::string& folder = {});
+
+/// A layout as the JSON of docs/nesting.md.
+std::string layout_json(const SolidPackProblem& problem, const SolidPackLayout& layout);
+/// A view from above, with the containers.
+std::string layout_svg(const SolidPackProblem& problem, const SolidPackLayout& layout);
+/// As a file: ".3mf" and ".glb" hold each kind once with where its copies stand, ".obj" a group a copy; ".stl", ".ply",
+/// ".off" and ".step" one surface. Error(kUnsupported) for another ending. Balls become inscribed polyhedra.
+std::string layout_file(const SolidPackProblem& problem, const SolidPackLayout& layout, std::string_view ending);
+/// All copies as one surface; containers stand side by side along x.
+Surface layout_surface(const SolidPackProblem& problem, const SolidPackLayout& layout);
+
+}  // namespace findspace

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Packing of solids in Python, in the words of the plane.
+
+#include "findspace/solid_packing.h"
+
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "interruptible.h"
+#include "numbers.h"
+#include "options.h"
+#include "packing.h"
+#include "pickles.h"
+
+namespace findspace::python {
+namespace solids {
+namespace {
+
+Orientation orientation_of(const py::sequence& rows) {
+  if (py::len(rows) != 3) throw py::value_error("an orientation has three rows");
+  Orientation result;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const auto row = rows[r].cast<py::sequence>();
+    if (py::len(row) != 3) throw py::value_error("a row of an orientation has three numbers");
+    for (std::size_t c = 0; c < 3; ++c) result.rows[r][c] = number(row[c]);
+  }
+  return result;
+}
+
+py::tuple rows_of(const Orientation& o) {
+  py::list rows;
+  for (const auto& row : o.rows) rows.append(py::make_tuple(row[0].text(), row[1].text(), row[2].text()));
+  return py::tuple(rows);
+}
+
+/// "right-angles", "upright", or a list of Orientation.
+std::vector<Orientation> orientations_of(const py::object& allowed) {
+  if (!py::isinstance<py::str>(allowed)) return allowed.cast<std::vector<Orientation>>();
+  const auto word = allowed.cast<std::string>();
+  if (word == "right-angles") return Orientation::right_angles();
+  if (word == "upright") return Orientation::upright();
+  throw py::value_error("orientations are 'right-angles', 'upright' or a list of Orientation");
+}
+
+PackContainer container_of(std::string name, const py::sequence& size, int count, const py::object& cost) {
+  const Point3 sides = point3(size);
+  return {std::move(name), sides.x, sides.y, sides.z, count, amount(cost)};
+}
+
+/// p goes to M p, in doubles, with a fourth coordinate of 1.
+Array matrix_of(const PlacedSolid& p) {
+  const py::object fraction = py::module_::import("fractions").attr("Fraction");
+  const auto value = [&](const Number& n) { return py::float_(fraction(n.text())).cast<double>(); };
+  const Number* at[] = {&p.at.x, &p.at.y, &p.at.z};
+  Array out({py::ssize_t(4), py::ssize_t(4)});
+  for (py::ssize_t r = 0; r < 3; ++r) {
+    for (py::ssize_t c = 0; c < 3; ++c)
+      out.mutable_at(r, c) = value(p.orientation.rows[std::size_t(r)][std::size_t(c)]);
+    out.mutable_at(r, 3) = value(*at[r]);
+    out.mutable_at(3, r) = 0;
+  }
+  out.mutable_at(3, 3) = 1;
+  return out;
+}
+
+SolidPackProblem problem_of(std::vector<PackSolid> parts, const py::object& floor,
+                            std::vector<PackContainer> containers, const py::object& gap, const py::object& edge,
+                            std::string name, const std::vector<NamedGap>& gaps,
+                            const std::vector<NamedCondition>& conditions, const std::optional<Formula>& where,
+                            std::vector<PackGroup> groups) {
+  SolidPackProblem problem;
+  problem.name = std::move(name);
+  if (!floor.is_none()) {
+    const Point sides = point(floor);
+    problem.width = sides.x;
+    problem.depth = sides.y;
+  }
+  problem.containers = std::move(containers);
+  problem.parts = std::move(parts);
+  problem.gap = number(gap);
+  problem.edge = number(edge);
+  set_conditions(problem, gaps, conditions, where, std::move(groups));
+  return problem;
+}
+
+py::tuple packed_problem(const SolidPackProblem& p) {
+  return py::make_tuple(p.parts, py::make_tuple(p.width.text(), p.depth.text()), p.containers, packed(p.gap),
+                        packed(p.edge), p.name, named(p.gaps), named(p.conditions), where_of(p), p.groups);
+}
+
+SolidPackProblem unpacked_problem(const py::tuple& t) {
+  return problem_of(t[0].cast<std::vector<PackSolid>>(), t[1], t[2].cast<std::vector<PackContainer>>(), t[3], t[4],
+                    t[5].cast<std::string>(), t[6].cast<std::vector<NamedGap>>(),
+                    t[7].cast<std::vector<NamedCondition>>(), t[8].cast<std::optional<Formula>>(),
+                    t[9].cast<std::vector<PackGroup>>());
+}
+
+void bind_orientation(py::module_& m) {
+  py::class_<Orientation>(m, "Orientation", R"doc(How a solid stands: its point q goes to the rows times q, exactly.
+
+Parameters
+----------
+rows : sequence of three rows of three numbers
+    Of a rotation; a number may be text of a fraction, "3/5".
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.Orientation.about("z", 90).rows
+(('0', '-1', '0'), ('1', '0', '0'), ('0', '0', '1'))
+>>> fs.Orientation.quaternion(2, 0, 0, 1).rows[0]
+('0.6', '-0.8', '0')
+>>> len(fs.Orientation.right_angles())
+24
+)doc")
+      .def(py::init(&orientation_of), py::arg("rows"))
+      .def_static(
+          "quaternion",
+          [](const py::object& w, const py::object& x, const py::object& y, const py::object& z) {
+            return Orientation::quaternion(number(w), number(x), number(y), number(z));
+          },
+          py::arg("w"), py::arg("x"), py::arg("y"), py::arg("z"), "Of any length but 0.")
+      .def_static(
+          "about",
+          [](const std::string& axis, const py::object& degrees) {
+            if (axis != "x" && axis != "y" && axis != "z") throw py::value_error("axis is 'x', 'y' or 'z'");
+            return Orientation::about(Shape::Axis(axis[0] - 'x'), number(degrees));
+          },
+          py::arg("axis"), py::arg("degrees"), "Counter-clockwise about 'x', 'y' or 'z', by a multiple of 90 degrees.")
+      .def_static("right_angles", &Orientation::right_angles, "All 24 that take axes to axes.")
+      .def_static("upright", &Orientation::upright, "The four of them about z.")
+      .def(py::pickle(&rows_of, [](const py::tuple& rows) { return orientation_of(rows); }))
+      .def_property_readonly("rows", &rows_of, "Exactly, as text.");
+}
+
+void bind_problem(py::module_& m) {
+  py::class_<PackSolid>(m, "PackSolid", R"doc(A kind of solid: how many, and how they may stand.
+
+Parameters
+----------
+name : str
+shape : Shape
+    Of space: with flat faces, a ball, or a union of such.
+count : int
+    How many copies are wanted.
+orientations : 'right-angles', 'upright', or list of Orientation
+    How it may stand; as it is given where there are none.
+value : number, optional
+    Of a copy, where not all fit; without it its volume.
+)doc")
+      .def(py::init([](std::string name, const Shape& shape, int count, const py::object& orientations,
+                       const py::object& value) {
+             return PackSolid{std::move(name), shape, count, orientations_of(orientations), amount(value)};
+           }),
+           py::arg("name"), py::arg("shape"), py::arg("count") = 1, py::arg("orientations") = py::list(),
+           py::arg("value") = py::none())
+      .def(py::pickle(
+          [](const PackSolid& p) { return py::make_tuple(p.name, p.shape, p.count, p.orientations, packed(p.value)); },
+          [](const py::tuple& t) {
+            return PackSolid{t[0].cast<std::string>(), t[1].cast<Shape>(), t[2].cast<int>(),
+                             t[3].cast<std::vector<Orientation>>(), amount(t[4])};
+          }))
+      .def_readonly("name", &PackSolid::name, "Its name in problems and layouts.")
+      .def_readonly("shape", &PackSolid::shape, "What is packed.")
+      .def_readonly("orientations", &PackSolid::orientations, "How it may stand.")
+      .def_readwrite("count", &PackSolid::count, "How many copies are wanted.");
+  py::class_<PackContainer>(m, "PackContainer", "A kind of container, from (0, 0, 0) to its size (x, y, z).")
+      .def(py::init(&container_of), py::arg("name"), py::arg("size"), py::arg("count") = 1,
+           py::arg("cost") = py::none())
+      .def(pickled<PackContainer>(&PackContainer::name, &PackContainer::width, &PackContainer::depth,
+                                  &PackContainer::height, &PackContainer::count, &PackContainer::cost))
+      .def_readonly("name", &PackContainer::name, "Its name in layouts.")
+      .def_property_readonly(
+          "size",
+          [](const PackContainer& c) { return py::make_tuple(c.width.text(), c.depth.text(), c.height.text()); },
+          "Along x, y and z, exactly, as text.");
+  py::class_<SolidPackProblem>(m, "SolidPackProblem", R"doc(Solids to be packed upon a floor, or into containers.
+
+Parameters
+----------
+parts : list of PackSolid
+floor : (x, y)
+    Its size; the height is sought.
+containers : list of PackContainer
+    Instead of a floor.
+gap, edge : number
+    The least distance of two solids, and of a solid to the walls, the floor and the lid.
+name : str
+    How files call it.
+gaps : list of (str, str, number)
+    Wider gaps of two kinds.
+conditions : list of (str, str, Formula or str)
+    Of two kinds, "self" and "other".
+where : Formula or str, optional
+    What holds for any two copies.
+groups : list of PackGroup
+    Solids that stay together.
+
+Examples
+--------
+>>> import findspace as fs
+>>> brick = fs.PackSolid("brick", fs.Shape.box((0, 0, 0), (2, 1, 1)), count=8, orientations="right-angles")
+>>> problem = fs.SolidPackProblem([brick], floor=(4, 2))
+>>> layout = fs.pack(problem, work=5)
+>>> layout.height, layout.lower_bound, layout.faults(problem)
+('2', '2', [])
+)doc")
+      .def(py::init(&problem_of), py::arg("parts"), py::arg("floor") = py::none(),
+           py::arg("containers") = std::vector<PackContainer>(), py::arg("gap") = 0, py::arg("edge") = 0,
+           py::arg("name") = "", py::arg("gaps") = py::list(), py::arg("conditions") = py::list(),
+           py::arg("where") = py::none(), py::arg("groups") = py::list())
+      .def(py::pickle(&packed_problem, &unpacked_problem))
+      .def_static(
+          "json", [](const std::string& text, const std::string& folder) { return solid_pack_problem(text, folder); },
+          py::arg("text"), py::arg("folder") = "", "A problem as nesting JSON; files are looked for in the folder.")
+      .def_readonly("parts", &SolidPackProblem::parts, "The kinds of solids.")
+      .def_readonly("containers", &SolidPackProblem::containers, "The kinds of containers; none upon a floor.");
+}
+
+void bind_layout(py::module_& m) {
+  py::class_<PlacedSolid>(m, "PlacedSolid", "A copy of a solid: q goes to at + orientation q.")
+      .def(py::pickle(
+          [](const PlacedSolid& p) {
+            return py::make_tuple(p.part, p.copy, p.container, p.orientation,
+                                  py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()));
+          },
+          [](const py::tuple& t) {
+            return PlacedSolid{t[0].cast<std::string>(), t[1].cast<int>(), t[2].cast<std::size_t>(),
+                               t[3].cast<Orientation>(), point3(t[4])};
+          }))
+      .def_readonly("part", &PlacedSolid::part, "The name of its kind.")
+      .def_readonly("copy", &PlacedSolid::copy, "Which copy of it, from 1.")
+      .def_readonly("container", &PlacedSolid::container, "The container that it stands in, from 0.")
+      .def_readwrite("orientation", &PlacedSolid::orientation, "How it stands.")
+      .def_property_readonly("matrix", &matrix_of, "Where it stands, shape (4, 4), in doubles.")
+      .def_property(
+          "at", [](const PlacedSolid& p) { return py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()); },
+          [](PlacedSolid& p, const py::sequence& at) { p.at = point3(at); }, "Exact coordinates as text.");
+  py::class_<SolidPackLayout>(m, "SolidPackLayout", "Where the solids are.")
+      .def(pickled<SolidPackLayout>(&SolidPackLayout::height, &SolidPackLayout::items, &SolidPackLayout::left_out,
+                                    &SolidPackLayout::containers, &SolidPackLayout::density,
+                                    &SolidPackLayout::lower_bound, &SolidPackLayout::met))
+      .def_property_readonly(
+          "height", [](const SolidPackLayout& l) { return l.height.text(); },
+          "What is used of the last container, exactly, as text.")
+      .def_property_readonly(
+          "lower_bound", [](const SolidPackLayout& l) { return l.lower_bound.text(); }, "No layout is lower.")
+      .def_property_readonly(
+          "items", [](SolidPackLayout& l) -> std::vector<PlacedSolid>& { return l.items; },
+          py::return_value_policy::reference_internal, "The copies that are placed.")
+      .def_readonly("left_out", &SolidPackLayout::left_out, "What is not placed, and why.")
+      .def_readonly("containers", &SolidPackLayout::containers, "The names of the containers that are used.")
+      .def_readonly("density", &SolidPackLayout::density, "Volume of the solids by the volume of what holds them.")
+      .def_property_readonly(
+          "met", [](const SolidPackLayout& l) { return limit_name(l.met); },
+          "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
+      .def(
+          "json", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_json(p, l); },
+          py::arg("problem"), "The layout file (docs/nesting.md).")
+      .def(
+          "svg", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_svg(p, l); },
+          py::arg("problem"), "A view from above.")
+      .def(
+          "text",
+          [](const SolidPackLayout& l, const SolidPackProblem& p, const std::string& ending) {
+            return py::bytes(layout_file(p, l, ending));
+          },
+          py::arg("problem"), py::arg("ending"),
+          "As a file, in bytes: '.3mf' '.glb' '.obj' '.stl' '.ply' '.off' '.step'.")
+      .def(
+          "surface", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_surface(p, l); },
+          py::arg("problem"), "All copies as one surface; a notebook shows it to be turned.")
+      .def(
+          "faults", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_faults(p, l); },
+          py::arg("problem"), "What is wrong with it, exactly; an empty list where it is feasible.");
+}
+
+}  // namespace
+}  // namespace solids
+
+void bind_solid_packing(py::module_& m) {
+  solids::bind_orientation(m);
+  solids::bind_problem(m);
+  solids::bind_layout(m);
+  m.def(
+      "pack",
+      [](const SolidPackProblem& problem, const std::optional<Options>& options,
+         const std::function<void(const SolidPackLayout&)>& better, const py::kwargs& words) {
+        const Options asked = search_options(options, words);
+        return interruptible([&] { return pack(problem, asked, better); });
+      },
+      py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
+      "The same of solids; the search ends where no layout can be lower.");
+}
+
+}  // namespace findspace::python

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Packing of solids as the public header shows it: problems and layouts as values with names, put on one grid and back.
+
+#include <findspace/error.h>
+#include <findspace/solid_packing.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "api/values/shape_data.h"
+#include "io/api/public_packing.h"
+#include "io/api/public_search.h"
+#include "io/nesting/read_solids.h"
+#include "io/nesting/write_solids.h"
+#include "packing/problem/pair_formula.h"
+#include "packing/solid_proof/solid_bound.h"
+#include "packing/solid_search/solid_search.h"
+#include "space/shape/rotation.h"
+
+namespace findspace {
+namespace {
+
+using packing::Fraction;
+using packing::SolidLayout;
+using packing::SolidProblem;
+using packing::SolidRotation;
+
+Orientation shown(const SolidRotation& rotation) {
+  Orientation result;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) result.rows[r][c] = rotation[r][c].text();
+  return result;
+}
+
+SolidRotation rotation_of(const Orientation& orientation) {
+  SolidRotation result;
+  space::Rotation::Matrix rows;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) {
+      result[r][c] = io::fraction(orientation.rows[r][c]);
+      rows[r][c] = packing::in_steps(result[r][c], 1);
+    }
+  space::Rotation::of_matrix(rows, {});  // refuses what is no rotation
+  return result;
+}
+
+std::vector<Orientation> all_shown(const std::vector<SolidRotation>& rotations) {
+  std::vector<Orientation> result;
+  for (const SolidRotation& rotation : rotations) result.push_back(shown(rotation));
+  return result;
+}
+
+/// The digits of a decimal grid that holds the shapes.
+int digits_of(const std::vector<PackSolid>& parts) {
+  constexpr int kMost = 9;
+  int digits = 0;
+  for (const PackSolid& part : parts)
+    while (!(part.shape.data().grid.step() * exact::Real(packing::power_of_ten(digits))).integer())
+      if (++digits > kMost)
+        throw Error(ErrorCode::kUnsupported, "its grid has no decimal step of nine digits", "part '" + part.name + "'");
+  return digits;
+}
+
+packing::SolidPart part_of(const PackSolid& part, const plane::Grid& grid) try {
+  packing::SolidPart result{part.name, io::count_of(part.count), {}, true, io::amount_of(part.value)};
+  if (part.shape.dimension() != 3) throw Error(ErrorCode::kUnsupported, "parts are shapes of space");
+  std::vector<SolidRotation> rotations;
+  for (const Orientation& orientation : part.orientations) rotations.push_back(rotation_of(orientation));
+  if (rotations.empty()) rotations.push_back(packing::as_given());
+  packing::set_forms(result, *api::tree_on(part.shape, grid), rotations);
+  return result;
+} catch (const Error& e) {
+  throw e.within("part '" + part.name + "'");
+}
+
+packing::SolidContainer container_of(const PackContainer& container, bool costs) {
+  packing::SolidContainer result{container.name,
+                                 io::count_of(container.count),
+                                 io::amount_of(container.cost),
+                                 io::fraction(container.width),
+                                 io::fraction(container.depth),
+                                 io::fraction(container.height)};
+  if (result.width <= 0 || result.depth <= 0 || result.height <= 0)
+    throw Error(ErrorCode::kBadValue, "a container has sizes above 0", "container '" + container.name + "'");
+  if (result.cost.has_value() != costs)
+    throw Error(ErrorCode::kBadValue, "some containers have a cost and others none");
+  return result;
+}
+
+template <class Named>
+void check_names(const std::vector<Named>& all, const char* what) {
+  for (std::size_t k = 1; k < all.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (all[j].name == all[k].name)
+        throw Error(ErrorCode::kBadValue, fmt::format("two {} are called '{}'", what, all[k].name));
+}
+
+SolidProblem on_grid(const SolidPackProblem& problem) {
+  SolidProblem result;
+  result.name = problem.name;
+  result.width = io::fraction(problem.width);
+  result.depth = io::fraction(problem.depth);
+  result.gap = io::fraction(problem.gap);
+  result.edge = io::fraction(problem.edge);
+  if (result.gap < 0 || result.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0");
+  for (const PackContainer& container : problem.containers)
+    result.containers.push_back(container_of(container, problem.containers[0].cost.has_value()));
+  check_names(result.containers, "containers");
+  result.digits = digits_of(problem.parts);
+  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(result.digits)));
+  for (const PackSolid& part : problem.parts) result.parts.push_back(part_of(part, grid));
+  check_names(result.parts, "parts");
+  const io::StatedConditions stated = io::stated_of(problem, result.parts);
+  result.pair_gaps = stated.gaps;
+  result.conditions = io::conditions_of(stated, result.parts.size(), io::farthest_gap(result), "pack");
+  for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where, 3);
+  packing::check(result, "pack");
+  return result;
+}
+
+SolidPackLayout public_layout(const SolidProblem& problem, const SolidLayout& layout) {
+  SolidPackLayout result;
+  result.height = layout.height.text();
+  for (const packing::SolidPlaced& item : layout.items)
+    result.items.push_back({problem.parts[item.part].name,
+                            item.copy,
+                            item.container,
+                            shown(packing::form_of(problem, item).rotation),
+                            {item.at[0].text(), item.at[1].text(), item.at[2].text()}});
+  for (const packing::LeftOut& out : layout.left_out)
+    result.left_out.push_back({problem.parts[out.part].name, out.copies, out.why});
+  for (const std::size_t kind : layout.containers) result.containers.push_back(problem.containers[kind].name);
+  const double room = packing::container_volume(problem, layout);
+  result.density = room > 0 ? packing::volume(problem, layout) / room : 0;
+  if (!problem.in_containers()) result.lower_bound = packing::lower_bound(problem).text();
+  return result;
+}
+
+packing::SolidPlaced placed_of(const SolidProblem& problem, const PlacedSolid& item) {
+  packing::SolidPlaced result;
+  result.part = io::index_of(item.part, problem.parts, "part");
+  result.copy = item.copy;
+  result.container = item.container;
+  result.at = {io::fraction(item.at.x), io::fraction(item.at.y), io::fraction(item.at.z)};
+  const SolidRotation rotation = rotation_of(item.orientation);
+  const std::vector<packing::SolidForm>& forms = problem.parts[result.part].forms;
+  const auto same = [&](const packing::SolidForm& form) { return form.rotation == rotation; };
+  result.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
+  if (result.form == forms.size())
+    throw Error(ErrorCode::kBadValue, "'" + item.part + "' stands in an orientation that is not allowed");
+  return result;
+}
+
+SolidLayout layout_of(const SolidProblem& problem, const SolidPackLayout& layout) {
+  SolidLayout result;
+  result.height = io::fraction(layout.height);
+  for (const PlacedSolid& item : layout.items) result.items.push_back(placed_of(problem, item));
+  for (const LeftOutPart& out : layout.left_out)
+    result.left_out.push_back({io::index_of(out.part, problem.parts, "part"), out.copies, out.why});
+  for (const std::string& name : layout.containers)
+    result.containers.push_back(io::index_of(name, problem.containers, "container"));
+  for (const packing::SolidPlaced& item : result.items)
+    if (problem.in_containers() ? item.container >= result.containers.size() : item.container > 0)
+      throw Error(ErrorCode::kBadValue, fmt::format("the layout has no container {}", item.container));
+  return result;
+}
+
+io::LayoutFacts facts_of(const SolidProblem& problem, const SolidLayout& layout) {
+  io::LayoutFacts facts;
+  const packing::SolidVerdict verdict = packing::verify(problem, layout);
+  facts.proven = verdict.is_feasible();
+  facts.density = verdict.density;
+  if (!problem.in_containers()) facts.lower_bound = packing::lower_bound(problem);
+  return facts;
+}
+
+}  // namespace
+
+Orientation Orientation::quaternion(const Number& w, const Number& x, const Number& y, const Number& z) {
+  return shown(packing::exact_rotation(
+      space::Rotation::of_quaternion({api::real_of(w), api::real_of(x), api::real_of(y), api::real_of(z)}, {})));
+}
+
+Orientation Orientation::about(Shape::Axis axis, const Number& degrees) {
+  return shown(packing::exact_rotation(space::Rotation::about_axis(int(axis), api::real_of(degrees), {})));
+}
+
+std::vector<Orientation> Orientation::right_angles() { return all_shown(packing::axis_rotations(false)); }
+std::vector<Orientation> Orientation::upright() { return all_shown(packing::axis_rotations(true)); }
+
+std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options,
+                                    const std::function<void(const SolidPackLayout&)>& better) {
+  const SolidProblem inner = on_grid(problem);
+  const auto shown = [&](const SolidLayout& layout) { return public_layout(inner, layout); };
+  return io::searched<SolidLayout, SolidPackLayout>(
+      options, better, shown, [&](const auto&... how) { return packing::search_solids(inner, how...); });
+}
+
+std::vector<std::string> layout_faults(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  const SolidProblem inner = on_grid(problem);
+  const SolidLayout placed = layout_of(inner, layout);
+  std::vector<std::string> result;
+  for (const packing::SolidFault& fault : packing::verify(inner, placed).faults)
+    result.push_back(io::fault_text(inner, placed, fault));
+  return result;
+}
+
+SolidPackProblem solid_pack_problem(std::string_view json, const std::string& folder) {
+  const std::string name = folder.empty() ? "problem" : folder + "/problem";
+  const io::SolidProblemRead read = io::read_solids(std::string(json), name, {}, {});
+  const SolidProblem& inner = read.problem;
+  SolidPackProblem result;
+  result.name = inner.name;
+  result.width = inner.width.text();
+  result.depth = inner.depth.text();
+  for (const packing::SolidContainer& c : inner.containers)
+    result.containers.push_back(
+        {c.name, c.width.text(), c.depth.text(), c.height.text(), c.count, io::public_amount(c.cost)});
+  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(inner.digits)));
+  for (std::size_t k = 0; k < inner.parts.size(); ++k) {
+    const packing::SolidPart& part = inner.parts[k];
+    PackSolid& out = result.parts.emplace_back(
+        PackSolid{part.name, api::make_shape(read.shapes[k], grid, 3), part.demand, {}, io::public_amount(part.value)});
+    for (const packing::SolidForm& form : part.forms) out.orientations.push_back(shown(form.rotation));
+  }
+  io::show_stated(read.stated, io::names_of(inner.parts), result);
+  return result;
+}
+
+std::string layout_json(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  const SolidProblem inner = on_grid(problem);
+  const SolidLayout placed = layout_of(inner, layout);
+  return io::layout_json(inner, placed, facts_of(inner, placed));
+}
+
+std::string layout_svg(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  const SolidProblem inner = on_grid(problem);
+  const SolidLayout placed = layout_of(inner, layout);
+  return io::layout_svg(inner, placed, facts_of(inner, placed));
+}
+
+std::string layout_file(const SolidPackProblem& problem, const SolidPackLayout& layout, std::string_view ending) {
+  const SolidProblem inner = on_grid(problem);
+  return io::assembly_text(io::layout_assembly(inner, layout_of(inner, layout)), inner.name, ending, "");
+}
+
+Surface layout_surface(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  const SolidProblem inner = on_grid(problem);
+  io::Surface all = io::united(io::layout_assembly(inner, layout_of(inner, layout)));
+  return {std::move(all.vertices), std::move(all.faces)};
+}
+
+}  // namespace findspace

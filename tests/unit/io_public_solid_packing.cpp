@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Packing of solids through the public headers alone.
+
+#include <gtest/gtest.h>
+
+#include "findspace/error.h"
+#include "findspace/solid_packing.h"
+
+namespace io_public_solid_packing {
+
+using namespace findspace;
+
+Shape block(int x, int y, int z) { return Shape::box(Point3{0, 0, 0}, Point3{x, y, z}); }
+
+/// Eight bricks on a floor of eight squares.
+SolidPackProblem bricks() {
+  SolidPackProblem problem;
+  problem.name = "bricks";
+  problem.width = 4;
+  problem.depth = 2;
+  problem.parts = {{"brick", block(2, 1, 1), 8, Orientation::right_angles()}};
+  return problem;
+}
+
+TEST(PublicSolidPacking, TheHeightIsProved) {
+  const SolidPackProblem problem = bricks();
+  int told = 0;
+  const auto layout = pack(problem, {.seconds = 20}, [&](const SolidPackLayout& l) {
+    ++told;
+    EXPECT_TRUE(layout_faults(problem, l).empty());
+  });
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->height.text(), "2");
+  EXPECT_EQ(layout->lower_bound.text(), "2");
+  EXPECT_EQ(layout->density, 1);
+  EXPECT_EQ(layout->items.size(), 8u);
+  EXPECT_FALSE(layout->met.has_value());
+  EXPECT_GT(told, 0);
+}
+
+TEST(PublicSolidPacking, FaultsAreNamed) {
+  const SolidPackProblem problem = bricks();
+  SolidPackLayout layout = *pack(problem, {.work = 2});
+  const SolidPackLayout good = layout;
+  layout.items[0].at.z = "-0.000001";
+  EXPECT_FALSE(layout_faults(problem, layout).empty());
+  layout = good;
+  layout.items.pop_back();
+  ASSERT_EQ(layout_faults(problem, layout).size(), 1u);
+  layout = good;
+  layout.items[0].orientation = Orientation::quaternion(2, 0, 0, 1);
+  EXPECT_THROW(layout_faults(problem, layout), Error);
+  layout = good;
+  layout.items[0].container = 1;
+  EXPECT_THROW(layout_faults(problem, layout), Error);
+  layout = good;
+  layout.items[0].part = "tile";
+  EXPECT_THROW(layout_faults(problem, layout), Error);
+}
+
+TEST(PublicSolidPacking, ContainersAndWhatIsLeftOut) {
+  SolidPackProblem problem = bricks();
+  problem.containers = {{"carton", 2, 2, 1, 2}};
+  problem.parts[0].count = 5;
+  problem.parts.push_back({"ball", Shape::ball({0, 0, 0}, 3)});
+  const auto layout = pack(problem, {.work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->containers, (std::vector<std::string>{"carton", "carton"}));
+  EXPECT_EQ(layout->items.size(), 4u);
+  ASSERT_EQ(layout->left_out.size(), 2u);
+  EXPECT_EQ(layout->left_out[1].part, "ball");
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  EXPECT_NE(layout_json(problem, *layout).find("\"containers\": [\"carton\", \"carton\"]"), std::string::npos);
+  problem.containers.push_back({"crate", 2, 2, 1, 1, 3});
+  EXPECT_THROW(layout_faults(problem, *layout), Error);  // one has a cost
+  problem.containers[1].cost = {};
+  problem.containers[1].name = "carton";
+  EXPECT_THROW(layout_faults(problem, *layout), Error);
+}
+
+TEST(PublicSolidPacking, BallsTouchExactly) {
+  SolidPackProblem problem;
+  problem.width = 4;
+  problem.depth = 2;
+  problem.parts = {{"ball", Shape::ball({0, 0, 0}, 1), 2}};
+  const auto layout = pack(problem, {.work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->height.text(), "2");
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  problem.gap = "0.000001";
+  EXPECT_FALSE(layout_faults(problem, *layout).empty());
+}
+
+TEST(PublicSolidPacking, ConditionsAndGroups) {
+  SolidPackProblem problem;
+  problem.width = 9;
+  problem.depth = 1;
+  problem.parts = {{"plug", block(1, 1, 1), 2}, {"bar", block(5, 1, 1)}};
+  problem.conditions = {{"plug", "plug", "gap(self, other) >= 5"}};
+  const auto layout = pack(problem, {.work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  problem.conditions.clear();
+  problem.groups = {{{"plug"}, 0}};
+  EXPECT_FALSE(layout_faults(problem, *layout).empty());
+  problem.groups[0].within = {};
+  EXPECT_THROW(layout_faults(problem, *layout), Error);  // on a floor it says how far
+  problem.groups.clear();
+  problem.gaps = {{"plug", "nobody", 1}};
+  EXPECT_THROW(layout_faults(problem, *layout), Error);
+  problem.gaps.clear();
+  problem.where = "gap(self) >= 1";
+  EXPECT_THROW(layout_faults(problem, *layout), Error);
+}
+
+TEST(PublicSolidPacking, OrientationsAreExact) {
+  EXPECT_EQ(Orientation::right_angles().size(), 24u);
+  EXPECT_EQ(Orientation::upright().size(), 4u);
+  EXPECT_EQ(Orientation::quaternion(2, 0, 0, 1).rows[0][1].text(), "-0.8");
+  EXPECT_EQ(Orientation::about(Shape::Axis::kX, 90).rows[1][2].text(), "-1");
+  EXPECT_THROW(Orientation::about(Shape::Axis::kX, 45), Error);
+  SolidPackProblem problem = bricks();
+  problem.parts[0].orientations = {{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}}}};
+  EXPECT_THROW(pack(problem, {.work = 1}), Error);
+}
+
+TEST(PublicSolidPacking, WhatIsRefused) {
+  const auto refused = [](const PackSolid& part) {
+    SolidPackProblem problem;
+    problem.width = 4;
+    problem.depth = 4;
+    problem.parts = {part};
+    try {
+      pack(problem, {.work = 1});
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("'part'"), std::string::npos) << e.what();
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused({"part", block(1, 1, 1)}));
+  EXPECT_TRUE(refused({"part", Shape::box({0, 0}, {1, 1})}));
+  const Shape half = Shape::polygon(Contour({-1, 0}).arc_through({0, -1}, {1, 0}));
+  EXPECT_TRUE(refused({"part", Shape::prism(half, 0, 1)}));
+  EXPECT_TRUE(refused({"part", Shape::complement(block(1, 1, 1))}));
+  EXPECT_TRUE(refused({"part", block(5, 1, 1)}));
+  EXPECT_TRUE(refused({"part", Shape::box(Point3{0, 0, 0}, Point3{1, 1, 1}, {"0.0000000001"})}));
+}
+
+TEST(PublicSolidPacking, FilesBothWays) {
+  const SolidPackProblem problem = solid_pack_problem(R"({"name": "kit", "container": {"size-x": 4, "size-y": 2},
+    "item-types": [{"id": "rod", "demand": 2, "shape": {"box": {"min": [0, 0, 0], "max": [1.5, 1, 1]}},
+                    "allowed_orientations": "upright"}],
+    "groups": [{"parts": ["rod"], "within": 1}]})");
+  ASSERT_EQ(problem.parts.size(), 1u);
+  EXPECT_EQ(problem.parts[0].orientations.size(), 4u);
+  EXPECT_EQ(problem.groups[0].within->text(), "1");
+  const auto layout = pack(problem, {.work = 1});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->height.text(), "1");
+  EXPECT_NE(layout_json(problem, *layout).find("\"instance\": \"kit\""), std::string::npos);
+  EXPECT_NE(layout_svg(problem, *layout).find("<svg"), std::string::npos);
+  EXPECT_NE(layout_file(problem, *layout, ".obj").find("g rod#2"), std::string::npos);
+  EXPECT_THROW(layout_file(problem, *layout, ".doc"), Error);
+  EXPECT_EQ(layout_surface(problem, *layout).vertices.size(), 16u);
+}
+
+}  // namespace io_public_solid_packing
