@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 
 #include "findspace/error.h"
 #include "findspace/number.h"
@@ -19,6 +20,13 @@ namespace py = pybind11;
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+
+/// An array as an argument. Unlike an Array, one that is not filled yet costs no array of numpy.
+class Doubles : public Array {
+ public:
+  Doubles() : Array(py::reinterpret_steal<Array>(py::handle())) {}
+  explicit Doubles(Array array) : Array(std::move(array)) {}
+};
 
 /// Rows of `Row` of an array of shape (n, columns).
 template <class Row, class Values>
@@ -45,3 +53,15 @@ Array array_of(const Points& points) {
 }
 
 }  // namespace findspace::python
+
+template <>
+class pybind11::detail::type_caster<findspace::python::Doubles> {
+ public:
+  PYBIND11_TYPE_CASTER(findspace::python::Doubles, handle_type_name<findspace::python::Array>::name);
+
+  bool load(handle from, bool convert) {
+    if (!convert && !findspace::python::Array::check_(from)) return false;
+    value = findspace::python::Doubles(findspace::python::Array::ensure(from));
+    return bool(value);
+  }
+};

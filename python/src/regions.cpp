@@ -37,7 +37,7 @@ EdgeOf edge_of(const Region& region, const Region::Side& s) {
   return {e, s.forward ? a : b, s.forward ? b : a, s.forward};
 }
 
-py::array_t<bool> contains(const Region& region, const Array& at) {
+py::array_t<bool> contains(const Region& region, const Doubles& at) {
   const std::span<const Position> all = positions(at);
   py::array_t<bool> out(py::ssize_t(all.size()));
   const std::span<bool> answers(out.mutable_data(), all.size());

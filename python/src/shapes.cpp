@@ -14,14 +14,14 @@ namespace {
 
 const char* const kStep = "0.000001";
 
-Shape polygon(const Array& ring, const std::vector<Array>& holes, const py::object& step) {
+Shape polygon(const Doubles& ring, const std::vector<Doubles>& holes, const py::object& step) {
   std::vector<std::span<const Position>> inner;
-  for (const Array& hole : holes) inner.push_back(positions(hole, "holes"));
+  for (const Doubles& hole : holes) inner.push_back(positions(hole, "holes"));
   return Shape::polygon(positions(ring, "the vertices of a ring"), inner, grid(step));
 }
 
 py::list polygons(const py::object& rings, const py::object& step) {
-  std::vector<Array> held;
+  std::vector<Doubles> held;
   std::vector<std::span<const Position>> spans;
   if (py::isinstance<py::array>(rings) && rings.cast<py::array>().ndim() == 3) {
     const Array& all = held.emplace_back(rings.cast<Array>());
@@ -30,8 +30,8 @@ py::list polygons(const py::object& rings, const py::object& step) {
     const std::size_t corners = std::size_t(all.shape(1));
     for (std::size_t k = 0; k < std::size_t(all.shape(0)); ++k) spans.emplace_back(first + k * corners, corners);
   } else {
-    held = rings.cast<std::vector<Array>>();
-    for (const Array& ring : held) spans.push_back(positions(ring, "the vertices of a ring"));
+    held = rings.cast<std::vector<Doubles>>();
+    for (const Doubles& ring : held) spans.push_back(positions(ring, "the vertices of a ring"));
   }
   const Grid on = grid(step);
   std::vector<Shape> made = interruptible([&] { return Shape::polygons(spans, on); });
@@ -70,8 +70,7 @@ Shape box(const py::sequence& low, const py::sequence& high, const py::object& s
 
 void bind_makers(py::class_<Shape>& shape) {
   shape
-      .def_static("polygon", &polygon, py::arg("ring"), py::arg("holes") = std::vector<Array>(),
-                  py::arg("grid") = kStep,
+      .def_static("polygon", &polygon, py::arg("ring"), py::arg("holes") = py::list(), py::arg("grid") = kStep,
                   R"doc(The closed set within a ring and outside its holes.
 
 Parameters
@@ -144,11 +143,13 @@ Examples
                   "The closed box between two corners, of the plane or of space.")
       .def_static(
           "points",
-          [](const Array& at, const py::object& step) { return Shape::points(positions(at, "points"), grid(step)); },
+          [](const Doubles& at, const py::object& step) { return Shape::points(positions(at, "points"), grid(step)); },
           py::arg("points"), py::arg("grid") = kStep, "Isolated points, shape (n, 2).")
       .def_static(
           "polyline",
-          [](const Array& at, const py::object& step) { return Shape::polyline(positions(at, "points"), grid(step)); },
+          [](const Doubles& at, const py::object& step) {
+            return Shape::polyline(positions(at, "points"), grid(step));
+          },
           py::arg("points"), py::arg("grid") = kStep, "A chain of closed segments, a set without inside.")
       .def_static(
           "path", [](std::string_view data, const py::object& step) { return Shape::path(data, grid(step)); },
@@ -166,7 +167,7 @@ void bind_solids(py::class_<Shape>& shape) {
   shape
       .def_static(
           "polytope",
-          [](const Array& points, const py::object& step) {
+          [](const Doubles& points, const py::object& step) {
             return Shape::polytope(rows<Position3>(points, "points"), grid(step));
           },
           py::arg("points"), py::arg("grid") = kStep, "The convex hull of points of space, shape (n, 3).")
@@ -184,7 +185,7 @@ void bind_solids(py::class_<Shape>& shape) {
           py::arg("polygon"), py::arg("low"), py::arg("high"), "A polygon of the plane between two heights.")
       .def_static(
           "mesh",
-          [](const Array& vertices, const Indices& faces, const py::object& step) {
+          [](const Doubles& vertices, const Indices& faces, const py::object& step) {
             using Triangle = std::array<std::int32_t, 3>;
             return Shape::mesh(rows<Position3>(vertices, "vertices"), rows<Triangle>(faces, "faces"), grid(step));
           },

@@ -15,7 +15,7 @@
 namespace findspace::python {
 namespace {
 
-py::array_t<bool> contains_rows(const SpaceRegion& region, const Array& at) {
+py::array_t<bool> contains_rows(const SpaceRegion& region, const Doubles& at) {
   const std::span<const Position3> all = rows<Position3>(at, "positions");
   py::array_t<bool> out{py::ssize_t(all.size())};
   const std::span<bool> answers(out.mutable_data(), all.size());
@@ -115,7 +115,7 @@ distance is the normalised form.
           py::arg("position"))
       .def(
           "evaluate",
-          [](const AdjustedPhi& f, const Array& at) {
+          [](const AdjustedPhi& f, const Doubles& at) {
             return f.phi().dimension() == 3 ? evaluated<3>(f, at) : evaluated<2>(f, at);
           },
           py::arg("positions"), "(values, gradients) at each position, side by side.")
@@ -192,7 +192,7 @@ array([2., 4.])
           py::arg("position"))
       .def(
           "evaluate",
-          [](const Phi& phi, const Array& at) {
+          [](const Phi& phi, const Doubles& at) {
             return phi.dimension() == 3 ? evaluated<3>(phi, at) : evaluated<2>(phi, at);
           },
           py::arg("positions"), "(values, gradients) at each position, side by side.")

@@ -89,7 +89,7 @@ array([ 1,  0, -1], dtype=int8)
           "-1, 0 or 1, exactly; a distance that is undefined counts as +infinity.")
       .def(
           "signs",
-          [](const SignMapOf& s, const Array& at) {
+          [](const SignMapOf& s, const Doubles& at) {
             const std::span<const Position> all = positions(at);
             py::array_t<std::int8_t> out{py::ssize_t(all.size())};
             const std::span<std::int8_t> answers(out.mutable_data(), all.size());
@@ -200,11 +200,11 @@ array([ True,  True, False])
 array([3., 5.])
 )doc")
       .def(
-          "holds", [](const Query& q, const Array& at) { return at_rows<bool>(q, at, &Query::holds, &Query::holds); },
+          "holds", [](const Query& q, const Doubles& at) { return at_rows<bool>(q, at, &Query::holds, &Query::holds); },
           py::arg("positions"), "Of each position, an array of shape (n, 2) or (n, 3), a bool. Exact; all threads.")
       .def(
           "values",
-          [](const Query& q, const Array& at) { return at_rows<double>(q, at, &Query::values, &Query::values); },
+          [](const Query& q, const Doubles& at) { return at_rows<double>(q, at, &Query::values, &Query::values); },
           py::arg("positions"), "The distance at each position, rounded; inf where it is undefined. All threads.")
       .def(
           "value",

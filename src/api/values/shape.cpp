@@ -84,6 +84,7 @@ class Reader {
   Shape shape(Tree tree, int dimension = 2) const {
     return make_shape(std::make_shared<const Tree>(std::move(tree)), grid_, dimension, rounding_);
   }
+  Shape shape(plane::ShapePtr tree) const { return make_shape(std::move(tree), grid_, 2, rounding_); }
 
  private:
   static plane::Contour once_round(plane::Contour ring) {
@@ -135,10 +136,10 @@ Shape rings(const Ring& ring, const Holes& holes, const Grid& grid) {
   all.reserve(1 + std::size(holes));
   all.push_back(reader.contour(ring, "ring", true));
   for (const auto& hole : holes) all.push_back(reader.contour(hole, fmt::format("hole {}", all.size() - 1), true));
-  Tree tree;
-  tree.kind = Tree::Kind::kRings;
-  tree.contours = plane::make_rings(std::move(all), reader.grid().step_size()).contours;
-  return reader.shape(std::move(tree));
+  const auto tree = std::make_shared<Tree>();
+  tree->kind = Tree::Kind::kRings;
+  tree->contours = plane::make_rings(std::move(all), reader.grid().step_size()).contours;
+  return reader.shape(tree);
 }
 
 template <class Points>

@@ -178,7 +178,8 @@ Box box_of(const Ring& ring) {
   return all;
 }
 
-std::vector<Ring> clean_and_check(std::vector<Contour> rings, Label name, std::int64_t& repeated, double step) {
+/// Takes the edges out of the rings.
+std::vector<Ring> clean_and_check(std::vector<Contour>& rings, Label name, std::int64_t& repeated, double step) {
   std::vector<Ring> clean_rings;
   clean_rings.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -221,19 +222,19 @@ void check_holes(const std::vector<Ring>& rings, double step) {
 
 RingSet make_rings(std::vector<Contour> input, double step) {
   RingSet set;
-  std::vector<Ring> rings = clean_and_check(std::move(input), outer_or_hole, set.repeated_points, step);
+  std::vector<Ring> rings = clean_and_check(input, outer_or_hole, set.repeated_points, step);
   check_holes(rings, step);
-  set.contours.reserve(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
-    set.contours.push_back(directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.reversed_rings : ignored));
+    input[i] = directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.reversed_rings : ignored);
   }
+  set.contours = std::move(input);
   return set;
 }
 
 std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   std::int64_t repeated = 0, ignored = 0;
-  std::vector<Ring> rings = clean_and_check(std::move(input), any_ring, repeated, step);
+  std::vector<Ring> rings = clean_and_check(input, any_ring, repeated, step);
   std::vector<Box> boxes;
   for (const Ring& ring : rings) boxes.push_back(box_of(ring));
   std::vector<std::vector<std::size_t>> around(rings.size());
