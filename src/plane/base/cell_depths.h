@@ -12,6 +12,10 @@
 
 namespace findspace::plane {
 
+struct CellPlace {
+  std::int64_t column, row;
+};
+
 class CellDepths {
  public:
   /// No cell is marked.
@@ -23,6 +27,9 @@ class CellDepths {
     const std::int64_t c = column - column0_, r = row - row0_;
     return c >= 0 && r >= 0 && c < columns_ && r < rows_ ? depth_[std::size_t(r * columns_ + c)] : 0;
   }
+  bool empty() const { return depth_.empty(); }
+  /// One of the deepest cells; there are some.
+  CellPlace deepest() const;
 
  private:
   std::int64_t column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;

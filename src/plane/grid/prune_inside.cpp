@@ -34,11 +34,7 @@ Extents extents(const ReducedConvolution& c) {
   return e;
 }
 
-/// Crossings of randomly placed segments (Buffon): squared total length over pi times the area.
-double estimated_crossings(const Extents& e) {
-  double area = std::max((e.x1 - e.x0) * (e.y1 - e.y0), 1.0);
-  return e.length * e.length / (3.14 * area);
-}
+double crossings(const Extents& e) { return estimated_crossings(e.length, e.x1 - e.x0, e.y1 - e.y0); }
 
 constexpr std::size_t kFewPieces = 150;
 constexpr double kManyCrossings = 1;  // a piece
@@ -139,15 +135,15 @@ InnerMask inner_mask(const Extents& e, const GridOperand& a, const GridOperand& 
   std::vector<InnerMask::Pair> pairs;
   for (const Outline& x : p)
     for (const Outline& y : q) pairs.push_back({&x, &y});
-  double crossings = estimated_crossings(e), lines = std::clamp(kLines * std::cbrt(crossings), 64.0, 4000.0);
+  double most = crossings(e), lines = std::clamp(kLines * std::cbrt(most), 64.0, 4000.0);
   std::int64_t side = std::max<std::int64_t>(std::int64_t(std::max(e.x1 - e.x0, e.y1 - e.y0) / lines), 16);
-  return InnerMask(pairs, side, kWordsPerCrossing * crossings);
+  return InnerMask(pairs, side, kWordsPerCrossing * most);
 }
 
 }  // namespace
 
 bool pruning_pays(const ReducedConvolution& c) {
-  return c.pieces.size() >= kFewPieces && estimated_crossings(extents(c)) > kManyCrossings * double(c.pieces.size());
+  return c.pieces.size() >= kFewPieces && crossings(extents(c)) > kManyCrossings * double(c.pieces.size());
 }
 
 ReducedConvolution prune_inside(ReducedConvolution c, const GridOperand& a, const GridOperand& b) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
@@ -15,6 +16,24 @@ namespace {
 
 constexpr std::size_t kManyCurves = 20'000;  // of a pair: from here on it may pay to look which are covered
 constexpr std::size_t kSample = 256;         // of them, looked at first: three quarters must be covered
+// A look at a curve costs what the mask of prune_inside.h does for some crossings of its. Where more are estimated, the
+// mask costs more, but it also cuts away parts of curves. Nearly coinciding curves cross far more than is estimated.
+constexpr double kMostCrossings = 8;
+
+struct Extent {
+  double width, height;
+};
+
+Extent extent(const EdgeFan& fan) {
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+  for (const GridCorner& c : fan.corners) {
+    x0 = std::min(x0, double(c.at.x));
+    x1 = std::max(x1, double(c.at.x));
+    y0 = std::min(y0, double(c.at.y));
+    y1 = std::max(y1, double(c.at.y));
+  }
+  return {x1 - x0, y1 - y0};
+}
 
 /// Sums of two corners, each a point once. An open-addressing table of pairs.
 class CornerSums {
@@ -80,31 +99,54 @@ class FacePair {
     return count;
   }
 
-  bool is_covered(const EdgeFan& moved, Index e, const EdgeFan& fan, Index v) const {
-    const GridPoint by = fan.corners[v].at, p = moved.corners[e].at, q = moved.corners[moved.corners[e].next].at;
+  struct MovedEdge {
+    Index edge, corner;
+  };
+
+  bool is_covered(const EdgeFan& moved, const EdgeFan& fan, const MovedEdge& curve) const {
+    const GridCorner& c = moved.corners[curve.edge];
+    const GridPoint by = fan.corners[curve.corner].at, p = c.at, q = moved.corners[c.next].at;
     return covered_->covers({double(std::min(p.x, q.x) + by.x), double(std::min(p.y, q.y) + by.y),
                              double(std::max(p.x, q.x) + by.x), double(std::max(p.y, q.y) + by.y)});
   }
 
-  /// By a sample spread over all `count` curves: one that is not covered costs a look at every corner.
-  bool mostly_covered(std::size_t count) const {
-    std::size_t seen = 0, asked = 0, covered = 0;
-    const auto look = [&](const EdgeFan& moved, const EdgeFan& fan) {
-      each(moved, fan, [&](Index e, Index v) {
-        if (seen++ % (count / kSample) != 0) return;
-        ++asked;
-        covered += is_covered(moved, e, fan, v);
-      });
-    };
-    look(b_, a_);
-    look(a_, b_);
-    return 4 * covered >= 3 * asked;
+  /// Every so many of the curves.
+  static std::vector<MovedEdge> sample(const EdgeFan& moved, const EdgeFan& fan, std::size_t step) {
+    std::vector<MovedEdge> taken;
+    std::size_t left = 1;
+    each(moved, fan, [&](Index e, Index v) {
+      if (--left > 0) return;
+      left = step;
+      taken.push_back({e, v});
+    });
+    return taken;
+  }
+
+  static double length(const EdgeFan& moved, std::span<const MovedEdge> curves) {
+    double sum = 0;
+    for (const MovedEdge& c : curves)
+      sum += std::hypot(double(moved.corners[c.edge].dx), double(moved.corners[c.edge].dy));
+    return sum;
+  }
+
+  /// Does it pay to look at all `count` curves? By a sample spread over them: one that is not covered costs many looks.
+  bool looks_pay(std::size_t count) const {
+    if (count < kManyCurves) return false;
+    const std::size_t step = count / kSample;
+    const std::vector<MovedEdge> p = sample(b_, a_, step), q = sample(a_, b_, step);
+    const Extent x = extent(a_), y = extent(b_);
+    const double crossings =
+        estimated_crossings((length(b_, p) + length(a_, q)) * double(step), x.width + y.width, x.height + y.height);
+    if (crossings > kMostCrossings * double(count)) return false;
+    const auto covered = std::count_if(p.begin(), p.end(), [&](const MovedEdge& c) { return is_covered(b_, a_, c); }) +
+                         std::count_if(q.begin(), q.end(), [&](const MovedEdge& c) { return is_covered(a_, b_, c); });
+    return 4 * std::size_t(covered) >= 3 * (p.size() + q.size());
   }
 
   /// Those that are not covered.
   std::size_t keep_edges(const EdgeFan& moved, const EdgeFan& fan, int side) {
     each(moved, fan, [&](Index e, Index v) {
-      if (!is_covered(moved, e, fan, v)) kept_[side].push_back({e, v});
+      if (!is_covered(moved, fan, {e, v})) kept_[side].push_back({e, v});
     });
     return kept_[side].size();
   }
@@ -118,7 +160,7 @@ class FacePair {
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
     std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
-    if (count < kManyCurves || (covered_ && !mostly_covered(count))) covered_ = nullptr;
+    if (covered_ && !looks_pay(count)) covered_ = nullptr;
     if (covered_) count = keep_edges(b_, a_, 0) + keep_edges(a_, b_, 1);
     auto& g = out_.geometry;
     reserve_more(g.supporting_curves, count);
@@ -147,7 +189,7 @@ class FacePair {
   EdgeFan &a_, &b_;
   const std::optional<GridBox>& within_;
   CoveredCurves* covered_;
-  std::array<std::vector<std::pair<Index, Index>>, 2> kept_;  // edge and corner; edges of B, of A
+  std::array<std::vector<MovedEdge>, 2> kept_;  // edges of B, of A
   CornerSums sums_;
 };
 
@@ -180,6 +222,10 @@ void reserve_all(ReducedConvolution& out, const std::pmr::vector<EdgeFan>& p, co
 }
 
 }  // namespace
+
+double estimated_crossings(double length, double width, double height) {
+  return length * length / (3.14 * std::max(width * height, 1.0));
+}
 
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b, const std::optional<GridBox>& within,
                                        CoveredCurves* covered) {

@@ -37,8 +37,11 @@ struct GridOperand {
   const exact::Geometry& geometry;
 };
 
-/// Of all pairs of faces; without curves that miss the box, if there is one, and where there are many, without those
-/// that lie inside the sum for certain.
+/// Of segments of this length in all, placed at random in a box (Buffon).
+double estimated_crossings(double length, double width, double height);
+
+/// Of all pairs of faces; without curves that miss the box, if there is one, and where looking for them pays, without
+/// those that lie inside the sum for certain.
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b,
                                        const std::optional<GridBox>& within = std::nullopt,
                                        CoveredCurves* covered = nullptr);
