@@ -56,7 +56,7 @@ void set_approx(Point& p, const ApproxPoint& at) {
   p.error = std::max(at[0].error, at[1].error);
 }
 
-RealPoint crossing(const Geometry& g, const Point& p) {
+RealPoint exact_crossing(const Geometry& g, const Point& p) {
   const SupportingCurve* s = &g.supporting_curves[p.i];
   const SupportingCurve* t = &g.supporting_curves[p.j];
   if (s->circle && !t->circle) std::swap(s, t);
@@ -135,7 +135,7 @@ std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
   return std::uint32_t(points.size() - 1);
 }
 
-std::uint32_t Geometry::add_crossing(std::uint32_t i, std::uint32_t j, int root) {
+Point Geometry::crossing(std::uint32_t i, std::uint32_t j, int root) const {
   Point p;
   p.kind = Point::Kind::kCross;
   // The root is defined for the order (line, circle), and for two circles for the order given by the smaller index.
@@ -147,7 +147,11 @@ std::uint32_t Geometry::add_crossing(std::uint32_t i, std::uint32_t j, int root)
   p.j = j;
   p.root = std::int8_t(root);
   set_approx(p, approx_crossing(*this, p));
-  points.push_back(p);
+  return p;
+}
+
+std::uint32_t Geometry::add_crossing(std::uint32_t i, std::uint32_t j, int root) {
+  points.push_back(crossing(i, j, root));
   return std::uint32_t(points.size() - 1);
 }
 
@@ -155,7 +159,7 @@ RealPoint Geometry::exact(std::uint32_t p) const {
   const Point& q = points[p];
   if (q.kind == Point::Kind::kGrid) return {Real(q.gx), Real(q.gy)};
   if (q.kind == Point::Kind::kReal) return reals[q.i];
-  return crossing(*this, q);
+  return exact_crossing(*this, q);
 }
 
 }  // namespace findspace::exact

@@ -91,6 +91,8 @@ class Geometry {
   std::uint32_t add_real_point(const Real& x, const Real& y);
   /// The point where supporting curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.
   std::uint32_t add_crossing(std::uint32_t i, std::uint32_t j, int root);
+  /// The point that this adds.
+  Point crossing(std::uint32_t i, std::uint32_t j, int root) const;
 
   RealPoint exact(std::uint32_t p) const;
   Real exact_x(std::uint32_t p) const { return exact(p).x; }

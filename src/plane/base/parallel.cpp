@@ -5,6 +5,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <stdexcept>
 #include <string>
@@ -40,12 +41,24 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& tas
     return;
   }
   try {
-    tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner());
+    // A thread that waits for these tasks takes up no other ones: it may hold what those wait for.
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner()); });
   } catch (const std::runtime_error& e) {
     if (!is_of_threads(e)) throw;
     throw Error(ErrorCode::kLimit,
                 std::string("a thread cannot be started (") + e.what() + "); --threads 1 needs none");
   }
+}
+
+std::size_t range_count(std::size_t items, std::size_t many) {
+  if (items < many || stage_observer() != nullptr) return 1;
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1 ? kRanges : 1;
+}
+
+void in_ranges(std::size_t items, std::size_t many, const std::function<void(IndexRange)>& task) {
+  const std::size_t count = range_count(items, many);
+  if (count == 1) return task({0, items});
+  parallel_for(count, [&](std::size_t k) { task(range(k, count, items)); });
 }
 
 struct ThreadLimit::Control {

@@ -15,6 +15,23 @@ namespace findspace::plane {
 /// (stage_observer.h).
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task);
 
+/// Some of the numbers 0, 1, ...: `first` and those up to `end`, which is not among them.
+struct IndexRange {
+  std::size_t first, end;
+  std::size_t size() const { return end - first; }
+};
+
+/// In how many ranges work of so many items is divided: one where they are fewer than `many`, where one thread is all
+/// there is and where stages are observed, else always the same number. The result must not depend on it.
+std::size_t range_count(std::size_t items, std::size_t many);
+inline constexpr std::size_t kRanges = 16;
+/// The k-th of `ranges`.
+inline IndexRange range(std::size_t k, std::size_t ranges, std::size_t items) {
+  return {k * items / ranges, (k + 1) * items / ranges};
+}
+/// Calls task(range) for those ranges, possibly at once.
+void in_ranges(std::size_t items, std::size_t many, const std::function<void(IndexRange)>& task);
+
 /// While it lives, at most `threads` tasks of the process run at once (0: one for each core).
 class ThreadLimit {
  public:

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/base/small_sort.h"
 
 namespace findspace::plane {
@@ -30,6 +31,23 @@ bool before(const Arrangement& a, Index v, Index h, Index k) {
                              a.geometry.supporting_curves[f.supporting_curve]);
   return comes_before(a.geometry, a.vertex_point[v], h & 1u, heading(a, h), e.half, heading(a, k));
 }
+
+/// The half-edges at v, those that go right first: puts them in order, and notes rank and next.
+void sort_around(Arrangement& a, Index v) {
+  auto first = a.out.begin() + a.out_start[v], last = a.out.begin() + a.out_start[v + 1];
+  auto middle = first;
+  while (middle != last && !(*middle & 1u)) ++middle;
+  auto less = [&](Index h, Index k) { return before(a, v, h, k); };
+  small_sort(first, middle, less);
+  small_sort(middle, last, less);
+  Index d = Index(last - first);
+  for (Index r = 0; r < d; ++r) {
+    a.rank[first[r]] = r;
+    a.next[first[r] ^ 1u] = first[r == 0 ? d - 1 : r - 1];
+  }
+}
+
+constexpr std::size_t kManyVertices = 4000;  // from here on ranges of them are sorted at once
 
 }  // namespace
 
@@ -57,19 +75,9 @@ void sort_around_vertices(Arrangement& a) {
   for (Index e = 0; e < m; ++e) a.out[at[a.edges[e].v1]++] = 2 * e + 1;
   a.rank.resize(2 * m);
   a.next.resize(2 * m);
-  for (Index v = 0; v < n; ++v) {
-    auto first = a.out.begin() + a.out_start[v], last = a.out.begin() + a.out_start[v + 1];
-    auto middle = first;
-    while (middle != last && !(*middle & 1u)) ++middle;
-    auto less = [&](Index h, Index k) { return before(a, v, h, k); };
-    small_sort(first, middle, less);
-    small_sort(middle, last, less);
-    Index d = Index(last - first);
-    for (Index r = 0; r < d; ++r) {
-      a.rank[first[r]] = r;
-      a.next[first[r] ^ 1u] = first[r == 0 ? d - 1 : r - 1];
-    }
-  }
+  in_ranges(n, kManyVertices, [&](IndexRange vertices) {
+    for (std::size_t v = vertices.first; v < vertices.end; ++v) sort_around(a, Index(v));
+  });
 }
 
 }  // namespace findspace::plane

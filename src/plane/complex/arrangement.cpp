@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/base/small_sort.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/around_vertex.h"
@@ -18,39 +19,80 @@ namespace {
 
 using exact::Geometry;
 
+constexpr std::size_t kManyToSort = 2000;  // from here on ranges of them are worked on at once
+
 struct Chains {
   std::pmr::vector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
 
   explicit Chains(Memory memory) : start(memory), point(memory) {}
 };
 
-/// Sorts the split points of every piece along it; equal points are united and kept once.
+/// Sorts the split points of every piece along it; equal points are tied and kept once.
+class AlongPieces {
+ public:
+  AlongPieces(const Geometry& g, std::span<const Piece> pieces, const PieceMeetings& found, Memory memory)
+      : g_(g), pieces_(pieces), start_(pieces.size() + 1, 0, memory), sorted_(found.splits.size(), memory) {
+    for (auto& s : found.splits) ++start_[s.piece + 1];
+    for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+    std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, memory);
+    for (auto& s : found.splits) sorted_[at[s.piece]++] = s.point;
+  }
+
+  struct Sorted {
+    Chains chains;  // without the last start
+    std::pmr::vector<PieceMeetings::Tie> ties;
+
+    explicit Sorted(Memory memory) : chains(memory), ties(memory) {}
+    void append(const Sorted& next) {
+      for (const Index s : next.chains.start) chains.start.push_back(s + Index(chains.point.size()));
+      chains.point.insert(chains.point.end(), next.chains.point.begin(), next.chains.point.end());
+      ties.insert(ties.end(), next.ties.begin(), next.ties.end());
+    }
+  };
+
+  void sort(IndexRange pieces, Sorted& to) {
+    auto& [start, point] = to.chains;
+    start.reserve(pieces.size() + 1);
+    point.reserve(start_[pieces.end] - start_[pieces.first] + 2 * pieces.size());
+    for (std::size_t i = pieces.first; i < pieces.end; ++i) {
+      const Piece& p = pieces_[i];
+      start.push_back(Index(point.size()));
+      point.push_back(p.p0);
+      auto first = sorted_.begin() + start_[i], last = sorted_.begin() + start_[i + 1];
+      small_sort(first, last, [&](Index a, Index b) { return a != b && compare_along(g_, p, a, b) < 0; });
+      for (auto k = first; k != last; ++k) {
+        if (k != first && (*k == *(k - 1) || compare_along(g_, p, *k, *(k - 1)) == 0))
+          to.ties.push_back({*k, *(k - 1)});
+        else
+          point.push_back(*k);
+      }
+      point.push_back(p.p1);
+    }
+  }
+
+ private:
+  const Geometry& g_;
+  std::span<const Piece> pieces_;
+  std::pmr::vector<Index> start_, sorted_;  // piece -> its splits
+};
+
+/// Ranges of the pieces at once where there are many.
 Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceMeetings& found, UnionFind& same,
                   Memory memory) {
-  std::pmr::vector<Index> start(pieces.size() + 1, 0, memory);
-  for (auto& s : found.splits) ++start[s.piece + 1];
-  for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-  std::pmr::vector<Index> sorted(found.splits.size(), memory), at(start.begin(), start.end() - 1, memory);
-  for (auto& s : found.splits) sorted[at[s.piece]++] = s.point;
-  Chains chains(memory);
-  chains.start.reserve(pieces.size() + 1);
-  chains.point.reserve(found.splits.size() + 2 * pieces.size());
-  for (Index i = 0; i < pieces.size(); ++i) {
-    const Piece& p = pieces[i];
-    chains.start.push_back(Index(chains.point.size()));
-    chains.point.push_back(p.p0);
-    auto first = sorted.begin() + start[i], last = sorted.begin() + start[i + 1];
-    small_sort(first, last, [&](Index a, Index b) { return a != b && compare_along(g, p, a, b) < 0; });
-    for (auto k = first; k != last; ++k) {
-      if (k != first && (*k == *(k - 1) || compare_along(g, p, *k, *(k - 1)) == 0))
-        same.unite(*k, *(k - 1));
-      else
-        chains.point.push_back(*k);
-    }
-    chains.point.push_back(p.p1);
+  AlongPieces along(g, pieces, found, memory);
+  AlongPieces::Sorted all(memory);
+  if (const std::size_t count = range_count(pieces.size(), kManyToSort); count == 1) {
+    along.sort({0, pieces.size()}, all);
+  } else {
+    std::vector<AlongPieces::Sorted> parts(count, AlongPieces::Sorted(std::pmr::new_delete_resource()));
+    parallel_for(count, [&](std::size_t k) { along.sort(range(k, count, pieces.size()), parts[k]); });
+    all.chains.start.reserve(pieces.size() + 1);
+    all.chains.point.reserve(found.splits.size() + 2 * pieces.size());
+    for (const AlongPieces::Sorted& part : parts) all.append(part);
   }
-  chains.start.push_back(Index(chains.point.size()));
-  return chains;
+  for (const auto& t : all.ties) same.unite(t.p, t.q);
+  all.chains.start.push_back(Index(all.chains.point.size()));
+  return std::move(all.chains);
 }
 
 /// Isolated points that coincide with each other become one point.
@@ -170,7 +212,7 @@ Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<cons
   a.pieces = std::move(pieces);
   CellGrid grid(a.geometry, a.pieces, isolated, working);
   PieceMeetings found(a.geometry, a.pieces, working);
-  grid.pairs([&](Index i, Index j) { found.add_pair(i, j); });
+  found.add_pairs(grid);
   for (Index p : isolated) {
     const exact::Point q = a.geometry.points[p];
     for (Index i : grid.cell(grid.column(q.x), grid.row(q.y))) found.add_point(p, i);

@@ -152,6 +152,37 @@ void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
     }
 }
 
+std::vector<IndexRange> CellGrid::strips(std::size_t count) const {
+  if (count == 1) return {{0, columns_}};
+  const auto pairs_in = [&](std::size_t k) {
+    const double items = double(start_[k + 1] - start_[k]);
+    return items * items;
+  };
+  std::vector<double> pairs{0};  // up to each column
+  for (std::size_t c = 0; c < columns_; ++c) {
+    double more = 0;
+    for (std::size_t k = c * rows_; k < (c + 1) * rows_; ++k) more += pairs_in(k);
+    pairs.push_back(pairs.back() + more);
+  }
+  std::vector<IndexRange> out;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = pairs.back() * double(k + 1) / double(count);
+    const auto end = std::size_t(std::lower_bound(pairs.begin(), pairs.end(), share) - pairs.begin());
+    out.push_back({at, k + 1 == count ? columns_ : std::clamp<std::size_t>(end, at, columns_)});
+    at = out.back().end;
+  }
+  return out;
+}
+
+std::vector<Index> CellGrid::pieces_in(IndexRange columns) const {
+  std::vector<Index> found(items_.begin() + start_[columns.first * rows_],
+                           items_.begin() + start_[columns.end * rows_]);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 bool CellGrid::first_common_cell(Index i, Index j, Index column, Index row) const {
   const Rows& a = piece_rows_[rows_start_[i] + column - first_column_[i]];
   const Rows& b = piece_rows_[rows_start_[j] + column - first_column_[j]];

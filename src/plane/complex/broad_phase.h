@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "plane/base/arena.h"
+#include "plane/base/parallel.h"
 #include "plane/complex/arrangement.h"
 
 namespace findspace::plane {
@@ -33,7 +34,16 @@ class CellGrid {
 
   /// Calls f(i, j), i < j, for every pair of pieces whose boxes meet in a common cell.
   template <class F>
-  void pairs(F&& f) const;
+  void pairs(F&& f) const {
+    pairs({0, columns_}, f);
+  }
+  /// The same for the cells of some columns: for ranges of columns one after the other, the same pairs in their order.
+  template <class F>
+  void pairs(IndexRange columns, F&& f) const;
+  /// All columns in so many ranges that take about the same time; some may be empty.
+  std::vector<IndexRange> strips(std::size_t count) const;
+  /// The pieces in the cells of some columns, in their order.
+  std::vector<Index> pieces_in(IndexRange columns) const;
 
   Index column(double x) const { return clamp(x, box_.x0, column_scale_, columns_); }
   Index row(double y) const { return clamp(y, box_.y0, row_scale_, rows_); }
@@ -80,7 +90,8 @@ inline PieceBox segment_box(const exact::Point& a, const exact::Point& b, double
 PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
 
 template <class F>
-void CellGrid::pairs(F&& f) const {
+void CellGrid::pairs(IndexRange columns, F&& f) const {
+  if (columns.size() == 0) return;
   if (columns_ * rows_ == 1) {
     for (std::size_t s = 0; s < items_.size(); ++s) {
       const PieceBox& b = boxes_[items_[s]];
@@ -89,7 +100,7 @@ void CellGrid::pairs(F&& f) const {
     }
     return;
   }
-  for (Index c = 0; c < columns_; ++c)
+  for (Index c = Index(columns.first); c < columns.end; ++c)
     for (Index r = 0; r < rows_; ++r) {
       auto in = cell(c, r);
       for (std::size_t s = 0; s + 1 < in.size(); ++s) {

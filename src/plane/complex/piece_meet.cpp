@@ -4,6 +4,7 @@
 #include "plane/complex/piece_meet.h"
 
 #include <cmath>
+#include <memory>
 
 #include "exact/planar/geometry_signs.h"
 
@@ -22,6 +23,88 @@ Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
   Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
   return p.half > 0 ? k.center_y() + root : k.center_y() - root;
 }
+
+constexpr std::size_t kManyToMeet = 2000;  // from here on strips of the grid are looked at at once
+
+/// The things that are used (not 0), numbered in their order.
+std::vector<Index> numbered(std::vector<Index>& used) {
+  std::vector<Index> all;
+  for (Index k = 0; k < used.size(); ++k) {
+    if (used[k] == 0) continue;
+    used[k] = Index(all.size());
+    all.push_back(k);
+  }
+  return all;
+}
+
+/// The pieces in some columns of a grid with a geometry of their own, to which their crossings are added. Cells keep
+/// their order, so crossings keep their roots.
+class Strip {
+ public:
+  Strip(const Geometry& whole, std::span<const Piece> pieces, const CellGrid& grid, IndexRange columns)
+      : of_whole_(grid.pieces_in(columns)), place_(pieces.size(), kNone) {
+    std::vector<Index> point(whole.points.size(), 0), curve(whole.supporting_curves.size(), 0);
+    for (const Index i : of_whole_) {
+      curve[pieces[i].supporting_curve] = 1;
+      for (const Index end : {pieces[i].p0, pieces[i].p1}) {
+        point[end] = 1;
+        const exact::Point& p = whole.points[end];
+        if (p.kind == exact::Point::Kind::kCross) curve[p.i] = curve[p.j] = 1;
+      }
+    }
+    points_ = numbered(point);
+    curves_ = numbered(curve);
+    copy_geometry(whole, curve);
+    pieces_.reserve(of_whole_.size());
+    for (const Index i : of_whole_) {
+      place_[i] = Index(pieces_.size());
+      Piece& piece = pieces_.emplace_back(pieces[i]);
+      piece.supporting_curve = curve[piece.supporting_curve];
+      piece.p0 = point[piece.p0];
+      piece.p1 = point[piece.p1];
+    }
+  }
+
+  Geometry& geometry() { return geometry_; }
+  std::span<const Piece> pieces() const { return pieces_; }
+  /// Of a piece of the whole, the number here.
+  Index place(Index of_whole) const { return place_[of_whole]; }
+
+  /// Appends the crossings found and what is known of them.
+  void put_into(Geometry& whole, PieceMeetings& all, const PieceMeetings& found) const {
+    const Index first = Index(whole.points.size()), known = Index(points_.size());
+    for (std::size_t k = known; k < geometry_.points.size(); ++k) {
+      exact::Point& p = whole.points.emplace_back(geometry_.points[k]);
+      p.i = curves_[p.i];
+      p.j = curves_[p.j];
+    }
+    const auto point = [&](Index k) { return k < known ? points_[k] : first + (k - known); };
+    for (const auto& s : found.splits) all.splits.push_back({of_whole_[s.piece], point(s.point)});
+    for (const auto& t : found.ties) all.ties.push_back({point(t.p), point(t.q)});
+  }
+
+ private:
+  void copy_geometry(const Geometry& whole, const std::vector<Index>& curve) {
+    geometry_.supporting_curves.reserve(curves_.size());
+    for (const Index k : curves_) geometry_.supporting_curves.push_back(whole.supporting_curves[k]);
+    geometry_.points.reserve(2 * points_.size());
+    for (const Index k : points_) {
+      exact::Point& p = geometry_.points.emplace_back(whole.points[k]);
+      if (p.kind == exact::Point::Kind::kCross) {
+        p.i = curve[p.i];
+        p.j = curve[p.j];
+      }
+      if (p.kind != exact::Point::Kind::kReal) continue;
+      geometry_.reals.push_back(whole.reals[p.i]);
+      p.i = Index(geometry_.reals.size() - 1);
+    }
+  }
+
+  std::vector<Index> of_whole_, points_, curves_;  // here -> of the whole
+  std::vector<Index> place_;                       // piece of the whole -> here
+  std::vector<Piece> pieces_;
+  Geometry geometry_;
+};
 
 }  // namespace
 
@@ -78,6 +161,29 @@ void PieceMeetings::add_pair(Index i, Index j) {
       p.half != 0 && q.half != 0)
     return overlap(i, j);
   curves(i, j);
+}
+
+void PieceMeetings::add_pairs(const CellGrid& grid) {
+  const std::size_t count = range_count(pieces_.size(), kManyToMeet);
+  if (count == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
+  struct Found {
+    Strip strip;
+    PieceMeetings meetings;
+    Found(const Geometry& g, std::span<const Piece> pieces, const CellGrid& grid, IndexRange columns)
+        : strip(g, pieces, grid, columns),
+          meetings(strip.geometry(), strip.pieces(), std::pmr::new_delete_resource()) {}
+  };
+  const std::vector<IndexRange> strips = grid.strips(count);
+  std::vector<std::unique_ptr<Found>> found(count);
+  parallel_for(count, [&](std::size_t k) {
+    found[k] = std::make_unique<Found>(g_, pieces_, grid, strips[k]);
+    const Strip& strip = found[k]->strip;
+    grid.pairs(strips[k], [&](Index i, Index j) { found[k]->meetings.add_pair(strip.place(i), strip.place(j)); });
+  });
+  for (std::unique_ptr<Found>& f : found) {
+    f->strip.put_into(g_, *this, f->meetings);
+    f.reset();
+  }
 }
 
 void PieceMeetings::add_point(Index point, Index piece) {

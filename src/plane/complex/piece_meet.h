@@ -4,7 +4,7 @@
 // Where pieces meet: the exact narrow phase of the arrangement. Guarantee: after all pairs that share a cell have been
 // given, every common point of two pieces is an end of them or recorded as a split, under point ids that either are the
 // same or are united by `ties` or by the later sort along a piece. Cost: two to four orientation tests for two
-// segments.
+// segments; where strips of a grid are looked at at once, a copy of the cells of each.
 #pragma once
 
 #include <span>
@@ -12,6 +12,7 @@
 
 #include "plane/base/arena.h"
 #include "plane/complex/arrangement.h"
+#include "plane/complex/broad_phase.h"
 
 namespace findspace::plane {
 
@@ -41,6 +42,9 @@ class PieceMeetings {
   PieceMeetings(exact::Geometry& g, std::span<const Piece> pieces, Memory memory)
       : splits(memory), ties(memory), g_(g), pieces_(pieces) {}
   void add_pair(Index i, Index j);
+  /// All pairs of the pieces of a grid that share a cell; strips of it at once where there are many. The same as one
+  /// pair after the other.
+  void add_pairs(const CellGrid& grid);
   /// Records an isolated point if it lies on the piece.
   void add_point(Index point, Index piece);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/base/small_sort.h"
 #include "plane/complex/broad_phase.h"
 #include "plane/complex/piece_meet.h"
@@ -13,16 +14,28 @@ namespace findspace::plane {
 namespace {
 
 constexpr Index kFewStops = 8;
+constexpr std::size_t kManyToMeetAtOnce = 2000;  // from here on strips and ranges of them are worked on at once
 
 /// One crossing, or one degenerate vertex.
 bool same_meeting(const Stop& s, const Stop& t) {
   return s.other == t.other && (s.other != kNone || s.point == t.point);
 }
 
+/// What is found of some pairs of curves.
+struct Found {
+  explicit Found(Memory memory) : stops(memory), opposite(memory), ties(memory) {}
+
+  std::pmr::vector<Stop> stops;
+  std::pmr::vector<std::pair<Index, Index>> opposite;
+  std::pmr::vector<std::pair<Index, Index>> ties;  // points at one place, or one that is a degenerate vertex
+};
+
 /// Finds where curves meet, in any order.
 class StopFinder {
  public:
-  StopFinder(ReducedConvolution& c, CurveStops& out) : c_(c), g_(c.geometry), out_(out) {}
+  /// Appends crossings to `points`; the first that it appends has the number that the geometry's next point has.
+  StopFinder(const ReducedConvolution& c, std::vector<exact::Point>& points, Found& out)
+      : c_(c), g_(c.geometry), points_(points), before_(c.geometry.points.size() - points.size()), out_(out) {}
   /// Notes where two curves meet.
   void cross(Index i, Index j);
 
@@ -34,9 +47,11 @@ class StopFinder {
   /// The end of a curve lies on curve i.
   void touch(Index i, Index node);
 
-  ReducedConvolution& c_;
-  exact::Geometry& g_;
-  CurveStops& out_;
+  const ReducedConvolution& c_;
+  const exact::Geometry& g_;
+  std::vector<exact::Point>& points_;  // may be those of the geometry
+  const std::size_t before_;           // points that are not among these
+  Found& out_;
 };
 
 /// Puts stops in order along every curve; what meets at one point becomes a degenerate vertex, or is dropped if it is
@@ -44,7 +59,7 @@ class StopFinder {
 class StopSorter {
  public:
   StopSorter(const ReducedConvolution& c, CurveStops& out, Memory memory)
-      : c_(c), g_(c.geometry), out_(out), estimates_(memory), memory_(memory) {}
+      : c_(c), g_(c.geometry), out_(out), memory_(memory) {}
   void run();
 
  private:
@@ -53,13 +68,17 @@ class StopSorter {
     Stop stop;
   };
 
+  using Ties = std::vector<std::pair<Index, Index>>;
+
   Index size() const { return Index(c_.pieces.size()); }
   Index stop_count(Index i) const { return out_.first[i + 1] - out_.first[i]; }
   void group_stops();
-  void sort_stops_of(Index i);
+  /// Sorts those of some curves; what is at one place, unless it is one crossing.
+  Ties sort_stops(IndexRange curves);
+  void sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
   /// As nearly as approximate coordinates tell.
-  void sort_by_estimate(Index i);
-  void tie_stops_of(Index i);
+  void sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates);
+  void tie_stops_of(Index i, Ties& ties);
   void drop_repeated();
   /// The two stops of a crossing find each other.
   void find_twins();
@@ -67,7 +86,6 @@ class StopSorter {
   const ReducedConvolution& c_;
   const exact::Geometry& g_;
   CurveStops& out_;
-  std::pmr::vector<Estimate> estimates_;  // of one curve at a time
   Memory memory_;
 };
 
@@ -83,10 +101,11 @@ void StopFinder::cross(Index i, Index j) {
   int t0 = side(g_, p.p0, q.supporting_curve), t1 = side(g_, p.p1, q.supporting_curve);
   if (t0 * t1 > 0) return;
   Index q_end = s0 == 0 ? q.p0 : s1 == 0 ? q.p1 : kNone, p_end = t0 == 0 ? p.p0 : t1 == 0 ? p.p1 : kNone;
-  if (q_end != kNone && p_end != kNone) return out_.degenerate_vertices.tie(p_end, q_end);
+  if (q_end != kNone && p_end != kNone) return void(out_.ties.emplace_back(p_end, q_end));
   if (q_end != kNone) return touch(i, q_end);
   if (p_end != kNone) return touch(j, p_end);
-  Index point = g_.add_crossing(p.supporting_curve, q.supporting_curve, 0);
+  const auto point = Index(before_ + points_.size());
+  points_.push_back(g_.crossing(p.supporting_curve, q.supporting_curve, 0));
   // The normal (a, b) is to the left of the direction (b, -a), the way to the right if b > 0.
   bool normal_left = (k.b > 0) == runs_right(c_, i);
   bool from_right = ((runs_right(c_, j) ? s0 : s1) > 0) != normal_left;
@@ -109,22 +128,26 @@ void StopFinder::place(Index i, Index node) {
   const Piece& p = c_.pieces[i];
   const Within where = within(g_, p, node);
   if (where == Within::kInside) touch(i, node);
-  if (where == Within::kAtStart && node != p.p0) out_.degenerate_vertices.tie(p.p0, node);
-  if (where == Within::kAtEnd && node != p.p1) out_.degenerate_vertices.tie(p.p1, node);
+  if (where == Within::kAtStart && node != p.p0) out_.ties.emplace_back(p.p0, node);
+  if (where == Within::kAtEnd && node != p.p1) out_.ties.emplace_back(p.p1, node);
 }
 
 void StopFinder::touch(Index i, Index node) {
-  out_.degenerate_vertices.make(node);
+  out_.ties.emplace_back(node, node);
   out_.stops.push_back({i, node, kNone, false, kNone});
 }
 
 void StopSorter::run() {
   group_stops();
-  for (Index i = 0; i < size(); ++i)
-    if (stop_count(i) > 1) {
-      sort_stops_of(i);
-      tie_stops_of(i);
-    }
+  const std::size_t count = range_count(size(), kManyToMeetAtOnce);
+  std::vector<Ties> ties(count);
+  const auto sort = [&](std::size_t k) { ties[k] = sort_stops(range(k, count, size())); };
+  if (count == 1)
+    sort(0);
+  else
+    parallel_for(count, sort);
+  for (const Ties& part : ties)
+    for (const auto& [p, q] : part) out_.degenerate_vertices.tie(p, q);
   out_.degenerate_vertices.settle(g_.points.size());
   drop_repeated();
   find_twins();
@@ -140,11 +163,22 @@ void StopSorter::group_stops() {
   out_.stops.swap(grouped);
 }
 
-void StopSorter::sort_stops_of(Index i) {
+StopSorter::Ties StopSorter::sort_stops(IndexRange curves) {
+  Ties ties;
+  std::pmr::vector<Estimate> estimates;
+  for (auto i = Index(curves.first); i < curves.end; ++i) {
+    if (stop_count(i) < 2) continue;
+    sort_stops_of(i, estimates);
+    tie_stops_of(i, ties);
+  }
+  return ties;
+}
+
+void StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
   const auto first = out_.stops.begin() + std::ptrdiff_t(out_.first[i]);
   const auto last = out_.stops.begin() + std::ptrdiff_t(out_.first[i + 1]);
   const bool few = stop_count(i) <= kFewStops;
-  if (!few) sort_by_estimate(i);
+  if (!few) sort_by_estimate(i, estimates);
   auto before = [&](const Stop& s, const Stop& t) {
     int order = s.point == t.point ? 0 : compare_along(g_, c_.pieces[i], s.point, t.point);
     if (order == 0) return s.point < t.point;
@@ -153,20 +187,20 @@ void StopSorter::sort_stops_of(Index i) {
   if (few || !std::is_sorted(first, last, before)) small_sort(first, last, before);
 }
 
-void StopSorter::sort_by_estimate(Index i) {
+void StopSorter::sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates) {
   const exact::Point &from = g_.points[start_of(c_, i)], &to = g_.points[end_of(c_, i)];
   double dx = to.x - from.x, dy = to.y - from.y;
-  estimates_.clear();
+  estimates.clear();
   for (Index k = out_.first[i]; k < out_.first[i + 1]; ++k) {
     const exact::Point& p = g_.points[out_.stops[k].point];
-    estimates_.push_back({p.x * dx + p.y * dy, out_.stops[k]});
+    estimates.push_back({p.x * dx + p.y * dy, out_.stops[k]});
   }
-  std::sort(estimates_.begin(), estimates_.end(), [](const auto& p, const auto& q) { return p.along < q.along; });
+  std::sort(estimates.begin(), estimates.end(), [](const auto& p, const auto& q) { return p.along < q.along; });
   Index k = out_.first[i];
-  for (const Estimate& e : estimates_) out_.stops[k++] = e.stop;
+  for (const Estimate& e : estimates) out_.stops[k++] = e.stop;
 }
 
-void StopSorter::tie_stops_of(Index i) {
+void StopSorter::tie_stops_of(Index i, Ties& ties) {
   for (Index first = out_.first[i], k = first; k < out_.first[i + 1]; ++k) {
     const Stop& s = out_.stops[first];
     Stop& t = out_.stops[k];
@@ -174,7 +208,7 @@ void StopSorter::tie_stops_of(Index i) {
       first = k;
       continue;
     }
-    if (!same_meeting(s, t)) out_.degenerate_vertices.tie(s.point, t.point);
+    if (!same_meeting(s, t)) ties.emplace_back(s.point, t.point);
     t.piece = kNone;
   }
 }
@@ -211,13 +245,47 @@ void StopSorter::find_twins() {
   }
 }
 
+/// Strips of the grid at once where there are many curves; the same as one after the other.
+Found find_meetings(ReducedConvolution& c, Memory memory) {
+  Found all(memory);
+  std::vector<exact::Point>& points = c.geometry.points;
+  const CellGrid grid(c.geometry, c.pieces, {}, memory);
+  const std::size_t count = range_count(c.pieces.size(), kManyToMeetAtOnce);
+  if (count == 1) {
+    all.stops.reserve(c.pieces.size());
+    StopFinder finder(c, points, all);
+    grid.pairs([&](Index i, Index j) { finder.cross(i, j); });
+    return all;
+  }
+  const std::vector<IndexRange> strips = grid.strips(count);
+  std::vector<Found> found(count, Found(std::pmr::new_delete_resource()));
+  std::vector<std::vector<exact::Point>> made(count);
+  parallel_for(count, [&](std::size_t k) {
+    StopFinder finder(c, made[k], found[k]);
+    grid.pairs(strips[k], [&](Index i, Index j) { finder.cross(i, j); });
+  });
+  const std::size_t first = points.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto further = Index(points.size() - first);
+    points.insert(points.end(), made[k].begin(), made[k].end());
+    for (Stop s : found[k].stops) {
+      if (s.point >= first) s.point += further;
+      all.stops.push_back(s);
+    }
+    all.opposite.insert(all.opposite.end(), found[k].opposite.begin(), found[k].opposite.end());
+    all.ties.insert(all.ties.end(), found[k].ties.begin(), found[k].ties.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 CurveStops find_stops(ReducedConvolution& c, Memory memory) {
   CurveStops out(c.geometry.points.size() + c.pieces.size(), memory);
-  out.stops.reserve(c.pieces.size());
-  StopFinder finder(c, out);
-  CellGrid(c.geometry, c.pieces, {}, memory).pairs([&](Index i, Index j) { finder.cross(i, j); });
+  Found found = find_meetings(c, memory);
+  for (const auto& [p, q] : found.ties) out.degenerate_vertices.tie(p, q);
+  out.stops = std::move(found.stops);
+  out.opposite = std::move(found.opposite);
   StopSorter(c, out, memory).run();
   return out;
 }

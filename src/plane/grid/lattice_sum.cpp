@@ -7,6 +7,8 @@
 #include <bit>
 #include <vector>
 
+#include "plane/base/parallel.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -23,6 +25,8 @@ inline void or_shifted(std::uint64_t* to, const std::uint64_t* from, std::int64_
   }
   if (k == last) to[k] |= from[k] << up | from[k - 1] >> down >> 1;
 }
+
+constexpr std::size_t kManyRows = 200, kManyRuns = 200;  // of the sum, of points: from here on rows are made at once
 
 std::int64_t longest(std::span<const LatticeRun> runs) {
   std::int64_t most = 0;
@@ -179,11 +183,15 @@ void add_sums(std::span<const LatticeRun> points, std::span<const LatticeRun> ce
   const LatticeBox& box = widened.box();
   const auto all = steps(points, widened);
   const auto rows = scattered_rows(points, all);
-  for (std::int64_t row = to.box().row0; row <= to.box().row1; ++row) {
-    RowOfSums sums(widened, to, row);
-    for (const RowOfPoints& p : rows)
-      if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
-  }
+  const auto count = std::size_t(to.box().row1 - to.box().row0 + 1);
+  in_ranges(count, points.size() < kManyRuns ? SIZE_MAX : kManyRows, [&](IndexRange some) {
+    for (std::size_t k = some.first; k < some.end; ++k) {
+      const std::int64_t row = to.box().row0 + std::int64_t(k);
+      RowOfSums sums(widened, to, row);
+      for (const RowOfPoints& p : rows)
+        if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
+    }
+  });
 }
 
 }  // namespace findspace::plane
