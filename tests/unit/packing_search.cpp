@@ -45,6 +45,8 @@ TEST(DepthField, IsTheDistanceToTheBoundary) {
   const Polygon angle = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "angle");
   const SearchShape a = search_shape(Problem{}, angle), b = search_shape(Problem{}, rotated(angle, 180, false));
   const DepthField field(no_fit_polygon(a, b, 0));
+  const Vec shift{3, -2};
+  const DepthGlance glance = field.glance(1, {}), turned = field.glance(-1, shift);
   for (int i = -60; i < 120; ++i)
     for (int j = -60; j < 120; ++j) {
       const Vec at{0.1 * i + 0.013, 0.1 * j + 0.017};
@@ -59,7 +61,9 @@ TEST(DepthField, IsTheDistanceToTheBoundary) {
       if (depth > 0) {
         EXPECT_NEAR(depth, nearest, 1e-9);
       }
-      EXPECT_LE(field.least(field.cell_at(at)), depth + 1e-9);
+      const int cell = glance.cell_at(at);
+      EXPECT_EQ(turned.cell_at(shift - at), cell);
+      EXPECT_LE(cell == DepthGlance::kNone ? 0 : glance.least(cell), depth + 1e-9);
     }
 }
 

@@ -54,10 +54,16 @@ void DepthField::keep_least() {
   least_of_ = {};
 }
 
+DepthGlance DepthField::glance(double sign, Vec shift) const {
+  const Vec scale{sign * inverse_x_, sign * inverse_y_};
+  const Vec from{(shift.x - polygon_.low.x) * inverse_x_, (shift.y - polygon_.low.y) * inverse_y_};
+  return {scale, from, least_.data(), least_step_, cells_.data()};
+}
+
 Nearest DepthField::nearest(Vec t) const {
   const int index = cell_at(t);
   if (index == kNone) return {};
-  const Cell& cell = cells_[std::size_t(index)];
+  const DepthCell& cell = cells_[std::size_t(index)];
   double best = kFar, side = 0;
   Nearest result;
   for (std::uint32_t k = cell.begin; k < cell.begin + cell.count; ++k) {
@@ -81,7 +87,7 @@ Nearest DepthField::nearest(Vec t) const {
 /// As nearest(), the depth alone.
 double DepthField::depth(int index, Vec t) const {
   if (index == kNone) return 0;
-  const Cell& cell = cells_[std::size_t(index)];
+  const DepthCell& cell = cells_[std::size_t(index)];
   double best = kFar, side = 0;
   const std::uint16_t* list = &lists_[cell.begin];
   for (std::uint32_t k = 0; k < cell.count; ++k) {
@@ -142,7 +148,7 @@ void DepthField::fill_block(int column, int row, const std::vector<std::uint32_t
 }
 
 void DepthField::fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {
-  Cell& cell = cells_[index];
+  DepthCell& cell = cells_[index];
   choose(middle, half, from, cell_);
   const double radius = std::sqrt(dot(half, half));
   if (cell_.distance > radius && cell_.side < 0) return;

@@ -20,6 +20,43 @@ struct Nearest {
   Vec projection;    // the point of the boundary
 };
 
+/// A cell of the grid: its edges in a list of all cells.
+struct DepthCell {
+  std::uint32_t begin = 0;
+  std::uint16_t count = 0;
+  bool mixed = false;  // the boundary may pass through it
+};
+
+/// What the cells of a field say at once of a position t, which is sign * t + shift in the field. The field must live
+/// as long.
+class DepthGlance {
+ public:
+  static constexpr int kCells = 40;
+  static constexpr int kNone = -1;
+
+  DepthGlance() = default;
+  DepthGlance(Vec scale, Vec shift, const std::uint8_t* least, double least_step, const DepthCell* cells)
+      : scale_(scale), shift_(shift), least_(least), cells_(cells), least_step_(least_step) {}
+
+  /// The cell of a position; kNone where there is no overlap for certain.
+  int cell_at(Vec t) const {
+    const double cx = t.x * scale_.x + shift_.x, cy = t.y * scale_.y + shift_.y;
+    if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return kNone;
+    const int cell = int(cy) * kCells + int(cx);
+    return least_[cell] == 0 ? kNone : cell;
+  }
+  /// No more than the depth in a cell.
+  double least(int cell) const { return least_step_ * (least_[cell] - 1); }
+  /// The depth in this cell will be asked for soon.
+  void expect(int cell) const { __builtin_prefetch(&cells_[cell]); }
+
+ private:
+  Vec scale_, shift_;  // to the grid
+  const std::uint8_t* least_ = nullptr;
+  const DepthCell* cells_ = nullptr;
+  double least_step_ = 0;
+};
+
 class DepthField {
  public:
   explicit DepthField(NoFitPolygon polygon);
@@ -28,33 +65,20 @@ class DepthField {
   double depth(Vec t) const { return depth(cell_at(t), t); }
   Nearest nearest(Vec t) const;
 
-  /// The cell of a position, and what is known of it there; kNone where there is no overlap for certain.
-  static constexpr int kNone = -1;
-  int cell_at(Vec t) const {
-    const double cx = (t.x - polygon_.low.x) * inverse_x_, cy = (t.y - polygon_.low.y) * inverse_y_;
-    if (!(cx >= 0 && cy >= 0 && cx < kCells && cy < kCells)) return kNone;
-    const int cell = int(cy) * kCells + int(cx);
-    return least_[std::size_t(cell)] == 0 ? kNone : cell;
-  }
-  /// No more than the depth.
-  double least(int cell) const { return cell == kNone ? 0 : least_step_ * (least_[std::size_t(cell)] - 1); }
+  DepthGlance glance(double sign, Vec shift) const;
+  int cell_at(Vec t) const { return glance(1, {}).cell_at(t); }
   double depth(int cell, Vec t) const;
-  /// The depth in this cell will be asked for soon.
-  void expect(int cell) const { __builtin_prefetch(&cells_[std::size_t(cell)]); }
 
  private:
-  struct Cell {
-    std::uint32_t begin = 0;  // in lists_
-    std::uint16_t count = 0;
-    bool mixed = false;  // the boundary may pass through it
-  };
+  static constexpr int kNone = DepthGlance::kNone, kCells = DepthGlance::kCells;
+  static constexpr int kBlock = 5;  // a block of cells shares what its edges can be
+
   /// One line of the cache.
   struct alignas(64) Segment {
     Vec from, to, way;
     double inverse_square, inverse_length;  // the last is 0 for slits, which have no side
   };
 
-  static constexpr int kCells = 40, kBlock = 5;  // a block of cells shares what its edges can be
   /// The edges among `from` that can be nearest within `half` of the point, and the nearest to itself.
   struct Choice {
     double distance = 0, side = 0;
@@ -68,7 +92,7 @@ class DepthField {
   NoFitPolygon polygon_;
   double inverse_x_ = 0, inverse_y_ = 0, least_step_ = 0;
   std::vector<std::uint8_t> least_;  // 0: outside; else 1 + the least depth in steps. A byte a cell stays in the cache
-  std::vector<Cell> cells_;
+  std::vector<DepthCell> cells_;
   std::vector<std::uint16_t> lists_;
   std::vector<Segment> segments_;
   std::vector<double> squares_, least_of_;  // while the cells are made

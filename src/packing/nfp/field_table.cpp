@@ -191,7 +191,7 @@ void FieldTable::link_pairs(const Problem& problem) {
       link_pair(opposites, a, b);
       Link& link = links_[a * n + b];
       const std::optional<double> gap = gap_of(problem, variants_[a], variants_[b]);
-      if (!gap) link.field_ = &nothing_;
+      if (!gap) join(link, nothing_);
       link.gap_ = gap.value_or(0);
       gap_ = std::max(gap_, link.gap_);
     }
@@ -213,6 +213,12 @@ void FieldTable::link_pair(const std::vector<std::optional<Opposite>>& opposites
   link.second_ = std::uint32_t(second);
 }
 
+/// Other threads see the field when the rest of the link is there.
+void FieldTable::join(const Link& link, const DepthField& field) {
+  link.glance_ = field.glance(link.sign_, link.shift_);
+  link.field_.store(&field, std::memory_order_release);
+}
+
 void FieldTable::make(const Link& link) const {
   const Link& whole = links_[link.first_ * variants_.size() + link.second_];
   if (whole.field_.load(std::memory_order_acquire) == nullptr) {
@@ -221,11 +227,12 @@ void FieldTable::make(const Link& link) const {
         no_fit_polygon(variants_[link.first_].shape, variants_[link.second_].shape, link.gap_, tie ? &*tie : nullptr));
     const std::lock_guard lock(guard_);
     if (whole.field_.load(std::memory_order_acquire) == nullptr) {
-      whole.field_.store(made.get(), std::memory_order_release);
+      join(whole, *made);
       made_.push_back(std::move(made));
     }
   }
-  link.field_.store(&whole.field(), std::memory_order_release);
+  const std::lock_guard lock(guard_);
+  if (link.field_.load(std::memory_order_acquire) == nullptr) join(link, whole.field());
 }
 
 }  // namespace findspace::packing

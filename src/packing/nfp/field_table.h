@@ -61,8 +61,9 @@ class FieldTable {
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
 
   /// The depth field of b about a, or that of a pair that looks the same: swapped, or both turned by 180 degrees.
-  class Link {
+  class alignas(64) Link {
    public:
+    const DepthGlance& glance() const { return glance_; }
     const DepthField& field() const { return *field_.load(std::memory_order_acquire); }
     /// A position of b relative to a, in the field; and a vector of the field as one of positions, or the other way.
     Vec in_field(Vec t) const { return sign_ * t + shift_; }
@@ -70,9 +71,10 @@ class FieldTable {
 
    private:
     friend class FieldTable;
+    mutable DepthGlance glance_;  // with the field, a line of the cache
     mutable std::atomic<const DepthField*> field_ = nullptr;
-    double sign_ = 1, gap_ = 0;
     Vec shift_;
+    double sign_ = 1, gap_ = 0;
     std::uint32_t first_ = 0, second_ = 0;  // the pair whose field it is
   };
   const Link& link(std::size_t a, std::size_t b) const {
@@ -92,6 +94,7 @@ class FieldTable {
   };
 
   void make(const Link& link) const;
+  static void join(const Link& link, const DepthField& field);
   void add_variants(const Problem& problem, std::size_t part);
   void add_obstacles(const Problem& problem);
   void add_fixed(const Problem& problem);

@@ -102,22 +102,23 @@ double Arrangement::cost(std::size_t i, const Pose& pose, double bound) const {
   const double out = ranges_.excess(pose.variant);
   double sum = out > 0 ? out * strip_weights_[i] : 0;
   std::size_t count = 0;
-  for_each_near(i, pose, [&](std::size_t j) {
-    const Pose& other = poses_[j];
-    const FieldTable::Link& link = table_->link(pose.variant, other.variant);
-    const DepthField& field = link.field();
-    const Vec at = link.in_field(other.at - pose.at);
-    const int cell = field.cell_at(at);
-    if (cell == DepthField::kNone) return true;
-    field.expect(cell);
-    looks_[count] = {&field, at, cell, weights[j] * field.least(cell), weights[j]};
-    sum += looks_[count++].least;
-    return sum < bound;
-  });
+  for_each_near(
+      i, pose, [&](std::size_t j) __attribute__((always_inline)) {
+        const Pose& other = poses_[j];
+        const FieldTable::Link& link = table_->link(pose.variant, other.variant);
+        const DepthGlance& glance = link.glance();
+        const Vec at = other.at - pose.at;
+        const int cell = glance.cell_at(at);
+        if (cell == DepthGlance::kNone) return true;
+        glance.expect(cell);
+        looks_[count] = {&link, at, cell, weights[j] * glance.least(cell), weights[j]};
+        sum += looks_[count++].least;
+        return sum < bound;
+      });
   for (std::size_t k = 0; k < count; ++k) {
     if (sum >= bound) return std::numeric_limits<double>::infinity();
     const Look& look = looks_[k];
-    const double depth = look.field->depth(look.cell, look.at);
+    const double depth = look.link->field().depth(look.cell, look.link->in_field(look.at));
     sum += (depth > shallow_ ? look.weight * depth : 0) - look.least;
   }
   return sum;

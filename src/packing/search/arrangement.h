@@ -67,7 +67,7 @@ class Arrangement {
 
   /// A pair while its cost is summed up.
   struct Look {
-    const DepthField* field;
+    const FieldTable::Link* link;
     Vec at;
     int cell;
     double least, weight;
