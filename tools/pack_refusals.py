@@ -31,6 +31,10 @@ REFUSALS = [  # problem, exit status, words of the message or the answer
     ({"items": [item(value="1/0")], "strip_height": 4}, 3, ":1:"),  # the place of what is no number
     ({"items": [item(value="x")], "strip_height": 4}, 3, ":1:"),
     ({"items": [item(mirrored=1)], "strip_height": 4}, 3, "true or false"),
+    ({"items": [item(mirored=True)], "strip_height": 4}, 3, "unknown key 'mirored', did you mean 'mirrored'?"),
+    ({"items": [item()], "strip_hight": 4}, 3, "unknown key 'strip_hight', did you mean 'strip_height'?"),
+    (on_plate(zones=[{"shape": SQUARE, "only": [], "keep_out": []}, {"shape": SQUARE, "keep_out": ["a"]}]), 3,
+     "unknown key 'keep_out'"),
     ({"items": [item(shape=CROSSED)], "strip_height": 4}, 3, "meets itself"),
     ({"items": [item(shape={"type": "circle", "data": []})], "strip_height": 4}, 3, "\"type\" is simple_polygon or polygon"),
     (on_plate(width=-4), 3, "above 0"),

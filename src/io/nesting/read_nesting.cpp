@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "io/nesting/nesting_json.h"
+#include "io/nesting/unread_keys.h"
 #include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
 #include "plane/build/build.h"
@@ -37,6 +38,7 @@ class Reader : private NestingJson {
     if (tree().find("item-types") != nullptr && tree().find("items") == nullptr)
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
+    result.notes = unread_keys(*this);
     for (const JsonValue& item : items.items) {
       result.parts.push_back(part(item));
       check_name(item, result.parts, "items");
@@ -129,7 +131,7 @@ class Reader : private NestingJson {
       context.rounding.points += built.rounding.points;
       context.rounding.largest = std::max(context.rounding.largest, built.rounding.largest);
     }
-    problem.notes = context.summary();
+    for (std::string& note : context.summary()) problem.notes.push_back(std::move(note));
   }
 
   int digits_of_shapes(const JsonValue& items) const {

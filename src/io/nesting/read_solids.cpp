@@ -39,7 +39,6 @@ constexpr std::array<Key, 11> kKeys{"name", "container", "containers", "item-typ
 constexpr std::array<Key, 6> kItemKeys{"id", "demand", "path", "shape", "allowed_orientations", "value"};
 constexpr std::array<Key, 2> kFloorKeys{"size-x", "size-y"};
 constexpr std::array<Key, 6> kContainerKeys{"id", "count", "cost", "size-x", "size-y", "size-z"};
-constexpr std::array<Key, 2> kGapKeys{"between", "gap"}, kPairKeys{"between", "where"}, kGroupKeys{"parts", "within"};
 constexpr std::array<std::pair<Key, std::span<const Key>>, 5> kKeysOfLists{{{"item-types", kItemKeys},
                                                                             {"containers", kContainerKeys},
                                                                             {"gaps", kGapKeys},

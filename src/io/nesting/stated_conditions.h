@@ -5,14 +5,20 @@
 // and `groups` (docs/nesting.md).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/nesting/nesting_json.h"
 #include "packing/problem/pair_condition.h"
 
 namespace findspace::io {
+
+/// The keys of what `gaps`, `pairs` and `groups` list.
+inline constexpr std::array<std::string_view, 2> kGapKeys{"between", "gap"}, kPairKeys{"between", "where"},
+    kGroupKeys{"parts", "within"};
 
 /// Parts that stay together: any two copies in one container, and no farther apart than that.
 struct StatedGroup {
