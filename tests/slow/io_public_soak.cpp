@@ -43,7 +43,7 @@ class Caller {
   Caller(unsigned seed, const World& shared) : random_(seed), shared_(shared) {}
 
   void call() {
-    switch (number(0, 8)) {
+    switch (number(0, 11)) {
       case 0:
         return solve();
       case 1:
@@ -60,6 +60,12 @@ class Caller {
         return in_space();
       case 7:
         return change();
+      case 8:
+        return signs();
+      case 9:
+        return turn();
+      case 10:
+        return search();
       default:
         return cancel();
     }
@@ -140,6 +146,40 @@ class Caller {
     mine.move("wall", Point{number(-3, 3), 0});
     EXPECT_EQ(mine.query("clear(peg, wall) and clear(peg, a)").holds(Point{0, 0}),
               mine.holds("clear(peg, wall)", Point{0, 0}) && mine.holds("clear(peg, a)", Point{0, 0}));
+  }
+  /// Rarely: the least work of a packing takes a tenth of a second.
+  void search() {
+    const int which = number(0, 39);
+    if (which == 0) pack_parts();
+    if (which == 1) pack_solids();
+  }
+  void pack_parts() {
+    PackProblem problem;
+    problem.height = 12;
+    problem.parts = {PackPart::of("a", shape(), 2), PackPart::of("b", shape())};
+    const auto found = pack(problem, {.threads = 1, .seed = random_(), .work = 0.01});
+    EXPECT_TRUE(found && layout_faults(problem, *found).empty());
+  }
+  void pack_solids() {
+    SolidPackProblem problem;
+    problem.containers = {{"crate", 4, 4, 4, 3}};
+    problem.parts = {{"box", Shape::box(Point3{0, 0, 0}, Point3{number(1, 3), 2, 1}), 3, Orientation::upright()},
+                     {"ball", Shape::ball({0, 0, 0}, 1), 2}};
+    const auto found = pack(problem, {.threads = 1, .seed = random_(), .work = 0.01});
+    EXPECT_TRUE(found && layout_faults(problem, *found).empty());
+  }
+  void signs() {
+    const SignMap map = shared_.sign_map("gap(peg, wall)", number(0, 3));
+    const Region near = map.where(true, true, false);
+    for (const Position& p : near.sample(20, {.threads = 1, .seed = random_()})) EXPECT_LE(map.sign({p[0], p[1]}), 0);
+  }
+  void turn() {
+    const World w = world();
+    const PoseMap poses = w.poses("clear(peg, a) and inside(peg, table)", {0, number(1, 80)});
+    EXPECT_EQ(poses.slices.size(), 2u);
+    const Phi phi(shape(), shape());
+    EXPECT_EQ(phi.at(Point{number(-9, 9), 30}).state, Phi::State::kApart);
+    EXPECT_THROW(Shape::file("no such file.svg"), Error);
   }
   void cancel() {
     Options options;
