@@ -14,6 +14,7 @@ usage: check_layers.py [ROOT]
    in the code: only src/exact decides
    signs, and margins stand in src/exact/margins with their derivation. One that is no margin says so on its
    line: `// no sign: why`.
+5. Verbs of the program that are clients of the public headers (CLIENTS) include no layer.
 
 Exit status 0 when all hold. docs/architecture.md says what the layers are for."""
 import os
@@ -32,6 +33,7 @@ SMALL = re.compile(r"(?<![\w.])\d*\.?\d*[eE]-\d+")
 POWER = re.compile(r"(?<![\w.])0[xX][\da-fA-F.']+[pP][+-]?\d+|/ *\(1 *<< *[2-6]\d\)")
 PART = re.compile(r"\bconst\w* [^;]*\bratio\(1, *1(?:'?000){2,}\)")
 NOT_YET = ()
+CLIENTS = (os.path.join("apps", "verbs", "explain_command.cpp"),)
 
 
 def files(root, folder):
@@ -98,6 +100,15 @@ def check_layer_includes(root):
                 yield path, number, f'include "{name}" names no layer and street'
             elif LAYERS.index(other) > LAYERS.index(layer):
                 yield path, number, f'{layer} includes "{name}" from a higher layer'
+
+
+def check_clients(root):
+    for layer, _, path in street_files(root):
+        if path not in CLIENTS:
+            continue
+        for number, name, other, _ in included_streets(root, layer, path):
+            if other != "apps":
+                yield path, number, f'a client of the public headers includes "{name}"'
 
 
 def street_graph(root):
@@ -192,7 +203,8 @@ def check_small_constants(root):
 def main(argv):
     root = argv[0] if argv else ROOT
     faults = 0
-    for check in (check_layer_includes, check_streets, check_public_headers, check_licence_lines, check_small_constants):
+    for check in (check_layer_includes, check_clients, check_streets, check_public_headers, check_licence_lines,
+                  check_small_constants):
         for path, line, fault in check(root):
             print(f"{path}:{line}: {fault}")
             faults += 1

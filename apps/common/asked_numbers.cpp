@@ -78,6 +78,14 @@ exact::RealPoint asked_position(const Session& session) {
   return {p[0], p[1]};
 }
 
+std::optional<Point> asked_point(const Session& session) {
+  if (!session.options().at) return std::nullopt;
+  asked_position(session);  // refuses what is none
+  const std::string& text = *session.options().at;
+  const std::size_t comma = text.find(',');
+  return Point{text.substr(0, comma), text.substr(comma + 1)};
+}
+
 std::array<Real, 3> asked_position_in_space(const Session& session) {
   const std::vector<Real> p = coordinates(session, 3);
   return {p[0], p[1], p[2]};

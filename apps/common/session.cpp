@@ -11,6 +11,7 @@
 #include <set>
 
 #include "common/asked_numbers.h"
+#include "io/api/public_scene.h"
 #include "io/board/board_scene.h"
 #include "io/board/read_board.h"
 #include "io/cad/read_cad.h"
@@ -199,19 +200,7 @@ void Session::require_positions_in_space(bool line, bool poses) const {
     throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
 }
 
-formula::Context Session::context() const {
-  formula::Context context;
-  for (const plane::ShapePtr& s : scene_.shapes) context.shapes.push_back(s->name);
-  context.moving = scene_.moving;
-  context.motion = scene_.motion.given();
-  context.unit = scene_.unit;
-  context.dimension = scene_.dimension;
-  context.empty = scene_.empty_lists;
-  context.groups = scene_.groups;
-  context.all = scene_.all_shapes;
-  context.work_limit = scene_.work_limit;
-  return context;
-}
+formula::Context Session::context() const { return io::context_of(scene_); }
 
 formula::Formula Session::formula(const io::FormulaText& text, const formula::Context& context) const {
   if (text.empty()) return {};
@@ -253,22 +242,15 @@ std::optional<Session::Goal> Session::goal() const {
   }
 }
 
-namespace {
-
-formula::Motion motion_of(const io::Scene& scene) {
-  formula::Motion out{scene.motion.start, scene.motion.end, {}};
-  for (const io::Movement& m : scene.motion.movements) {
-    formula::Trajectory t{m.times, {}, m.angles};
-    for (const io::GridPosition& p : m.path) t.path.push_back({Real(p[0]), Real(p[1])});
-    out.of.emplace(m.shape, std::move(t));
-  }
-  return out;
-}
-
-}  // namespace
-
 formula::World Session::world() const {
   return scene_.named_only ? world_of(where()) : world_with(scene_.shapes, true);
+}
+
+World Session::public_world() const { return io::public_world(scene_, world()); }
+
+Formula Session::public_where() const {
+  where();  // says where a mistake is
+  return scene_.where.empty() ? Formula("true") : Formula(scene_.where.text);
 }
 
 formula::World Session::world_of(const formula::Formula& formula, bool parts) const {
@@ -300,7 +282,7 @@ formula::World Session::world_with(const std::vector<plane::ShapePtr>& shapes, b
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   world.moving = scene_.moving;
   world.step = step();
-  world.motion = motion_of(scene_);
+  world.motion = io::motion_of(scene_);
   world.instant = asked_instant(*this);
   for (const plane::ShapePtr& s : shapes) {
     if (!s->collection || !parts) continue;

@@ -4,6 +4,8 @@
 // What the verbs share: the scene, its shapes as regions, its formula, and the files that results go to.
 #pragma once
 
+#include <findspace/world.h>
+
 #include <functional>
 #include <map>
 #include <optional>
@@ -55,6 +57,9 @@ class Session {
   std::optional<Goal> goal() const;
   /// All shapes, and which of them move.
   formula::World world() const;
+  /// The same for the public headers, and `where`.
+  World public_world() const;
+  Formula public_where() const;
   /// The same without shapes that the formula does not name and that others are made of; without the parts of
   /// collections, unless a report or a picture needs them.
   formula::World world_of(const formula::Formula& formula, bool parts = true) const;

@@ -4,7 +4,6 @@
 #include "common/asked_numbers.h"
 #include "common/commands.h"
 #include "common/session.h"
-#include "io/write/write_explanation.h"
 
 namespace findspace::app {
 
@@ -14,19 +13,13 @@ Outcome run_explain(const Options& options, Reporter& reporter) {
     throw Error(ErrorCode::kUnsupported, "explain answers in the plane, not for 3D scenes", session.scene().file);
   check_outputs(options, {".json"});
   session.require_positions(false);
-  const formula::Formula formula = session.where();
-  const formula::Solver solver(session.world());
+  const Formula where = session.public_where();
+  const World world = session.public_world();
+  const std::optional<Point> at = asked_point(session);
   reporter.stage("explaining");
-  const formula::Explanation explanation = formula::explain(solver, formula);
-  std::optional<formula::PositionExplanation> here;
-  const exact::RealPoint at = asked_position(session);
-  if (options.at) here = formula::explain_at(solver, formula, at);
-  const io::ExplanationReport report{formula, explanation,         here ? &*here : nullptr,
-                                     at,      solver.world().step, session.unit()};
-  const auto json = [&] { return io::explanation_json(report); };
-  write_outputs(options, {{".json", json}});
-  const bool yes = here ? here->check.holds : explanation.feasible;
-  return {options.json ? json() : io::explanation_text(report), yes ? kDone : kEmpty};
+  const Explanation found = world.explain(where, at);
+  write_outputs(options, {{".json", [&] { return found.json; }}});
+  return {options.json ? found.json : found.text, (found.here ? found.here->holds : found.feasible) ? kDone : kEmpty};
 }
 
 }  // namespace findspace::app

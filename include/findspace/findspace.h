@@ -20,6 +20,7 @@
 
 #include "findspace/contour.h"
 #include "findspace/error.h"
+#include "findspace/explanation.h"
 #include "findspace/formula.h"
 #include "findspace/line_map.h"
 #include "findspace/motion.h"
@@ -29,6 +30,7 @@
 #include "findspace/phi.h"
 #include "findspace/placement.h"
 #include "findspace/region.h"
+#include "findspace/scene.h"
 #include "findspace/shape.h"
 #include "findspace/solid_packing.h"
 #include "findspace/space_region.h"

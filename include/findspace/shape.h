@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,6 +38,13 @@ class Shape {
   static Shape polygon(const Ring& ring, const std::vector<Ring>& holes = {}, const Grid& grid = {});
   static Shape polygon(std::span<const Position> ring, const std::vector<std::span<const Position>>& holes = {},
                        const Grid& grid = {});
+  template <std::integral T>
+  static Shape polygon(std::span<const std::array<T, 2>> ring,
+                       const std::vector<std::span<const std::array<T, 2>>>& holes = {}, const Grid& grid = {}) {
+    std::vector<Ring> inner;
+    for (const auto& hole : holes) inner.push_back(ring_of(hole));
+    return polygon(ring_of(ring), inner, grid);
+  }
   /// The same of rings that may have arcs.
   static Shape polygon(const Contour& ring, const std::vector<Contour>& holes = {}, const Grid& grid = {});
   /// A polygon of each ring, made side by side; the place of an error begins with "polygon K".
@@ -144,6 +152,13 @@ class Shape {
   const Data& data() const { return *data_; }
 
  private:
+  template <std::integral T>
+  static Ring ring_of(std::span<const std::array<T, 2>> points) {
+    Ring ring;
+    for (const auto& p : points) ring.push_back({p[0], p[1]});
+    return ring;
+  }
+
   std::shared_ptr<const Data> data_;
 };
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "findspace/error.h"
+#include "findspace/explanation.h"
 #include "findspace/formula.h"
 #include "findspace/line_map.h"
 #include "findspace/motion.h"
@@ -102,6 +103,9 @@ class World {
   /// The least value of an objective (a distance, x, y, "distance to [1, 2]") where the formula holds; enclosed where
   /// that region is known between bounds.
   Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
+  /// Why the formula holds nowhere, or how far each of its levels can be tightened; and what stands in the way at a
+  /// position. Of the plane; kUnsupported where shapes rotate in time, and for distances in rotation.
+  Explanation explain(const Formula& formula, const std::optional<Point>& at = {}) const;
   /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
   SpaceRegion solve_space(const Formula& formula) const;
   /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
@@ -148,11 +152,10 @@ class World {
   Region shape(const std::string& name) const;
 
   struct Data;
+  explicit World(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   const Data& data() const { return *data_; }
 
  private:
-  explicit World(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
-
   std::shared_ptr<const Data> data_;
 };
 

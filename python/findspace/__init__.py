@@ -10,17 +10,17 @@
 (True, False)
 """
 from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Body, Cancel, Check, Component, Distance, DistanceValue,
-                         Edge, Error, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LineMap, Optimum, Options, Orientation,
+                         Edge, Error, Explanation, Feature, FixedPart, Formula, Instants, Interval, LeftOutPart, LevelChange, LineMap, Optimum, Options, Orientation,
                          PackContainer, PackGroup, PackLayout, PackPart, PackProblem, PackRemnant, PackSheet, PackSolid, PackZone, Phi, PhiValue,
-                         PlacedPart, PlacedSolid, Placement, PoseMap, Query, Region, Ring, Shape, SignMap, SolidPackLayout, SolidPackProblem, SpaceRegion, Stopped, Surface,
+                         PlacedPart, PlacedSolid, Placement, PoseMap, Query, Region, Ring, Scene, Shape, SignMap, SolidPackLayout, SolidPackProblem, SpaceRegion, Stopped, Surface,
                          World, clear, cover, covers, depth, diameter, disjoint, distance, far, gap, group, hausdorff,
                          inside, keepout, margin, near, overlaps, pack, place, protrusion, reach, touches, within)
 from . import _page, _plot, _shapely
 
 __all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Body", "Cancel", "Check", "Component", "Distance", "DistanceValue",
-           "Edge", "Error", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LineMap",
+           "Edge", "Error", "Explanation", "Feature", "FixedPart", "Formula", "Instants", "Interval", "LeftOutPart", "LevelChange", "LineMap",
            "Optimum", "Options", "Orientation", "PackContainer", "PackGroup", "PackLayout", "PackPart", "PackProblem", "PackRemnant", "PackSheet", "PackSolid", "PackZone",
-           "Phi", "PhiValue", "PlacedPart", "PlacedSolid", "Placement", "PoseMap", "Query", "Region", "Ring", "Shape", "SignMap", "SolidPackLayout", "SolidPackProblem", "SpaceRegion", "Stopped",
+           "Phi", "PhiValue", "PlacedPart", "PlacedSolid", "Placement", "PoseMap", "Query", "Region", "Ring", "Scene", "Shape", "SignMap", "SolidPackLayout", "SolidPackProblem", "SpaceRegion", "Stopped",
            "Surface", "World", "clear", "cover", "covers", "depth", "diameter", "disjoint", "distance", "far", "gap",
            "group", "hausdorff", "inside", "keepout", "margin", "near", "overlaps", "pack", "place", "protrusion",
            "reach", "shape", "touches", "within"]
@@ -36,6 +36,9 @@ Shape._repr_html_ = _page.page_of_shape
 Surface._repr_html_ = _page.page_of_surface
 SpaceRegion._repr_html_ = _page.page_of_region
 Placement._repr_svg_ = _plot.picture_of_placement
+PackLayout._repr_svg_ = _plot.picture_of_layout
+SolidPackLayout._repr_svg_ = _plot.picture_of_layout
+SolidPackLayout._repr_html_ = _page.page_of_layout
 Region.to_shapely = _shapely.to_shapely
 Region.__geo_interface__ = property(_shapely.geo_interface)
 Shape.__geo_interface__ = property(_shapely.geo_interface_of_shape)

@@ -115,6 +115,11 @@ def page_of_surface(self):
     return _framed(page({"where": "", "moving": [], "shapes": [_shape("surface", self)]})) if len(self.vertices) else None
 
 
+def page_of_layout(self):
+    """For notebooks: solids where they stand. None of a layout that does not know its problem."""
+    return page_of_surface(self.surface(self.problem)) if hasattr(self, "problem") else None
+
+
 def page_of_region(self):
     """For notebooks: the region among the shapes, and the moving one at a position of it. None where it is empty."""
     if self.empty:

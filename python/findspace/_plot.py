@@ -95,3 +95,8 @@ def picture_of_surface(self):
 
 def picture_of_placement(self):
     return self.svg
+
+
+def picture_of_layout(self):
+    """For notebooks; None of a layout that does not know its problem."""
+    return self.svg(self.problem) if hasattr(self, "problem") else None

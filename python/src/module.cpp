@@ -21,6 +21,7 @@ void bind_regions(py::module_& m);
 void bind_worlds(py::module_& m);
 void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
+void bind_scenes(py::module_& m);
 void bind_packing(py::module_& m);
 void bind_solid_packing(py::module_& m);
 
@@ -75,6 +76,7 @@ PYBIND11_MODULE(_findspace, m) {
   bind_regions(m);
   bind_space(m);
   bind_worlds(m);
+  bind_scenes(m);
   bind_packing(m);
   bind_solid_packing(m);
 }

@@ -202,9 +202,11 @@ void bind_layout(py::module_& m) {
       .def_property_readonly(
           "size", [](const PackRemnant& r) { return py::make_tuple(r.width.text(), r.height.text()); },
           "Width and height, exactly, as text.");
-  py::class_<PackLayout>(m, "PackLayout", "Where the parts are.")
-      .def(pickled<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out, &PackLayout::sheets,
-                               &PackLayout::height, &PackLayout::density, &PackLayout::remnant, &PackLayout::met))
+  py::class_<PackLayout>(m, "PackLayout", py::dynamic_attr(),
+                         "Where the parts are. `problem` is what was packed, which notebooks draw it with.")
+      .def(pickled_with_problem<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out,
+                                            &PackLayout::sheets, &PackLayout::height, &PackLayout::density,
+                                            &PackLayout::remnant, &PackLayout::met))
       .def_property_readonly(
           "met", [](const PackLayout& l) { return limit_name(l.met); },
           "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
@@ -240,7 +242,7 @@ void bind_packing(py::module_& m) {
       [](const PackProblem& problem, const std::optional<Options>& options,
          const std::function<void(const PackLayout&)>& better, const py::kwargs& words) {
         const Options asked = search_options(options, words);
-        return interruptible([&] { return pack(problem, asked, better); });
+        return remembering(interruptible([&] { return pack(problem, asked, better); }), problem);
       },
       py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
       R"doc(The best layout found, or None where there is nothing to pack. Ctrl-C ends the search.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "findspace/packing.h"
@@ -59,4 +60,47 @@ inline Options search_options(const std::optional<Options>& options, const py::k
   return asked;
 }
 
+/// A layout that was found, if any. In Python it remembers its problem, for pictures in notebooks.
+template <class Layout>
+struct Remembering {
+  std::optional<Layout> layout;
+  py::object problem;
+};
+template <class Layout, class Problem>
+Remembering<Layout> remembering(std::optional<Layout> layout, const Problem& problem) {
+  return {std::move(layout), py::cast(&problem)};  // the object that it is already
+}
+
+/// As pickled(), with what it remembers.
+template <class Value, class... Members>
+auto pickled_with_problem(Members Value::*... members) {
+  return py::pickle(
+      [=](const py::object& self) {
+        const auto& v = self.cast<const Value&>();
+        return py::make_tuple(py::make_tuple(packed(v.*members)...), self.attr("__dict__"));
+      },
+      [=](const py::tuple& t) {
+        const auto values = t[0].cast<py::tuple>();
+        Value out{};
+        std::size_t k = 0;
+        (void(out.*members = unpacked<Members>(values[k++])), ...);
+        return std::make_pair(out, t[1].cast<py::dict>());
+      });
+}
+
 }  // namespace findspace::python
+
+template <class Layout>
+class pybind11::detail::type_caster<findspace::python::Remembering<Layout>> {
+ public:
+  static constexpr auto name = const_name("Optional[") + make_caster<Layout>::name + const_name("]");
+  template <class T>
+  using cast_op_type = findspace::python::Remembering<Layout>;
+
+  static handle cast(const findspace::python::Remembering<Layout>& found, return_value_policy, handle) {
+    if (!found.layout) return none().release();
+    object out = pybind11::cast(*found.layout);
+    out.attr("problem") = found.problem;
+    return out.release();
+  }
+};

@@ -240,10 +240,11 @@ void bind_layout(py::module_& m) {
       .def_property(
           "at", [](const PlacedSolid& p) { return py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()); },
           [](PlacedSolid& p, const py::sequence& at) { p.at = point3(at); }, "Exact coordinates as text.");
-  py::class_<SolidPackLayout>(m, "SolidPackLayout", "Where the solids are.")
-      .def(pickled<SolidPackLayout>(&SolidPackLayout::height, &SolidPackLayout::items, &SolidPackLayout::left_out,
-                                    &SolidPackLayout::containers, &SolidPackLayout::density,
-                                    &SolidPackLayout::lower_bound, &SolidPackLayout::met))
+  py::class_<SolidPackLayout>(m, "SolidPackLayout", py::dynamic_attr(),
+                              "Where the solids are. `problem` is what was packed, which notebooks draw it with.")
+      .def(pickled_with_problem<SolidPackLayout>(
+          &SolidPackLayout::height, &SolidPackLayout::items, &SolidPackLayout::left_out, &SolidPackLayout::containers,
+          &SolidPackLayout::density, &SolidPackLayout::lower_bound, &SolidPackLayout::met))
       .def_property_readonly(
           "height", [](const SolidPackLayout& l) { return l.height.text(); },
           "What is used of the last container, exactly, as text.")
@@ -291,7 +292,7 @@ void bind_solid_packing(py::module_& m) {
       [](const SolidPackProblem& problem, const std::optional<Options>& options,
          const std::function<void(const SolidPackLayout&)>& better, const py::kwargs& words) {
         const Options asked = search_options(options, words);
-        return interruptible([&] { return pack(problem, asked, better); });
+        return remembering(interruptible([&] { return pack(problem, asked, better); }), problem);
       },
       py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
       "The same of solids; the search ends where no layout can be lower.");

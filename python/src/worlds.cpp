@@ -69,6 +69,51 @@ SignMapOf sign_map(const World& world, const std::string& distance, const Number
   return {world, distance, level, interruptible([&] { return world.sign_map(distance, level); })};
 }
 
+void bind_explanation(py::module_& m) {
+  py::class_<LevelChange>(m, "LevelChange", "How the level of one condition can move while all others stay.")
+      .def_property_readonly(
+          "kind",
+          [](const LevelChange& c) {
+            static const char* const kKinds[] = {"to", "none", "free"};
+            return kKinds[static_cast<int>(c.kind)];
+          },
+          "'to' another level; 'none' leaves room; 'free': as tight as you like.")
+      .def_readonly("text", &LevelChange::text, "The condition.")
+      .def_readonly("becomes", &LevelChange::becomes, "The condition at that level, or ''.")
+      .def_readonly("to", &LevelChange::to, "The level.")
+      .def_readonly("by", &LevelChange::by, "How far it moves.")
+      .def_readonly("exact", &LevelChange::exact, "Whether the level is known exactly.")
+      .def_readonly("lower", &LevelChange::lower, "The level is not less.")
+      .def_readonly("upper", &LevelChange::upper, "The level is not more.")
+      .def_readonly("reached", &LevelChange::reached, "Whether there is room at this very level.")
+      .def_readonly("at", &LevelChange::at, "The last position that remains, or None.")
+      .def(pickled<LevelChange>(&LevelChange::kind, &LevelChange::text, &LevelChange::becomes, &LevelChange::to,
+                                &LevelChange::by, &LevelChange::exact, &LevelChange::lower, &LevelChange::upper,
+                                &LevelChange::reached, &LevelChange::at))
+      .def("__repr__", [](const LevelChange& c) { return "<LevelChange " + c.text + ">"; });
+  using Together = Explanation::Together;
+  py::class_<Explanation> explanation(m, "Explanation", "Why a formula holds nowhere, or how much slack it has.");
+  py::class_<Together>(explanation, "Together", "All levels move by one amount.")
+      .def_readonly("lower", &Together::lower, "Less leaves no position.")
+      .def_readonly("upper", &Together::upper, "So much does, or None.")
+      .def_readonly("at", &Together::at, "A position for it, or None.")
+      .def(pickled<Together>(&Together::lower, &Together::upper, &Together::at));
+  explanation.def_readonly("feasible", &Explanation::feasible, "Whether the formula holds somewhere.")
+      .def_readonly("conflict", &Explanation::conflict, "Conditions that contradict each other.")
+      .def_readonly("smallest", &Explanation::smallest, "No conflict has fewer.")
+      .def_readonly("relax", &Explanation::relax, "The least change of each level that leaves a position.")
+      .def_readonly("slack", &Explanation::slack, "How far each level can be tightened.")
+      .def_readonly("together", &Explanation::together, "All levels at once, or None.")
+      .def_readonly("here", &Explanation::here, "The check at the position that was given, or None.")
+      .def_readonly("change", &Explanation::change, "Conditions without which the formula holds there.")
+      .def_readonly("text", &Explanation::text, "All of it in words.")
+      .def_readonly("json", &Explanation::json, "As `findspace explain --json` writes it.")
+      .def(pickled<Explanation>(&Explanation::feasible, &Explanation::conflict, &Explanation::smallest,
+                                &Explanation::relax, &Explanation::slack, &Explanation::together, &Explanation::here,
+                                &Explanation::change, &Explanation::text, &Explanation::json))
+      .def("__str__", [](const Explanation& e) { return e.text; });
+}
+
 void bind_sign_map(py::module_& m) {
   py::class_<SignMapOf>(m, "SignMap", R"doc(The sign of a distance minus a level at every position, exactly.
 
@@ -378,6 +423,33 @@ void bind_questions(py::class_<World>& world) {
           py::arg("formula"), py::arg("through"), py::arg("direction"),
           "(intervals, exact): where the formula holds on a line of space; the direction is in integers.")
       .def(
+          "explain",
+          [](const World& w, const Formula& f, const std::optional<py::sequence>& p) {
+            const auto at = p ? std::optional(point(*p)) : std::nullopt;
+            return interruptible([&] { return w.explain(f, at); });
+          },
+          py::arg("formula"), py::arg("position") = py::none(),
+          R"doc(Why the formula holds nowhere, or how far each of its levels can be tightened; of the plane.
+
+Parameters
+----------
+formula : Formula or str
+position : (x, y), optional
+    What stands in the way there is said, too.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"A": fs.Shape.box((0, 0), (10, 10)), "B": fs.Shape.box((-1, -1), (1, 1))}, "B")
+>>> found = world.explain("margin(B, A) >= 5")
+>>> found.feasible, found.conflict, found.relax[0].becomes
+(False, ['margin(B, A) >= 5'], 'margin(B, A) >= 4')
+>>> print(world.explain("margin(B, A) >= 3"), end="")
+some positions are feasible
+how far each level can be tightened:
+  margin(B, A) >= 3: slack 1, to 4; the last position is (5, 5)
+)doc")
+      .def(
           "minimize",
           [](const World& w, const std::string& objective, const Formula& f) {
             return interruptible([&] { return w.minimize(objective, f); });
@@ -395,6 +467,7 @@ void bind_worlds(py::module_& m) {
   bind_values(m);
   bind_query(m);
   bind_sign_map(m);
+  bind_explanation(m);
   py::class_<World> world(m, "World", R"doc(Named shapes, one of which moves by a translation p.
 
 Parameters

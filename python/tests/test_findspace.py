@@ -4,6 +4,7 @@
 import ast
 import doctest
 import importlib.util
+import json
 import os
 import pathlib
 import pickle
@@ -231,6 +232,24 @@ def test_options(world):
     assert (ring.sample(50) != ring.sample(50, seed=7)).any() and ring.contains(ring.sample(50)).all()
 
 
+def test_scenes_and_explanations():
+    folder = pathlib.Path(__file__).resolve().parents[2] / "examples"
+    scene = fs.Scene.file(str(folder / "peg.json"))
+    assert scene.world.moving == "peg" and scene.notes == [] and scene.minimize == ""
+    region = scene.world.solve(scene.where)
+    assert (50, 30) in region and region.components[-1].dimension == 0
+    again = pickle.loads(pickle.dumps(scene))
+    assert again.world.solve(again.where) == region
+    with pytest.raises(fs.Error, match="peg.json|no.json"):
+        fs.Scene.file("no.json")
+    found = scene.world.explain("inside(peg, table) and gap(peg, plate) >= 20", (50, 30))
+    assert not found.feasible and len(found.conflict) == 2 and found.change == ["gap(peg, plate) >= 20"]
+    assert found.relax[0].kind == "to" and found.relax[0].lower <= found.relax[0].to <= found.relax[0].upper
+    assert "in the way" in str(found) and json.loads(found.json)["feasible"] is False and not found.here.holds
+    same = pickle.loads(pickle.dumps(found))
+    assert same.text == found.text and same.relax[0].at == found.relax[0].at and same.together.upper == found.together.upper
+
+
 def test_sign_maps(world):
     signs = world.sign_map(fs.gap("peg", "plate"), "0.5")
     at = np.random.default_rng(3).random((2000, 2)) * 100
@@ -454,8 +473,9 @@ def test_packing_solids():
         corner = item.matrix @ [2, 1, 1, 1]
         assert (corner >= -1e-12).all() and (corner[:3] <= [4, 2, 2]).all() and abs(np.linalg.det(item.matrix) - 1) < 1e-12
     assert layout.text(problem, ".obj").count(b"\ng brick#") == 8 and "<svg" in layout.svg(problem)
+    assert layout.problem is problem and layout._repr_svg_() == layout.svg(problem) and "<iframe" in layout._repr_html_()
     same, there = pickle.loads(pickle.dumps((problem, layout)))
-    assert there.json(same) == layout.json(problem)
+    assert there.problem is same and there.json(same) == layout.json(problem)
     layout.items[0].at = layout.items[1].at
     layout.items[0].orientation = layout.items[1].orientation
     assert layout.faults(problem)

@@ -55,6 +55,13 @@ class CheckLayers(TreeTest):
         self.source("plane/lonely.cpp")
         self.assertIn("src/plane/lonely.cpp:1: is in no street src/<layer>/<street>/ or apps/<street>/", self.faults())
 
+    def test_a_client_of_the_public_headers(self):
+        self.readme("apps", "common", "verbs")
+        self.source("apps/common/session.h", "plane/sum/minkowski.h")
+        self.source("apps/verbs/explain_command.cpp", "common/session.h", "findspace/world.h", "plane/sum/minkowski.h")
+        self.assertEqual(self.faults(), ['apps/verbs/explain_command.cpp:5: a client of the public headers includes '
+                                         '"plane/sum/minkowski.h"'])
+
     def test_the_program_stands_above_all_layers(self):
         self.readme("apps", "common", "verbs")
         self.source("apps/common/session.h", "plane/sum/minkowski.h")

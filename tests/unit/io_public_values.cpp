@@ -38,6 +38,13 @@ TEST(PublicShape, PolygonsFromArrays) {
   EXPECT_EQ(s.dimension(), 2);
 }
 
+TEST(PublicShape, PolygonsFromIntegers) {
+  using Steps = std::array<std::int64_t, 2>;
+  const std::vector<Steps> ring{{0, 0}, {4'000'000'001, 0}, {0, 2}}, flat{{1, 1}, {2, 1}, {3, 1}};
+  EXPECT_EQ(*Shape::polygon(std::span<const Steps>(ring), {}, {1}).region().area(), 4'000'000'001);
+  EXPECT_THROW(Shape::polygon(std::span<const Steps>(ring), {flat}, {1}), Error);
+}
+
 TEST(PublicShape, DoublesStandForTheirDecimals) {
   const std::vector<Position> tenths{{0.1, 0.2}, {0.3, 0.2}, {0.3, 0.7}};
   const Shape from_doubles = Shape::polygon(tenths);

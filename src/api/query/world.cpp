@@ -44,6 +44,12 @@ formula::Context named_context(const std::map<std::string, Shape>& shapes, const
   return context;
 }
 
+/// Lists of names that the scene gave.
+void leave_out(const std::string& name, formula::Context& context) {
+  for (auto& [group, names] : context.groups) std::erase(names, name);
+  if (context.all) std::erase(*context.all, name);
+}
+
 /// The world with one shape other than before; null: without it.
 std::shared_ptr<const World::Data> changed(const World::Data& before, const std::string& name, const Shape* shape) {
   auto data = std::make_shared<World::Data>(before);
@@ -51,8 +57,9 @@ std::shared_ptr<const World::Data> changed(const World::Data& before, const std:
     data->shapes.insert_or_assign(name, *shape);
   else
     data->shapes.erase(name);
-  data->context = named_context(data->shapes, before.context.moving, before.unit());
-  data->context.motion = before.context.motion;
+  const formula::Context named = named_context(data->shapes, before.context.moving, before.unit());
+  data->context.shapes = named.shapes;
+  if (!shape) leave_out(name, data->context);
   if (shape) data->grid = api::common_grid(before.grid, shape->data().grid);
   // Parts of collections are decided by their solver alone.
   const bool parts =

@@ -18,12 +18,7 @@ using exact::Real;
 using formula::LevelChange;
 using Kind = LevelChange::Kind;
 
-/// A change of a level in the words of the formula's writer.
-struct SaidChange {
-  std::string text, becomes;
-  distance::OptimalValue level;
-  Real by;
-};
+}  // namespace
 
 SaidChange said(const ExplanationReport& r, const LevelChange& change) {
   const formula::Demands demands(r.formula);
@@ -36,6 +31,8 @@ SaidChange said(const ExplanationReport& r, const LevelChange& change) {
   if (change.level.proven()) out.becomes = formula::written_at(demands, change, r.step);
   return out;
 }
+
+namespace {
 
 std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   const SaidChange s = said(r, change);

@@ -23,6 +23,14 @@ struct ExplanationReport {
   std::string unit;
 };
 
+/// A change of a level in the words of the formula's writer.
+struct SaidChange {
+  std::string text, becomes;
+  distance::OptimalValue level;
+  exact::Real by;
+};
+SaidChange said(const ExplanationReport& report, const formula::LevelChange& change);
+
 std::string explanation_json(const ExplanationReport& report);
 std::string explanation_text(const ExplanationReport& report);
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <findspace/explanation.h>
+
+#include "api/query/world_data.h"
+#include "formula/language/text.h"
+#include "io/write/write_explanation.h"
+
+namespace findspace {
+namespace {
+
+Position position(const exact::RealPoint& p) { return {p.x.to_double(), p.y.to_double()}; }
+
+LevelChange public_change(const io::ExplanationReport& report, const formula::LevelChange& change) {
+  using Kind = LevelChange::Kind;
+  static_assert(int(formula::LevelChange::Kind::kFree) == int(Kind::kFree));
+  const io::SaidChange said = io::said(report, change);
+  LevelChange out{Kind(int(change.kind)), said.text, said.becomes, 0, 0, false, 0, 0, change.reached, {}};
+  if (out.kind != Kind::kTo) return out;
+  const distance::OutwardEnds ends = distance::outward(said.level.answer->bounds());
+  out.to = said.level.value()->to_double();
+  out.by = said.by.to_double();
+  out.exact = said.level.proven();
+  out.lower = ends.lower;
+  out.upper = ends.upper;
+  if (change.at) out.at = position(*change.at);
+  return out;
+}
+
+std::vector<std::string> written(const formula::Formula& f, const std::vector<std::size_t>& atoms) {
+  std::vector<std::string> out;
+  for (const std::size_t k : atoms) out.push_back(formula::written(f.atoms()[k]));
+  return out;
+}
+
+Explanation public_explanation(const io::ExplanationReport& report) {
+  const formula::Explanation& e = report.explanation;
+  Explanation out;
+  out.feasible = e.feasible;
+  if (e.conflict) {
+    out.conflict = written(report.formula, e.conflict->atoms);
+    out.smallest = e.conflict->smallest;
+  }
+  for (const formula::LevelChange& c : e.relax) out.relax.push_back(public_change(report, c));
+  for (const formula::LevelChange& c : e.slack) out.slack.push_back(public_change(report, c));
+  if (e.together) {
+    out.together = {e.together->lower.to_double(), {}, {}};
+    if (e.together->upper) out.together->upper = e.together->upper->to_double();
+    if (e.together->at) out.together->at = position(*e.together->at);
+  }
+  if (report.here != nullptr) {
+    out.here = api::public_check(report.here->check);
+    out.change = written(report.formula, report.here->change);
+  }
+  out.text = io::explanation_text(report);
+  out.json = io::explanation_json(report);
+  return out;
+}
+
+}  // namespace
+
+Explanation World::explain(const Formula& formula, const std::optional<Point>& at) const {
+  const formula::Solver& solver = data_->plane("an explanation");
+  const formula::Formula asked = data_->formula(formula.text());
+  exact::RealPoint p;
+  if (at) p = {api::real_of(at->x), api::real_of(at->y)};
+  return api::limited(data_->options, [&] {
+    const formula::Explanation found = formula::explain(solver, asked);
+    std::optional<formula::PositionExplanation> here;
+    if (at) here = formula::explain_at(solver, asked, p);
+    return public_explanation({asked, found, here ? &*here : nullptr, p, solver.world().step, data_->unit()});
+  });
+}
+
+}  // namespace findspace

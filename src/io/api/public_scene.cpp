@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/api/public_scene.h"
+
+#include <findspace/error.h>
+#include <findspace/scene.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <mutex>
+
+#include "api/query/world_data.h"
+#include "io/text/read_text.h"
+#include "packing/problem/fraction.h"
+
+namespace findspace {
+namespace io {
+namespace {
+
+Number number(const exact::Real& value) {
+  const auto fraction = value.fraction();  // what scenes state is rational
+  return packing::Fraction((*fraction)[0], (*fraction)[1]).text();
+}
+
+findspace::Motion public_motion(const Scene& scene) {
+  findspace::Motion out{number(scene.motion.start), number(scene.motion.end), {}};
+  for (const Movement& m : scene.motion.movements)
+    for (std::size_t k = 0; k < m.path.size(); ++k) {
+      const auto coordinate = [&](int i) { return number(exact::Real(m.path[k][std::size_t(i)]) * scene.grid.step()); };
+      out.paths[m.shape].push_back({number(m.times[k]), {coordinate(0), coordinate(1)}, number(m.angles[k])});
+    }
+  return out;
+}
+
+std::map<std::string, Shape> shapes_of(const Scene& scene) {
+  std::map<std::string, Shape> out;
+  for (const plane::ShapePtr& s : scene.shapes) out.emplace(s->name, api::make_shape(s, scene.grid, scene.dimension));
+  return out;
+}
+
+World::Data data_of(const Scene& scene) {
+  World::Data data{shapes_of(scene), scene.grid, context_of(scene)};
+  if (scene.motion.given()) data.motion = public_motion(scene);
+  return data;
+}
+
+}  // namespace
+
+formula::Context context_of(const Scene& scene) {
+  formula::Context context;
+  for (const plane::ShapePtr& s : scene.shapes) context.shapes.push_back(s->name);
+  context.moving = scene.moving;
+  context.motion = scene.motion.given();
+  context.unit = scene.unit;
+  context.dimension = scene.dimension;
+  context.empty = scene.empty_lists;
+  context.groups = scene.groups;
+  context.all = scene.all_shapes;
+  context.work_limit = scene.work_limit;
+  return context;
+}
+
+formula::Motion motion_of(const Scene& scene) {
+  formula::Motion out{scene.motion.start, scene.motion.end, {}};
+  for (const Movement& m : scene.motion.movements) {
+    formula::Trajectory t{m.times, {}, m.angles};
+    for (const GridPosition& p : m.path) t.path.push_back({exact::Real(p[0]), exact::Real(p[1])});
+    out.of.emplace(m.shape, std::move(t));
+  }
+  return out;
+}
+
+World public_world(const Scene& scene, formula::World built) {
+  auto data = std::make_shared<World::Data>(data_of(scene));
+  data->planar = std::make_shared<const formula::Solver>(std::move(built));
+  return World(std::move(data));
+}
+
+}  // namespace io
+
+struct Scene::Data {
+  io::Scene read;
+  std::string text, folder;
+  std::map<std::string, Shape> shapes;
+  Formula where;
+
+  Data(std::string from, std::string beside, const std::string& name)
+      : read(io::read_scene_text(from, beside, name)),
+        text(std::move(from)),
+        folder(std::move(beside)),
+        shapes(io::shapes_of(read)),
+        where(read.where.empty() ? Formula("true") : Formula(read.where.text)) {}
+
+  const World& world() const {
+    std::call_once(made_, [&] {
+      if (read.moving.empty())
+        throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", read.file);
+      auto data = std::make_shared<World::Data>(io::data_of(read));
+      api::make_solver(*data);
+      world_.emplace(std::move(data));
+    });
+    return *world_;
+  }
+
+ private:
+  mutable std::once_flag made_{};
+  mutable std::optional<World> world_{};
+};
+
+Scene Scene::file(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return Scene(std::make_shared<const Data>(io::read_text(path), folder.string(), path));
+}
+
+Scene Scene::json(std::string_view text, const std::string& folder) {
+  return Scene(std::make_shared<const Data>(std::string(text), folder, "scene"));
+}
+
+const std::map<std::string, Shape>& Scene::shapes() const { return data_->shapes; }
+const World& Scene::world() const { return data_->world(); }
+const Formula& Scene::where() const { return data_->where; }
+const std::string& Scene::minimize() const { return data_->read.minimize.text; }
+const std::string& Scene::maximize() const { return data_->read.maximize.text; }
+const std::string& Scene::text() const { return data_->text; }
+const std::string& Scene::folder() const { return data_->folder; }
+const std::vector<std::string>& Scene::notes() const { return data_->read.notes; }
+
+}  // namespace findspace

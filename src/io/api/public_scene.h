@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// A scene that was read, as the public headers show it.
+#pragma once
+
+#include <findspace/world.h>
+
+#include "formula/language/parse.h"
+#include "formula/planar/world.h"
+#include "io/scene/scene.h"
+
+namespace findspace::io {
+
+/// What formulas of the scene may speak of.
+formula::Context context_of(const Scene& scene);
+/// The motion of its shapes, in grid steps.
+formula::Motion motion_of(const Scene& scene);
+/// Of the plane, with the sets that were built of its shapes.
+World public_world(const Scene& scene, formula::World built);
+
+}  // namespace findspace::io

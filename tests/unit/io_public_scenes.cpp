@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Scene files and explanations through the public headers.
+
+#include <gtest/gtest.h>
+
+#include "findspace/error.h"
+#include "findspace/scene.h"
+
+namespace io_public_scenes {
+
+using namespace findspace;
+
+const char* const kScene = R"json({"findspace": 1, "unit": "mm", "shapes": {
+    "plate": {"box": {"min": [0, 0], "max": [10, 8]}}, "a": {"box": {"min": [0, 0], "max": [1, 1]}},
+    "b": {"disc": {"center": [5, 4], "radius": 1}}, "peg": {"box": {"min": [-1, -1], "max": [1, 1]}}},
+  "groups": {"both": ["a", "b"]}, "moving": "peg", "where": ["inside(peg, plate)", "clear(peg, both, 1)"],
+  "minimize": "y"})json";
+
+TEST(PublicScene, AsksWhatTheFileAsks) {
+  const Scene scene = Scene::json(kScene);
+  EXPECT_EQ(scene.shapes().size(), 5u);  // the group is one, too
+  EXPECT_EQ(scene.world().unit(), "mm");
+  EXPECT_EQ(scene.world().moving(), "peg");
+  EXPECT_EQ(scene.minimize(), "y");
+  EXPECT_EQ(scene.maximize(), "");
+  const Region region = scene.world().solve(scene.where());
+  EXPECT_TRUE(region.contains(Point{9, 7}));
+  EXPECT_TRUE(region.contains(Point{5, 1}));
+  EXPECT_FALSE(region.contains(Point{5, "1.000001"}));
+  EXPECT_EQ(*scene.world().minimize(scene.minimize(), scene.where()).value, 1);
+  World fewer = scene.world();
+  fewer.remove("both");
+  EXPECT_THROW(fewer.solve(scene.where()), Error);
+  EXPECT_FALSE(fewer.solve("inside(peg, plate)").empty());
+}
+
+TEST(PublicScene, MovesInTimeAndStandsInSpace) {
+  const Scene moving = Scene::json(R"json({"findspace": 1, "shapes": {"cart": {"disc": {"center": [0, 0], "radius": 1}},
+    "post": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "cart", "where": "inf gap(cart, post) >= 0",
+    "motion": {"time": [0, 1], "post": {"path": [[-5, 0], [5, 0.5]]}}})json");
+  EXPECT_TRUE(moving.world().motion().has_value());
+  EXPECT_EQ(moving.world().motion()->paths.at("post")[1].at.y.text(), "0.5");
+  EXPECT_FALSE(moving.world().holds(moving.where(), Point{0, 1}));
+  const Scene solid =
+      Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}},
+    "crate": {"box": {"min": [0, 0, 0], "max": [1, 2, 3]}}}, "moving": "crate", "where": "inside(crate, room)"})json");
+  EXPECT_TRUE(solid.world().holds(solid.where(), Point3{8, 7, 6}));
+}
+
+TEST(PublicScene, SaysWhatIsWrong) {
+  EXPECT_THROW(Scene::file("no such scene.json"), Error);
+  EXPECT_THROW(Scene::json("{"), Error);
+  const Scene still =
+      Scene::json(R"json({"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0], "max": [1, 1]}}}})json");
+  EXPECT_EQ(*still.shapes().at("a").region().area(), 1);
+  EXPECT_THROW(still.world(), Error);
+}
+
+TEST(PublicExplanation, OfWhatHoldsNowhere) {
+  const World world = Scene::json(kScene).world();
+  const Explanation found = world.explain("inside(peg, plate) and gap(peg, b) >= 6", Point{1, 1});
+  EXPECT_FALSE(found.feasible);
+  EXPECT_EQ(found.conflict.size(), 2u);
+  EXPECT_TRUE(found.smallest);
+  ASSERT_EQ(found.relax.size(), 2u);
+  const LevelChange& change = found.relax[1];
+  EXPECT_EQ(change.text, "gap(peg, b) >= 6");
+  EXPECT_EQ(change.kind, LevelChange::Kind::kTo);
+  EXPECT_LE(change.lower, change.to);
+  EXPECT_GE(change.upper, change.to);
+  EXPECT_NEAR(change.to + change.by, 6, 1e-12);
+  EXPECT_TRUE(world.holds("inside(peg, plate)", Point{change.at->at(0), change.at->at(1)}));
+  ASSERT_TRUE(found.here.has_value());
+  EXPECT_FALSE(found.here->holds);
+  EXPECT_EQ(found.change, (std::vector<std::string>{"gap(peg, b) >= 6"}));
+  EXPECT_NE(found.text.find("is not feasible; in the way"), std::string::npos);
+  EXPECT_EQ(found.json.find("{\"unit\": \"mm\""), 0u);
+}
+
+TEST(PublicExplanation, OfWhatHasSlack) {
+  const World world = Scene::json(kScene).world();
+  const Explanation found = world.explain("margin(peg, plate) >= 1");
+  EXPECT_TRUE(found.feasible);
+  ASSERT_EQ(found.slack.size(), 1u);
+  EXPECT_EQ(found.slack[0].to, 3);
+  EXPECT_TRUE(found.slack[0].exact);
+  EXPECT_FALSE(found.here.has_value());
+  const World solid({{"a", Shape::ball({0, 0, 0}, 1)}, {"b", Shape::ball({0, 0, 0}, 2)}}, "a");
+  EXPECT_THROW(solid.explain("inside(a, b)"), Error);
+}
+
+}  // namespace io_public_scenes
