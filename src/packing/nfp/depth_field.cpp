@@ -40,7 +40,7 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
   std::iota(all.begin(), all.end(), 0u);
   least_of_.assign(cells_.size(), -1);
   for (int row = 0; row < kCells; row += kBlock)
-    for (int column = 0; column < kCells; column += kBlock) fill_block(column, row, all);
+    for (int column = 0; column < kCells; column += kBlock) fill_block(column, row, kBlock, all, 0);
   keep_least();
 }
 
@@ -106,6 +106,7 @@ double DepthField::depth(int index, Vec t) const {
 void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice) {
   squares_.clear();
   double least = kFar;
+  std::uint32_t nearest = from.front();
   choice.side = 0;
   Vec projection;
   for (const std::uint32_t e : from) {
@@ -116,47 +117,44 @@ void DepthField::choose(Vec middle, Vec half, const std::vector<std::uint32_t>& 
     const double height = cross(s.way, middle - s.from) * s.inverse_length;
     if (square == least && std::abs(height) <= std::abs(choice.side)) continue;
     least = square;
+    nearest = e;
     choice.side = height;
   }
   choice.distance = std::sqrt(least);
-  // What is farther everywhere than an edge is at the farthest corner is never nearest.
+  // What is farther everywhere than the nearest edge is at the farthest corner is never nearest.
   const double radius = std::sqrt(dot(half, half)), reach = choice.distance + 2 * radius;
-  double least_greatest = reach * reach;
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    if (squares_[k] > least_greatest) continue;
-    const Segment& s = segments_[from[k]];
-    double greatest = 0;
-    for (const Vec c : {half, Vec{-half.x, half.y}, Vec{half.x, -half.y}, Vec{-half.x, -half.y}})
-      greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, middle + c, projection));
-    least_greatest = std::min(least_greatest, greatest);
-  }
-  const double keep = std::sqrt(least_greatest) + radius;
+  double greatest = 0;
+  const Segment& s = segments_[nearest];
+  for (const Vec c : {half, Vec{-half.x, half.y}, Vec{half.x, -half.y}, Vec{-half.x, -half.y}})
+    greatest = std::max(greatest, square_to(s.from, s.to, s.way, s.inverse_square, middle + c, projection));
+  const double keep = std::sqrt(std::min(greatest, reach * reach)) + radius;
   choice.edges.clear();
   for (std::size_t k = 0; k < from.size(); ++k)
     if (squares_[k] <= keep * keep) choice.edges.push_back(from[k]);
 }
 
-void DepthField::fill_block(int column, int row, const std::vector<std::uint32_t>& all) {
-  const Vec half{0.5 / inverse_x_, 0.5 / inverse_y_};
-  const auto middle_of = [&](int c, int r, int cells) {
-    return Vec{polygon_.low.x + (2 * c + cells) * half.x, polygon_.low.y + (2 * r + cells) * half.y};
-  };
-  choose(middle_of(column, row, kBlock), double(kBlock) * half, all, block_);
-  for (int r = row; r < row + kBlock; ++r)
-    for (int c = column; c < column + kBlock; ++c)
-      fill(std::size_t(r) * kCells + std::size_t(c), middle_of(c, r, 1), half, block_.edges);
+void DepthField::fill_block(int column, int row, int cells, const std::vector<std::uint32_t>& from, std::size_t level) {
+  const Vec half{0.5 * cells / inverse_x_, 0.5 * cells / inverse_y_};
+  const Vec middle{polygon_.low.x + (column + 0.5 * cells) / inverse_x_,
+                   polygon_.low.y + (row + 0.5 * cells) / inverse_y_};
+  Choice& choice = choices_[level];
+  choose(middle, half, from, choice);
+  const double radius = std::sqrt(dot(half, half));
+  if (choice.distance > radius && choice.side < 0) return;  // all of it is outside
+  if (cells == 1) return fill(std::size_t(row) * kCells + std::size_t(column), radius);
+  const int quarter = cells / 2;
+  for (const int r : {row, row + quarter})
+    for (const int c : {column, column + quarter}) fill_block(c, r, quarter, choice.edges, level + 1);
 }
 
-void DepthField::fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from) {
+void DepthField::fill(std::size_t index, double radius) {
+  const Choice& choice = choices_[kLevels];
   DepthCell& cell = cells_[index];
-  choose(middle, half, from, cell_);
-  const double radius = std::sqrt(dot(half, half));
-  if (cell_.distance > radius && cell_.side < 0) return;
-  cell.mixed = cell_.distance <= radius;
-  least_of_[index] = std::max(0.0, cell_.distance - radius);
+  cell.mixed = choice.distance <= radius;
+  least_of_[index] = std::max(0.0, choice.distance - radius);
   cell.begin = std::uint32_t(lists_.size());
-  for (const std::uint32_t e : cell_.edges) lists_.push_back(std::uint16_t(e));
-  cell.count = std::uint16_t(cell_.edges.size());
+  for (const std::uint32_t e : choice.edges) lists_.push_back(std::uint16_t(e));
+  cell.count = std::uint16_t(choice.edges.size());
 }
 
 }  // namespace findspace::packing

@@ -7,6 +7,7 @@
 // Keywords: signed distance field, penetration depth.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -71,7 +72,7 @@ class DepthField {
 
  private:
   static constexpr int kNone = DepthGlance::kNone, kCells = DepthGlance::kCells;
-  static constexpr int kBlock = 5;  // a block of cells shares what its edges can be
+  static constexpr int kBlock = 8, kLevels = 3;  // blocks of cells, which are halved down to single cells
 
   /// One line of the cache.
   struct alignas(64) Segment {
@@ -85,8 +86,9 @@ class DepthField {
     std::vector<std::uint32_t> edges;
   };
   void choose(Vec middle, Vec half, const std::vector<std::uint32_t>& from, Choice& choice);
-  void fill_block(int column, int row, const std::vector<std::uint32_t>& all);
-  void fill(std::size_t index, Vec middle, Vec half, const std::vector<std::uint32_t>& from);
+  /// The square block of cells there: its edges are among `from`, those of its quarters among its own.
+  void fill_block(int column, int row, int cells, const std::vector<std::uint32_t>& from, std::size_t level);
+  void fill(std::size_t index, double radius);
   void keep_least();
 
   NoFitPolygon polygon_;
@@ -96,7 +98,7 @@ class DepthField {
   std::vector<std::uint16_t> lists_;
   std::vector<Segment> segments_;
   std::vector<double> squares_, least_of_;  // while the cells are made
-  Choice block_, cell_;
+  std::array<Choice, kLevels + 1> choices_;
 };
 
 }  // namespace findspace::packing

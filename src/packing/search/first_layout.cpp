@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "exact/margins/packing.h"
+#include "plane/base/parallel.h"
 
 namespace findspace::packing {
 namespace {
@@ -28,6 +29,7 @@ class Builder {
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) order.push_back(p);
     const auto first = [&](std::size_t p, std::size_t q) { return values[p] > values[q]; };
     std::stable_sort(order.begin(), order.end(), first);
+    make_fields();
     for (const std::size_t part : order)
       for (int copy = 0; copy < problem_.free_copies(part); ++copy)
         if (!place(part)) result_.left.push_back(part);
@@ -35,8 +37,21 @@ class Builder {
   }
 
  private:
+  bool has_many() const { return table_.variants().size() > kMostVariants; }
+
+  /// Those of the first angles, by all threads, where only these are needed.
+  void make_fields() const {
+    if (!has_many()) return;
+    std::vector<std::size_t> standing;
+    for (std::size_t part = 0; part < problem_.parts.size(); ++part)
+      if (!table_.variants_of(part).empty()) standing.push_back(table_.variants_of(part)[0]);
+    plane::parallel_for(standing.size(), [&](std::size_t i) {
+      for (std::size_t j = i; j < standing.size(); ++j) table_.link(standing[i], standing[j]);
+    });
+  }
+
   bool place(std::size_t part) {
-    const bool many = table_.variants().size() > kMostVariants;
+    const bool many = has_many();
     std::optional<Pose> best;
     double right = std::numeric_limits<double>::infinity();
     for (const std::size_t v : table_.variants_of(part)) {

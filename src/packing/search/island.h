@@ -3,7 +3,7 @@
 //
 // One searcher for a shorter strip, with its own random numbers. It shrinks the strip, separates the overlapping parts
 // by guided local search, repairs what is nearly free by a linear program, and shortens every success by another. It
-// goes on from a near solution, two large parts exchanged, where a separation fails (exploration), or from the best
+// goes on from a near solution, a part moved or two exchanged, where a separation fails (exploration), or from the best
 // layout in ever smaller steps (compression). Work is counted in pairs of parts looked at, so that a search can be
 // repeated. Guarantee: its best layout has no overlaps, in doubles. Source: Gardeyn & Wauters 2024 (phases, pool).
 // Keywords: guided local search, strip packing, open dimension.
@@ -47,7 +47,9 @@ class IslandOf {
   void begin();                            // a separation
   std::vector<Pose> shrunk(double ratio);  // the best layout, moved together
   std::vector<Pose> from_pool();
-  void swap_two_large(std::vector<Pose>& poses);
+  void exchange(std::vector<Pose>& poses, std::size_t i, std::size_t j) const;
+  void exchange_two_large(std::vector<Pose>& poses);
+  void exchange_like_sizes(std::vector<Pose>& poses);
   void keep(Found better);
   void fail();
 
@@ -56,7 +58,8 @@ class IslandOf {
   Random random_;
   SeparationOf<Kit> separation_;
   Found best_;
-  std::vector<std::size_t> large_;  // items, by size
+  std::vector<std::size_t> by_size_;  // items, the largest first
+  std::size_t large_ = 0;             // how many of them are large
   Phase phase_ = Phase::kExplore;
   double progress_ = 0, target_ = 0;
   double shrink_ = Kit::kMostShrink;  // of exploration: half as much after a failure, twice as much after a success
@@ -65,7 +68,6 @@ class IslandOf {
 };
 
 inline constexpr double kFirstCompression = 0.0005, kLastCompression = 0.00001;
-inline constexpr double kExploration = 0.8;  // of the whole search
 inline constexpr std::size_t kPool = 12;
 inline constexpr Patience kExplorePatience{120, 3}, kCompressPatience{80, 3};
 
@@ -76,19 +78,19 @@ IslandOf<Kit>::IslandOf(const typename Kit::Table& table, const typename Kit::Ro
       random_(seed),
       separation_(table, row, start.poses, start.length, random_),
       best_(std::move(start)) {
-  for (std::size_t i = 0; i < best_.poses.size(); ++i) large_.push_back(i);
+  for (std::size_t i = 0; i < best_.poses.size(); ++i) by_size_.push_back(i);
   const auto larger = [&](std::size_t i, std::size_t j) {
     return Kit::size_of(table_, best_.poses[i]) > Kit::size_of(table_, best_.poses[j]);
   };
-  std::stable_sort(large_.begin(), large_.end(), larger);
-  large_.resize(std::max<std::size_t>(std::min<std::size_t>(large_.size(), 2), large_.size() * 2 / 3));
+  std::stable_sort(by_size_.begin(), by_size_.end(), larger);
+  large_ = std::max<std::size_t>(std::min<std::size_t>(by_size_.size(), 2), by_size_.size() * 2 / 3);
   best_.length = separation_.shorten(best_.poses, best_.length);
 }
 
 template <class Kit>
 void IslandOf<Kit>::step(double progress) {
   progress_ = progress;
-  if (phase_ == Phase::kExplore && progress >= kExploration) {
+  if (phase_ == Phase::kExplore && progress >= Kit::kExploration) {
     phase_ = Phase::kCompress;
     separating_ = false;
   }
@@ -107,7 +109,7 @@ template <class Kit>
 void IslandOf<Kit>::begin() {
   std::vector<Pose> poses;
   if (phase_ == Phase::kCompress) {
-    const double over = (progress_ - kExploration) / (1 - kExploration);
+    const double over = (progress_ - Kit::kExploration) / (1 - Kit::kExploration);
     poses = shrunk(kFirstCompression + (kLastCompression - kFirstCompression) * std::clamp(over, 0.0, 1.0));
   } else {
     poses = pool_.empty() ? shrunk(shrink_) : from_pool();
@@ -131,20 +133,43 @@ template <class Kit>
 std::vector<typename Kit::Pose> IslandOf<Kit>::from_pool() {
   const double place = std::min(random_.half_normal() * 0.25, 0.999);
   std::vector<Pose> poses = pool_[std::size_t(place * double(pool_.size()))].poses;
-  swap_two_large(poses);
+  constexpr std::size_t kAnywhere = 2, kLikeSizes = 3, kTwoLarge = 2;  // of as many attempts as all together
+  const std::size_t kind = random_.below(kAnywhere + kLikeSizes + kTwoLarge);
+  if (kind < kAnywhere)
+    poses[random_.below(poses.size())].at = Kit::anywhere(table_, row_, random_);
+  else if (kind < kAnywhere + kLikeSizes)
+    exchange_like_sizes(poses);
+  else
+    exchange_two_large(poses);
   return poses;
 }
 
 template <class Kit>
-void IslandOf<Kit>::swap_two_large(std::vector<Pose>& poses) {
-  if (large_.size() < 2) return;
-  const std::size_t i = large_[random_.below(large_.size())];
-  const auto part_of = [&](std::size_t k) { return Kit::part_of(table_, poses[k]); };
-  std::size_t j = i;
-  for (int tries = 0; tries < 20 && part_of(j) == part_of(i); ++tries) j = large_[random_.below(large_.size())];
+void IslandOf<Kit>::exchange(std::vector<Pose>& poses, std::size_t i, std::size_t j) const {
   const auto first = Kit::middle(table_, poses[i]), second = Kit::middle(table_, poses[j]);
   poses[i].at = Kit::exchanged(poses[i].at, first, second);
   poses[j].at = Kit::exchanged(poses[j].at, second, first);
+}
+
+/// Two that follow each other by size, of different parts: little else has to move.
+template <class Kit>
+void IslandOf<Kit>::exchange_like_sizes(std::vector<Pose>& poses) {
+  const std::size_t count = by_size_.size(), first = random_.below(count);
+  const std::size_t step = random_.below(2) == 0 ? 1 : count - 1;
+  const auto part_of = [&](std::size_t k) { return Kit::part_of(table_, poses[by_size_[k]]); };
+  std::size_t second = (first + step) % count;
+  while (second != first && part_of(second) == part_of(first)) second = (second + step) % count;
+  if (second != first) exchange(poses, by_size_[first], by_size_[second]);
+}
+
+template <class Kit>
+void IslandOf<Kit>::exchange_two_large(std::vector<Pose>& poses) {
+  if (large_ < 2) return;
+  const std::size_t i = by_size_[random_.below(large_)];
+  const auto part_of = [&](std::size_t k) { return Kit::part_of(table_, poses[k]); };
+  std::size_t j = i;
+  for (int tries = 0; tries < 20 && part_of(j) == part_of(i); ++tries) j = by_size_[random_.below(large_)];
+  exchange(poses, i, j);
 }
 
 template <class Kit>

@@ -49,6 +49,7 @@ struct PlaneKit {
   using LinearMoves = packing::LinearMoves;
 
   static constexpr double kMostShrink = kExploreShrink;
+  static constexpr double kExploration = 0.95;  // of the whole search
 
   static std::size_t part_of(const FieldTable& table, const Pose& pose) { return table.variants()[pose.variant].part; }
   static Vec middle(const FieldTable& table, const Pose& pose) {

@@ -19,6 +19,7 @@ struct SolidKit {
   using LinearMoves = SolidLinearMoves;
 
   static constexpr double kMostShrink = 0.016;  // of the height
+  static constexpr double kExploration = 0.8;   // of the whole search
 
   static std::size_t part_of(const SolidTable& table, const SolidPose& pose) {
     return table.variants()[pose.variant].part;
