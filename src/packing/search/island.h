@@ -133,11 +133,11 @@ template <class Kit>
 std::vector<typename Kit::Pose> IslandOf<Kit>::from_pool() {
   const double place = std::min(random_.half_normal() * 0.25, 0.999);
   std::vector<Pose> poses = pool_[std::size_t(place * double(pool_.size()))].poses;
-  constexpr std::size_t kAnywhere = 2, kLikeSizes = 3, kTwoLarge = 2;  // of as many attempts as all together
-  const std::size_t kind = random_.below(kAnywhere + kLikeSizes + kTwoLarge);
-  if (kind < kAnywhere)
+  constexpr Changes kShares = Kit::kChanges;
+  const std::size_t kind = random_.below(kShares.anywhere + kShares.like_sizes + kShares.two_large);
+  if (kind < kShares.anywhere)
     poses[random_.below(poses.size())].at = Kit::anywhere(table_, row_, random_);
-  else if (kind < kAnywhere + kLikeSizes)
+  else if (kind < kShares.anywhere + kShares.like_sizes)
     exchange_like_sizes(poses);
   else
     exchange_two_large(poses);

@@ -39,6 +39,12 @@ struct FirstLayoutOf {
 
 inline constexpr double kExploreShrink = 0.001;  // of the length
 
+/// How many of as many attempts as all together change a near solution so: a part is put anywhere, two of nearly the
+/// same size are exchanged, or two large ones.
+struct Changes {
+  std::size_t anywhere, like_sizes, two_large;
+};
+
 /// What the search is made of: in the plane here, in space in solid_search/solid_kit.h.
 struct PlaneKit {
   using Pose = packing::Pose;
@@ -50,6 +56,7 @@ struct PlaneKit {
 
   static constexpr double kMostShrink = kExploreShrink;
   static constexpr double kExploration = 0.95;  // of the whole search
+  static constexpr Changes kChanges{2, 3, 2};
 
   static std::size_t part_of(const FieldTable& table, const Pose& pose) { return table.variants()[pose.variant].part; }
   static Vec middle(const FieldTable& table, const Pose& pose) {
