@@ -41,8 +41,9 @@ def test_lines_of_the_library_page_run(capsys):
 def test_lines_of_the_nesting_page_run(capsys):
     for lines in re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "nesting.md").read_text(), re.S):
         exec(lines, {})
-    sheets, rings, plugs = capsys.readouterr().out.splitlines()
+    sheets, rings, plugs, solids = capsys.readouterr().out.splitlines()
     assert sheets.startswith("['plate") and sheets.endswith(" []")
     length, *remnant = re.findall(r"[\d.]+", rings)
     assert float(length) <= 37 and len(remnant) == 4
     assert "('plug', ('2', '0.5'))" in plugs and plugs.endswith(" []")
+    assert " (4, 4) " in solids and solids.endswith(" []")
