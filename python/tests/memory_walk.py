@@ -61,8 +61,26 @@ def space():
     fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.disc((0, 0), 1)).evaluate(np.random.rand(30, 2) * 9)
 
 
+def searches():
+    options = pickle.loads(pickle.dumps(fs.Options(threads=1, seed=3, progress=print, cancel=fs.Cancel())))
+    assert options.progress is print and len(fs.Shape.disc((0, 0), 2).region.sample(20, seed=options.seed)) == 20
+    scene = fs.Scene.json('{"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0], "max": [9, 9]}}, "b": {"disc": '
+                          '{"center": [0, 0], "radius": 1}}}, "moving": "b", "where": "margin(b, a) >= 5"}')
+    found = pickle.loads(pickle.dumps(scene.world.explain(scene.where, (3, 3))))
+    assert not found.feasible and found.relax and found.text
+    signs = scene.world.sign_map("margin(b, a)", 1)
+    assert signs.signs([[4, 4]])[0] == 1 and signs.where(positive=True).area
+    brick = fs.PackSolid("brick", fs.Shape.box((0, 0, 0), (2, 1, 1)), count=2, orientations="upright")
+    for problem in (fs.SolidPackProblem([brick], floor=(2, 2)),
+                    fs.PackProblem([fs.PackPart("disc", fs.Shape.disc((0, 0), 1), count=2)], height=2)):
+        told = []
+        layout = pickle.loads(pickle.dumps(fs.pack(problem, work=0.01, threads=1, better=told.append)))
+        assert told and layout.faults(problem) == [] and layout._repr_svg_()
+
+
 if __name__ == "__main__":
     mistakes(plane())
     plans()
     space()
+    searches()
     gc.collect()

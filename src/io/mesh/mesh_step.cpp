@@ -19,8 +19,8 @@ using Vec = std::array<double, 3>;
 /// A number with the point that STEP wants.
 std::string real(double value) {
   std::string text = fmt::format("{}", value);
-  const std::size_t power = std::min(text.find('e'), text.size());
-  if (text.find('.') >= power) text.insert(power, ".");
+  const auto power = std::find(text.begin(), text.end(), 'e');
+  if (std::find(text.begin(), power, '.') == power) text.insert(power, '.');
   std::replace(text.begin(), text.end(), 'e', 'E');
   return text;
 }
