@@ -16,30 +16,37 @@ namespace {
 using exact::Geometry;
 using exact::SupportingCurve;
 
-struct Extents {
-  double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300, length = 0;
-};
-
-Extents extents(const ReducedConvolution& c) {
-  Extents e;
-  const auto& points = c.geometry.points;
-  for (const Piece& p : c.pieces) {
-    const exact::Point &a = points[p.p0], &b = points[p.p1];
-    e.x0 = std::min(e.x0, a.x);
-    e.x1 = std::max(e.x1, b.x);
-    e.y0 = std::min({e.y0, a.y, b.y});
-    e.y1 = std::max({e.y1, a.y, b.y});
-    e.length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-  }
-  return e;
-}
-
-double crossings(const Extents& e) { return estimated_crossings(e.length, e.x1 - e.x0, e.y1 - e.y0); }
-
 constexpr std::size_t kFewPieces = 150;
 constexpr double kManyCrossings = 1;  // a piece
 constexpr double kLines = 5.5;        // the mask costs about the third power of their number
 constexpr double kWordsPerCrossing = 10;
+
+/// A segment along its longer axis u.
+struct Run {
+  double u0, v0, u1, v1;
+  bool steep, reversed;
+
+  static Run of(const LatticeEdge& e) {
+    const bool steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
+    Run run{steep ? e.y0 : e.x0, steep ? e.x0 : e.y0, steep ? e.y1 : e.x1, steep ? e.x1 : e.y1, steep, false};
+    if (run.u1 >= run.u0) return run;
+    std::swap(run.u0, run.u1);
+    std::swap(run.v0, run.v1);
+    run.reversed = true;
+    return run;
+  }
+
+  /// How many lines from this one on it passes in masked cells only; its slope is at most one.
+  std::int64_t depth(const InnerMask& mask, std::int64_t line) const {
+    double low = std::max(u0, double(mask.border(line))), high = std::min(u1, double(mask.border(line + 1)));
+    double slope = u1 > u0 ? (v1 - v0) / (u1 - u0) : 0, va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
+    // Two grid steps are far more than the rounding of these doubles (2^43 steps at most).
+    std::int64_t c0 = mask.line_of(std::min(va, vb) - 2), c1 = mask.line_of(std::max(va, vb) + 2);
+    std::int64_t least = INT64_MAX;
+    for (std::int64_t c = c0; c <= c1; ++c) least = std::min(least, steep ? mask.depth(c, line) : mask.depth(line, c));
+    return least;
+  }
+};
 
 /// Cuts away what lies in masked cells. A piece is followed along its longer axis; it is cut where it passes from a
 /// line of cells that are all masked to one that is not, on the border between them, which is a grid line.
@@ -49,18 +56,13 @@ class Cutter {
 
   void cut(const Piece& piece, std::vector<Piece>& out) {
     const exact::Point a = g_.points[piece.p0], b = g_.points[piece.p1];
-    bool steep = std::abs(b.y - a.y) > b.x - a.x;
-    double u0 = steep ? a.y : a.x, v0 = steep ? a.x : a.y, u1 = steep ? b.y : b.x, v1 = steep ? b.x : b.y;
-    bool reversed = u1 < u0;
-    if (reversed) {
-      std::swap(u0, u1);
-      std::swap(v0, v1);
-    }
+    const Run run = Run::of({a.x, a.y, b.x, b.y});
+    const bool steep = run.steep, reversed = run.reversed;
     Index from = reversed ? piece.p1 : piece.p0, to = reversed ? piece.p0 : piece.p1;
-    std::int64_t first = mask_.line_of(u0), last = mask_.line_of(u1);
+    std::int64_t first = mask_.line_of(run.u0), last = mask_.line_of(run.u1);
     Index open = kNone;  // start of the part that is kept at present
     for (std::int64_t line = first; line <= last;) {
-      std::int64_t depth = depth_of(line, u0, v0, u1, v1, steep);
+      std::int64_t depth = run.depth(mask_, line);
       if (depth == 0 && open == kNone) open = line == first ? from : border(piece, line, steep);
       if (depth > 0 && open != kNone) {
         keep(piece, open, border(piece, line, steep), reversed, out);
@@ -72,18 +74,6 @@ class Cutter {
   }
 
  private:
-  /// How many lines from this one on the piece passes in masked cells only; its slope is at most one.
-  std::int64_t depth_of(std::int64_t line, double u0, double v0, double u1, double v1, bool steep) const {
-    double low = std::max(u0, double(mask_.border(line))), high = std::min(u1, double(mask_.border(line + 1)));
-    double slope = u1 > u0 ? (v1 - v0) / (u1 - u0) : 0, va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
-    // Two grid steps are far more than the rounding of these doubles (2^43 steps at most).
-    std::int64_t c0 = mask_.line_of(std::min(va, vb) - 2), c1 = mask_.line_of(std::max(va, vb) + 2);
-    std::int64_t least = INT64_MAX;
-    for (std::int64_t c = c0; c <= c1; ++c)
-      least = std::min(least, steep ? mask_.depth(c, line) : mask_.depth(line, c));
-    return least;
-  }
-
   Index border(const Piece& piece, std::int64_t line, bool steep) {
     auto [at, fresh] = lines_.try_emplace(2 * line + steep, 0);
     if (fresh)
@@ -130,26 +120,54 @@ std::vector<Outline> outlines(const GridOperand& o, const GridOperand& other) {
   return out;
 }
 
-InnerMask inner_mask(const Extents& e, const GridOperand& a, const GridOperand& b) {
+}  // namespace
+
+CurveExtent extent_of(const ReducedConvolution& c) {
+  double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300, length = 0;
+  const auto& points = c.geometry.points;
+  for (const Piece& p : c.pieces) {
+    const exact::Point &a = points[p.p0], &b = points[p.p1];
+    x0 = std::min(x0, a.x);
+    x1 = std::max(x1, b.x);
+    y0 = std::min({y0, a.y, b.y});
+    y1 = std::max({y1, a.y, b.y});
+    length += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+  }
+  return {c.pieces.size(), length, x1 - x0, y1 - y0};
+}
+
+double estimated_crossings(const CurveExtent& c) {
+  return c.length * c.length / (3.14 * std::max(c.width * c.height, 1.0));
+}
+
+bool pruning_pays(const CurveExtent& c) {
+  return c.count >= kFewPieces && estimated_crossings(c) > kManyCrossings * double(c.count);
+}
+
+InnerMask mask_for(const CurveExtent& c, const GridOperand& a, const GridOperand& b) {
   std::vector<Outline> p = outlines(a, b), q = outlines(b, a);
   std::vector<InnerMask::Pair> pairs;
   for (const Outline& x : p)
     for (const Outline& y : q) pairs.push_back({&x, &y});
-  double most = crossings(e), lines = std::clamp(kLines * std::cbrt(most), 64.0, 4000.0);
-  std::int64_t side = std::max<std::int64_t>(std::int64_t(std::max(e.x1 - e.x0, e.y1 - e.y0) / lines), 16);
-  return InnerMask(pairs, side, kWordsPerCrossing * most);
+  const double crossings = estimated_crossings(c), lines = std::clamp(kLines * std::cbrt(crossings), 64.0, 4000.0);
+  const auto side = std::max<std::int64_t>(std::int64_t(std::max(c.width, c.height) / lines), 16);
+  return InnerMask(pairs, side, kWordsPerCrossing * crossings);
 }
 
-}  // namespace
-
-bool pruning_pays(const ReducedConvolution& c) {
-  return c.pieces.size() >= kFewPieces && crossings(extents(c)) > kManyCrossings * double(c.pieces.size());
+bool lies_in(const InnerMask& mask, const LatticeEdge& segment) {
+  const Run run = Run::of(segment);
+  const std::int64_t last = mask.line_of(run.u1);
+  for (std::int64_t line = mask.line_of(run.u0); line <= last;) {
+    const std::int64_t depth = run.depth(mask, line);
+    if (depth == 0) return false;
+    line += depth;
+  }
+  return true;
 }
 
-ReducedConvolution prune_inside(ReducedConvolution c, const GridOperand& a, const GridOperand& b) {
-  InnerMask mask = inner_mask(extents(c), a, b);
+ReducedConvolution prune_inside(ReducedConvolution c) {
   ReducedConvolution out;
-  Cutter cutter(c.geometry, mask);
+  Cutter cutter(c.geometry, *c.mask);
   for (std::size_t k = 0; k < c.pieces.size(); ++k) {
     std::size_t first = out.pieces.size();
     cutter.cut(c.pieces[k], out.pieces);

@@ -10,10 +10,23 @@
 
 namespace findspace::plane {
 
-/// Whether cutting pays: an estimated number of crossings well above the number of curves.
-bool pruning_pays(const ReducedConvolution& convolution);
+/// Of the curves of a convolution: how many, how long in all, and how far they reach.
+struct CurveExtent {
+  std::size_t count = 0;
+  double length = 0, width = 0, height = 0;
+};
+CurveExtent extent_of(const ReducedConvolution& convolution);
 
-/// `convolution` is that of a and b.
-ReducedConvolution prune_inside(ReducedConvolution convolution, const GridOperand& a, const GridOperand& b);
+/// Of segments placed at random (Buffon).
+double estimated_crossings(const CurveExtent& curves);
+/// Whether cutting pays: an estimated number of crossings well above the number of curves.
+bool pruning_pays(const CurveExtent& curves);
+
+/// For the curves of the convolution of a and b.
+InnerMask mask_for(const CurveExtent& curves, const GridOperand& a, const GridOperand& b);
+/// Does the segment lie in marked cells?
+bool lies_in(const InnerMask& mask, const LatticeEdge& segment);
+/// By the mask of the convolution, which is then done with.
+ReducedConvolution prune_inside(ReducedConvolution convolution);
 
 }  // namespace findspace::plane

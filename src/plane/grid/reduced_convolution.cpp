@@ -8,17 +8,21 @@
 #include <bit>
 #include <cmath>
 
+#include "plane/base/parallel.h"
 #include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
+#include "plane/grid/prune_inside.h"
 
 namespace findspace::plane {
 namespace {
 
-constexpr std::size_t kManyCurves = 20'000;  // of a pair: from here on it may pay to look which are covered
+constexpr std::size_t kFewToChoose = 2000;   // curves of a pair, from which on it may pay to leave some out
+constexpr std::size_t kManyCurves = 20'000;  // from here on, also by a look at each
 constexpr std::size_t kSample = 256;         // of them, looked at first: three quarters must be covered
 // A look at a curve costs what the mask of prune_inside.h does for some crossings of its. Where more are estimated, the
 // mask costs more, but it also cuts away parts of curves. Nearly coinciding curves cross far more than is estimated.
 constexpr double kMostCrossings = 8;
+constexpr std::size_t kManyCorners = 100;  // from here on ranges of them are worked on at once
 
 struct Extent {
   double width, height;
@@ -60,23 +64,36 @@ class CornerSums {
   std::pmr::vector<Slot> slots_;
 };
 
+/// The operands, and which of their curves are made.
+struct Choice {
+  const GridOperand& a;
+  const GridOperand& b;
+  const std::optional<GridBox>& within;
+  CoveredCurves* covered;
+
+  bool one_pair() const { return a.faces.size() == 1 && b.faces.size() == 1; }
+};
+
 class FacePair {
  public:
-  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const std::optional<GridBox>& within,
-           CoveredCurves* covered, Memory memory)
-      : out_(out), a_(a), b_(b), within_(within), covered_(covered), sums_(place_and_count(), memory) {}
+  FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const Choice& choice, Memory memory)
+      : out_(out), a_(a), b_(b), choice_(choice), within_(choice.within), sums_(place_and_count(), memory) {}
 
-  void add(const exact::Geometry& a, const exact::Geometry& b) {
-    add_edges(b_, b, a_, false);
-    add_edges(a_, a, b_, true);
+  void add() {
+    add_edges(b_, choice_.b.geometry, a_, false);
+    add_edges(a_, choice_.a.geometry, b_, true);
   }
 
  private:
   /// The edges of `moved` whose directions the convex corners of `fan` sweep.
   template <class Visit>
   static void each(const EdgeFan& moved, const EdgeFan& fan, Visit&& visit) {
+    each(moved, fan, {0, fan.corners.size()}, visit);
+  }
+  template <class Visit>
+  static void each(const EdgeFan& moved, const EdgeFan& fan, IndexRange corners, Visit&& visit) {
     Index n = Index(moved.rays.size());
-    for (Index v = 0; v < fan.corners.size(); ++v) {
+    for (Index v = Index(corners.first); v < corners.end; ++v) {
       if (fan.corners[v].turn <= 0) continue;
       EdgeFan::Sweep s = fan.sweep(v);
       for (Index k = s.first; k < (s.wraps ? n : s.end); ++k) visit(moved.rays[k].corner, v);
@@ -103,11 +120,16 @@ class FacePair {
     Index edge, corner;
   };
 
-  bool is_covered(const EdgeFan& moved, const EdgeFan& fan, const MovedEdge& curve) const {
+  static LatticeEdge segment(const EdgeFan& moved, const EdgeFan& fan, const MovedEdge& curve) {
     const GridCorner& c = moved.corners[curve.edge];
     const GridPoint by = fan.corners[curve.corner].at, p = c.at, q = moved.corners[c.next].at;
-    return covered_->covers({double(std::min(p.x, q.x) + by.x), double(std::min(p.y, q.y) + by.y),
-                             double(std::max(p.x, q.x) + by.x), double(std::max(p.y, q.y) + by.y)});
+    return {double(p.x + by.x), double(p.y + by.y), double(q.x + by.x), double(q.y + by.y)};
+  }
+
+  bool is_covered(const EdgeFan& moved, const EdgeFan& fan, const MovedEdge& curve) const {
+    const LatticeEdge s = segment(moved, fan, curve);
+    return choice_.covered->covers(
+        {std::min(s.x0, s.x1), std::min(s.y0, s.y1), std::max(s.x0, s.x1), std::max(s.y0, s.y1)});
   }
 
   /// Every so many of the curves.
@@ -122,46 +144,76 @@ class FacePair {
     return taken;
   }
 
-  static double length(const EdgeFan& moved, std::span<const MovedEdge> curves) {
+  static double length(const EdgeFan& moved, const EdgeFan& fan, std::span<const MovedEdge> curves) {
     double sum = 0;
-    for (const MovedEdge& c : curves)
-      sum += std::hypot(double(moved.corners[c.edge].dx), double(moved.corners[c.edge].dy));
+    for (const MovedEdge& c : curves) {
+      const LatticeEdge s = segment(moved, fan, c);
+      sum += std::hypot(s.x1 - s.x0, s.y1 - s.y0);
+    }
     return sum;
   }
 
-  /// Does it pay to look at all `count` curves? By a sample spread over them: one that is not covered costs many looks.
-  bool looks_pay(std::size_t count) const {
-    if (count < kManyCurves) return false;
+  /// Where it pays, the curves of which it is not known that they lie inside the sum. By a sample spread over them.
+  void choose(std::size_t count) {
+    if (!choice_.covered || count < kFewToChoose) return;
     const std::size_t step = count / kSample;
     const std::vector<MovedEdge> p = sample(b_, a_, step), q = sample(a_, b_, step);
     const Extent x = extent(a_), y = extent(b_);
-    const double crossings =
-        estimated_crossings((length(b_, p) + length(a_, q)) * double(step), x.width + y.width, x.height + y.height);
-    if (crossings > kMostCrossings * double(count)) return false;
+    const CurveExtent all{count, (length(b_, a_, p) + length(a_, b_, q)) * double(step), x.width + y.width,
+                          x.height + y.height};
+    if (count >= kManyCurves && estimated_crossings(all) <= kMostCrossings * double(count) && mostly_covered(p, q)) {
+      chosen_ = true;
+      keep(b_, a_, 0, [&](const MovedEdge& c) { return !is_covered(b_, a_, c); });
+      keep(a_, b_, 1, [&](const MovedEdge& c) { return !is_covered(a_, b_, c); });
+    } else if (choice_.one_pair() && pruning_pays(all)) {
+      chosen_ = true;
+      const InnerMask& mask = out_.mask.emplace(mask_for(all, choice_.a, choice_.b));
+      keep_at_once(b_, a_, 0, mask);
+      keep_at_once(a_, b_, 1, mask);
+    }
+  }
+
+  /// One that is not covered costs many looks.
+  bool mostly_covered(const std::vector<MovedEdge>& p, const std::vector<MovedEdge>& q) const {
     const auto covered = std::count_if(p.begin(), p.end(), [&](const MovedEdge& c) { return is_covered(b_, a_, c); }) +
                          std::count_if(q.begin(), q.end(), [&](const MovedEdge& c) { return is_covered(a_, b_, c); });
     return 4 * std::size_t(covered) >= 3 * (p.size() + q.size());
   }
 
-  /// Those that are not covered.
-  std::size_t keep_edges(const EdgeFan& moved, const EdgeFan& fan, int side) {
+  template <class Test>
+  void keep(const EdgeFan& moved, const EdgeFan& fan, int side, Test&& test) {
     each(moved, fan, [&](Index e, Index v) {
-      if (!is_covered(moved, fan, {e, v})) kept_[side].push_back({e, v});
+      if (test(MovedEdge{e, v})) kept_[side].push_back({e, v});
     });
-    return kept_[side].size();
+  }
+
+  /// Those that the mask does not hold; ranges of corners at once.
+  void keep_at_once(const EdgeFan& moved, const EdgeFan& fan, int side, const InnerMask& mask) {
+    const std::size_t ranges = range_count(fan.corners.size(), kManyCorners);
+    std::vector<std::vector<MovedEdge>> kept(ranges);
+    const auto test = [&](std::size_t k) {
+      each(moved, fan, range(k, ranges, fan.corners.size()), [&](Index e, Index v) {
+        if (!lies_in(mask, segment(moved, fan, {e, v}))) kept[k].push_back({e, v});
+      });
+    };
+    if (ranges == 1)
+      test(0);
+    else
+      parallel_for(ranges, test);
+    for (const auto& some : kept) kept_[side].insert(kept_[side].end(), some.begin(), some.end());
   }
 
   template <class Visit>
   void each_kept(const EdgeFan& moved, const EdgeFan& fan, int side, Visit&& visit) const {
-    if (!covered_) return each(moved, fan, visit);
+    if (!chosen_) return each(moved, fan, visit);
     for (const auto& [e, v] : kept_[side]) visit(e, v);
   }
 
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
     std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
-    if (covered_ && !looks_pay(count)) covered_ = nullptr;
-    if (covered_) count = keep_edges(b_, a_, 0) + keep_edges(a_, b_, 1);
+    choose(count);
+    if (chosen_) count = kept_[0].size() + kept_[1].size();
     auto& g = out_.geometry;
     reserve_more(g.supporting_curves, count);
     reserve_more(g.points, 2 * count);
@@ -187,9 +239,10 @@ class FacePair {
 
   ReducedConvolution& out_;
   EdgeFan &a_, &b_;
+  const Choice& choice_;
   const std::optional<GridBox>& within_;
-  CoveredCurves* covered_;
-  std::array<std::vector<MovedEdge>, 2> kept_;  // edges of B, of A
+  bool chosen_ = false;                         // some are left out
+  std::array<std::vector<MovedEdge>, 2> kept_;  // then the others: edges of B, of A
   CornerSums sums_;
 };
 
@@ -223,18 +276,15 @@ void reserve_all(ReducedConvolution& out, const std::pmr::vector<EdgeFan>& p, co
 
 }  // namespace
 
-double estimated_crossings(double length, double width, double height) {
-  return length * length / (3.14 * std::max(width * height, 1.0));
-}
-
 ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& b, const std::optional<GridBox>& within,
                                        CoveredCurves* covered) {
   ReducedConvolution out;
   Arena arena(corner_count(a) + corner_count(b));
   std::pmr::vector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
   if (!within && (p.size() == 1) != (q.size() == 1)) reserve_all(out, p, q);
+  const Choice choice{a, b, within, covered};
   for (EdgeFan& f : p)
-    for (EdgeFan& g : q) FacePair(out, f, g, within, covered, arena.memory()).add(a.geometry, b.geometry);
+    for (EdgeFan& g : q) FacePair(out, f, g, choice, arena.memory()).add();
   return out;
 }
 

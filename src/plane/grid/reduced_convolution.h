@@ -14,6 +14,7 @@
 #include "plane/grid/boundary_box.h"
 #include "plane/grid/covered_curves.h"
 #include "plane/grid/grid_faces.h"
+#include "plane/grid/inner_mask.h"
 
 namespace findspace::plane {
 
@@ -28,7 +29,8 @@ struct InnerSide {
 struct ReducedConvolution {
   exact::Geometry geometry;
   std::vector<Piece> pieces;
-  std::vector<InnerSide> sides;  // per piece
+  std::vector<InnerSide> sides;   // per piece
+  std::optional<InnerMask> mask;  // where it was known to pay (prune_inside.h): curves in its cells were not made
 };
 
 /// A set: its faces and the geometry of their supporting_curves.
@@ -36,9 +38,6 @@ struct GridOperand {
   const std::vector<GridFace>& faces;
   const exact::Geometry& geometry;
 };
-
-/// Of segments of this length in all, placed at random in a box (Buffon).
-double estimated_crossings(double length, double width, double height);
 
 /// Of all pairs of faces; without curves that miss the box, if there is one, and where looking for them pays, without
 /// those that lie inside the sum for certain.
