@@ -9,7 +9,6 @@
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/ray_crossing.h"
-#include "plane/base/reserve_more.h"
 
 namespace findspace::plane {
 namespace {
@@ -34,10 +33,16 @@ std::vector<Size> ring_sizes(const GridFace& face) {
   return out;
 }
 
+bool has_holes(const GridFace& face) {
+  std::size_t rings = 0;
+  for (Index k = 0; k < face.corners.size(); ++k) rings += face.corners[k].next <= k;
+  return rings > std::size_t(!face.unbounded);
+}
+
 /// Could `other` go round a hole of the face?
 bool can_enclose(const GridFace& face, const GridFace& other) {
+  if (!has_holes(face)) return false;
   std::vector<Size> rings = ring_sizes(face);
-  if (rings.size() == std::size_t(!face.unbounded)) return false;
   if (other.unbounded) return true;
   Size size = ring_sizes(other)[0];
   return std::any_of(rings.begin() + !face.unbounded, rings.end(),
@@ -73,10 +78,7 @@ int compare_grid(Geometry& g, GridPoint p, Compare&& compare) {
 }  // namespace
 
 ConvolutionIndex::Side::Side(const GridFace& face)
-    : fan(face, std::pmr::new_delete_resource()),
-      slabs(edge_slabs(face)),
-      place(face.corners.size()),
-      box(box_of({&face, 1})) {
+    : fan(face, std::pmr::new_delete_resource()), slabs(edge_slabs(face)), place(face.corners.size()) {
   for (Index k = 0; k < fan.rays.size(); ++k) place[fan.rays[k].corner] = k;
   for (Index k = 0; k < face.corners.size(); ++k) by_place.push_back({face.corners[k].at, k});
   std::sort(by_place.begin(), by_place.end(), [](const auto& p, const auto& q) {
@@ -85,34 +87,51 @@ ConvolutionIndex::Side::Side(const GridFace& face)
 }
 
 ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b)
-    : a_(a), b_(b), boxes_(bounded_boxes((a.faces.size() > b.faces.size() ? a : b).faces), kEntriesPerFace) {
-  for (int s : {0, 1}) {
-    sides_[std::size_t(s)].reserve(operand(s).faces.size());
-    for (const GridFace& f : operand(s).faces) sides_[std::size_t(s)].emplace_back(f);
-  }
-  pairs_.reserve(a.faces.size() * b.faces.size());
-  for (Index i = 0; i < a.faces.size(); ++i)
-    for (Index j = 0; j < b.faces.size(); ++j) add_pair(i, j);
-  const std::vector<GridFace>& many = (a.faces.size() > b.faces.size() ? a : b).faces;
+    : a_(a),
+      b_(b),
+      pairs_(a.faces.size() * b.faces.size()),
+      boxes_(bounded_boxes((a.faces.size() > b.faces.size() ? a : b).faces), kEntriesPerFace) {
+  sides_[0].resize(a.faces.size());
+  sides_[1].resize(b.faces.size());
+  const bool more_in_a = a.faces.size() > b.faces.size();
+  const std::vector<GridFace>&many = (more_in_a ? a : b).faces, &others = (more_in_a ? b : a).faces;
   for (Index i = 0; i < many.size(); ++i)
     if (many[i].unbounded) unbounded_.push_back(i);
+  for (const GridFace& f : others) others_.push_back(box_of({&f, 1}));
 }
 
-void ConvolutionIndex::add_pair(Index i, Index j) {
-  const GridFace &p = a_.faces[i], &q = b_.faces[j];
-  Pair& pair = pairs_.emplace_back(Pair{{i, j}, {}, 0, can_enclose(p, q) || can_enclose(q, p)});
-  pair.base = p.unbounded ? euler(q) : q.unbounded ? euler(p) : 0;
-  EdgeFan::place(sides_[0][i].fan, sides_[1][j].fan);
+const ConvolutionIndex::Pair& ConvolutionIndex::made(Index k) const {
+  const std::lock_guard lock(guard_);
+  if (const Pair* known = pairs_[k].load(std::memory_order_relaxed)) return *known;
+  const Index others = Index(b_.faces.size());
+  const std::array<Index, 2> face{k / others, k % others};
+  std::array<Side*, 2> side;
   for (std::size_t s : {0, 1}) {
-    const EdgeFan& fan = sides_[s][pair.face[s]].fan;
-    pair.at[s] = ranks_.size();
-    reserve_more(ranks_, fan.corners.size());
-    reserve_more(sweeps_, fan.corners.size());
-    for (Index v = 0; v < fan.corners.size(); ++v) {
-      ranks_.push_back(fan.rank[v]);
-      sweeps_.push_back(fan.sweep(v));
-    }
+    std::unique_ptr<Side>& kept = sides_[s][face[s]];
+    if (!kept) kept = std::make_unique<Side>(face_of(k, int(s)));
+    side[s] = kept.get();
   }
+  EdgeFan::place(side[0]->fan, side[1]->fan);
+  Pair& pair = made_.emplace_back();
+  for (std::size_t s : {0, 1}) {
+    const EdgeFan& fan = side[s]->fan;
+    pair.side[s] = side[s];
+    pair.rank[s].assign(fan.rank.begin(), fan.rank.end());
+    pair.sweep[s].reserve(fan.corners.size());
+    for (Index v = 0; v < fan.corners.size(); ++v) pair.sweep[s].push_back(fan.sweep(v));
+  }
+  pairs_[k].store(&pair, std::memory_order_release);
+  return pair;
+}
+
+bool ConvolutionIndex::may_enclose(Index pair) const {
+  const GridFace &p = face_of(pair, 0), &q = face_of(pair, 1);
+  return can_enclose(p, q) || can_enclose(q, p);
+}
+
+std::int32_t ConvolutionIndex::base(Index pair) const {
+  const GridFace &p = face_of(pair, 0), &q = face_of(pair, 1);
+  return p.unbounded ? euler(q) : q.unbounded ? euler(p) : 0;
 }
 
 std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
@@ -127,7 +146,7 @@ std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
       for (Index i = 0; i < faces.size(); ++i) add(i, k);
       continue;
     }
-    const GridBox& box = sides_[1 - many][k].box;
+    const GridBox& box = others_[k];
     boxes_.visit(r.y0 - double(box.y1), r.y1 - double(box.y0), [&](const BoxSlabs::Entry& e) {
       if (e.x1 >= r.x0 - double(box.x1) && e.x0 <= r.x1 - double(box.x0)) add(e.item, k);
       return true;
@@ -139,17 +158,32 @@ std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
 }
 
 bool ConvolutionIndex::may_be_unresolved() const {
-  return std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.may_enclose; });
+  const auto any_holes = [](const GridOperand& o) { return std::any_of(o.faces.begin(), o.faces.end(), has_holes); };
+  if (!any_holes(a_) && !any_holes(b_)) return false;
+  for (Index p = 0; p < pair_count(); ++p)
+    if (may_enclose(p)) return true;
+  return false;
 }
 
 std::size_t ConvolutionIndex::convex_count() const {
+  const auto convex = [](const GridOperand& o) {
+    std::vector<char> out;
+    for (const GridFace& f : o.faces) out.push_back(f.is_convex());
+    return out;
+  };
+  const std::vector<char> convex_a = convex(a_), convex_b = convex(b_);
   std::size_t count = 0;
-  for (Index p = 0; p < pairs_.size(); ++p)
+  for (Index p = 0; p < pair_count(); ++p) {
+    if (convex_a[p / convex_b.size()] && convex_b[p % convex_b.size()]) {  // each edge is swept once
+      count += face_of(p, 0).corners.size() + face_of(p, 1).corners.size();
+      continue;
+    }
     for (int s : {0, 1}) {
       const Side &moved = of(p, s), &other = of(p, 1 - s);
       for (Index v = 0; v < other.fan.corners.size(); ++v)
         if (other.fan.corners[v].turn > 0) count += sweep(p, 1 - s, v).size(moved.place.size());
     }
+  }
   return count;
 }
 
@@ -157,7 +191,7 @@ bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
   const exact::Point q = g.points[point];
   for (Index k : pairs_meeting({q.x - q.error, q.y - q.error, q.x + q.error, q.y + q.error})) {
     if (number(g, point, k) != 0) return true;
-    unresolved |= pairs_[k].may_enclose;
+    unresolved |= may_enclose(k);
   }
   return false;
 }
@@ -165,7 +199,7 @@ bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
 std::int32_t ConvolutionIndex::number(Geometry& g, Index point, Index pair) const {
   const exact::Point q = g.points[point];
   const Range ray{q.x - q.error, q.y - q.error, std::numeric_limits<double>::infinity(), q.y + q.error};
-  std::int32_t number = pairs_[pair].base;
+  std::int32_t number = base(pair);
   auto any = [](const GridCorner&) { return true; };
   for (int s : {0, 1})
     visit_side(pair, s, ray, any, [&](const Curve& c) {

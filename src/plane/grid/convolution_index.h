@@ -5,13 +5,18 @@
 // reach into a box, and its displaced winding number at a point, which is the Euler characteristic of the intersection
 // of a face of A and one of B reflected and moved there. Curves are an edge of one set with a corner of the other whose
 // turn sweeps the edge's direction. Guarantee: exact for every point. Cost: O((n + m) log(n + m)) to prepare one face
-// with one, and memory of O(n + m); a question looks at the pairs of faces whose boxes it meets, and there, for every
-// corner of one, at the other's edges in a strip; microseconds for small shapes, 0.3 ms for 1000 corners each.
+// with one, and memory of O(n + m), when they are asked about first; a question looks at the pairs of faces whose boxes
+// it meets, and there, for every corner of one, at the other's edges in a strip; microseconds for small shapes, 0.3 ms
+// for 1000 corners each. Threads: safe once made.
 // Keywords: convolution cycles, range query, point in Minkowski sum.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "plane/grid/box_slabs.h"
@@ -69,24 +74,35 @@ class ConvolutionIndex {
     BoxSlabs slabs;
     std::vector<Index> place;                           // corner -> of its edge among the rays
     std::vector<std::pair<GridPoint, Index>> by_place;  // corners, for those at a point
-    GridBox box;
 
     explicit Side(const GridFace& face);
   };
-  /// A face with one of the other set: from `at` on, rank and sweep of its corners.
+  /// A face with one of the other set: rank and sweep of its corners.
   struct Pair {
-    std::array<Index, 2> face;
-    std::array<std::size_t, 2> at;
-    std::int32_t base;  // the number far away
-    bool may_enclose;   // one could go round a hole of the other
+    std::array<const Side*, 2> side;
+    std::array<std::vector<Index>, 2> rank;
+    std::array<std::vector<EdgeFan::Sweep>, 2> sweep;
   };
 
-  const Side& of(Index pair, int s) const { return sides_[std::size_t(s)][pairs_[pair].face[std::size_t(s)]]; }
-  const EdgeFan::Sweep& sweep(Index pair, int s, Index corner) const {
-    return sweeps_[pairs_[pair].at[std::size_t(s)] + corner];
+  /// Pairs count by face of A, then of B.
+  Index pair_count() const { return Index(pairs_.size()); }
+  const GridFace& face_of(Index pair, int s) const {
+    const Index others = Index(b_.faces.size());
+    return s == 0 ? a_.faces[pair / others] : b_.faces[pair % others];
   }
-  Index rank(Index pair, int s, Index corner) const { return ranks_[pairs_[pair].at[std::size_t(s)] + corner]; }
-  void add_pair(Index i, Index j);
+  const Pair& pair(Index k) const {
+    const Pair* known = pairs_[k].load(std::memory_order_acquire);
+    return known ? *known : made(k);
+  }
+  const Pair& made(Index k) const;
+  /// One face could go round a hole of the other.
+  bool may_enclose(Index pair) const;
+  /// The number far away.
+  std::int32_t base(Index pair) const;
+
+  const Side& of(Index k, int s) const { return *pair(k).side[std::size_t(s)]; }
+  const EdgeFan::Sweep& sweep(Index k, int s, Index corner) const { return pair(k).sweep[std::size_t(s)][corner]; }
+  Index rank(Index k, int s, Index corner) const { return pair(k).rank[std::size_t(s)][corner]; }
   /// Those whose sums can reach into the range, or around it, ascending.
   std::vector<Index> pairs_meeting(const Range& range) const;
 
@@ -95,10 +111,11 @@ class ConvolutionIndex {
   template <class Wanted, class Visit>
   bool visit_side(Index p, int s, const Range& r, Wanted&& wanted, Visit&& visit) const {
     const Side &moved = of(p, s), &other = of(p, 1 - s);
+    const std::vector<EdgeFan::Sweep>& sweeps = pair(p).sweep[std::size_t(1 - s)];
     for (Index v = 0; v < other.fan.corners.size(); ++v) {
       const GridCorner& c = other.fan.corners[v];
       if (c.turn == 0 || !wanted(c)) continue;
-      const EdgeFan::Sweep& swept = sweep(p, 1 - s, v);
+      const EdgeFan::Sweep& swept = sweeps[v];
       const double dx = double(c.at.x), dy = double(c.at.y);
       bool on = moved.slabs.visit(r.y0 - dy, r.y1 - dy, [&](const BoxSlabs::Entry& e) {
         if (e.x1 < r.x0 - dx || e.x0 > r.x1 - dx || !swept.holds(moved.place[e.item])) return true;
@@ -116,11 +133,12 @@ class ConvolutionIndex {
   int side_of(exact::Geometry& g, Index point, const Curve& c) const;
 
   GridOperand a_, b_;
-  std::array<std::vector<Side>, 2> sides_;
-  std::vector<Pair> pairs_;  // by face of A, then of B
-  std::vector<Index> ranks_;
-  std::vector<EdgeFan::Sweep> sweeps_;
+  mutable std::mutex guard_;                                         // of what is made when it is asked for:
+  mutable std::array<std::vector<std::unique_ptr<Side>>, 2> sides_;  // by face
+  mutable std::deque<Pair> made_;
+  mutable std::vector<std::atomic<const Pair*>> pairs_;
   BoxSlabs boxes_;                // of the faces of the set that has more
+  std::vector<GridBox> others_;   // those of the other set
   std::vector<Index> unbounded_;  // which of these are
 };
 
