@@ -55,12 +55,6 @@ std::size_t range_count(std::size_t items, std::size_t many) {
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1 ? kRanges : 1;
 }
 
-void in_ranges(std::size_t items, std::size_t many, const std::function<void(IndexRange)>& task) {
-  const std::size_t count = range_count(items, many);
-  if (count == 1) return task({0, items});
-  parallel_for(count, [&](std::size_t k) { task(range(k, count, items)); });
-}
-
 struct ThreadLimit::Control {
   tbb::global_control limit;
 };

@@ -30,7 +30,12 @@ inline IndexRange range(std::size_t k, std::size_t ranges, std::size_t items) {
   return {k * items / ranges, (k + 1) * items / ranges};
 }
 /// Calls task(range) for those ranges, possibly at once.
-void in_ranges(std::size_t items, std::size_t many, const std::function<void(IndexRange)>& task);
+template <class Task>
+void in_ranges(std::size_t items, std::size_t many, Task&& task) {
+  const std::size_t count = range_count(items, many);
+  if (count == 1) return task(IndexRange{0, items});
+  parallel_for(count, [&](std::size_t k) { task(range(k, count, items)); });
+}
 
 /// While it lives, at most `threads` tasks of the process run at once (0: one for each core).
 class ThreadLimit {

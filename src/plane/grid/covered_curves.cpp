@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCells = 512;             // along the longer side of a set
 constexpr std::size_t kMostCorners = 256;  // that are known
-constexpr std::size_t kMostTried = 32;     // of them: those that are near
+constexpr std::size_t kMostTried = 128;    // of them: those that are near
 constexpr std::size_t kBuckets = 16;       // along each side of the box of the corners
 constexpr double kWider = 2;               // grid steps: far more than the rounding of sums below 2^43 steps
 
