@@ -65,8 +65,12 @@ inline Approx normal_length(const SupportingCurve& l) {
   return {n, n * (3 * Approx::kUnit)};
 }
 
-/// The length of (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2 ulps, tells most others.
+/// The length of the primitive vector (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2
+/// ulps, tells most others.
 inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
+  // Of a right triangle with primitive integer sides one leg is odd, and the other divisible by four.
+  const bool may_be = (a & 1) != 0 ? (b & 3) == 0 : (a & 3) == 0;
+  if (!may_be) return std::nullopt;
   constexpr double kRounding = 0x1.8p52;  // added and taken away again it rounds to an integer
   const double x = double(a), y = double(b), n = std::sqrt(x * x + y * y);
   if (n < 0x1p50 && std::abs(n - ((n + kRounding) - kRounding)) > n * (4 * Approx::kUnit)) return std::nullopt;

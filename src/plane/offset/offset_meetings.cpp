@@ -33,15 +33,26 @@ std::vector<PieceBox> OffsetMeetings::boxes() const {
   }
   const double slack = box_slack(error, std::max(largest_x, largest_y));
   std::vector<PieceBox> boxes;
-  boxes.reserve(c_.pieces.size());
+  boxes.reserve(SequenceBoxes::size_with_joined(c_.pieces.size()));
   for (const Piece& p : c_.pieces)
     boxes.push_back(p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack));
   return boxes;
 }
 
+/// Pieces that follow each other and all go right, or all left: what advances so meets itself nowhere.
+std::vector<Index> OffsetMeetings::chains() const {
+  std::vector<Index> chains;
+  chains.reserve(SequenceBoxes::size_with_joined(c_.pieces.size()));
+  for (Index i = 0; i < c_.pieces.size(); ++i) {
+    const bool goes_on = i > 0 && c_.origins[i - 1].next == i && c_.origins[i - 1].right == c_.origins[i].right;
+    chains.push_back(goes_on ? chains.back() : i);
+  }
+  return chains;
+}
+
 bool OffsetMeetings::find() {
   PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
-  SequenceBoxes(boxes()).meeting_pairs([&](Index i, Index j) {
+  SequenceBoxes(boxes(), chains()).meeting_pairs([&](Index i, Index j) {
     if (!good_ || c_.origins[i].next == j || c_.origins[j].next == i) return;
     const Index known = Index(c_.geometry.points.size());
     found.add_pair(i, j);

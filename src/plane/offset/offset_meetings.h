@@ -36,6 +36,7 @@ class OffsetMeetings {
 
  private:
   std::vector<PieceBox> boxes() const;
+  std::vector<Index> chains() const;
   /// What a pair of pieces has in common; points from `known` on are new.
   void note(const PieceMeetings& found, Index known, Index i, Index j);
   void give_up_unless_inside(Index point, Index i, Index j) { good_ = good_ && is_inside(point, {i, j}); }
