@@ -51,6 +51,8 @@ struct PackZone {
   std::vector<std::string> keeps_out;
   /// names of the parts that lie within it.
   std::vector<std::string> holds = {};
+  /// Instead of rings.
+  std::optional<Shape> shape = {};
 };
 
 /// A kind of sheet. The box of its outline begins at (0, 0).
@@ -65,6 +67,8 @@ struct PackSheet {
   std::optional<Number> cost = {};
   /// Zones on it.
   std::vector<PackZone> zones = {};
+  /// Instead of rings.
+  std::optional<Shape> shape = {};
 
   /// A rectangular one.
   static PackSheet rectangle(std::string name, const Number& width, const Number& height, int count = 1);

@@ -84,17 +84,28 @@ void bind_problem(py::module_& m) {
                              &PackPart::mirrored, &PackPart::value, &PackPart::shape))
       .def_readonly("name", &PackPart::name, "Its name in problems and layouts.")
       .def_readwrite("count", &PackPart::count, "How many copies are wanted.");
-  py::class_<PackZone>(m, "PackZone", "What the parts named may not enter, or may not leave.")
+  py::class_<PackZone>(m, "PackZone", "What the parts named may not enter, or may not leave: an outline or a Shape.")
+      .def(py::init([](const Shape& shape, std::vector<std::string> keeps_out, std::vector<std::string> holds) {
+             return PackZone{{}, std::move(keeps_out), std::move(holds), shape};
+           }),
+           py::arg("shape"), py::arg("keeps_out") = py::list(), py::arg("holds") = py::list())
       .def(py::init([](const py::sequence& outline, std::vector<std::string> keeps_out, std::vector<std::string> holds,
                        const py::sequence& holes) {
              return PackZone{rings_of(outline, holes), std::move(keeps_out), std::move(holds)};
            }),
            py::arg("outline"), py::arg("keeps_out") = py::list(), py::arg("holds") = py::list(),
            py::arg("holes") = py::tuple())
-      .def(pickled<PackZone>(&PackZone::rings, &PackZone::keeps_out, &PackZone::holds))
+      .def(pickled<PackZone>(&PackZone::rings, &PackZone::keeps_out, &PackZone::holds, &PackZone::shape))
       .def_readonly("keeps_out", &PackZone::keeps_out, "Names of the parts that stay out.")
       .def_readonly("holds", &PackZone::holds, "Names of the parts that lie within it.");
-  py::class_<PackSheet>(m, "PackSheet", "A kind of sheet; the box of its outline begins at (0, 0).")
+  py::class_<PackSheet>(m, "PackSheet",
+                        "A kind of sheet: an outline with holes or a Shape, whose box begins at (0, 0).")
+      .def(py::init([](std::string name, const Shape& shape, int count, const py::object& cost,
+                       std::vector<PackZone> zones) {
+             return PackSheet{std::move(name), {}, count, amount(cost), std::move(zones), shape};
+           }),
+           py::arg("name"), py::arg("shape"), py::arg("count") = 1, py::arg("cost") = py::none(),
+           py::arg("zones") = std::vector<PackZone>())
       .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
                        const py::object& cost, std::vector<PackZone> zones) {
              return PackSheet{std::move(name), rings_of(outline, holes), count, amount(cost), std::move(zones)};
@@ -102,7 +113,7 @@ void bind_problem(py::module_& m) {
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
            py::arg("cost") = py::none(), py::arg("zones") = std::vector<PackZone>())
       .def(pickled<PackSheet>(&PackSheet::name, &PackSheet::rings, &PackSheet::count, &PackSheet::cost,
-                              &PackSheet::zones))
+                              &PackSheet::zones, &PackSheet::shape))
       .def_readonly("name", &PackSheet::name, "Its name in layouts.");
   py::class_<PackGroup>(m, "PackGroup", "Parts that stay together: on one sheet, and at most `within` apart.")
       .def(py::init([](std::vector<std::string> parts, const py::object& within) {

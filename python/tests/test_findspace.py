@@ -447,6 +447,30 @@ def test_pack_shapes_with_arcs():
         fs.pack(fs.PackProblem([fs.PackPart("line", fs.Shape.polyline([(0, 0), (1, 1)]))], height=8), work=1)
 
 
+def test_discs_in_a_round_sheet_against_the_distances_of_their_centres():
+    chance = random.Random(7)
+    for seed in range(12):
+        outer, inner, zone = chance.randint(8, 12), Fraction(chance.randint(5, 20), 10), Fraction(chance.randint(10, 30), 10)
+        radii, edge = [Fraction(chance.randint(5, 25), 10) for _ in range(3)], chance.choice([0, Fraction(1, 4)])
+        middle = (outer, outer)
+        sheet = fs.Shape.subtract([fs.Shape.disc(middle, outer), fs.Shape.disc(middle, str(float(inner)))])
+        kept = fs.PackZone(fs.Shape.disc((outer, outer + 4), str(float(zone))), keeps_out=["0"])
+        held = fs.PackZone(fs.Shape.disc((outer, outer), outer - 1), holds=["1"])
+        blank = fs.PackSheet("blank", sheet, count=2, zones=[kept, held])
+        parts = [fs.PackPart(str(k), fs.Shape.disc((0, 0), str(float(r))), count=2) for k, r in enumerate(radii)]
+        problem = pickle.loads(pickle.dumps(fs.PackProblem(parts, sheets=[blank], edge=str(float(edge)))))
+        layout = fs.pack(problem, work=1, seed=seed)
+        assert layout.faults(problem) == []
+        for item in layout.items:
+            x, y, k = Fraction(item.at[0]), Fraction(item.at[1]), int(item.part)
+            square = (x - outer) ** 2 + (y - outer) ** 2
+            assert (radii[k] + inner + edge) ** 2 <= square <= (outer - radii[k] - edge) ** 2
+            if k == 0:
+                assert (x - outer) ** 2 + (y - outer - 4) ** 2 >= (radii[k] + zone) ** 2
+            if k == 1:
+                assert square <= (outer - 1 - radii[k]) ** 2
+
+
 def test_packed_discs_against_the_distances_of_their_centres():
     chance = random.Random(5)
     for seed in range(20):

@@ -201,4 +201,24 @@ TEST(PublicPacking, AZoneHoldsOrKeepsOut) {
   EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);
 }
 
+TEST(PublicPacking, ADiscFillsItsRoundSheet) {
+  PackProblem problem;
+  problem.sheets = {{"blank", {}, 1}};
+  problem.sheets[0].shape = Shape::subtract({Shape::disc({5, 5}, 5), Shape::disc({5, 5}, 1)});
+  problem.parts = {PackPart::of("ring", Shape::subtract({Shape::disc({0, 0}, 5), Shape::disc({0, 0}, "0.75")}))};
+  EXPECT_FALSE(pack(problem, {.threads = 1, .work = 1}).has_value());  // the hole of the sheet is wider
+  problem.sheets[0].shape = Shape::subtract({Shape::disc({5, 5}, 5), Shape::disc({5, 5}, "0.75")});
+  auto layout = pack(problem, {.threads = 1, .work = 1});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->items[0].x.text(), "5");
+  EXPECT_EQ(layout->items[0].y.text(), "5");
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  layout->items[0].y = "5.000001";
+  EXPECT_FALSE(layout_faults(problem, *layout).empty());
+  problem.sheets[0].shape = Shape::disc({5, 6}, 5);
+  EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);  // its box does not begin at (0, 0)
+  problem.sheets[0].rings = {box_ring(0, 0, 4, 5)};
+  EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);  // both
+}
+
 }  // namespace io_public_packing

@@ -40,27 +40,30 @@ std::vector<io::UnscaledRing> rings_of(const std::vector<Ring>& rings) {
 }
 
 /// The closure; RoundPart refuses what is not an area.
-io::UnscaledShape shape_of(const Shape& shape) {
-  if (shape.dimension() != 2) throw Error(ErrorCode::kUnsupported, "parts are shapes of the plane");
-  return {plane::closure(shape.region().data().cells), fraction(shape.grid().step)};
+/// Of a part, sheet or zone.
+template <class Outlined, class Unscaled>
+void take_outline(const Outlined& from, const std::string& what, Unscaled& to) {
+  to.rings = rings_of(from.rings);
+  if (!from.shape) return;
+  if (!from.rings.empty()) throw Error(ErrorCode::kBadValue, what + " has both rings and a shape");
+  if (from.shape->dimension() != 2) throw Error(ErrorCode::kUnsupported, what + " is a shape of the plane");
+  to.shape = {plane::closure(from.shape->region().data().cells), fraction(from.shape->grid().step)};
 }
 
 io::UnscaledPart part_of(const PackPart& part) {
-  io::UnscaledPart result{part.name, count_of(part.count), rings_of(part.rings),
-                          {},        part.mirrored,        amount_of(part.value)};
-  if (part.shape && !part.rings.empty())
-    throw Error(ErrorCode::kBadValue, "part '" + part.name + "' has both rings and a shape");
-  if (part.shape) result.shape = shape_of(*part.shape);
+  io::UnscaledPart result{part.name, count_of(part.count), {}, {}, part.mirrored, amount_of(part.value)};
+  take_outline(part, "part '" + part.name + "'", result);
   for (const Number& angle : part.angles) result.angles.push_back(fraction(angle));
   if (result.angles.empty()) result.angles.push_back(0);
   return result;
 }
 
 io::UnscaledSheet sheet_of(const PackSheet& sheet, const std::vector<io::UnscaledPart>& parts) {
-  io::UnscaledSheet result{sheet.name, count_of(sheet.count), amount_of(sheet.cost), rings_of(sheet.rings), {}};
+  io::UnscaledSheet result{sheet.name, count_of(sheet.count), amount_of(sheet.cost), {}, {}};
+  take_outline(sheet, "sheet '" + sheet.name + "'", result);
   for (const PackZone& zone : sheet.zones) {
     io::UnscaledZone& out = result.zones.emplace_back();
-    out.rings = rings_of(zone.rings);
+    take_outline(zone, "a zone of sheet '" + sheet.name + "'", out);
     if (!zone.keeps_out.empty() && !zone.holds.empty())
       throw Error(ErrorCode::kBadValue, "a zone keeps parts out or holds them");
     out.holds = !zone.holds.empty();
@@ -149,12 +152,20 @@ std::vector<Ring> public_rings(const std::vector<io::UnscaledRing>& rings) {
   return result;
 }
 
+std::optional<Shape> public_shape(const std::optional<io::UnscaledShape>& shape) {
+  if (!shape) return std::nullopt;
+  const plane::Grid grid(exact::Real::parse_decimal(shape->step.text()));
+  return Shape(api::make_region(*shape->region, grid));
+}
+
 PackPart public_part(const io::UnscaledPart& part) {
-  PackPart result{part.name, public_rings(part.rings), part.demand, {}, part.mirrored, public_amount(part.value)};
-  if (part.shape) {
-    const plane::Grid grid(exact::Real::parse_decimal(part.shape->step.text()));
-    result.shape = Shape(api::make_region(*part.shape->region, grid));
-  }
+  PackPart result{part.name,
+                  public_rings(part.rings),
+                  part.demand,
+                  {},
+                  part.mirrored,
+                  public_amount(part.value),
+                  public_shape(part.shape)};
   for (const Fraction& angle : part.angles) result.angles.push_back(angle.text());
   return result;
 }
@@ -200,10 +211,12 @@ PackProblem pack_problem(std::string_view json) {
   for (const io::UnscaledPart& part : inner.parts) result.parts.push_back(public_part(part));
   for (const io::UnscaledSheet& sheet : inner.sheets) {
     PackSheet& out = result.sheets.emplace_back();
-    out = {sheet.name, public_rings(sheet.rings), sheet.count, public_amount(sheet.cost)};
+    out = {sheet.name, public_rings(sheet.rings), sheet.count, public_amount(sheet.cost),
+           {},         public_shape(sheet.shape)};
     for (const io::UnscaledZone& zone : sheet.zones) {
       PackZone& shown = out.zones.emplace_back();
       shown.rings = public_rings(zone.rings);
+      shown.shape = public_shape(zone.shape);
       for (const std::size_t part : zone.parts) (zone.holds ? shown.holds : shown.keeps_out).push_back(name_of(part));
     }
   }

@@ -43,12 +43,12 @@ class Reader : private NestingJson {
       result.parts.push_back(part(item));
       check_name(item, result.parts, "items");
     }
-    read_shapes(items, asked, result);
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
       for (const JsonValue& value : list(*sheets).items) {
         result.sheets.push_back(sheet(value, result.parts));
         check_name(value, result.sheets, "sheets");
       }
+    read_shapes(asked, result);
     check_costs(result);
     if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !asked.height;
     if (result.sheets.empty() && !result.box)
@@ -104,11 +104,36 @@ class Reader : private NestingJson {
 
   static bool is_polygon(const JsonValue& shape) { return shape.is(Kind::kObject) && shape.find("type") != nullptr; }
 
-  /// Those of the scene language, by name or as they are, on a grid that holds their numbers.
-  void read_shapes(const JsonValue& items, const NestingOptions& asked, UnscaledProblem& problem) const {
-    const auto of_item = [&](const JsonValue& item) { return is_polygon(need(item, "shape")); };
-    if (std::all_of(items.items.begin(), items.items.end(), of_item)) return;
-    const packing::int128 steps = packing::power_of_ten(digits_of_shapes(items));
+  /// A shape of the scene language, and whose it is.
+  struct Stated {
+    const JsonValue* value;
+    Label label;
+    std::optional<UnscaledShape>* to;
+  };
+
+  std::vector<Stated> stated_shapes(UnscaledProblem& problem) const {
+    std::vector<Stated> result;
+    const auto see = [&](const JsonValue& owner, const char* kind, const std::string& name, auto& to) {
+      const JsonValue* value = owner.find("shape");
+      if (value != nullptr && !is_polygon(*value)) result.push_back({value, Label{nullptr, kind, name}, &to.shape});
+    };
+    const JsonValue &items = need(tree(), "items"), *sheets = tree().find("sheets");
+    for (std::size_t k = 0; k < problem.parts.size(); ++k)
+      see(items.items[k], "item", problem.parts[k].name, problem.parts[k]);
+    for (std::size_t k = 0; k < problem.sheets.size(); ++k) {
+      UnscaledSheet& sheet = problem.sheets[k];
+      see(sheets->items[k], "sheet", sheet.name, sheet);
+      for (std::size_t z = 0; z < sheet.zones.size(); ++z)
+        see(sheets->items[k].find("zones")->items[z], "zone of sheet", sheet.name, sheet.zones[z]);
+    }
+    return result;
+  }
+
+  /// By name or as they are, on a grid that holds their numbers.
+  void read_shapes(const NestingOptions& asked, UnscaledProblem& problem) const {
+    const std::vector<Stated> stated = stated_shapes(problem);
+    if (stated.empty()) return;
+    const packing::int128 steps = packing::power_of_ten(digits_of_shapes(stated));
     ReadContext context(asked.read);
     context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
     context.grid = Grid(exact::Real(1) / exact::Real(steps));
@@ -119,26 +144,23 @@ class Reader : private NestingJson {
     none.kind = Kind::kObject;
     const JsonValue* named = tree().find("shapes");
     ShapeReader shapes(json, named != nullptr ? *named : none);
-    for (std::size_t k = 0; k < items.size(); ++k) {
-      const JsonValue& shape = need(items.items[k], "shape");
-      if (is_polygon(shape)) continue;
-      const Label label{nullptr, "item", problem.parts[k].name};
-      const plane::ShapePtr tree = shapes.shape(shape, label);
-      if (shapes.dimension() == 3) fail(shape, "a part of a strip or sheet is a shape of the plane");
+    for (const Stated& one : stated) {
+      const plane::ShapePtr shape = shapes.shape(*one.value, one.label);
+      if (shapes.dimension() == 3)
+        fail(*one.value, fmt::format("the shape of {} is one of the plane on a strip or sheet", one.label.what));
       plane::BuildResult built = json.placed(
-          label, shape, [&] { return plane::build(*tree, context.grid.step_size(), asked.read.work_limit); });
-      problem.parts[k].shape = UnscaledShape{plane::closure(std::move(built.region)), Fraction(1, steps)};
+          one.label, *one.value, [&] { return plane::build(*shape, context.grid.step_size(), asked.read.work_limit); });
+      *one.to = UnscaledShape{plane::closure(std::move(built.region)), Fraction(1, steps)};
       context.rounding.points += built.rounding.points;
       context.rounding.largest = std::max(context.rounding.largest, built.rounding.largest);
     }
     for (std::string& note : context.summary()) problem.notes.push_back(std::move(note));
   }
 
-  int digits_of_shapes(const JsonValue& items) const {
+  int digits_of_shapes(const std::vector<Stated>& stated) const {
     const JsonValue* named = tree().find("shapes");
     int digits = std::max(kUsualShapeDigits, named != nullptr ? digits_in(*named, kMostShapeDigits) : 0);
-    for (const JsonValue& item : items.items)
-      digits = std::max(digits, digits_in(need(item, "shape"), kMostShapeDigits));
+    for (const Stated& one : stated) digits = std::max(digits, digits_in(*one.value, kMostShapeDigits));
     return digits;
   }
 
@@ -160,7 +182,7 @@ class Reader : private NestingJson {
       if (*result.cost < 0) fail(*cost, "a cost below 0");
     }
     if (const JsonValue* outline = value.find("shape")) {
-      result.rings = shape(*outline);
+      if (is_polygon(*outline)) result.rings = shape(*outline);
     } else {
       const Fraction w = number(need(value, "width")), h = number(need(value, "height"));
       if (w <= 0 || h <= 0) fail(value, "a sheet has a width and a height above 0");
@@ -173,7 +195,8 @@ class Reader : private NestingJson {
 
   /// Zones keep out the parts named, or all but those named; or they hold those named.
   UnscaledZone zone(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
-    UnscaledZone result{shape(need(value, "shape")), {}};
+    UnscaledZone result;
+    if (const JsonValue& outline = need(value, "shape"); is_polygon(outline)) result.rings = shape(outline);
     const JsonValue *only = value.find("only"), *kept_out = value.find("keeps_out"), *held = value.find("holds");
     if ((only != nullptr) + (kept_out != nullptr) + (held != nullptr) != 1)
       fail(value, "a zone has one of 'keeps_out', 'only' and 'holds': names of parts");

@@ -48,21 +48,23 @@ constexpr int kDigitsOfShapes = 7;
 int grid_digits(const UnscaledProblem& problem) {
   bool shapes = false;
   int digits = gap_digits(problem.gap), finer = 0;
+  const auto see = [&](const auto& outlined) {
+    digits = std::max(digits, digits_of(outlined.rings));
+    if (!outlined.shape) return;
+    digits = std::max(digits, digits_of(outlined.shape->step));
+    shapes = true;
+  };
   for (const packing::PairGap& pair : problem.gaps) digits = std::max(digits, gap_digits(pair.gap));
   if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
   for (const UnscaledPart& part : problem.parts) {
-    digits = std::max(digits, digits_of(part.rings));
-    if (part.shape) {
-      digits = std::max(digits, digits_of(part.shape->step));
-      shapes = true;
-    }
+    see(part);
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
   for (const packing::FixedPart& fixed : problem.fixed)
     if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
   for (const UnscaledSheet& sheet : problem.sheets) {
-    digits = std::max(digits, digits_of(sheet.rings));
-    for (const UnscaledZone& zone : sheet.zones) digits = std::max(digits, digits_of(zone.rings));
+    see(sheet);
+    for (const UnscaledZone& zone : sheet.zones) see(zone);
   }
   return shapes ? std::max(digits, std::min(digits + finer, kDigitsOfShapes)) : digits + finer;
 }
@@ -76,46 +78,65 @@ packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int12
   return packing::make_polygon(std::move(result), place);
 }
 
+struct Outlined {
+  packing::Polygon shape;  // of a round one a polygon about it
+  std::shared_ptr<const packing::RoundPart> round = {};
+
+  packing::LatticeBox box() const { return round ? round->at(0, false).box : box_of(shape); }
+};
+
 /// A polygon where the shape is one; a round part otherwise.
-packing::Part part_on(UnscaledPart& part, packing::int128 steps, const std::string& place) {
-  const std::string own = fmt::format("{}: part '{}'", place, part.name);
-  packing::Part result{std::move(part.name), part.demand, {}, std::move(part.angles), part.mirrored, part.value};
-  if (!part.shape) {
-    result.shape = on_steps(part.rings, steps, own);
-    return result;
-  }
+template <class Unscaled>
+Outlined outlined_on(const Unscaled& from, packing::int128 steps, const std::string& place) {
+  if (!from.shape) return {on_steps(from.rings, steps, place)};
   try {
-    const packing::int128 factor = part.shape->step.over(steps);
-    plane::Region region = factor == 1 ? *part.shape->region : plane::scaled(part.shape->region, std::int64_t(factor));
+    const packing::int128 factor = from.shape->step.over(steps);
+    plane::Region region = factor == 1 ? *from.shape->region : plane::scaled(from.shape->region, std::int64_t(factor));
     const auto round = std::make_shared<const packing::RoundPart>(std::move(region));
-    if (auto rings = packing::rings_of(round->at(0, false).region)) {
-      result.shape = packing::make_polygon(std::move(*rings), own);
-      return result;
-    }
-    for (const Fraction& angle : result.angles)
-      for (const bool mirrored : {false, true})
-        if (!mirrored || result.mirrored) round->at(angle, mirrored);  // errors are here
-    result.shape = round->at(0, false).about;
-    result.round = round;
-    return result;
+    if (auto rings = packing::rings_of(round->at(0, false).region))
+      return {packing::make_polygon(std::move(*rings), place)};
+    return {round->at(0, false).about, round};
   } catch (const Error& e) {
-    throw e.within(own);
+    throw e.within(place);
   }
 }
 
-packing::Sheet sheet_on(UnscaledSheet& sheet, packing::int128 steps, const std::string& place) {
-  packing::Sheet result{std::move(sheet.name), sheet.count, sheet.cost, {}};
-  const std::string own = fmt::format("{}: sheet '{}'", place, result.name);
-  result.shape = on_steps(sheet.rings, steps, own);
-  const packing::LatticeBox box = box_of(result.shape);
-  if (box.low.x != 0 || box.low.y != 0) throw Error(ErrorCode::kGeometry, "a sheet's box begins at (0, 0)", own);
-  for (UnscaledZone& zone : sheet.zones) {
-    packing::Polygon shape = on_steps(zone.rings, steps, own + ": a zone");
-    const packing::LatticeBox in = box_of(shape);
-    if (in.low.x < 0 || in.low.y < 0 || in.high.x > box.high.x || in.high.y > box.high.y)
-      throw Error(ErrorCode::kGeometry, "a zone reaches beyond its sheet", own);
-    result.zones.push_back({std::move(shape), std::move(zone.parts), zone.holds});
+packing::Part part_on(UnscaledPart& part, packing::int128 steps, const std::string& place) {
+  const std::string own = fmt::format("{}: part '{}'", place, part.name);
+  Outlined outlined = outlined_on(part, steps, own);
+  packing::Part result{std::move(part.name), part.demand, std::move(outlined.shape), std::move(part.angles),
+                       part.mirrored,        part.value,  std::move(outlined.round)};
+  if (!result.round) return result;
+  try {
+    for (const Fraction& angle : result.angles)
+      for (const bool mirrored : {false, true})
+        if (!mirrored || result.mirrored) result.round->at(angle, mirrored);  // errors are here
+  } catch (const Error& e) {
+    throw e.within(own);
   }
+  return result;
+}
+
+packing::Zone zone_on(UnscaledZone& zone, const packing::LatticeBox& sheet, const packing::Problem& problem,
+                      const std::string& place) {
+  Outlined outlined = outlined_on(zone, problem.steps(), place + ": a zone");
+  const packing::LatticeBox in = outlined.box();
+  if (in.low.x < 0 || in.low.y < 0 || in.high.x > sheet.high.x || in.high.y > sheet.high.y)
+    throw Error(ErrorCode::kGeometry, "a zone reaches beyond its sheet", place);
+  packing::Zone result{std::move(outlined.shape), std::move(zone.parts), zone.holds, std::move(outlined.round)};
+  if (result.round && result.holds) result.about = what_is_about(*result.round, box_about(problem, sheet));
+  return result;
+}
+
+packing::Sheet sheet_on(UnscaledSheet& sheet, const packing::Problem& problem, const std::string& place) {
+  const std::string own = fmt::format("{}: sheet '{}'", place, sheet.name);
+  Outlined outlined = outlined_on(sheet, problem.steps(), own);
+  const packing::LatticeBox box = outlined.box();
+  if (box.low.x != 0 || box.low.y != 0) throw Error(ErrorCode::kGeometry, "a sheet's box begins at (0, 0)", own);
+  packing::Sheet result{std::move(sheet.name), sheet.count, sheet.cost, std::move(outlined.shape)};
+  result.round = std::move(outlined.round);
+  if (result.round) result.about = what_is_about(*result.round, box_about(problem, box));
+  for (UnscaledZone& zone : sheet.zones) result.zones.push_back(zone_on(zone, box, problem, own));
   return result;
 }
 
@@ -129,14 +150,14 @@ void check_reach(const packing::Problem& problem, const std::string& place) {
                     place);
   };
   for (const packing::Part& part : problem.parts) check(box_of(part, 0, false), part.name);
-  for (const packing::Sheet& sheet : problem.sheets) check(box_of(sheet.shape), sheet.name);
+  for (const packing::Sheet& sheet : problem.sheets) check(box_of(sheet), sheet.name);
 }
 
 /// On one sheet no gap is larger than width and height of the largest; nothing on a strip.
 std::optional<Fraction> farthest_gap(const packing::Problem& problem) {
   std::optional<Fraction> result;
   for (const packing::Sheet& sheet : problem.sheets) {
-    const packing::LatticeBox box = box_of(sheet.shape);
+    const packing::LatticeBox box = box_of(sheet);
     result = std::max(result.value_or(0), Fraction(box.high.x + box.high.y, problem.steps()));
   }
   return result;
@@ -197,7 +218,7 @@ packing::Problem UnscaledProblem::on_grid(const std::string& place) && {
   result.digits = grid_digits(*this);
   const packing::int128 steps = result.steps();
   for (UnscaledPart& part : parts) result.parts.push_back(part_on(part, steps, place));
-  for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, steps, place));
+  for (UnscaledSheet& sheet : sheets) result.sheets.push_back(sheet_on(sheet, result, place));
   if (result.has_round_parts()) check_reach(result, place);
   result.conditions = conditions_of(*this, result.parts.size(), farthest_gap(result), place);
   for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where);

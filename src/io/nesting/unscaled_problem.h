@@ -34,17 +34,19 @@ struct UnscaledPart {
 };
 
 struct UnscaledZone {
-  std::vector<UnscaledRing> rings;
+  std::vector<UnscaledRing> rings;  // or `shape`
   std::vector<std::size_t> parts;
   bool holds = false;
+  std::optional<UnscaledShape> shape = {};
 };
 
 struct UnscaledSheet {
   std::string name;
   int count = 1;
   std::optional<packing::Fraction> cost;
-  std::vector<UnscaledRing> rings;
+  std::vector<UnscaledRing> rings;  // or `shape`
   std::vector<UnscaledZone> zones;
+  std::optional<UnscaledShape> shape = {};
 };
 
 struct UnscaledProblem : StatedConditions {

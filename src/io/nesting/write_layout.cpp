@@ -95,20 +95,27 @@ Outlines outlines_of(const packing::Problem& problem, const packing::Placed& ite
   return outlines_of(rotated(part, item.angle, item.mirrored), problem.steps(), x, y);
 }
 
+/// Of a sheet or a zone.
+template <class Outlined>
+Outlines outlines_of(const Outlined& outlined, packing::int128 steps) {
+  if (outlined.round) return outlines_of(outlined.round->at(0, false).region, steps, 0, 0);
+  return outlines_of(outlined.shape, steps, 0, 0);
+}
+
 std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layout& layout) {
   std::vector<Page> pages;
   const double length = layout.length.to_double(), height = height_of(problem, layout).to_double();
   if (!problem.on_sheets()) return {{"", length, height, {{{0, 0}, {length, 0}, {length, height}, {0, height}}}, {}}};
   for (std::size_t k = 0; k < layout.sheets.size(); ++k) {
     const packing::Sheet& sheet = problem.sheets[layout.sheets[k]];
-    const packing::LatticeBox box = box_of(sheet.shape);
+    const packing::LatticeBox box = box_of(sheet);
     Page& page = pages.emplace_back();
     page.title = fmt::format("sheet {}: {}", k + 1, sheet.name);
     page.width = double(box.high.x) / double(problem.steps());
     page.height = double(box.high.y) / double(problem.steps());
-    page.outline = outlines_of(sheet.shape, problem.steps(), 0, 0);
+    page.outline = outlines_of(sheet, problem.steps());
     for (const packing::Zone& zone : sheet.zones)
-      for (auto& ring : outlines_of(zone.shape, problem.steps(), 0, 0)) page.zones.push_back(std::move(ring));
+      for (auto& ring : outlines_of(zone, problem.steps())) page.zones.push_back(std::move(ring));
   }
   return pages;
 }

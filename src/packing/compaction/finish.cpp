@@ -76,7 +76,7 @@ class Finisher {
     int128 x = steps_.nearest(at.x + table_.edge(), snap), y = steps_.nearest(at.y + table_.edge(), snap);
     Fraction height = problem_.height;
     if (problem_.on_sheets()) {
-      const LatticeBox box = box_of(problem_.sheets[layout.sheets[item.sheet]].shape);
+      const LatticeBox box = box_of(problem_.sheets[layout.sheets[item.sheet]]);
       height = Fraction(box.high.y, steps);
       x = std::min(x, steps_.below(Fraction(box.high.x - high.x, steps) - edge));
     }

@@ -28,9 +28,9 @@ Variant variant_of(std::size_t part, const Fraction& angle, bool mirrored, Searc
 }
 
 /// Of a round part, whose polygon is only about it.
-void take_box(Variant& variant, const Problem& problem) {
+void take_box(Variant& variant, const Part& part) {
   if (!variant.shape.round) return;
-  const LatticeBox box = box_of(problem.parts[variant.part], variant.angle, variant.mirrored);
+  const LatticeBox box = box_of(part, variant.angle, variant.mirrored);
   variant.low = {double(box.low.x) * variant.shape.step, double(box.low.y) * variant.shape.step};
   variant.high = {double(box.high.x) * variant.shape.step, double(box.high.y) * variant.shape.step};
 }
@@ -40,7 +40,7 @@ bool fits_somewhere(const Problem& problem, const Variant& v, double height) {
   if (!problem.on_sheets()) return v.high.y - v.low.y <= height;
   const double steps = double(problem.steps()), edges = 2 * problem.edge.to_double();
   const auto fits = [&](const Sheet& sheet) {
-    const LatticeBox box = box_of(sheet.shape);
+    const LatticeBox box = box_of(sheet);
     return v.high.x - v.low.x <= double(box.high.x) / steps - edges &&
            v.high.y - v.low.y <= double(box.high.y) / steps - edges;
   };
@@ -67,7 +67,7 @@ auto normal_form(const SearchShape& shape) {
 FieldTable::FieldTable(const Problem& problem) : problem_(problem), edge_(problem.edge.to_double()) {
   double height = problem.height.to_double();
   for (const Sheet& sheet : problem.sheets)
-    height = std::max(height, double(box_of(sheet.shape).high.y) / double(problem.steps()));
+    height = std::max(height, double(box_of(sheet).high.y) / double(problem.steps()));
   height_ = (problem.on_sheets() ? height : problem.height.to_double()) - 2 * edge_;
   of_part_.resize(problem.parts.size());
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
@@ -85,7 +85,7 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
     for (const Fraction& angle : part.angles) {
       if (mirrored && !part.mirrored) continue;
       Variant variant = variant_of(number, angle, mirrored, search_shape(problem, part, angle, mirrored));
-      take_box(variant, problem);
+      take_box(variant, part);
       if (!fits_somewhere(problem, variant, height_)) continue;
       const auto form = normal_form(variant.shape);
       const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };
@@ -100,14 +100,15 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
 void FieldTable::add_obstacles(const Problem& problem) {
   for (const Sheet& sheet : problem.sheets) {
     std::vector<std::size_t>& added = of_sheet_.emplace_back();
-    const auto add = [&](const Polygon& shape, const Zone* zone) {
+    const auto add = [&](const Part& obstacle, const Zone* zone) {
       added.push_back(variants_.size());
-      variants_.push_back(variant_of(kNoPart, 0, false, search_shape(problem, shape)));
+      variants_.push_back(variant_of(kNoPart, 0, false, search_shape(problem, obstacle, 0, false)));
+      take_box(variants_.back(), obstacle);
       variants_.back().zone = zone;
     };
-    for (const Polygon& shape : packing::obstacles_of(problem, sheet)) add(shape, nullptr);
+    for (const Part& obstacle : packing::obstacles_of(problem, sheet)) add(obstacle, nullptr);
     for (const Zone& zone : sheet.zones)
-      for (const Polygon& wall : walls_of(problem, sheet, zone)) add(wall, &zone);
+      for (const Part& wall : walls_of(problem, sheet, zone)) add(wall, &zone);
   }
 }
 
@@ -118,7 +119,7 @@ void FieldTable::add_fixed(const Problem& problem) {
     fixed_.push_back(variants_.size());
     const Part& part = problem.parts[p.part];
     variants_.push_back(variant_of(p.part, p.angle, p.mirrored, search_shape(problem, part, p.angle, p.mirrored)));
-    take_box(variants_.back(), problem);
+    take_box(variants_.back(), part);
   }
 }
 
@@ -136,7 +137,7 @@ void FieldTable::find_ties(const Problem& problem) {
       ties_[a * n + b] = variants_[b].part != kNoPart && problem.are_tied(variants_[a].part, variants_[b].part);
   }
   for (const Sheet& sheet : problem.sheets) {
-    const double width = double(box_of(sheet.shape).high.x) / double(problem.steps());
+    const double width = double(box_of(sheet).high.x) / double(problem.steps());
     const std::size_t most = std::min(std::size_t(sheet.count), problem.items());
     reach_ += double(most) * (width + 2 * (edge_ + 2) + greatest_level_);
   }

@@ -15,7 +15,7 @@ Row::Row(const Problem& problem, const FieldTable& table, const std::vector<std:
   // Obstacles reach beyond their sheet, but not into the next one.
   const double wall = 2 * (edge + 1.02 * table.gap() + 2) + table.greatest_level();
   for (const std::size_t kind : kinds) {
-    const LatticeBox box = box_of(problem.sheets[kind].shape);
+    const LatticeBox box = box_of(problem.sheets[kind]);
     rooms_.add({double(box.high.x) / steps - 2 * edge, double(box.high.y) / steps - 2 * edge}, wall, kind);
     for (const std::size_t v : table.obstacles_of(kind))
       obstacles_.push_back({v, {rooms_.all().back().low.x - edge, -edge}});
@@ -42,7 +42,7 @@ std::vector<std::size_t> cheapest_sheets(const Problem& problem) {
   for (std::size_t kind = 0; kind < problem.sheets.size(); ++kind) {
     const Sheet& sheet = problem.sheets[kind];
     stock.push_back({std::min(std::size_t(sheet.count), problem.items()), sheets_with_fixed(problem, kind), sheet.cost,
-                     twice_area(sheet.shape)});
+                     twice_area(sheet)});
   }
   return cheapest_first(stock);
 }

@@ -39,6 +39,10 @@ double area_left_of(const Polygon& shape, double most) {
   return sum;
 }
 
+double area_left_of(const Sheet& sheet, double most) {
+  return sheet.round ? sheet.round->area_left_of(most) : area_left_of(sheet.shape, most);
+}
+
 /// +1 where the ring runs counter-clockwise: the turn at its lowest, leftmost vertex.
 int direction(const Ring& ring) {
   const auto less = [](const LatticePoint& p, const LatticePoint& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
@@ -110,7 +114,11 @@ LatticePoint rotated(const LatticePoint& p, const Fraction& angle) {
 }  // namespace
 
 bool Problem::has_round_parts() const {
-  return std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.round != nullptr; });
+  const auto is_round = [](const auto& one) { return one.round != nullptr; };
+  const auto has_round = [&](const Sheet& sheet) {
+    return is_round(sheet) || std::any_of(sheet.zones.begin(), sheet.zones.end(), is_round);
+  };
+  return std::any_of(parts.begin(), parts.end(), is_round) || std::any_of(sheets.begin(), sheets.end(), has_round);
 }
 
 int Problem::free_copies(std::size_t part) const {
@@ -137,34 +145,53 @@ bool is_fixed_part(const Layout& layout, const Placed& item, const FixedPart& fi
 
 namespace {
 
-/// All about an outline, up to more than the edge beyond a box.
-Polygon frame_about(const Problem& problem, const Ring& outline, const LatticeBox& box) {
-  const int128 out = bounded_product(problem.steps(), int128(std::ceil(problem.edge.to_double())) + 1);
-  Polygon frame;
-  frame.rings.push_back({{box.low.x - out, box.low.y - out},
-                         {box.high.x + out, box.low.y - out},
-                         {box.high.x + out, box.high.y + out},
-                         {box.low.x - out, box.high.y + out}});
-  frame.rings.emplace_back(outline.rbegin(), outline.rend());
-  return frame;
+Part still(Polygon shape) {
+  Part part;
+  part.shape = std::move(shape);
+  return part;
 }
 
-void add_holes(const Polygon& shape, std::vector<Polygon>& result) {
+Part still(const std::shared_ptr<const RoundPart>& round) {
+  Part part = still(round->at(0, false).about);
+  part.round = round;
+  return part;
+}
+
+/// All about an outline, up to more than the edge beyond a box.
+Part frame_about(const Problem& problem, const Ring& outline, const LatticeBox& box) {
+  Polygon frame = box_about(problem, box);
+  frame.rings.emplace_back(outline.rbegin(), outline.rend());
+  return still(std::move(frame));
+}
+
+void add_holes(const Polygon& shape, std::vector<Part>& result) {
   for (std::size_t hole = 1; hole < shape.rings.size(); ++hole)
-    result.push_back({{Ring(shape.rings[hole].rbegin(), shape.rings[hole].rend())}});
+    result.push_back(still({{Ring(shape.rings[hole].rbegin(), shape.rings[hole].rend())}}));
 }
 
 }  // namespace
 
-std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone) {
-  if (!zone.holds) return {zone.shape};
-  std::vector<Polygon> result{frame_about(problem, zone.shape.rings[0], box_of(sheet.shape))};
+Polygon box_about(const Problem& problem, const LatticeBox& box) {
+  const int128 out = bounded_product(problem.steps(), int128(std::ceil(problem.edge.to_double())) + 1);
+  return {{{{box.low.x - out, box.low.y - out},
+            {box.high.x + out, box.low.y - out},
+            {box.high.x + out, box.high.y + out},
+            {box.low.x - out, box.high.y + out}}}};
+}
+
+LatticeBox box_of(const Sheet& sheet) { return sheet.round ? sheet.round->at(0, false).box : box_of(sheet.shape); }
+
+std::vector<Part> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone) {
+  if (zone.round) return {still(zone.holds ? zone.about : zone.round)};
+  if (!zone.holds) return {still(zone.shape)};
+  std::vector<Part> result{frame_about(problem, zone.shape.rings[0], box_of(sheet))};
   add_holes(zone.shape, result);
   return result;
 }
 
-std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet) {
-  std::vector<Polygon> result;
+std::vector<Part> obstacles_of(const Problem& problem, const Sheet& sheet) {
+  if (sheet.about) return {still(sheet.about)};
+  std::vector<Part> result;
   const LatticeBox box = box_of(sheet.shape);
   const Ring& outline = sheet.shape.rings[0];
   const Ring corners{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
@@ -221,6 +248,8 @@ LatticeBox box_of(const Part& part, const Fraction& angle, bool mirrored) {
   return part.round ? part.round->at(angle, mirrored).box : box_of(rotated(part.shape, angle, mirrored));
 }
 
+double twice_area(const Sheet& sheet) { return sheet.round ? sheet.round->twice_area() : twice_area(sheet.shape); }
+
 double twice_area(const Part& part) { return part.round ? part.round->twice_area() : twice_area(part.shape); }
 
 double twice_area(const Polygon& shape) {
@@ -248,9 +277,9 @@ double container_area(const Problem& problem, const Layout& layout) {
   const double steps = double(problem.steps());
   double sum = 0;
   for (std::size_t k = 0; k < layout.sheets.size(); ++k) {
-    const Polygon& shape = problem.sheets[layout.sheets[k]].shape;
+    const Sheet& sheet = problem.sheets[layout.sheets[k]];
     const bool last = k + 1 == layout.sheets.size();
-    sum += (last ? area_left_of(shape, layout.length.to_double() * steps) : twice_area(shape) / 2) / steps / steps;
+    sum += (last ? area_left_of(sheet, layout.length.to_double() * steps) : twice_area(sheet) / 2) / steps / steps;
   }
   return sum;
 }

@@ -53,8 +53,10 @@ struct Part {
 /// What parts of some kinds, or of all, may not enter; or may not leave.
 struct Zone {
   Polygon shape;
-  std::vector<std::size_t> parts;  // that it keeps out, or
-  bool holds = false;              // that it holds: they lie within it
+  std::vector<std::size_t> parts;               // that it keeps out, or
+  bool holds = false;                           // that it holds: they lie within it
+  std::shared_ptr<const RoundPart> round = {};  // as of a part
+  std::shared_ptr<const RoundPart> about = {};  // of a round one that holds parts: what is about it
 };
 
 struct Sheet {
@@ -63,7 +65,10 @@ struct Sheet {
   std::optional<Fraction> cost;  // of one: cheap ones for their area are used first; else they are used in order
   Polygon shape;                 // its outline and holes; the box begins at (0, 0)
   std::vector<Zone> zones = {};
+  std::shared_ptr<const RoundPart> round = {};  // as of a part
+  std::shared_ptr<const RoundPart> about = {};  // of a round one: what is about it, and its holes
 };
+LatticeBox box_of(const Sheet& sheet);
 
 struct Placed {
   std::size_t part = 0;
@@ -94,6 +99,7 @@ struct Problem {
   std::vector<FixedPart> fixed;
 
   bool on_sheets() const { return !sheets.empty(); }
+  /// Or sheets or zones.
   bool has_round_parts() const;
   /// Whether there is a condition between copies of two parts.
   bool are_tied(std::size_t first, std::size_t second) const { return are_between(conditions, first, second); }
@@ -134,14 +140,17 @@ Polygon rotated(const Part& part, const Fraction& angle, bool mirrored);
 LatticeBox box_of(const Part& part, const Fraction& angle, bool mirrored);
 
 /// What of the plane is not a place for a part on this sheet: a frame about the outline, unless that is a rectangle,
-/// and each hole. The frame reaches far enough beyond the edge.
-std::vector<Polygon> obstacles_of(const Problem& problem, const Sheet& sheet);
+/// and each hole. Each is a part that does not move.
+std::vector<Part> obstacles_of(const Problem& problem, const Sheet& sheet);
 /// What the parts of a zone may not enter: the zone, or what is not the zone.
-std::vector<Polygon> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone);
+std::vector<Part> walls_of(const Problem& problem, const Sheet& sheet, const Zone& zone);
+/// As wide as a frame about a sheet is: all parts of it that its edge can reach.
+Polygon box_about(const Problem& problem, const LatticeBox& box);
 
 /// Twice the area, in grid steps.
 double twice_area(const Polygon& shape);
 double twice_area(const Part& part);
+double twice_area(const Sheet& sheet);
 /// The area of all copies, and of those in a layout, in square units.
 double area(const Problem& problem);
 double area(const Problem& problem, const Layout& layout);

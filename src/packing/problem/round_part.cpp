@@ -7,12 +7,14 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "exact/planar/geometry_signs.h"
 #include "packing/problem/arc_corners.h"
 #include "plane/build/transform.h"
+#include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/contour/decimal_grid.h"
 #include "plane/query/measure_cells.h"
@@ -31,9 +33,9 @@ std::int64_t on_grid(int128 c) {
 
 void check(const plane::Region& region) {
   const auto fail = [](const char* why) { throw Error(ErrorCode::kGeometry, why); };
-  if (plane::is_empty(region)) fail("a part is empty");
-  if (!plane::is_bounded(region)) fail("a part is unbounded");
-  if (!plane::is_regular(region)) fail("a part has points or curves without area, or lacks some of its boundary");
+  if (plane::is_empty(region)) fail("it is empty");
+  if (!plane::is_bounded(region)) fail("it is unbounded");
+  if (!plane::is_regular(region)) fail("it has points or curves without area, or lacks some of its boundary");
 }
 
 /// The half-edges about each face of the set, the set on their left.
@@ -138,6 +140,23 @@ const RoundPart::Form& RoundPart::at(const Fraction& angle, bool mirrored) const
   form->about = polygon_about(form->region);
   known = std::move(form);
   return *known;
+}
+
+double RoundPart::area_left_of(double most) const {
+  const LatticeBox& box = at(0, false).box;
+  const int128 end = int128(std::floor(most));
+  if (end >= box.high.x) return twice_area_ / 2;
+  if (end <= box.low.x) return 0;
+  const plane::Region left =
+      region_of(Polygon{{{box.low, {end, box.low.y}, {end, box.high.y}, {box.low.x, box.high.y}}}});
+  const std::array<const plane::Region*, 2> both{&*region_, &left};
+  return twice_area_of(plane::intersect(both)) / 2;
+}
+
+std::shared_ptr<const RoundPart> what_is_about(const RoundPart& inner, const Polygon& polygon) {
+  const plane::Region all = region_of(polygon);
+  const std::array<const plane::Region*, 2> both{&all, &*inner.at(0, false).region};
+  return std::make_shared<const RoundPart>(plane::closure(plane::subtract(both)));
 }
 
 std::optional<std::vector<Ring>> rings_of(const plane::Region& region) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A part that is not one polygon of the grid: it has arcs, several pieces, or corners off the grid. At any angle: the
-// exact set, its exact box, and a polygon about it for what is quick. Arcs become tangents where the part lies within
-// the circle, chords where it lies without. Guarantee: set and box are exact (angles that are not multiples of 90
-// degrees round each vertex once, arcs keep their radius). Every point of the set lies in the polygon, or no farther
-// than kSlack steps from it; a point in the polygon may have a winding number above 1. Cost: an arrangement an angle,
-// made once. Threads: safe. Keywords: circular arcs, curved nesting.
+// A part, sheet or zone that is not one polygon of the grid: arcs, several pieces, or corners off the grid. At any
+// angle: the exact set, its exact box, and a polygon about it for what is quick. Arcs become tangents where the part
+// lies within the circle, chords where it lies without. Guarantee: set and box are exact (angles that are not multiples
+// of 90 degrees round each vertex once, arcs keep their radius). Every point of the set lies in the polygon, or no
+// farther than kSlack steps from it; a point in the polygon may have a winding number above 1. Cost: an arrangement an
+// angle, made once. Threads: safe. Keywords: circular arcs, curved nesting.
 #pragma once
 
 #include <map>
@@ -36,8 +36,10 @@ class RoundPart {
 
   /// Throws Error(kGeometry) where the rounded vertices make curves cross.
   const Form& at(const Fraction& angle, bool mirrored) const;
-  /// In grid steps.
+  /// In grid steps, of the set as it is stated.
   double twice_area() const { return twice_area_; }
+  /// Of what of it lies at x <= most.
+  double area_left_of(double most) const;
 
  private:
   plane::SharedRegion region_;
@@ -45,6 +47,9 @@ class RoundPart {
   mutable std::mutex guard_;
   mutable std::map<std::pair<Fraction, bool>, std::unique_ptr<const Form>> forms_;
 };
+
+/// The closure of what of a polygon is not in the set. Throws Error(kGeometry) where nothing is.
+std::shared_ptr<const RoundPart> what_is_about(const RoundPart& inner, const Polygon& polygon);
 
 /// The rings of a set that is one polygon of the grid.
 std::optional<std::vector<Ring>> rings_of(const plane::Region& region);

@@ -180,10 +180,10 @@ class Search {
   Search(const Problem& problem, const Layout& layout)
       : parts_(problem, layout, kDigits), last_(layout.sheets.size() - 1) {
     const Sheet& sheet = problem.sheets[layout.sheets[last_]];
-    sheet_ = parts_.obstacle(sheet.shape).box;
-    for (const Polygon& shape : obstacles_of(problem, sheet)) holes_.push_back(parts_.obstacle(shape));
-    for (const Standing& hole : holes_) obstacles_.push_back({&hole, 0, 0});
+    sheet_ = parts_.scaled(box_of(sheet));
+    for (const Part& part : obstacles_of(problem, sheet)) holes_.push_back(parts_.obstacle(part));
     const int128 gap = problem.gap.over(parts_.common()), slack = parts_.slack() + 1;
+    for (const Standing& hole : holes_) obstacles_.push_back({&hole, 0, hole.round != nullptr ? slack : 0});
     for (std::size_t i = 0; i < layout.items.size(); ++i) {
       const Standing& item = parts_.items()[i];
       if (layout.items[i].sheet == last_)

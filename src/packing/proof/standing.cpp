@@ -25,25 +25,28 @@ StandingParts::StandingParts(const Problem& problem, const Layout& layout, int d
   for (const PairGap& pair : problem.pair_gaps) common_ = common_multiple(common_, pair.gap.denominator());
   for (const Placed& item : layout.items)
     common_ = common_multiple(common_multiple(common_, item.x.denominator()), item.y.denominator());
-  for (const Placed& item : layout.items) add(item);
+  for (const Placed& item : layout.items) {
+    const Part& part = problem.parts[item.part];
+    items_.push_back(standing(part, item));
+    items_.back().set = [&part, &item] { return region_of(part, item.angle, item.mirrored); };
+  }
 }
 
-void StandingParts::add(const Placed& item) {
-  const Part& part = problem_.parts[item.part];
+Standing StandingParts::standing(const Part& part, const Placed& item) const {
   const LatticePoint at{item.x.over(common_), item.y.over(common_)};
-  Standing& standing = items_.emplace_back();
-  standing.shape = scaled(rotated(part, item.angle, item.mirrored), at);
-  const LatticeBox box = box_of(part, item.angle, item.mirrored);
-  standing.box = {scaled(box.low) + at, scaled(box.high) + at};
-  if (part.round) standing.round = &part.round->at(item.angle, item.mirrored);
-  standing.set = [&part, &item] { return region_of(part, item.angle, item.mirrored); };
-  standing.x = item.x;
-  standing.y = item.y;
+  Standing result;
+  result.shape = scaled(rotated(part, item.angle, item.mirrored), at);
+  const LatticeBox box = scaled(box_of(part, item.angle, item.mirrored));
+  result.box = {box.low + at, box.high + at};
+  if (part.round) result.round = &part.round->at(item.angle, item.mirrored);
+  result.x = item.x;
+  result.y = item.y;
+  return result;
 }
 
-Standing StandingParts::obstacle(const Polygon& shape) const {
-  Standing result{scaled(shape, {}), {}, nullptr, [shape] { return region_of(shape); }};
-  result.box = box_of(result.shape);
+Standing StandingParts::obstacle(const Part& part) const {
+  Standing result = standing(part, {});
+  result.set = [part] { return region_of(part, 0, false); };
   return result;
 }
 

@@ -34,8 +34,9 @@ class StandingParts {
   int128 common() const { return common_; }
   const std::vector<Standing>& items() const { return items_; }
   /// What does not move with the layout, from the problem's grid.
-  Standing obstacle(const Polygon& shape) const;
+  Standing obstacle(const Part& part) const;
   LatticePoint scaled(const LatticePoint& p) const;
+  LatticeBox scaled(const LatticeBox& box) const { return {scaled(box.low), scaled(box.high)}; }
   /// How far a part with arcs may reach beyond the polygon about it.
   int128 slack() const { return RoundPart::kSlack * (common_ / problem_.steps()); }
 
@@ -45,7 +46,7 @@ class StandingParts {
   bool keeps_gap(const Standing& part, const Polygon& polygon, const Fraction& gap) const;
 
  private:
-  void add(const Placed& item);
+  Standing standing(const Part& part, const Placed& at) const;
   Polygon scaled(Polygon shape, const LatticePoint& at) const;
   Contact round_contact(const Standing& a, const Standing& b, const Fraction& gap) const;
 

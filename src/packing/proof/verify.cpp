@@ -61,11 +61,11 @@ class Check {
     for (const std::size_t kind : layout_.sheets) {
       Container& container = containers_.emplace_back();
       const Sheet& sheet = problem_.sheets[kind];
-      container.box = parts_.obstacle(sheet.shape).box;
-      for (const Polygon& shape : obstacles_of(problem_, sheet)) container.obstacles.push_back(parts_.obstacle(shape));
+      container.box = parts_.scaled(box_of(sheet));
+      for (const Part& part : obstacles_of(problem_, sheet)) container.obstacles.push_back(parts_.obstacle(part));
       for (const Zone& zone : sheet.zones) {
         std::vector<Standing>& walls = container.zones.emplace_back();
-        for (const Polygon& wall : walls_of(problem_, sheet, zone)) walls.push_back(parts_.obstacle(wall));
+        for (const Part& wall : walls_of(problem_, sheet, zone)) walls.push_back(parts_.obstacle(wall));
       }
     }
   }
