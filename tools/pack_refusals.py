@@ -39,6 +39,10 @@ REFUSALS = [  # problem, exit status, words of the message or the answer
     ({"items": [item(shape={"type": "circle", "data": []})], "strip_height": 4}, 3, "\"type\" is simple_polygon or polygon"),
     (on_plate(width=-4), 3, "above 0"),
     (on_plate(shape=AWAY), 3, "begins at (0, 0)"),
+    (on_plate(shape={"disc": {"center": [3, 2], "radius": 2}}), 3, "begins at (0, 0)"),
+    (on_plate(shape={"ball": {"center": [3, 2, 0], "radius": 2}}), 3, "sheet 'plate' needs one of the plane"),
+    (on_plate(shape={"complement": {"disc": {"center": [0, 0], "radius": 2}}}), 3, "it is unbounded"),
+    (on_plate(zones=[{"shape": {"disc": {"center": [3, 2], "radius": 2}}, "only": []}]), 3, "beyond its sheet"),
     (on_plate(zones=[{"shape": SQUARE}]), 3, "one of 'keeps_out', 'only' and 'holds'"),
     (on_plate(zones=[{"shape": SQUARE, "only": ["b"]}]), 3, "no part 'b'"),
     (on_plate(zones=[{"shape": {"type": "simple_polygon", "data": [[0, 0], [9, 0], [0, 9]]}, "only": []}]), 3, "beyond its sheet"),
@@ -57,5 +61,7 @@ REFUSALS = [  # problem, exit status, words of the message or the answer
     ({"items": [item(demand=2)], "strip_height": 4, "fixed": [{"part": "a", "at": [0, 0]}, {"part": "a", "at": [1, 1]}]}, 3,
      "overlap"),
     ({**on_plate(), "fixed": [{"part": "a", "at": [0, 0], "sheet": "plate", "number": 2}]}, 3, "number 2"),
+    ({**on_plate(shape={"disc": {"center": [2, 2], "radius": 2}}), "fixed": [{"part": "a", "at": [0, 0], "sheet": "plate"}]}, 3,
+     "a#1 is outside the sheet or its edge"),
     ({"items": [item()], "box": True, "fixed": [{"part": "a", "at": [0, 0]}]}, 3, "strip or on sheets"),
 ]

@@ -28,6 +28,8 @@ std::string fault_text(const packing::Problem& problem, const packing::Layout& l
       return fmt::format("a condition of {} and {} does not hold, near ({:.6g}, {:.6g})", item(fault.first),
                          item(fault.second), fault.x, fault.y);
     case Fault::Kind::kOutside:
+      if (fault.depth <= 0)  // in a frame or a hole: no depth is measured
+        return fmt::format("{} is outside the sheet or its edge, or in a hole of it", item(fault.first));
       return fmt::format("{} is outside the strip, the sheet or its edges by {:.3g}", item(fault.first), fault.depth);
     case Fault::Kind::kAngle:
       return fmt::format("{} stands at an angle that is not allowed", item(fault.first));

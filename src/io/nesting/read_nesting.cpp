@@ -147,7 +147,7 @@ class Reader : private NestingJson {
     for (const Stated& one : stated) {
       const plane::ShapePtr shape = shapes.shape(*one.value, one.label);
       if (shapes.dimension() == 3)
-        fail(*one.value, fmt::format("the shape of {} is one of the plane on a strip or sheet", one.label.what));
+        fail(*one.value, fmt::format("this is a shape of space: {} needs one of the plane", one.label.text()));
       plane::BuildResult built = json.placed(
           one.label, *one.value, [&] { return plane::build(*shape, context.grid.step_size(), asked.read.work_limit); });
       *one.to = UnscaledShape{plane::closure(std::move(built.region)), Fraction(1, steps)};
