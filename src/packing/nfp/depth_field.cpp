@@ -28,6 +28,8 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
   const double width = polygon_.high.x - polygon_.low.x, height = polygon_.high.y - polygon_.low.y;
   inverse_x_ = width > 0 ? kCells / width : 0;
   inverse_y_ = height > 0 ? kCells / height : 0;
+  polygon_.edges.shrink_to_fit();
+  segments_.reserve(polygon_.edges.size());
   for (const NoFitEdge& edge : polygon_.edges) {
     const Vec way = edge.to - edge.from;
     const double square = dot(way, way);
@@ -42,6 +44,9 @@ DepthField::DepthField(NoFitPolygon polygon) : polygon_(std::move(polygon)), cel
   for (int row = 0; row < kCells; row += kBlock)
     for (int column = 0; column < kCells; column += kBlock) fill_block(column, row, kBlock, all, 0);
   keep_least();
+  squares_ = least_of_ = std::vector<double>();
+  choices_ = {};
+  lists_.shrink_to_fit();
 }
 
 /// Rounded down to bytes.
@@ -51,7 +56,6 @@ void DepthField::keep_least() {
   for (std::size_t k = 0; k < least_.size(); ++k)
     if (least_of_[k] >= 0)
       least_[k] = std::uint8_t(1 + (least_of_[k] > 0 ? std::max(0.0, std::floor(least_of_[k] / least_step_) - 1) : 0));
-  least_of_ = {};
 }
 
 DepthGlance DepthField::glance(double sign, Vec shift) const {
