@@ -4,7 +4,8 @@
 // How much a question may cost, and who hears of it: one object for all questions of a World (World::with), for
 // placements, packings and samples. A question that meets a limit ends with `Stopped`, which says which limit it was:
 // an exact answer is whole or not at all. The world can be asked again. A search gives the best that it found by then.
-// Limits are looked at between tasks, so a question may go on for a moment. Keywords: timeout, cancellation token,
+// Limits are looked at between tasks, so a question may go on for a moment. Error(kBadValue) of a question whose limit
+// is below 0. Keywords: timeout, cancellation token,
 // progress, seed.
 #pragma once
 

@@ -141,7 +141,8 @@ std::string layout_json(const SolidPackProblem& problem, const SolidPackLayout& 
 /// A view from above, with the containers.
 std::string layout_svg(const SolidPackProblem& problem, const SolidPackLayout& layout);
 /// As a file: ".3mf" and ".glb" hold each kind once with where its copies stand, ".obj" a group a copy; ".stl", ".ply",
-/// ".off" and ".step" one surface. Error(kUnsupported) for another ending. Balls become inscribed polyhedra.
+/// ".off" and ".step" one surface, ".svg" a picture of it. Error(kUnsupported) for another ending. Balls become
+/// inscribed polyhedra.
 std::string layout_file(const SolidPackProblem& problem, const SolidPackLayout& layout, std::string_view ending);
 /// All copies as one surface; containers stand side by side along x.
 Surface layout_surface(const SolidPackProblem& problem, const SolidPackLayout& layout);

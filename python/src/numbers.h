@@ -24,14 +24,21 @@ inline Number number(const py::handle& value) {
 
 inline Level level(const py::handle& value) { return number(value); }
 
+/// Python's texts are sequences too, of letters; here one is a slip.
+inline void refuse_text(const py::sequence& values, const char* meant) {
+  if (PyUnicode_Check(values.ptr()) || PyBytes_Check(values.ptr())) throw py::type_error(meant);
+}
+
 /// (x, y)
 inline Point point(const py::sequence& p) {
+  refuse_text(p, "a point is (x, y)");
   if (py::len(p) != 2) throw py::value_error("a point is (x, y)");
   return {number(p[0]), number(p[1])};
 }
 
 /// (x, y, z)
 inline Point3 point3(const py::sequence& p) {
+  refuse_text(p, "a point of space is (x, y, z)");
   if (py::len(p) != 3) throw py::value_error("a point of space is (x, y, z)");
   return {number(p[0]), number(p[1]), number(p[2])};
 }

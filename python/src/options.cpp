@@ -30,7 +30,9 @@ class Told {
 };
 
 std::function<void(double)> progress_of(const py::object& function) {
-  return function.is_none() ? std::function<void(double)>() : Told(function);
+  if (function.is_none()) return {};
+  if (!PyCallable_Check(function.ptr())) throw py::type_error("progress is a function of a number, or None");
+  return Told(function);
 }
 
 py::object function_of(const Options& o) {

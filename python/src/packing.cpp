@@ -30,6 +30,7 @@ std::vector<Ring> rings_of(const py::sequence& outline, const py::sequence& hole
 }
 
 std::vector<Number> numbers(const py::sequence& values) {
+  refuse_text(values, "angles are a list of numbers");
   std::vector<Number> result;
   for (const py::handle& value : values) result.push_back(number(value));
   return result;
@@ -234,7 +235,7 @@ void bind_layout(py::module_& m) {
       .def_readonly("density", &PackLayout::density, "Area of the parts by the area of what holds them.")
       .def(
           "json", [](const PackLayout& l, const PackProblem& p) { return layout_json(p, l); }, py::arg("problem"),
-          "The layout file (docs/packing.md).")
+          "The layout file (docs/nesting.md).")
       .def(
           "svg", [](const PackLayout& l, const PackProblem& p) { return layout_svg(p, l); }, py::arg("problem"),
           "A picture.")
@@ -248,15 +249,9 @@ void bind_layout(py::module_& m) {
 void bind_packing(py::module_& m) {
   bind_problem(m);
   bind_layout(m);
-  m.def(
-      "pack",
-      [](const PackProblem& problem, const std::optional<Options>& options,
-         const std::function<void(const PackLayout&)>& better, const py::kwargs& words) {
-        const Options asked = search_options(options, words);
-        return remembering(interruptible([&] { return pack(problem, asked, better); }), problem);
-      },
-      py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
-      R"doc(The best layout found, or None where there is nothing to pack. Ctrl-C ends the search.
+  m.def("pack", &packed_in_python<PackLayout, PackProblem>, py::arg("problem"), py::arg("options") = py::none(),
+        py::arg("better") = py::none(),
+        R"doc(The best layout found, or None where there is nothing to pack. Ctrl-C ends the search.
 
 Parameters
 ----------

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "findspace/packing.h"
+#include "interruptible.h"
 #include "numbers.h"
 #include "options.h"
 #include "pickles.h"
@@ -66,9 +68,26 @@ struct Remembering {
   std::optional<Layout> layout;
   py::object problem;
 };
+/// The same of a layout that a search tells of.
+template <class Layout>
+struct Heard {
+  const Layout& layout;
+  const py::object& problem;
+};
+
+/// The search for the best layout of the problem, as a packing of Python asks it.
 template <class Layout, class Problem>
-Remembering<Layout> remembering(std::optional<Layout> layout, const Problem& problem) {
-  return {std::move(layout), py::cast(&problem)};  // the object that it is already
+Remembering<Layout> packed_in_python(const Problem& problem, const std::optional<Options>& options,
+                                     const std::function<void(const Heard<Layout>&)>& better, const py::kwargs& words) {
+  const Options asked = search_options(options, words);
+  const py::object known = py::cast(&problem);  // the object that it is already
+  std::function<void(const Layout&)> heard;
+  if (better)
+    heard = [&](const Layout& layout) {
+      const py::gil_scoped_acquire held;
+      better({layout, known});
+    };
+  return {interruptible([&] { return pack(problem, asked, heard); }), known};
 }
 
 /// As pickled(), with what it remembers.
@@ -101,6 +120,20 @@ class pybind11::detail::type_caster<findspace::python::Remembering<Layout>> {
     if (!found.layout) return none().release();
     object out = pybind11::cast(*found.layout);
     out.attr("problem") = found.problem;
+    return out.release();
+  }
+};
+
+template <class Layout>
+class pybind11::detail::type_caster<findspace::python::Heard<Layout>> {
+ public:
+  static constexpr auto name = make_caster<Layout>::name;
+  template <class T>
+  using cast_op_type = findspace::python::Heard<Layout>;
+
+  static handle cast(const findspace::python::Heard<Layout>& heard, return_value_policy, handle) {
+    object out = pybind11::cast(heard.layout, return_value_policy::copy);
+    out.attr("problem") = heard.problem;
     return out.release();
   }
 };

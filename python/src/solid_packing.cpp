@@ -39,14 +39,22 @@ py::tuple rows_of(const Orientation& o) {
 
 /// "right-angles", "upright", or a list of Orientation.
 std::vector<Orientation> orientations_of(const py::object& allowed) {
-  if (!py::isinstance<py::str>(allowed)) return allowed.cast<std::vector<Orientation>>();
-  const auto word = allowed.cast<std::string>();
-  if (word == "right-angles") return Orientation::right_angles();
-  if (word == "upright") return Orientation::upright();
-  throw py::value_error("orientations are 'right-angles', 'upright' or a list of Orientation");
+  const char* const meant = "orientations are 'right-angles', 'upright' or a list of Orientation";
+  if (py::isinstance<py::str>(allowed)) {
+    const auto word = allowed.cast<std::string>();
+    if (word == "right-angles") return Orientation::right_angles();
+    if (word == "upright") return Orientation::upright();
+    throw py::value_error(meant);
+  }
+  try {
+    return allowed.cast<std::vector<Orientation>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(meant);
+  }
 }
 
 PackContainer container_of(std::string name, const py::sequence& size, int count, const py::object& cost) {
+  if (PyUnicode_Check(size.ptr()) || py::len(size) != 3) throw py::value_error("a size is (x, y, z)");
   const Point3 sides = point3(size);
   return {std::move(name), sides.x, sides.y, sides.z, count, amount(cost)};
 }
@@ -271,7 +279,7 @@ void bind_layout(py::module_& m) {
             return py::bytes(layout_file(p, l, ending));
           },
           py::arg("problem"), py::arg("ending"),
-          "As a file, in bytes: '.3mf' '.glb' '.obj' '.stl' '.ply' '.off' '.step'.")
+          "As a file, in bytes: '.3mf' '.glb' '.obj' '.stl' '.ply' '.off' '.step' '.svg'.")
       .def(
           "surface", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_surface(p, l); },
           py::arg("problem"), "All copies as one surface; a notebook shows it to be turned.")
@@ -287,15 +295,9 @@ void bind_solid_packing(py::module_& m) {
   solids::bind_orientation(m);
   solids::bind_problem(m);
   solids::bind_layout(m);
-  m.def(
-      "pack",
-      [](const SolidPackProblem& problem, const std::optional<Options>& options,
-         const std::function<void(const SolidPackLayout&)>& better, const py::kwargs& words) {
-        const Options asked = search_options(options, words);
-        return remembering(interruptible([&] { return pack(problem, asked, better); }), problem);
-      },
-      py::arg("problem"), py::arg("options") = py::none(), py::arg("better") = py::none(),
-      "The same of solids; the search ends where no layout can be lower.");
+  m.def("pack", &packed_in_python<SolidPackLayout, SolidPackProblem>, py::arg("problem"),
+        py::arg("options") = py::none(), py::arg("better") = py::none(),
+        "The same of solids; the search ends where no layout can be lower.");
 }
 
 }  // namespace findspace::python

@@ -148,7 +148,7 @@ array([ 1,  0, -1], dtype=int8)
       .def(
           "where",
           [](const SignMapOf& s, bool negative, bool zero, bool positive) {
-            return s.signs.where(negative, zero, positive);
+            return interruptible([&] { return s.signs.where(negative, zero, positive); });
           },
           py::arg("negative") = false, py::arg("zero") = false, py::arg("positive") = false,
           "The positions whose sign is one of those wanted, as a region.")

@@ -10,6 +10,8 @@ import pathlib
 import pickle
 import random
 import signal
+import subprocess
+import sys
 import threading
 import time
 from fractions import Fraction
@@ -545,3 +547,53 @@ def test_packing_tells_and_ends():
     with pytest.raises(KeyboardInterrupt):
         fs.pack(problem, seconds=60)
     assert time.monotonic() - begun < 30
+
+
+def test_packings_refuse_slips():
+    square, cube = [(0, 0), (1, 0), (1, 1), (0, 1)], fs.Shape.box((0, 0, 0), (1, 1, 1))
+    part, plate = fs.PackPart("a", square, count=2), fs.PackSheet("plate", square, count=2)
+
+    def refused(words, **problem):
+        with pytest.raises(fs.Error, match=words):
+            fs.pack(fs.PackProblem(**problem), work=1)
+
+    refused("two parts are called 'a'", parts=[part, part], height=3)
+    refused("two sheets are called 'plate'", parts=[part], sheets=[plate, plate])
+    refused("a#1 and a#2 overlap", parts=[part], height=3, fixed=[fs.FixedPart("a", (0, 0))] * 2)
+    refused("there are no sheets", parts=[part], height=3, fixed=[fs.FixedPart("a", (0, 0), sheet="plate")])
+    refused("plate number 3", parts=[part], sheets=[plate], fixed=[fs.FixedPart("a", (0, 0), sheet="plate", number=3)])
+    refused("part 'b': .*too many digits", parts=[part, fs.PackPart("b", [("1/3", 0), (1, 0), (1, 1)])], height=3)
+    for wrong in (lambda: fs.PackPart("a", square, angles="90"), lambda: fs.FixedPart("a", "12"),
+                  lambda: fs.PackSolid("a", cube, orientations=5), lambda: fs.PackSolid("a", cube, orientations=["upright"])):
+        with pytest.raises(TypeError, match="angles|point|orientations"):
+            wrong()
+    with pytest.raises(ValueError, match="size"):
+        fs.PackContainer("c", (1, 2))
+
+
+def test_limits_that_are_no_limits(world):
+    for words in ({"seconds": -1}, {"seconds": float("nan")}, {"work": -1}, {"work": float("nan")}):
+        with pytest.raises(fs.Error, match="from 0 on"):
+            world.limited(**words).solve("true")
+        with pytest.raises(fs.Error, match="from 0 on"):
+            fs.pack(fs.PackProblem([fs.PackPart("a", [(0, 0), (1, 0), (0, 1)])], height=3), **words)
+    with pytest.raises(TypeError, match="progress"):
+        fs.Options(progress=5)
+    with pytest.raises(fs.Error):
+        fs.Scene.file("")
+
+
+def test_better_layouts_remember_their_problem():
+    flat = fs.PackProblem([fs.PackPart("a", [(0, 0), (1, 0), (1, 1), (0, 1)], count=3)], height=2)
+    solid = fs.SolidPackProblem([fs.PackSolid("a", fs.Shape.box((0, 0, 0), (1, 1, 1)), count=3)], floor=(2, 2))
+    for problem in (flat, solid):
+        told = []
+        fs.pack(problem, work=1, better=told.append)
+        assert all(layout.problem is problem and layout.faults(problem) == [] for layout in told) and told
+        assert told[0]._repr_svg_().startswith("<svg")
+
+
+def test_more_threads_than_cores_are_quiet():
+    asked = "import findspace as fs; print(fs.Shape.box((0, 0), (9, 9)).region.sample(9, threads=64).shape)"
+    done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True)
+    assert done.stdout == "(9, 2)\n" and done.stderr == ""

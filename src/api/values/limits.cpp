@@ -22,6 +22,11 @@ constexpr std::int64_t kMemoryEvery = 20;  // milliseconds
 
 }  // namespace
 
+Watch::Watch(const Options& options) : options_(options) {
+  if (!(options.seconds >= 0)) throw Error(ErrorCode::kBadValue, "options: the seconds are a number from 0 on");
+  if (!(options.work >= 0)) throw Error(ErrorCode::kBadValue, "options: the work is a number from 0 on");
+}
+
 void Watch::poll() {
   if (outer_ != nullptr) outer_->poll();
   if (options_.cancel.requested()) throw Stopped(Limit::kCancelled);

@@ -19,7 +19,8 @@ namespace findspace::api {
 /// The limits of one question, from when it begins, and those of the thread that asks.
 class Watch : public plane::StopCheck {
  public:
-  explicit Watch(const Options& options) : options_(options) {}
+  /// Error(kBadValue) where the seconds or the work are below 0 or no numbers.
+  explicit Watch(const Options& options);
   void poll() override;
 
  private:

@@ -7,6 +7,7 @@
 
 #include <findspace/error.h>
 #include <findspace/packing.h>
+#include <fmt/format.h>
 
 #include "api/values/region_data.h"
 #include "io/api/public_search.h"
@@ -81,10 +82,14 @@ packing::FixedPart fixed_of(const FixedPart& fixed, const io::UnscaledProblem& p
                    fixed.mirrored,
                    fraction(fixed.x),
                    fraction(fixed.y)};
-  if (problem.sheets.empty()) return result;
+  if (problem.sheets.empty()) {
+    if (!fixed.sheet.empty() || fixed.number != 1)
+      throw Error(ErrorCode::kBadValue, "a sheet is said, but there are no sheets", "fixed part '" + fixed.part + "'");
+    return result;
+  }
   result.kind = index_of(fixed.sheet, problem.sheets, "sheet");
   if (fixed.number < 1 || fixed.number > problem.sheets[result.kind].count)
-    throw Error(ErrorCode::kBadValue, "there is no sheet of that number");
+    throw Error(ErrorCode::kBadValue, fmt::format("there is no sheet {} number {}", fixed.sheet, fixed.number));
   result.placed.sheet = std::size_t(fixed.number - 1);
   return result;
 }
@@ -97,7 +102,9 @@ packing::Problem on_grid(const PackProblem& problem) {
   result.gap = fraction(problem.gap);
   result.edge = fraction(problem.edge);
   for (const PackPart& part : problem.parts) result.parts.push_back(part_of(part));
+  io::check_names(result.parts, "parts");
   for (const PackSheet& sheet : problem.sheets) result.sheets.push_back(sheet_of(sheet, result.parts));
+  io::check_names(result.sheets, "sheets");
   static_cast<io::StatedConditions&>(result) = io::stated_of(problem, result.parts);
   for (const FixedPart& fixed : problem.fixed) result.fixed.push_back(fixed_of(fixed, result));
   return std::move(result).on_grid("pack");

@@ -6,6 +6,7 @@
 
 #include <findspace/error.h>
 #include <findspace/packing.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -24,6 +25,15 @@ std::size_t index_of(const std::string& name, const std::vector<Named>& all, con
   const auto found = std::find_if(all.begin(), all.end(), same);
   if (found == all.end()) throw Error(ErrorCode::kUnknownName, std::string("there is no ") + what + " '" + name + "'");
   return std::size_t(found - all.begin());
+}
+
+/// Layouts name what they place.
+template <class Named>
+void check_names(const std::vector<Named>& all, const char* what) {
+  for (std::size_t k = 1; k < all.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (all[j].name == all[k].name)
+        throw Error(ErrorCode::kBadValue, fmt::format("two {} are called '{}'", what, all[k].name));
 }
 
 inline int count_of(int count) {

@@ -109,8 +109,9 @@ struct Scene::Data {
 };
 
 Scene Scene::file(const std::string& path) {
+  std::string text = io::read_text(path);  // refuses what is no path
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  return Scene(std::make_shared<const Data>(io::read_text(path), folder.string(), path));
+  return Scene(std::make_shared<const Data>(std::move(text), folder.string(), path));
 }
 
 Scene Scene::json(std::string_view text, const std::string& folder) {

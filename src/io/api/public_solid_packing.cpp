@@ -89,14 +89,6 @@ packing::SolidContainer container_of(const PackContainer& container, bool costs)
   return result;
 }
 
-template <class Named>
-void check_names(const std::vector<Named>& all, const char* what) {
-  for (std::size_t k = 1; k < all.size(); ++k)
-    for (std::size_t j = 0; j < k; ++j)
-      if (all[j].name == all[k].name)
-        throw Error(ErrorCode::kBadValue, fmt::format("two {} are called '{}'", what, all[k].name));
-}
-
 SolidProblem on_grid(const SolidPackProblem& problem) {
   SolidProblem result;
   result.name = problem.name;
@@ -107,11 +99,11 @@ SolidProblem on_grid(const SolidPackProblem& problem) {
   if (result.gap < 0 || result.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0");
   for (const PackContainer& container : problem.containers)
     result.containers.push_back(container_of(container, problem.containers[0].cost.has_value()));
-  check_names(result.containers, "containers");
+  io::check_names(result.containers, "containers");
   result.digits = digits_of(problem.parts);
   const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(result.digits)));
   for (const PackSolid& part : problem.parts) result.parts.push_back(part_of(part, grid));
-  check_names(result.parts, "parts");
+  io::check_names(result.parts, "parts");
   const io::StatedConditions stated = io::stated_of(problem, result.parts);
   result.pair_gaps = stated.gaps;
   result.conditions = io::conditions_of(stated, result.parts.size(), io::farthest_gap(result), "pack");

@@ -212,7 +212,11 @@ class Reader : private NestingJson {
   /// "sheet" names a kind, "number" counts its sheets from 1.
   packing::FixedPart fixed_part(const JsonValue& value, const UnscaledProblem& problem) const {
     packing::FixedPart result{placed(value, problem.parts), 0};
-    if (problem.sheets.empty()) return result;
+    if (problem.sheets.empty()) {
+      for (const char* key : {"sheet", "number"})
+        if (const JsonValue* said = value.find(key)) fail(*said, "a sheet is said, but there are no sheets");
+      return result;
+    }
     result.kind = index_of(need(value, "sheet"), problem.sheets, "sheet");
     const JsonValue* counted = value.find("number");
     const int count = counted != nullptr ? whole(*counted) : 1;
@@ -233,8 +237,8 @@ class Reader : private NestingJson {
     UnscaledPart result;
     result.name = need(item, "id").text;
     result.demand = whole(need(item, "demand"));
-    if (const JsonValue* angles = item.find("allowed_orientations"); angles != nullptr && angles->is(Kind::kArray))
-      for (const JsonValue& angle : angles->items) result.angles.push_back(number(angle));
+    if (const JsonValue* angles = item.find("allowed_orientations"); angles != nullptr && !angles->is(Kind::kNull))
+      for (const JsonValue& angle : list(*angles).items) result.angles.push_back(number(angle));
     if (result.angles.empty()) result.angles.push_back(0);
     if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
     if (const JsonValue* value = item.find("value")) {

@@ -24,7 +24,16 @@ constexpr std::array<Key, 20> kProblemKeys{
 constexpr std::array<Key, 7> kPartKeys{"id", "demand", "allowed_orientations", "mirrored", "value", "shape", "dxf"};
 constexpr std::array<Key, 7> kSheetKeys{"id", "count", "cost", "width", "height", "shape", "zones"};
 constexpr std::array<Key, 4> kZoneKeys{"shape", "only", "keeps_out", "holds"};
+constexpr std::array<Key, 2> kPolygonKeys{"type", "data"};
+constexpr std::array<Key, 2> kDataKeys{"outer", "inner"};
 constexpr std::array<Key, 7> kFixedKeys{"part", "copy", "angle", "mirrored", "at", "sheet", "number"};
+
+/// The values of a list of the object; none where it has no such list.
+std::span<const JsonValue> values_of(const JsonValue& object, Key list) {
+  const JsonValue* values = object.is(Kind::kObject) ? object.find(std::string(list)) : nullptr;
+  if (values == nullptr || !values->is(Kind::kArray)) return {};
+  return values->items;
+}
 
 bool says_nothing(const JsonValue& value) {
   return value.is(Kind::kNull) || (value.is(Kind::kArray) && value.size() == 0);
@@ -45,9 +54,14 @@ void UnreadKeys::look(const JsonValue& object, std::span<const Key> known, Key o
 }
 
 void UnreadKeys::look_through(const JsonValue& object, Key list, std::span<const Key> known) {
-  const JsonValue* values = object.is(Kind::kObject) ? object.find(list) : nullptr;
-  if (values == nullptr || !values->is(Kind::kArray)) return;
-  for (const JsonValue& value : values->items) look(value, known, fmt::format(" of {}", list));
+  for (const JsonValue& value : values_of(object, list)) look(value, known, fmt::format(" of {}", list));
+}
+
+void UnreadKeys::look_at_polygon(const JsonValue& object) {
+  const JsonValue* shape = object.is(Kind::kObject) ? object.find("shape") : nullptr;
+  if (shape == nullptr || !shape->is(Kind::kObject) || shape->find("type") == nullptr) return;
+  look(*shape, kPolygonKeys, " of a shape");
+  if (const JsonValue* data = shape->find("data")) look(*data, kDataKeys, " of a shape's data");
 }
 
 std::vector<std::string> UnreadKeys::notes() const {
@@ -60,8 +74,12 @@ std::vector<std::string> unread_keys(const NestingJson& json) {
   unread.look(json.tree(), kProblemKeys, "");
   unread.look_through(json.tree(), "items", kPartKeys);
   unread.look_through(json.tree(), "sheets", kSheetKeys);
-  if (const JsonValue* sheets = json.tree().find("sheets"); sheets != nullptr && sheets->is(Kind::kArray))
-    for (const JsonValue& sheet : sheets->items) unread.look_through(sheet, "zones", kZoneKeys);
+  for (const JsonValue& item : values_of(json.tree(), "items")) unread.look_at_polygon(item);
+  for (const JsonValue& sheet : values_of(json.tree(), "sheets")) {
+    unread.look_through(sheet, "zones", kZoneKeys);
+    unread.look_at_polygon(sheet);
+    for (const JsonValue& zone : values_of(sheet, "zones")) unread.look_at_polygon(zone);
+  }
   unread.look_through(json.tree(), "fixed", kFixedKeys);
   unread.look_through(json.tree(), "gaps", kGapKeys);
   unread.look_through(json.tree(), "pairs", kPairKeys);

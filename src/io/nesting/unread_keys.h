@@ -22,6 +22,8 @@ class UnreadKeys {
   void look(const JsonValue& object, std::span<const std::string_view> known, std::string_view of);
   /// Of all objects of a list of the object, if it has one.
   void look_through(const JsonValue& object, std::string_view list, std::span<const std::string_view> known);
+  /// Of the polygon under "shape" and of its data, if it is stated as one.
+  void look_at_polygon(const JsonValue& object);
   /// A line for all of them; none where everything is read.
   std::vector<std::string> notes() const;
 

@@ -35,11 +35,13 @@ int gap_digits(const Fraction& gap) {
   return digits;
 }
 
-int digits_of(const std::vector<UnscaledRing>& rings) {
+int digits_of(const std::vector<UnscaledRing>& rings, const std::string& place) try {
   int digits = 0;
   for (const UnscaledRing& ring : rings)
     for (const auto& [x, y] : ring) digits = std::max({digits, digits_of(x), digits_of(y)});
   return digits;
+} catch (const Error& e) {
+  throw e.within(place);
 }
 
 /// A grid finer than the numbers is for what is rounded. Shapes on it must stay below 2^40 steps.
@@ -48,8 +50,8 @@ constexpr int kDigitsOfShapes = 7;
 int grid_digits(const UnscaledProblem& problem) {
   bool shapes = false;
   int digits = gap_digits(problem.gap), finer = 0;
-  const auto see = [&](const auto& outlined) {
-    digits = std::max(digits, digits_of(outlined.rings));
+  const auto see = [&](const auto& outlined, const std::string& place) {
+    digits = std::max(digits, digits_of(outlined.rings, place));
     if (!outlined.shape) return;
     digits = std::max(digits, digits_of(outlined.shape->step));
     shapes = true;
@@ -57,14 +59,15 @@ int grid_digits(const UnscaledProblem& problem) {
   for (const packing::PairGap& pair : problem.gaps) digits = std::max(digits, gap_digits(pair.gap));
   if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
   for (const UnscaledPart& part : problem.parts) {
-    see(part);
+    see(part, "part '" + part.name + "'");
     if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
   for (const packing::FixedPart& fixed : problem.fixed)
     if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
   for (const UnscaledSheet& sheet : problem.sheets) {
-    see(sheet);
-    for (const UnscaledZone& zone : sheet.zones) see(zone);
+    const std::string place = "sheet '" + sheet.name + "'";
+    see(sheet, place);
+    for (const UnscaledZone& zone : sheet.zones) see(zone, place + ": a zone");
   }
   return shapes ? std::max(digits, std::min(digits + finer, kDigitsOfShapes)) : digits + finer;
 }
@@ -171,8 +174,10 @@ packing::Layout layout_of_fixed(const packing::Problem& problem) {
     first_of_kind.push_back(layout.sheets.size());
     layout.sheets.insert(layout.sheets.end(), sheets_with_fixed(problem, kind), kind);
   }
+  std::vector<int> copies(problem.parts.size());
   for (const packing::FixedPart& f : problem.fixed) {
     layout.items.push_back(f.placed);
+    layout.items.back().copy = ++copies[f.placed.part];
     if (problem.on_sheets()) layout.items.back().sheet += first_of_kind[f.kind];
     const packing::LatticeBox box = box_of(problem.parts[f.placed.part], f.placed.angle, f.placed.mirrored);
     layout.length = std::max(layout.length, f.placed.x + Fraction(box.high.x, problem.steps()) + problem.edge);

@@ -3,7 +3,10 @@
 
 #include "plane/base/stop_check.h"
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace findspace::plane {
 namespace {
@@ -22,7 +25,9 @@ void with_threads(unsigned threads, const std::function<void()>& task) {
     task();
     return;
   }
-  tbb::task_arena arena(static_cast<int>(threads));
+  // oneTBB warns on standard error of an arena of more threads than it starts.
+  const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(threads, most)));
   arena.execute(task);
 }
 
