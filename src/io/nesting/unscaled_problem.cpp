@@ -21,11 +21,12 @@ namespace {
 
 using packing::Fraction;
 
-/// The digits after the point.
+/// The digits after the point; corners lie on a decimal grid.
 int digits_of(const Fraction& value) {
-  int digits = 0;
-  while (packing::power_of_ten(digits) % value.denominator() != 0) ++digits;
-  return digits;
+  constexpr int kMost = 30;
+  for (int digits = 0; digits <= kMost; ++digits)
+    if (packing::power_of_ten(digits) % value.denominator() == 0) return digits;
+  throw Error(ErrorCode::kBadValue, fmt::format("{} is not a decimal of at most {} digits", value.text(), kMost));
 }
 
 /// A gap is at least a thousand steps, for the polygon about its disc.
