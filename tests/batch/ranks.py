@@ -117,8 +117,8 @@ class Ranks(unittest.TestCase):
         return {k: v for k, v in layout.items() if k not in ("seconds", "processor")}
 
     def test_islands_over_ranks(self):
-        one, two = self.packed(1, "--work", "4"), self.packed(2, "--work", "4")
-        self.assertEqual(two, self.packed(2, "--work", "4"))  # of the seed and the ranks only
+        one, two = self.packed(1, "--work", "2"), self.packed(2, "--work", "2")
+        self.assertEqual(two, self.packed(2, "--work", "2"))  # of the seed and the ranks only
         self.assertNotEqual(one, two)
         self.packed(3, "--time-limit", "2")
 

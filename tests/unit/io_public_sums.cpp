@@ -81,7 +81,9 @@ void expect_exact(const Formula& formula, const std::function<double(const Posit
   for (std::size_t k = 0; k < at.size(); ++k) {
     const double f = excess(at[k]);
     holds += f <= 0;
-    if (std::abs(f) > kClose) EXPECT_EQ(f <= 0, bool(found[k])) << at[k][0] << ", " << at[k][1] << ": " << f;
+    if (std::abs(f) > kClose) {
+      EXPECT_EQ(f <= 0, bool(found[k])) << at[k][0] << ", " << at[k][1] << ": " << f;
+    }
   }
   EXPECT_GT(holds, 100);
   EXPECT_LT(holds, 3900);
@@ -122,7 +124,9 @@ TEST(PublicSums, HoldsAtAPositionIsTheSign) {
   const World w = world();
   for (const Position& p : places(300)) {
     const double f = to_a(p) + 2 * to_c(p) - 14;
-    if (std::abs(f) > kClose) EXPECT_EQ(w.holds("gap(B, A) + 2 * gap(B, C) <= 14", {p[0], p[1]}), f <= 0);
+    if (std::abs(f) > kClose) {
+      EXPECT_EQ(w.holds("gap(B, A) + 2 * gap(B, C) <= 14", {p[0], p[1]}), f <= 0);
+    }
   }
 }
 
