@@ -38,18 +38,23 @@ double size_of(const Body& body) {
   return space::length(space::rounded(space::minus(box.high, box.low)));
 }
 
-/// The line {x - s * unit} meets the half spaces for s in between.
+/// The line {x - s * unit} meets the half spaces for s in between; for none where it runs along a face farther outside
+/// than `noise`.
 template <class Planes>
-bool clip(const Planes& planes, const Vector& x, const Vector& unit, double& from, double& to) {
+void clip(const Planes& planes, const Vector& x, const Vector& unit, double noise, double& from, double& to) {
   for (const space::HalfSpace& h : planes) {
     const double value = h.approx_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
-    if (std::fabs(slope) < margin::kAlongFace) continue;
+    if (std::fabs(slope) < margin::kAlongFace) {
+      if (value <= noise) continue;
+      from = exact::kInfinity;
+      to = -exact::kInfinity;
+      return;
+    }
     if (slope > 0)
       from = std::max(from, value / slope);
     else
       to = std::min(to, value / slope);
   }
-  return from <= to;
 }
 
 }  // namespace
@@ -123,7 +128,7 @@ Solids ProtrusionRays::swept(const Line& line, const Stretch& stretch) const {
   return out;
 }
 
-ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line, const Vector& off) {
+ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line, const Vector& off) const {
   if (part.radius > 0) {
     const Vector way = off - part.center;
     const double middle = space::dot(way, line.unit);
@@ -131,11 +136,11 @@ ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line,
     return {middle - half, middle + half};
   }
   double from = -exact::kInfinity, to = exact::kInfinity;
-  clip(part.planes, off, line.unit, from, to);
+  clip(part.planes, off, line.unit, size_ * margin::kPlaceNoise, from, to);
   return {from, to};
 }
 
-/// The places at which a part of B holds x, which some place within the stretch does.
+/// The places at which a part of B holds x. Where none on the line does, a single place.
 ProtrusionRays::Stretch ProtrusionRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
   const Vector off = x - line.start;
   Stretch best{within.from, within.from};

@@ -81,7 +81,7 @@ class ProtrusionRays : public space::RaySource {
   Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
   Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
   /// The places at which the part of B, drawn at 0, holds `off`.
-  static Stretch held(const Part& part, const Line& line, const space::Vector& off);
+  Stretch held(const Part& part, const Line& line, const space::Vector& off) const;
 
   space::RayGrid grid_;
   std::unique_ptr<ProtrusionField> field_;  // of A
