@@ -4,28 +4,15 @@
 #include "plane/base/parallel.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <typeinfo>
+#include <functional>
 
-#include "findspace/error.h"
 #include "plane/base/result_store.h"
 #include "plane/base/stage_observer.h"
 #include "plane/base/stop_check.h"
+#include "plane/base/tasks.h"
 
 namespace findspace::plane {
-namespace {
-
-/// What oneTBB throws where the system refuses a thread has no type of its own.
-bool is_of_threads(const std::runtime_error& e) {
-  return typeid(e) == typeid(std::runtime_error) && std::string_view(e.what()).starts_with("pthread_create");
-}
-
-}  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   StopCheck* const limit = stop_check();
@@ -40,14 +27,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& tas
     for (std::size_t k = 0; k < count; ++k) run(k);
     return;
   }
-  try {
-    // A thread that waits for these tasks takes up no other ones: it may hold what those wait for.
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, run, tbb::simple_partitioner()); });
-  } catch (const std::runtime_error& e) {
-    if (!is_of_threads(e)) throw;
-    throw Error(ErrorCode::kLimit,
-                std::string("a thread cannot be started (") + e.what() + "); --threads 1 needs none");
-  }
+  run_tasks(count, std::cref(run));
 }
 
 std::size_t range_count(std::size_t items, std::size_t many) {
