@@ -96,8 +96,8 @@ TEST(InBatches, WhatIsWithinReachIsOnePart) {
   EXPECT_FALSE(made_in_batches(boxes(1, 40), {-40, -40, 40, 40}, make, kSmall));
 }
 
-/// Through the public way, large enough for batches of the usual size.
-TEST(InBatches, LargeSetsGoThroughBatches) {
+/// Large enough for batches of the usual size.
+Region five_thousand_boxes() {
   std::vector<Contour> rings;
   for (std::int64_t k = 0; k < 5000; ++k) {
     const std::int64_t x = k % 70 * 9, y = k / 70 * 9, a = 2 + k % 3;
@@ -105,7 +105,30 @@ TEST(InBatches, LargeSetsGoThroughBatches) {
   }
   std::vector<std::span<const Contour>> polygons;
   for (const Contour& ring : rings) polygons.emplace_back(&ring, 1);
-  const Region set = region_of_polygons(polygons), b = box(0, 0, 1, 2);
+  return region_of_polygons(polygons);
+}
+
+/// The base and the level batch by batch, for levels without, about and within the base; some results touch.
+TEST(InBatches, LevelsWithoutTheBaseAreThoseOfIt) {
+  const Region set = five_thousand_boxes(), b = box(-3, 1, -1, 2);
+  const SignMap sum = contact_map(set, b);
+  for (const Real& level :
+       {Real(0), Real::ratio(3, 4), Real(1), Real::ratio(3, 2), Real::ratio(-1, 2), Real(-1), Real(-9)}) {
+    const auto made = contact_level_in_batches(set, b, level);
+    ASSERT_TRUE(made) << level.to_double();
+    const SignMap whole = level_map(sum, level);
+    EXPECT_EQ(made->edges.size(), whole.edges.size()) << level.to_double();
+    EXPECT_EQ(made->faces.size(), whole.faces.size()) << level.to_double();
+    EXPECT_TRUE(same(*made, whole)) << level.to_double();
+  }
+  EXPECT_FALSE(contact_level_in_batches(complement(set), b, Real(1)));
+  EXPECT_FALSE(contact_level_in_batches(set, complement(b), Real(1)));
+  EXPECT_FALSE(contact_level_in_batches(b, b, Real(1)));
+}
+
+/// Through the public way.
+TEST(InBatches, LargeSetsGoThroughBatches) {
+  const Region set = five_thousand_boxes(), b = box(0, 0, 1, 2);
   const SignMap sum = contact_map(set, b), level = level_map(sum, Real(1));
   EXPECT_EQ(sum.edges.size(), 4 * 5000u);
   EXPECT_EQ(level.faces.size(), 5001u);

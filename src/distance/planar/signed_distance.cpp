@@ -18,11 +18,15 @@ using plane::CellComplex;
 using plane::Mark;
 using plane::SignMap;
 
-SignedDistance::SignedDistance(SignMap base)
-    : base_(std::move(base)), defined_(plane::any_mark(base_, [](Mark m) { return m <= 0; })) {}
+SignedDistance::SignedDistance(SignMap base) : defined_(plane::any_mark(base, [](Mark m) { return m <= 0; })) {
+  base_->map = std::move(base);
+}
 
-SignedDistance SignedDistance::gamma1(const plane::Region& b, const plane::Region& a) {
-  return SignedDistance(contact_map(a, b));
+SignedDistance SignedDistance::gamma1(plane::SharedRegion b, plane::SharedRegion a) {
+  SignedDistance out;
+  out.defined_ = !plane::is_empty(a) && !plane::is_empty(b);
+  out.base_->of.emplace(std::move(a), std::move(b));
+  return out;
 }
 
 SignedDistance SignedDistance::eta1(const plane::Region& b, const plane::Region& a) {
@@ -34,18 +38,28 @@ SignedDistance SignedDistance::delta1(const plane::Region& b, const plane::Regio
   return SignedDistance(mirrored(containment_map(b, a)));
 }
 
+const SignMap& SignedDistance::base() const {
+  if (!base_->of) return base_->map;
+  base_->asked = true;
+  std::call_once(base_->made, [this] { base_->map = contact_map(base_->of->first, base_->of->second); });
+  return base_->map;
+}
+
 SignMap SignedDistance::sign_map(const exact::Real& level) const {
-  return defined_ ? level_map(base_, level) : CellComplex::uniform(1);
+  if (!defined_) return CellComplex::uniform(1);
+  if (base_->of && !base_->asked.exchange(true))
+    if (auto map = contact_level_in_batches(base_->of->first, base_->of->second, level)) return *std::move(map);
+  return level_map(base(), level);
 }
 
 std::optional<PlanarAnswer> SignedDistance::value(const exact::RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  Mark sign = mark_of(base_, locate(base_, p));
+  Mark sign = mark_of(base(), locate(base(), p));
   if (sign == 0) return exact_answer(exact::Real(), Way::kMap);
   auto n = sign > 0 ? nearest(
-                          base_, [](Mark m) { return m <= 0; }, p)
+                          base(), [](Mark m) { return m <= 0; }, p)
                     : nearest(
-                          base_, [](Mark m) { return m >= 0; }, p);
+                          base(), [](Mark m) { return m >= 0; }, p);
   if (!n) return lowest_answer(Way::kMap);  // inside everywhere
   return exact_answer(sign > 0 ? n->distance : -n->distance, Way::kMap, std::optional(n->at));
 }
@@ -53,11 +67,11 @@ std::optional<PlanarAnswer> SignedDistance::value(const exact::RealPoint& p) con
 std::optional<std::vector<SmoothForm>> SignedDistance::forms(const RealPoint& p, double radius) const {
   if (!defined_) return std::nullopt;
   std::call_once(sides_.made, [this] {
-    sides_.outside = std::make_unique<const BoundaryForms>(base_, 1);
-    sides_.inside = std::make_unique<const BoundaryForms>(base_, -1);
+    sides_.outside = std::make_unique<const BoundaryForms>(base(), 1);
+    sides_.inside = std::make_unique<const BoundaryForms>(base(), -1);
   });
   const double x = near_value(p.x), y = near_value(p.y);
-  const Mark at = mark_of(base_, locate(base_, p));
+  const Mark at = mark_of(base(), locate(base(), p));
   std::vector<SmoothForm> out;
   for (const int sign : {1, -1}) {
     const BoundaryForms& side = sign > 0 ? *sides_.outside : *sides_.inside;
@@ -69,23 +83,23 @@ std::optional<std::vector<SmoothForm>> SignedDistance::forms(const RealPoint& p,
 }
 
 RealPoint SignedDistance::seed() const {
-  if (base_.vertices.empty()) return {Real(), Real()};
-  return base_.geometry.exact(base_.vertices[0].point);
+  if (base().vertices.empty()) return {Real(), Real()};
+  return base().geometry.exact(base().vertices[0].point);
 }
 
 std::vector<NearLevelCurve> SignedDistance::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
-  Mark at = mark_of(base_, locate(base_, p));
+  Mark at = mark_of(base(), locate(base(), p));
   std::vector<NearLevelCurve> out;
   for (int sign : {-1, 1}) {
     // Outside the distance to marks <= 0 counts, inside minus that to marks >= 0.
     if (at * sign < 0) continue;
-    auto all = distance::features(base_, [sign](Mark m) { return m * sign <= 0; });
+    auto all = distance::features(base(), [sign](Mark m) { return m * sign <= 0; });
     double least = std::numeric_limits<double>::infinity();
     for (const BoundaryFeature& s : all) least = std::min(least, s.distance(x, y));
     for (const BoundaryFeature& s : all) {
       double gap = s.distance(x, y) - least;
-      if (gap <= tolerance) out.push_back({near_level_curve(base_, s, x, y, sign), gap});
+      if (gap <= tolerance) out.push_back({near_level_curve(base(), s, x, y, sign), gap});
     }
   }
   return out;

@@ -8,15 +8,20 @@
 //   everywhere delta1: O = {A in int (B+p)},         C = {A in B+p};               likewise
 // Shapes are taken as closed sets (their closure); B must be bounded. Units: grid steps.
 // Guarantee: sign maps are exact at every level; values are exact reals. Cost: one convolution for the base map, one
-// with a disc for each level other than 0. Keywords: signed distance, penetration depth, clearance, containment margin.
+// with a disc for each level other than 0. The first level of gamma1 that is asked for is made without the base as a
+// whole, where shapes are large (level.h); for the second one the base is made and kept.
+// Keywords: signed distance, penetration depth, clearance, containment margin.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/planar_features/t_distance.h"
+#include "plane/complex/shared_region.h"
 #include "plane/offset/level.h"
 #include "plane/query/nearest.h"
 
@@ -26,7 +31,7 @@ class SignedDistance : public TDistance {
  public:
   /// From the sign map at level 0.
   explicit SignedDistance(plane::SignMap base);
-  static SignedDistance gamma1(const plane::Region& b, const plane::Region& a);
+  static SignedDistance gamma1(plane::SharedRegion b, plane::SharedRegion a);
   static SignedDistance eta1(const plane::Region& b, const plane::Region& a);
   static SignedDistance delta1(const plane::Region& b, const plane::Region& a);
 
@@ -35,7 +40,7 @@ class SignedDistance : public TDistance {
   /// The sign of f - level at every position.
   plane::SignMap sign_map(const exact::Real& level) const override;
   /// The sign map at level 0.
-  const plane::SignMap& base() const { return base_; }
+  const plane::SignMap& base() const;
 
   /// f at a position; nothing if undefined.
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
@@ -46,6 +51,8 @@ class SignedDistance : public TDistance {
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 
  private:
+  SignedDistance() = default;
+
   /// Made when first asked for; a copy makes its own.
   struct Sides {
     Sides() = default;
@@ -55,7 +62,15 @@ class SignedDistance : public TDistance {
     std::unique_ptr<const BoundaryForms> outside, inside;
   };
 
-  plane::SignMap base_;
+  /// Of gamma1, made when first asked for; copies share it.
+  struct Base {
+    std::once_flag made;
+    plane::SignMap map;
+    std::optional<std::pair<plane::SharedRegion, plane::SharedRegion>> of;  // fixed, moving
+    std::atomic<bool> asked = false;                                        // for it, or for a level
+  };
+
+  std::shared_ptr<Base> base_ = std::make_shared<Base>();
   mutable Sides sides_;
   bool defined_ = true;
 };

@@ -79,7 +79,7 @@ class Near {
 
  private:
   struct Mover {
-    Region shape;
+    plane::SharedRegion shape;
     std::optional<PieceBox> box;
   };
   using Names = std::vector<std::string>;
@@ -179,9 +179,10 @@ class Near {
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
-    const Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
+    Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
     if (plane::is_empty(a)) return CellComplex::uniform(1);
-    const auto pair = std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, a));
+    const auto pair =
+        std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, std::move(a)));
     return over_its_time(world_, d, pair)->sign_map(level);
   }
 

@@ -38,12 +38,11 @@ PreparedWorld::PreparedWorld(World world) : world_(std::move(world)) {
 }
 
 PreparedWorld::PreparedWorld(const PreparedWorld& before, ShapeChanges changes)
-    : world_(before.world_), boxes_(before.boxes_), boundary_components_(before.boundary_components_) {
+    : world_(before.world_), boxes_(before.boxes_) {
   std::vector<std::string> names;
   for (auto& [name, region] : changes) {
     names.push_back(name);
     boxes_.erase(name);
-    boundary_components_.erase(name);
     if (!region) {
       world_.shapes.erase(name);
       continue;
@@ -58,6 +57,8 @@ PreparedWorld::PreparedWorld(const PreparedWorld& before, ShapeChanges changes)
   const std::lock_guard lock(before.guard_);
   for (const auto& [of, pair] : before.pairs_)
     if (!changed(of.first) && !changed(of.second)) pairs_.emplace(of, pair);
+  for (const auto& [name, components] : before.boundary_components_)
+    if (changes.count(name) == 0) boundary_components_.emplace(name, components);
 }
 
 /// Distances are those of closed sets.
@@ -66,10 +67,7 @@ void PreparedWorld::prepare(const std::string& name) {
   if (!plane::is_closed(shape)) shape = plane::closure(shape);
   const plane::Region& region = shape;
   const auto box = plane::is_bounded(region) ? plane::extent(region) : std::nullopt;
-  if (!box) return;
-  boxes_.emplace(name, *box);
-  if (region.faces[0].inner.size() + region.faces[0].isolated.size() > 1)
-    boundary_components_.emplace(name, plane::BoundaryComponents(region));
+  if (box) boxes_.emplace(name, *box);
 }
 
 plane::SharedRegion PreparedWorld::shape(const std::vector<std::string>& names) const {
@@ -94,8 +92,13 @@ const plane::PieceBox* PreparedWorld::box(const std::string& name) const {
 }
 
 const plane::BoundaryComponents* PreparedWorld::boundary_components(const std::string& name) const {
-  auto found = boundary_components_.find(name);
-  return found == boundary_components_.end() ? nullptr : &found->second;
+  if (box(name) == nullptr) return nullptr;
+  const plane::Region& region = world_.shapes.at(name);
+  if (region.faces[0].inner.size() + region.faces[0].isolated.size() < 2) return nullptr;
+  const std::lock_guard lock(guard_);
+  Components& known = boundary_components_[name];
+  if (!known) known = std::make_shared<const plane::BoundaryComponents>(region);
+  return known.get();
 }
 
 Roles PreparedWorld::roles(const Distance& wanted) const {

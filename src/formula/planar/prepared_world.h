@@ -66,7 +66,7 @@ class PreparedWorld {
   plane::SharedRegion shape(const std::vector<std::string>& names) const;
   /// A box around a shape; none for one that is unbounded or empty.
   const plane::PieceBox* box(const std::string& name) const;
-  /// A bounded shape's boundary_components; none where it has not several.
+  /// A bounded shape's boundary_components, made when first asked for; none where it has not several.
   const plane::BoundaryComponents* boundary_components(const std::string& name) const;
 
   Roles roles(const Distance& wanted) const;
@@ -82,9 +82,11 @@ class PreparedWorld {
   void prepare(const std::string& name);
 
   World world_;
-  std::map<std::string, plane::PieceBox> boxes_;                          // of the bounded shapes
-  std::map<std::string, plane::BoundaryComponents> boundary_components_;  // of those that have several
+  using Components = std::shared_ptr<const plane::BoundaryComponents>;
+
+  std::map<std::string, plane::PieceBox> boxes_;  // of the bounded shapes
   mutable std::mutex guard_;
+  mutable std::map<std::string, Components> boundary_components_;  // of those that have several and were asked for
   mutable std::map<ShapeNames, std::shared_ptr<const distance::AtPosition>> pairs_;
   mutable LeastValues least_values_;
 };

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "plane/base/result_store.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/offset/grid_offset.h"
@@ -57,6 +59,16 @@ SignMap level_map(const SignMap& base, const exact::Real& level) {
           base, [](Mark m) { return m >= 0; }, -level))
     return opposite(*std::move(map));
   return opposite(distance_map(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
+}
+
+std::optional<SignMap> contact_level_in_batches(const Region& a, const Region& b, const exact::Real& level) {
+  const auto box = extent(b);
+  const bool bounded = is_out(a.faces[0].mark) && is_out(b.faces[0].mark);
+  if (!bounded || !box || result_store() != nullptr) return std::nullopt;
+  // A level below 0 lies within the base.
+  const double far = std::max(0.0, level.interval().hi);
+  const PieceBox reach{-box->x1 - far, -box->y1 - far, far - box->x0, far - box->y0};
+  return made_in_batches(a, reach, [&](const Region& part) { return level_map(contact_map(part, b), level); });
 }
 
 }  // namespace findspace::plane
