@@ -86,6 +86,14 @@ std::optional<Point> asked_point(const Session& session) {
   return Point{text.substr(0, comma), text.substr(comma + 1)};
 }
 
+std::optional<Point3> asked_point_in_space(const Session& session) {
+  if (!session.options().at) return std::nullopt;
+  asked_position_in_space(session);  // refuses what is none
+  const std::string& text = *session.options().at;
+  const std::size_t first = text.find(','), second = text.find(',', first + 1);
+  return Point3{text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+}
+
 std::array<Real, 3> asked_position_in_space(const Session& session) {
   const std::vector<Real> p = coordinates(session, 3);
   return {p[0], p[1], p[2]};

@@ -18,6 +18,7 @@ namespace findspace::app {
 exact::RealPoint asked_position(const Session& session);
 /// The same as it was written; nothing without it.
 std::optional<Point> asked_point(const Session& session);
+std::optional<Point3> asked_point_in_space(const Session& session);
 std::array<exact::Real, 3> asked_position_in_space(const Session& session);
 /// `count` numbers of --at, zeros without it; not held to the grid's range.
 std::vector<exact::Real> asked_anywhere(const Session& session, std::size_t count);

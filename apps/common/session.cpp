@@ -246,7 +246,9 @@ formula::World Session::world() const {
   return scene_.named_only ? world_of(where()) : world_with(scene_.shapes, true);
 }
 
-World Session::public_world() const { return io::public_world(scene_, world()); }
+World Session::public_world() const {
+  return in_space() ? io::public_world(scene_) : io::public_world(scene_, world());
+}
 
 Formula Session::public_where() const {
   where();  // says where a mistake is

@@ -232,7 +232,8 @@ std::string LoadedPlane::explain_json(const std::optional<Spot>& spot) const {
     at = point_of(*spot);
     here = formula::explain_at(world, formula(), at);
   }
-  return io::explanation_json({formula(), explanation, here ? &*here : nullptr, at, solver().world().step, unit()});
+  return io::explanation_json(
+      {formula(), explanation, here ? &*here : nullptr, distance::coordinates(at), solver().world().step, unit()});
 }
 
 std::string LoadedPlane::angles_json(const Spot& spot) const {

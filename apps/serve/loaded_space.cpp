@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include "findspace/error.h"
+#include "formula/explain/explain.h"
 #include "in_space/ray_outcome.h"
 #include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/json_text.h"
+#include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 
@@ -153,7 +155,19 @@ std::string LoadedSpace::measure_json(const Spot& spot) const {
   return io::measure_json(solver_->measure(at), distance::coordinates(at), unit());
 }
 
-std::string LoadedSpace::explain_json(const std::optional<Spot>&) const { refuse("an explanation in space"); }
+std::string LoadedSpace::explain_json(const std::optional<Spot>& spot) const {
+  require_moving();
+  if (spot && (spot->angle || spot->time)) refuse("an angle or an instant in space");
+  if (scene().free.kind == io::Free::Kind::kLine) refuse("an explanation on a line");
+  const formula::Explanation explanation = formula::explain(*solver_, formula());
+  std::optional<formula::PositionExplanation> here;
+  distance::Coordinates at;
+  if (spot && !spot->at.empty()) {
+    here = formula::explain_at(*solver_, formula(), vector_of(*spot));
+    at = spot->at;
+  }
+  return io::explanation_json({formula(), explanation, here ? &*here : nullptr, at, solver_->world().step, unit()});
+}
 std::string LoadedSpace::angles_json(const Spot&) const { refuse("a map of angles in space"); }
 std::string LoadedSpace::instants_json(const Spot&) const { refuse("a motion in space"); }
 std::string LoadedSpace::between_json(const Spot&, const std::array<exact::RealPoint, 2>&) const {

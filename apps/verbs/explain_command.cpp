@@ -9,15 +9,16 @@ namespace findspace::app {
 
 Outcome run_explain(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
-  if (session.in_space())
-    throw Error(ErrorCode::kUnsupported, "explain answers in the plane, not for 3D scenes", session.scene().file);
   check_outputs(options, {".json"});
-  session.require_positions(false);
+  if (session.in_space())
+    session.require_positions_in_space(false);
+  else
+    session.require_positions(false);
   const Formula where = session.public_where();
   const World world = session.public_world();
-  const std::optional<Point> at = asked_point(session);
   reporter.stage("explaining");
-  const Explanation found = world.explain(where, at);
+  const Explanation found = options.at && session.in_space() ? world.explain(where, *asked_point_in_space(session))
+                                                             : world.explain(where, asked_point(session));
   write_outputs(options, {{".json", [&] { return found.json; }}});
   return {options.json ? found.json : found.text, (found.here ? found.here->holds : found.feasible) ? kDone : kEmpty};
 }

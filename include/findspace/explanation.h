@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Why a formula holds nowhere in the plane, and what would change that; where it holds, how far each level can move
-// before it holds nowhere (World::explain). Guarantee: whether there is room, and which conditions contradict each
-// other, is exact; levels say their bounds. Source: docs/results.md, "explain". Keywords: infeasibility, conflict,
+// Why a formula holds nowhere, and what would change that; where it holds, how far each level can move before it holds
+// nowhere (World::explain). Guarantee: whether there is room, and which conditions contradict each other, is exact;
+// levels say their bounds. Source: docs/results.md, "explain". Keywords: infeasibility, conflict,
 // slack, relaxation, sensitivity.
 #pragma once
 
@@ -18,17 +18,18 @@ namespace findspace {
 
 /// How the level of one condition can move while all others stay.
 struct LevelChange {
-  /// To another level; none leaves room; or as tight as you like.
-  enum class Kind { kTo, kNone, kFree };
+  /// To another level; none leaves room; as tight as you like; or not decided.
+  enum class Kind { kTo, kNone, kFree, kUnknown };
   /// Of the change.
   Kind kind = Kind::kNone;
-  /// The condition as it is written, and at the other level where that is known exactly: "gap(B, A) >= 1.5".
+  /// The condition as it is written, and at the other level where there is room for certain: "gap(B, A) >= 1.5".
   std::string text, becomes;
-  double to = 0, by = 0;        // of kTo: the level, and how far it moves
-  bool exact = false;           // the level is known exactly
-  double lower = 0, upper = 0;  // what it lies between
-  bool reached = false;         // there is room at this very level; else only beyond it, as near as you like
-  std::optional<Position> at;   // the last position that remains
+  double to = 0, by = 0;                  // of kTo: the level, and how far it moves
+  bool exact = false;                     // the level is known exactly
+  double lower = 0, upper = 0;            // what it lies between
+  bool reached = false;                   // there is room at this very level; else only beyond it, as near as you like
+  std::optional<std::vector<double>> at;  // the last position that remains: x, y, in space z
+  std::string refused;                    // of kUnknown: why
 };
 
 /// What an explanation says.
@@ -44,8 +45,8 @@ struct Explanation {
   struct Together {
     /// Less is not enough.
     double lower = 0;
-    std::optional<double> upper;  // nothing: no amount that was tried leaves a position
-    std::optional<Position> at;   // a position for it
+    std::optional<double> upper;            // nothing: no amount that was tried leaves a position
+    std::optional<std::vector<double>> at;  // a position for it
   };
   std::optional<Together> together;  // where it holds nowhere and a condition has a level
 

@@ -104,8 +104,10 @@ class World {
   /// that region is known between bounds.
   Optimum minimize(std::string_view objective, const Formula& formula = "true") const;
   /// Why the formula holds nowhere, or how far each of its levels can be tightened; and what stands in the way at a
-  /// position. Of the plane; kUnsupported where shapes rotate in time, and for distances in rotation.
+  /// position. kUnsupported where shapes rotate in time, and for distances in rotation; in space also for those along a
+  /// direction and for `-> min`, and kLimit where a search does not decide whether there is room.
   Explanation explain(const Formula& formula, const std::optional<Point>& at = {}) const;
+  Explanation explain(const Formula& formula, const Point3& at) const;
   /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
   SpaceRegion solve_space(const Formula& formula) const;
   /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the

@@ -74,10 +74,10 @@ void bind_explanation(py::module_& m) {
       .def_property_readonly(
           "kind",
           [](const LevelChange& c) {
-            static const char* const kKinds[] = {"to", "none", "free"};
+            static const char* const kKinds[] = {"to", "none", "free", "unknown"};
             return kKinds[static_cast<int>(c.kind)];
           },
-          "'to' another level; 'none' leaves room; 'free': as tight as you like.")
+          "'to' another level; 'none' leaves room; 'free': as tight as you like; 'unknown': not decided.")
       .def_readonly("text", &LevelChange::text, "The condition.")
       .def_readonly("becomes", &LevelChange::becomes, "The condition at that level, or ''.")
       .def_readonly("to", &LevelChange::to, "The level.")
@@ -87,9 +87,10 @@ void bind_explanation(py::module_& m) {
       .def_readonly("upper", &LevelChange::upper, "The level is not more.")
       .def_readonly("reached", &LevelChange::reached, "Whether there is room at this very level.")
       .def_readonly("at", &LevelChange::at, "The last position that remains, or None.")
+      .def_readonly("refused", &LevelChange::refused, "Why it is not decided, or ''.")
       .def(pickled<LevelChange>(&LevelChange::kind, &LevelChange::text, &LevelChange::becomes, &LevelChange::to,
                                 &LevelChange::by, &LevelChange::exact, &LevelChange::lower, &LevelChange::upper,
-                                &LevelChange::reached, &LevelChange::at))
+                                &LevelChange::reached, &LevelChange::at, &LevelChange::refused))
       .def("__repr__", [](const LevelChange& c) { return "<LevelChange " + c.text + ">"; });
   using Together = Explanation::Together;
   py::class_<Explanation> explanation(m, "Explanation", "Why a formula holds nowhere, or how much slack it has.");
@@ -425,16 +426,20 @@ void bind_questions(py::class_<World>& world) {
       .def(
           "explain",
           [](const World& w, const Formula& f, const std::optional<py::sequence>& p) {
+            if (p && py::len(*p) == 3) {
+              const Point3 at = point3(*p);
+              return interruptible([&] { return w.explain(f, at); });
+            }
             const auto at = p ? std::optional(point(*p)) : std::nullopt;
             return interruptible([&] { return w.explain(f, at); });
           },
           py::arg("formula"), py::arg("position") = py::none(),
-          R"doc(Why the formula holds nowhere, or how far each of its levels can be tightened; of the plane.
+          R"doc(Why the formula holds nowhere, or how far each of its levels can be tightened.
 
 Parameters
 ----------
 formula : Formula or str
-position : (x, y), optional
+position : (x, y) or (x, y, z), optional
     What stands in the way there is said, too.
 
 Examples

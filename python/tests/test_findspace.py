@@ -249,6 +249,9 @@ def test_scenes_and_explanations():
     assert found.relax[0].kind == "to" and found.relax[0].lower <= found.relax[0].to <= found.relax[0].upper
     assert "in the way" in str(found) and json.loads(found.json)["feasible"] is False and not found.here.holds
     same = pickle.loads(pickle.dumps(found))
+    solid = fs.World({"a": fs.Shape.ball((0, 0, 0), 1), "b": fs.Shape.ball((0, 0, 0), 2)}, "a")
+    clash = solid.explain("inside(a, b) and gap(a, b) >= 1", (5, 0, 0))
+    assert not clash.feasible and len(clash.conflict) == 2 and len(clash.together.at) == 3 and clash.relax[0].refused == ""
     assert same.text == found.text and same.relax[0].at == found.relax[0].at and same.together.upper == found.together.upper
 
 

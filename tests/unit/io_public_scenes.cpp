@@ -88,7 +88,15 @@ TEST(PublicExplanation, OfWhatHasSlack) {
   EXPECT_TRUE(found.slack[0].exact);
   EXPECT_FALSE(found.here.has_value());
   const World solid({{"a", Shape::ball({0, 0, 0}, 1)}, {"b", Shape::ball({0, 0, 0}, 2)}}, "a");
-  EXPECT_THROW(solid.explain("inside(a, b)"), Error);
+  const Explanation around = solid.explain("inside(a, b) and gap(a, b) >= -2", Point3{5, 0, 0});
+  EXPECT_TRUE(around.feasible);
+  ASSERT_EQ(around.slack.size(), 2u);
+  EXPECT_FALSE(around.slack[1].exact);
+  EXPECT_LE(around.slack[1].lower, -2 + 1e-3);
+  EXPECT_EQ(around.slack[1].at->size(), 3u);
+  EXPECT_EQ(around.change, (std::vector<std::string>{"inside(a, b)"}));
+  EXPECT_THROW(solid.explain("inside(a, b)", Point{0, 0}), Error);
+  EXPECT_THROW(world.explain("margin(peg, plate) >= 1", Point3{0, 0, 0}), Error);
 }
 
 }  // namespace io_public_scenes

@@ -49,9 +49,8 @@ class Bisection {
       found_.lower = by;
       return false;
     }
-    const exact::RealPoint& p = summary.components.front().sample_point;
     found_.upper = by;
-    found_.at = exact::RealPoint{p.x * solver_.world().step, p.y * solver_.world().step};
+    found_.at = distance::coordinates(distance::times(solver_.world().step, summary.components.front().sample_point));
     return true;
   }
   const CommonRelaxation& found() const { return found_; }
@@ -72,20 +71,19 @@ Real first_amount(const Solver& solver, const Demands& demands) {
   return most;
 }
 
-/// A power of ten of which `amount` has at least kParts.
-Real part_of(const Real& amount) {
+}  // namespace
+
+Real decimal_part(const Real& amount) {
   Real part = 1;
   while (part * Real(kParts) > amount) part /= Real(10);
   while (part * Real(kParts * 10) <= amount) part *= Real(10);
   return part;
 }
 
-}  // namespace
-
 CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands, const std::optional<Real>& enough) {
   Bisection search(solver, demands);
   Real high = enough && enough->sign() > 0 ? *enough : first_amount(solver, demands);
-  Real part = part_of(high);
+  Real part = decimal_part(high);
   const Real finest = solver.world().step / Real(kParts);
   high = Real(floor(high / part) + 1) * part;
   for (int times = 0; !search.room(high); ++times) {

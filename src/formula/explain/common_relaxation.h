@@ -15,4 +15,7 @@ namespace findspace::formula {
 CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands,
                                    const std::optional<exact::Real>& enough);
 
+/// A power of ten of which the amount, which is above 0, has a thousand parts and less than ten thousand.
+exact::Real decimal_part(const exact::Real& amount);
+
 }  // namespace findspace::formula

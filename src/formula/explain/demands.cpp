@@ -38,6 +38,29 @@ bool truth_of(const Node& node, bool positive, const std::vector<bool>& met) {
              : std::any_of(node.operands.begin(), node.operands.end(), holds);
 }
 
+double measure_of(const Node& node, bool positive, const std::vector<double>& numbers) {
+  switch (node.op) {
+    case Op::kTrue:
+      return positive ? exact::kInfinity : -exact::kInfinity;
+    case Op::kFalse:
+      return positive ? -exact::kInfinity : exact::kInfinity;
+    case Op::kAtom:
+      return numbers[node.atom];
+    case Op::kNot:
+      return measure_of(node.operands.front(), !positive, numbers);
+    case Op::kAnd:
+    case Op::kOr:
+      break;
+  }
+  const bool all = (node.op == Op::kAnd) == positive;
+  double out = all ? exact::kInfinity : -exact::kInfinity;
+  for (const Node& operand : node.operands) {
+    const double number = measure_of(operand, positive, numbers);
+    out = all ? std::min(out, number) : std::max(out, number);
+  }
+  return out;
+}
+
 Formula rebuilt(const Node& node, bool positive, const std::function<Formula(std::size_t)>& part) {
   switch (node.op) {
     case Op::kTrue:
@@ -80,6 +103,8 @@ bool Demands::has_level(std::size_t k) const {
 bool Demands::holds(std::size_t k, std::int8_t sign) const {
   return formula::holds(formula_.atoms()[k], sign) == positive_[k];
 }
+
+double Demands::measure(const std::vector<double>& numbers) const { return measure_of(formula_.root(), true, numbers); }
 
 bool Demands::truth(const std::vector<bool>& met) const { return truth_of(formula_.root(), true, met); }
 

@@ -34,6 +34,9 @@ class Demands {
 
   /// The truth of the formula where demand k is met if met[k].
   bool truth(const std::vector<bool>& met) const;
+  /// The least number of each `and`, the greatest of each `or`: of numbers that are not negative where demands are met
+  /// one that is not negative where the formula holds.
+  double measure(const std::vector<double>& numbers) const;
   /// The demand alone.
   Formula demand(std::size_t k) const;
   /// The same relation at another level.

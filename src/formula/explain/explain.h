@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Why a formula holds nowhere in the plane, and what would change that; where it holds, how far each level can move
-// before it holds nowhere. For a demand `d <= level` let R be the positions that the formula has without it. The least
+// Why a formula holds nowhere, and what would change that; where it holds, how far each level can move before it holds
+// nowhere. For a demand `d <= level` let R be the positions that the formula has without it. The least
 // change that alone leaves a position is to inf {d : R}; the tightest level that does is the same number where R is the
 // feasible region. For `>=` it is the supremum, for `=` the nearer of both.
 //
-// Guarantee: whether there is room, and which demands conflict, is exact. Levels are exact where `proven`
-// (solve_region.h). The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no position,
-// `upper` does, both by exact regions. Refused: shapes that rotate in time and distances in rotation, whose regions are
-// known between bounds. Cost: one overlay and one least value for each demand; some fifteen regions for the common
-// relaxation. Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack,
+// Guarantee: whether there is room, and which demands conflict, is exact. Levels are exact where `proven`, else
+// enclosed. The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no position, `upper`
+// does. In space a search decides where the positions are not made of boxes (space_ground.cpp): what it does not decide
+// is said so, of the whole by Error(kLimit). Refused: shapes that rotate in time and distances in rotation, whose
+// regions are known between bounds; in space also distances along a direction, and `-> min`. Cost: in the plane one
+// overlay and one least value for each demand, some fifteen regions for the common relaxation; in space a search each.
+// Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack,
 // sensitivity.
 #pragma once
 
@@ -22,6 +24,7 @@
 #include "distance/answer/optimum.h"
 #include "formula/explain/conflict.h"
 #include "formula/planar/solve.h"
+#include "formula/solid/solve_space.h"
 
 namespace findspace::formula {
 
@@ -30,13 +33,15 @@ struct LevelChange {
   enum class Kind : std::uint8_t {
     kTo,    // to `level`
     kNone,  // no level leaves room: the others conflict without this one
-    kFree   // of slack: there is room without this demand's part of the formula, or beyond every level
+    kFree,  // of slack: there is room without this demand's part of the formula, or beyond every level
+    kUnknown
   };
   std::size_t atom = 0;
   Kind kind = Kind::kNone;
-  distance::OptimalValue level;        // in the scene's unit, of the atom's canonical distance
-  bool reached = false;                // there is room at this very level; else only beyond it, as near as you like
-  std::optional<exact::RealPoint> at;  // the last remaining position, in the scene's unit
+  distance::OptimalValue level;  // in the scene's unit, of the atom's canonical distance
+  bool reached = false;          // there is room at this very level; else only beyond it, as near as you like
+  std::optional<distance::Coordinates> at;  // the last remaining position, in the scene's unit
+  std::string refused;                      // of kUnknown: why
 
   /// Of kTo.
   const exact::Real& to() const { return level.answer->value; }
@@ -45,8 +50,8 @@ struct LevelChange {
 /// All levels move by one amount: there is none for `lower` and room for `upper`.
 struct CommonRelaxation {
   exact::Real lower;
-  std::optional<exact::Real> upper;    // nothing: no amount that was tried leaves a position
-  std::optional<exact::RealPoint> at;  // a position for `upper`, in the scene's unit
+  std::optional<exact::Real> upper;         // nothing: no amount that was tried leaves a position
+  std::optional<distance::Coordinates> at;  // a position for `upper`, in the scene's unit
 };
 
 struct Explanation {
@@ -59,6 +64,7 @@ struct Explanation {
 
 /// Throws Error(kUnsupported) for what is refused as a whole.
 Explanation explain(const Solver& solver, const Formula& formula);
+Explanation explain(const SpaceSolver& solver, const Formula& formula);
 
 /// What stands in the way at one position.
 struct PositionExplanation {
@@ -69,6 +75,7 @@ struct PositionExplanation {
 
 /// At a position in the scene's unit.
 PositionExplanation explain_at(const Solver& solver, const Formula& formula, const exact::RealPoint& p);
+PositionExplanation explain_at(const SpaceSolver& solver, const Formula& formula, const space::RealVector& p);
 
 /// The atom as its writer would put it at another level. One that is not a short decimal is rounded to a thousandth of
 /// `step`, to the side on which there is more room, and moved by one such part where the level itself is not `reached`.

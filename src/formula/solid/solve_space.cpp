@@ -266,6 +266,10 @@ std::optional<Answer> SpaceSolver::value(const Distance& wanted, const RealVecto
 }
 
 Tried<BoxComplex> SpaceSolver::try_feasible(const Formula& formula) const {
+  return try_region(formula, [&](std::span<const Mark> marks) { return evaluate(formula, marks); });
+}
+
+Tried<BoxComplex> SpaceSolver::try_region(const Formula& formula, const Rule& rule) const {
   std::vector<BoxComplex> maps;
   for (const SignMap& m : formula.sign_maps()) {
     Tried<BoxComplex> map = sign_map(*space_, m);
@@ -275,7 +279,7 @@ Tried<BoxComplex> SpaceSolver::try_feasible(const Formula& formula) const {
   std::vector<const BoxComplex*> operands;
   for (const BoxComplex& m : maps) operands.push_back(&m);
   const Tried<BoxComplex> cells =
-      overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); }).checked();
+      overlay(operands, [&](std::span<const Mark> marks) { return Mark(rule(marks)); }).checked();
   if (!cells) return cells;
   observe_boxes("cells", "cells of the region, or of its complement where that is bounded", *cells);
   return cells->simplified();

@@ -9,9 +9,11 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +82,9 @@ class SpaceSolver {
   /// In grid steps.
   space::BoxComplex feasible(const Formula& formula) const;
   exact::Tried<space::BoxComplex> try_feasible(const Formula& formula) const;
+  /// {p : rule(signs of the formula's sign maps at p)}.
+  using Rule = std::function<bool(std::span<const space::Mark>)>;
+  exact::Tried<space::BoxComplex> try_region(const Formula& formula, const Rule& rule) const;
   /// The same where the formula has one distance only, whose sublevel set is a convex polytope; nothing where that is
   /// not so.
   struct ConvexMap {

@@ -10,13 +10,18 @@
 namespace findspace {
 namespace {
 
-Position position(const exact::RealPoint& p) { return {p.x.to_double(), p.y.to_double()}; }
+std::vector<double> position(const distance::Coordinates& p) {
+  std::vector<double> out;
+  for (const exact::Real& c : p) out.push_back(c.to_double());
+  return out;
+}
 
 LevelChange public_change(const io::ExplanationReport& report, const formula::LevelChange& change) {
   using Kind = LevelChange::Kind;
-  static_assert(int(formula::LevelChange::Kind::kFree) == int(Kind::kFree));
+  static_assert(int(formula::LevelChange::Kind::kUnknown) == int(Kind::kUnknown));
   const io::SaidChange said = io::said(report, change);
-  LevelChange out{Kind(int(change.kind)), said.text, said.becomes, 0, 0, false, 0, 0, change.reached, {}};
+  LevelChange out{Kind(int(change.kind)), said.text, said.becomes,  0, 0, false, 0, 0,
+                  change.reached,         {},        change.refused};
   if (out.kind != Kind::kTo) return out;
   const distance::OutwardEnds ends = distance::outward(said.level.answer->bounds());
   out.to = said.level.value()->to_double();
@@ -58,19 +63,32 @@ Explanation public_explanation(const io::ExplanationReport& report) {
   return out;
 }
 
+template <class Solver, class Place>
+Explanation explained(const World::Data& world, const Solver& solver, const Formula& formula,
+                      const std::optional<Place>& at) {
+  const formula::Formula asked = world.formula(formula.text());
+  return api::limited(world.options, [&] {
+    const formula::Explanation found = formula::explain(solver, asked);
+    std::optional<formula::PositionExplanation> here;
+    if (at) here = formula::explain_at(solver, asked, *at);
+    return public_explanation({asked, found, here ? &*here : nullptr,
+                               at ? distance::coordinates(*at) : distance::Coordinates(), solver.world().step,
+                               world.unit()});
+  });
+}
+
 }  // namespace
 
 Explanation World::explain(const Formula& formula, const std::optional<Point>& at) const {
-  const formula::Solver& solver = data_->plane("an explanation");
-  const formula::Formula asked = data_->formula(formula.text());
-  exact::RealPoint p;
-  if (at) p = {api::real_of(at->x), api::real_of(at->y)};
-  return api::limited(data_->options, [&] {
-    const formula::Explanation found = formula::explain(solver, asked);
-    std::optional<formula::PositionExplanation> here;
-    if (at) here = formula::explain_at(solver, asked, p);
-    return public_explanation({asked, found, here ? &*here : nullptr, p, solver.world().step, data_->unit()});
-  });
+  if (!at && data_->solid) return explained(*data_, *data_->solid, formula, std::optional<space::RealVector>());
+  std::optional<exact::RealPoint> p;
+  if (at) p = exact::RealPoint{api::real_of(at->x), api::real_of(at->y)};
+  return explained(*data_, data_->plane("an explanation at a position of two numbers"), formula, p);
+}
+
+Explanation World::explain(const Formula& formula, const Point3& at) const {
+  const space::RealVector p{api::real_of(at.x), api::real_of(at.y), api::real_of(at.z)};
+  return explained(*data_, data_->space("an explanation at a position of three numbers"), formula, std::optional(p));
 }
 
 }  // namespace findspace

@@ -77,6 +77,12 @@ World public_world(const Scene& scene, formula::World built) {
   return World(std::move(data));
 }
 
+World public_world(const Scene& scene) {
+  auto data = std::make_shared<World::Data>(data_of(scene));
+  api::make_solver(*data);
+  return World(std::move(data));
+}
+
 }  // namespace io
 
 struct Scene::Data {
@@ -96,9 +102,7 @@ struct Scene::Data {
     std::call_once(made_, [&] {
       if (read.moving.empty())
         throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", read.file);
-      auto data = std::make_shared<World::Data>(io::data_of(read));
-      api::make_solver(*data);
-      world_.emplace(std::move(data));
+      world_.emplace(io::public_world(read));
     });
     return *world_;
   }

@@ -18,5 +18,7 @@ formula::Context context_of(const Scene& scene);
 formula::Motion motion_of(const Scene& scene);
 /// Of the plane, with the sets that were built of its shapes.
 World public_world(const Scene& scene, formula::World built);
+/// Of the plane or of space.
+World public_world(const Scene& scene);
 
 }  // namespace findspace::io

@@ -28,7 +28,8 @@ SaidChange said(const ExplanationReport& r, const LevelChange& change) {
   if (change.kind != Kind::kTo) return out;
   if (minus) out.level.negate();
   out.by = abs(change.to() - atom.level);
-  if (change.level.proven()) out.becomes = formula::written_at(demands, change, r.step);
+  if (change.level.proven() || change.level.answer->side == distance::Side::kInner)
+    out.becomes = formula::written_at(demands, change, r.step);
   return out;
 }
 
@@ -37,12 +38,14 @@ namespace {
 std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   const SaidChange s = said(r, change);
   std::string out = fmt::format(R"({{"text": {}, )", json_string(s.text));
+  if (change.kind == Kind::kUnknown)
+    return out + fmt::format(R"("to": null, "refused": {}}})", json_string(change.refused));
   if (change.kind != Kind::kTo)
     return out + fmt::format(R"("to": null, "free": {}}})", truth(change.kind == Kind::kFree));
   put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.value()->to_double()),
       how_known_members(s.level), json_number(s.by.to_double()), truth(change.reached));
   if (!s.becomes.empty()) put(out, R"(, "becomes": {})", json_string(s.becomes));
-  if (change.at) put(out, R"(, "at": {})", json_point(distance::coordinates(*change.at)));
+  if (change.at) put(out, R"(, "at": {})", json_point(*change.at));
   return out + "}";
 }
 
@@ -58,17 +61,25 @@ std::string atoms_json(const ExplanationReport& r, const std::vector<std::size_t
 std::string together_json(const formula::CommonRelaxation& t) {
   if (!t.upper) return fmt::format(R"({{"lower": {}, "upper": null}})", json_number(t.lower.to_double()));
   return fmt::format(R"({{"lower": {}, "upper": {}, "at": {}}})", json_number(t.lower.to_double()),
-                     json_number(t.upper->to_double()), json_point(distance::coordinates(*t.at)));
+                     json_number(t.upper->to_double()), json_point(*t.at));
 }
 
 std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? shown(value) : fmt::format("{} {}", shown(value), unit);
 }
 
+/// Of a level that is not exact.
+std::string bounds_text(const distance::OptimalValue& level) {
+  if (level.proven()) return "";
+  const distance::OutwardEnds ends = distance::outward(level.answer->bounds());
+  return fmt::format(" (between {} and {})", shown(ends.lower), shown(ends.upper));
+}
+
 std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
   const SaidChange s = said(r, change);
   if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone leaves a position\n", s.text);
   if (change.kind == Kind::kFree) return fmt::format("  {}: can be as tight as you like\n", s.text);
+  if (change.kind == Kind::kUnknown) return fmt::format("  {}: not decided: {}\n", s.text, change.refused);
   std::string out = fmt::format("  {}: ", s.text);
   if (s.by.sign() == 0 && slack)
     out += "no slack";
@@ -79,10 +90,9 @@ std::string change_text(const ExplanationReport& r, const LevelChange& change, b
                        (change.reached ? ""
                         : slack        ? "just before "
                                        : "just beyond ") +
-                           shown(s.level.value()->to_double()));
-  if (change.at)
-    out +=
-        fmt::format("; {} {}", slack ? "the last position is" : "then", shown_point(distance::coordinates(*change.at)));
+                           shown(s.level.value()->to_double())) +
+           bounds_text(s.level);
+  if (change.at) out += fmt::format("; {} {}", slack ? "the last position is" : "then", shown_point(*change.at));
   return out + "\n";
 }
 
@@ -98,13 +108,13 @@ std::string empty_text(const ExplanationReport& r) {
   const auto& t = r.explanation.together;
   if (t && t->upper)
     out += fmt::format("all levels together: between {} and {}; then {}\n", shown(t->lower.to_double()),
-                       with_unit(t->upper->to_double(), r.unit), shown_point(distance::coordinates(*t->at)));
+                       with_unit(t->upper->to_double(), r.unit), shown_point(*t->at));
   return out;
 }
 
 std::string here_text(const ExplanationReport& r) {
   const formula::PositionExplanation& here = *r.here;
-  const std::string at = shown_point(distance::coordinates(r.at));
+  const std::string at = shown_point(r.at);
   if (here.check.holds) return fmt::format("{} is feasible\n", at);
   std::string out = fmt::format("{} is not feasible; in the way:\n", at);
   for (const std::size_t k : here.change) {
@@ -127,7 +137,7 @@ std::string explanation_json(const ExplanationReport& r) {
   if (e.together) put(out, ",\n  \"relax_all\": {}", together_json(*e.together));
   if (e.feasible) put(out, ",\n  \"slack\": {}", changes_json(r, e.slack));
   if (r.here != nullptr) {
-    std::string check = check_json(r.here->check, distance::coordinates(r.at), "", std::nullopt, r.here->nearest);
+    std::string check = check_json(r.here->check, r.at, "", std::nullopt, r.here->nearest);
     check.pop_back();
     put(out, ",\n  \"change\": {},\n  \"check\": {}", atoms_json(r, r.here->change), check);
   }

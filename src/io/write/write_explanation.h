@@ -18,8 +18,8 @@ struct ExplanationReport {
   const formula::Formula& formula;
   const formula::Explanation& explanation;
   const formula::PositionExplanation* here;
-  exact::RealPoint at;  // of `here`, in the scene's unit
-  exact::Real step;     // one grid step in the scene's unit
+  distance::Coordinates at;  // of `here`, in the scene's unit
+  exact::Real step;          // one grid step in the scene's unit
   std::string unit;
 };
 

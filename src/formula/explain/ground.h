@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The positions of which an explanation speaks, as far as it asks about them: in the plane by exact regions
+// (planar_ground.cpp), in space by boxes or by a search (space_ground.cpp). A ground may learn from what it is asked.
+// Threads: one question at a time. Internal to explain.h. Keywords: oracle, feasibility.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "exact/number/tried.h"
+#include "formula/explain/explain.h"
+
+namespace findspace::formula {
+
+/// A demand that counts as met everywhere, or nowhere.
+struct AssumedDemand {
+  std::size_t atom = 0;
+  bool met = true;
+};
+
+class Ground {
+ public:
+  virtual ~Ground() = default;
+  /// Whether the formula holds somewhere. Refused where that is not decided.
+  virtual exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) = 0;
+  /// Precondition: the formula holds nowhere.
+  virtual Conflict conflict() = 0;
+  /// The best value of the distance of demand k over the positions that the formula has without this demand, of those
+  /// where the distance minus the level has `sign`; 0 for all.
+  virtual LevelChange best(std::size_t k, int sign, distance::Sense sense) = 0;
+  /// As common_relaxation.h.
+  virtual CommonRelaxation together(const std::optional<exact::Real>& enough) = 0;
+};
+
+/// The level of demand k goes to the best value of its distance, where there is one.
+LevelChange changed(const Demands& demands, std::size_t k, const distance::OptimalValue& best, bool attained);
+
+/// Both keep references to the arguments.
+std::unique_ptr<Ground> planar_ground(const Solver& solver, const Demands& demands);
+/// Boxes where all sign maps are made of them. Throws Error(kUnsupported) for distances that are not those of all
+/// directions, and for `-> min`.
+std::unique_ptr<Ground> space_ground(const SpaceSolver& solver, const Demands& demands);
+
+}  // namespace findspace::formula
