@@ -15,6 +15,30 @@ planning::Unread<formula::Formula> unread(const Session& session, const io::Form
   return {[&](const formula::Context& context) { return session.formula(text, context); }, place_of(text)};
 }
 
+planning::Wanted wanted_of(const Session& session, const io::Placement::Near& near, const planning::Demands& demands) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kBadValue, fmt::format("near: {}", what), session.scene().file);
+  };
+  const std::string called = near.copy > 0 ? fmt::format("{} {}", near.name, near.copy) : near.name;
+  planning::Wanted out;
+  while (out.body < demands.bodies.size() &&
+         !(demands.bodies[out.body].name == near.name && demands.bodies[out.body].copy == near.copy))
+    ++out.body;
+  if (out.body == demands.bodies.size()) refuse(fmt::format("'{}' is not placed", called));
+  if (near.at.size() != std::size_t(session.scene().dimension))
+    refuse(fmt::format("a position of this scene has {} numbers", session.scene().dimension));
+  for (const exact::Real& c : near.at) {
+    session.scene().grid.steps(c);  // refuses what is out of reach
+    out.at.push_back(c / session.step());
+  }
+  if (!near.degrees) return out;
+  const auto& angles = demands.bodies[out.body].angles;
+  for (std::size_t a = 0; a < angles.size(); ++a)
+    if (!angles[a].rotation && angles[a].degrees == *near.degrees) out.angle = a;
+  if (!out.angle) refuse(fmt::format("'{}' is not placed at {} degrees", called, near.degrees->text()));
+  return out;
+}
+
 }  // namespace
 
 planning::AskedDemands placement_demands(const Session& session) {
@@ -33,7 +57,11 @@ planning::AskedDemands placement_demands(const Session& session) {
   for (const io::FormulaText& text : scene.place.minimize)
     asked.minimize.push_back(
         {[&](const formula::Context& context) { return session.goal(text, context); }, place_of(text)});
-  return planning::demands_of(asked, session.context());
+  planning::AskedDemands out = planning::demands_of(asked, session.context());
+  std::vector<planning::Wanted> wanted;
+  for (const io::Placement::Near& near : scene.place.near) wanted.push_back(wanted_of(session, near, out.demands));
+  planning::put_first(out.demands, wanted);
+  return out;
 }
 
 }  // namespace findspace::app

@@ -120,13 +120,15 @@ std::string Loaded::summary_json(bool drawing) const {
                      motion_json(), io::truth(scene_.place.given()), shapes, words());
 }
 
-std::string Loaded::place_json(double seconds) const {
+std::string Loaded::place_json(double seconds, std::vector<io::Placement::Near> near) const {
   if (!scene_.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.file);
   Options options;
   options.json = true;
   options.place = true;
-  return with_session(options,
-                      [&](const Session& session) { return place_scene(session, planning::Limit(seconds)).text; });
+  io::Scene scene = scene_;
+  scene.place.near = std::move(near);
+  Reporter reporter(true);
+  return place_scene(Session(options, reporter, std::move(scene)), planning::Limit(seconds)).text;
 }
 
 std::string Loaded::nearest_json(const Spot& spot) const {

@@ -27,6 +27,8 @@ constexpr std::string_view
     kNumber = R"({"type": ["number", "string"]})", kLength = R"({"type": "number", "minimum": 0})",
     kCount = R"({"type": "integer", "minimum": 1, "maximum": 1024})", kWhole = R"({"type": "integer", "minimum": 0})",
     kOperation = R"({"enum": ["interior", "closure", "boundary", "regularize", "complement"]})",
+    kNear =
+        R"({"type": "array", "items": {"type": "object", "properties": {"shape": {"type": "string"}, "copy": {"type": "integer"}, "at": {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 3}, "angle": {"type": ["number", "string"]}}, "required": ["shape", "at"], "additionalProperties": false}})",
     kName = R"({"type": "string", "default": "scene"})";
 constexpr Parameter kOfScene{"scene", kName, "the name under which the scene was loaded"};
 constexpr Parameter kAt{"at", kPosition,
@@ -74,7 +76,8 @@ constexpr Parameter kBetweenParameters[] = {kOfScene,
                                             kAtLeftOut,
                                             kAngle};
 constexpr Parameter kPlaceParameters[] = {kOfScene,
-                                          {"seconds", kLength, "give what there is after so long (0: never)"}};
+                                          {"seconds", kLength, "give what there is after so long (0: never)"},
+                                          {"near", kNear, "these come first, each as near to its place as it goes"}};
 constexpr Parameter kUnloadParameters[] = {kOfScene};
 constexpr Parameter kPackParameters[] = {
     kOfScene,
@@ -261,8 +264,24 @@ std::string instants(SceneStore& store, const JsonValue& parameters) {
   return loaded.instants_json(needed_spot(parameters, loaded));
 }
 
+io::Placement::Near near_of(const JsonValue& item) {
+  if (!item.is(JsonKind::kObject)) refuse("\"near\" is a list of objects");
+  io::Placement::Near out;
+  const auto shape = text(item, "shape");
+  if (!shape) refuse("\"shape\" is missing in \"near\"");
+  out.name = *shape;
+  out.copy = static_cast<int>(whole(item, "copy", 0));
+  out.at = numbers(item, "at", 0);
+  if (out.at.empty()) refuse("\"at\" is missing in \"near\"");
+  out.degrees = number(item, "angle");
+  return out;
+}
+
 std::string place(SceneStore& store, const JsonValue& parameters) {
-  return store.scene(name_of(parameters)).place_json(double_of(parameters, "seconds", 0));
+  std::vector<io::Placement::Near> near;
+  if (const JsonValue* given = find(parameters, "near", JsonKind::kArray, "a list"))
+    for (const JsonValue& item : given->items) near.push_back(near_of(item));
+  return store.scene(name_of(parameters)).place_json(double_of(parameters, "seconds", 0), std::move(near));
 }
 
 std::string pack(SceneStore& store, const JsonValue& parameters) {

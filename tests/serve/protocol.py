@@ -130,7 +130,9 @@ class Answers(unittest.TestCase):
         self.assertEqual((drawing["points"], len(drawing["curves"]), len(drawing["sheets"]) > 0), ([[12, 0, 0]], 1, True))
         self.assertTrue(all(len(face) == 4 for face in drawing["faces"]))
         self.assertEqual(ask("check", scene=rooms, at=[1, 2])["code"], -32000)
-        self.assertEqual(ask("explain", scene=rooms)["data"]["kind"], "unsupported")
+        self.assertEqual(ask("explain", scene=rooms), verb("explain", rooms))
+        self.assertEqual(ask("explain", scene=rooms, at=[4, 1, 0]), verb("explain", rooms, "--at", "4,1,0"))
+        self.assertEqual(ask("instants", scene=rooms, at=[1, 2, 3])["data"]["kind"], "unsupported")
         ball = {"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [4, 4, 4]}}, "B": {"ball": {"center": [0, 0, 0], "radius": 1}}},
                 "moving": "B", "where": "clear(B, A) and reach(B, A) <= 12"}
         with tempfile.TemporaryDirectory() as folder:
@@ -140,6 +142,26 @@ class Answers(unittest.TestCase):
             lines = ask("map", scene=path, drawing=True, resolution=16)
             self.assertFalse(lines["empty"])
             self.assertTrue(len(lines["drawing"]["faces"]) > 100)
+
+    def test_a_placement_near_what_stands(self):
+        scene = os.path.join(ROOT, "examples", "components.json")
+        free = ask("place", scene=scene)["positions"]
+        stands = {p["shape"]: p for p in free}
+        near = [{"shape": p["shape"], "at": p["at"], **({"angle": p["angle"]} if "angle" in p else {})} for p in free]
+        self.assertEqual(ask("place", scene=scene, near=near)["positions"], free)
+        # Moved into the memory's place: the processor has it, the memory goes aside, and all conditions hold.
+        moved = [{"shape": "processor", "at": stands["memory"]["at"]}] + [n for n in near if n["shape"] != "processor"]
+        answer = ask("place", scene=scene, near=moved)
+        self.assertEqual([p["shape"] for p in answer["positions"]], ["processor", "memory", "regulator", "connector"])
+        at = {p["shape"]: p["at"] for p in answer["positions"]}
+        self.assertLess(math.dist(at["processor"], stands["memory"]["at"]), 4)
+        self.assertNotEqual(at["memory"], stands["memory"]["at"])
+        self.assertTrue(max(abs(a - b) for a, b in zip(at["memory"], at["processor"])) >= 10.8)
+        for wrong in ([{"shape": "board", "at": [1, 2]}], [{"shape": "memory", "at": [1, 2, 3]}], [{"shape": "memory", "at": [1, 2], "angle": 45}]):
+            self.assertEqual(ask("place", scene=scene, near=wrong)["code"], -32000)
+        crates = os.path.join(ROOT, "examples", "crates.json")
+        found = ask("place", scene=crates, near=[{"shape": "piano", "at": [0, 0, 20]}])["positions"]
+        self.assertEqual(found[0], {"shape": "piano", "at": [0, 0, 20]})
 
     def test_copies_and_texts(self):
         answers, status = serve([

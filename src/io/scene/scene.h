@@ -73,6 +73,13 @@ struct Placement {
   FormulaText each, pairs;
   std::vector<FormulaText> constraints, minimize;
   Method method = Method::kSequential;
+  struct Near {
+    std::string name;
+    int copy = 0;
+    std::vector<exact::Real> at;         // in the scene's unit
+    std::optional<exact::Real> degrees;  // nothing: any angle that is allowed
+  };
+  std::vector<Near> near{};  // these come first, each as near to its place as it goes; no file says so
   bool given() const { return !bodies.empty(); }
 };
 

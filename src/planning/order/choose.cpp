@@ -240,6 +240,15 @@ RealPoint near_grid(const Region& positions, const RealPoint& p) {
   return p;
 }
 
+/// As near to a place in grid steps as it goes.
+Goal nearest_to(const std::vector<Real>& place, const Relations& relations) {
+  Goal goal;
+  goal.objective.emplace();
+  goal.objective->kind = Objective::Kind::kDistanceToPoint;
+  for (const Real& c : place) goal.objective->point.push_back(c * relations.problem().world.step);
+  return goal;
+}
+
 Pose first_of_all(const std::vector<AtAngle>& positions) {
   std::optional<Pose> best, other;
   for (const AtAngle& p : positions) {
@@ -267,6 +276,14 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   const Goals goals(relations, body, poses);
   drop_empty();
   bool on_grid = false;
+  const Body& placed = relations.problem().bodies[body];
+  if (placed.near) {
+    std::vector<Best> found;
+    for (const AtAngle& p : positions) found.push_back(*goals.least(nearest_to(*placed.near, relations), p));
+    keep_least(positions, std::move(found), out);  // of a closure it goes to a position beside the nearest one
+    out.values.clear();
+    on_grid = true;
+  }
   for (const Goal& goal : relations.problem().goals) {
     if (positions.empty()) return out;
     if (goal.grid) {

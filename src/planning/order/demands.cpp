@@ -183,6 +183,30 @@ class DemandMaker {
 
 }  // namespace
 
+void put_first(Demands& demands, const std::vector<Wanted>& wanted) {
+  std::vector<std::size_t> order;
+  for (const Wanted& w : wanted) order.push_back(w.body);
+  for (std::size_t b = 0; b < demands.bodies.size(); ++b)
+    if (std::find(order.begin(), order.end(), b) == order.end()) order.push_back(b);
+  std::vector<Body> bodies;
+  std::vector<std::size_t> becomes(order.size());
+  for (const std::size_t b : order) {
+    becomes[b] = bodies.size();
+    bodies.push_back(std::move(demands.bodies[b]));
+  }
+  demands.bodies = std::move(bodies);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    Body& body = demands.bodies[k];
+    body.near = wanted[k].at;
+    if (!wanted[k].angle) continue;
+    body.angles = {body.angles[*wanted[k].angle]};
+    body.variants = {body.variants[*wanted[k].angle]};
+  }
+  for (auto& [name, role] : demands.names) role.body = becomes[role.body];
+  for (Condition& c : demands.conditions)
+    for (auto& [name, role] : c.roles) role.body = becomes[role.body];
+}
+
 AskedDemands demands_of(const Asked& asked, const formula::Context& all) { return DemandMaker(asked, all).run(); }
 
 }  // namespace findspace::planning

@@ -43,6 +43,15 @@ struct RotatedShape {
   Orientation turn;
 };
 
+/// Where a body is wanted.
+struct Wanted {
+  std::size_t body = 0;
+  std::vector<exact::Real> at;       // in grid steps
+  std::optional<std::size_t> angle;  // of Body::angles; nothing: any
+};
+/// Those bodies come first, in this order, each near its place.
+void put_first(Demands& demands, const std::vector<Wanted>& wanted);
+
 struct AskedDemands {
   Demands demands;
   std::vector<RotatedShape> rotated;

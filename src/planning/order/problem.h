@@ -31,6 +31,8 @@ struct Body {
   std::vector<Orientation> angles;  // about the pole, at least one
   /// variants[a][k]: the name in the world of shapes[k] rotated by angles[a].
   std::vector<std::vector<std::string>> variants;
+  /// In grid steps: it goes to the nearest position there is, before all goals, and on the grid.
+  std::optional<std::vector<exact::Real>> near{};
 };
 
 /// A name in a formula: a whole body, or one shape of it.

@@ -61,7 +61,7 @@ std::optional<std::vector<RealVector>> SpaceGoals::forms() const {
   return out;
 }
 
-SpaceGoals space_goals(const SpaceProblem& problem) {
+SpaceGoals space_goals(const SpaceProblem& problem, std::size_t body) {
   SpaceGoals out;
   for (const Goal& goal : problem.goals) {
     if (goal.grid) {
@@ -73,6 +73,10 @@ SpaceGoals space_goals(const SpaceProblem& problem) {
     } else {
       out.all.push_back(goal_of(*goal.objective, goal.negated, problem.step));
     }
+  }
+  if (const auto& near = problem.bodies[body].near) {
+    out.grid = true;
+    out.all.insert(out.all.begin(), {{}, RealVector{(*near)[0], (*near)[1], (*near)[2]}});
   }
   return out;
 }

@@ -33,7 +33,7 @@ std::array<space::RealVector, 3> tie_forms();
 
 /// Throws Error(kUnsupported) for objectives that are distances of shapes, for greatest distances to a point, and for
 /// conditions on more than one coordinate or after an objective.
-SpaceGoals space_goals(const SpaceProblem& problem);
+SpaceGoals space_goals(const SpaceProblem& problem, std::size_t body);
 
 /// The best position of a body in one of its sets of positions.
 struct SpaceBest {

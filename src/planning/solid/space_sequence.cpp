@@ -164,10 +164,9 @@ space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const 
 }
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {
-  const SpaceGoals goals = space_goals(problem);
   SpacePlacement out;
   out.place_each(problem.bodies.size(), limit, [&](std::size_t body) {
-    SpaceStep step = place(problem, goals, out.poses, body);
+    SpaceStep step = place(problem, space_goals(problem, body), out.poses, body);
     out.poses[body] = step.pose;
     return step;
   });

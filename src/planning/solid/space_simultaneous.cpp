@@ -140,11 +140,11 @@ IntervalBox point_box(const RealVector& p) {
 /// Body after body at its best place, the sets of the others made anew each time.
 void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, const std::vector<Boxes>& found,
                   const Limit& limit, SpaceSimultaneous& out) {
-  const SpaceGoals goals = space_goals(problem);
   std::vector<Boxes> left = found;
   SpacePoses poses(found.size());
   for (std::size_t b = 0; b < found.size(); ++b) {
-    const SpaceBest best = best_on_boxes(BoxComplex::of_boxes(left[b]).checked().or_throw(), goals, problem.step);
+    const SpaceBest best =
+        best_on_boxes(BoxComplex::of_boxes(left[b]).checked().or_throw(), space_goals(problem, b), problem.step);
     if (!best.at) return;
     poses[b] = SpacePose{0, *best.at};
     choices[b].boxes = {point_box(*best.at)};
