@@ -51,7 +51,7 @@ std::string pixels(double value) {
 }
 
 std::string PathWriter::number(double value) const {
-  return digits_ == Digits::kPixels ? pixels(value) : fmt::format("{}", value == 0 ? 0.0 : value);
+  return digits_ == Digits::kPixels ? pixels(value) : fmt::format("{:.13g}", value == 0 ? 0.0 : value);
 }
 
 void PathWriter::put(char command, const Place& p) {
@@ -91,6 +91,30 @@ void PathWriter::add_curve(const Curve& curve) {
     if (k == 1) put('M', stops[k]);
   }
   arc_to(net_.at(curve.to), curve.radius, true);
+}
+
+void PathWriter::add_curves(std::span<const Curve* const> curves) {
+  std::vector<std::vector<std::size_t>> at(net_.vertices().size());
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (curves[k]->from == curves[k]->to) continue;
+    for (const plane::Index v : {curves[k]->from, curves[k]->to}) at[net_.number(v)].push_back(k);
+  }
+  std::vector<bool> drawn(curves.size());
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (drawn[k]) continue;
+    drawn[k] = true;
+    add_curve(*curves[k]);
+    if (curves[k]->from == curves[k]->to) continue;
+    for (plane::Index v = curves[k]->to;;) {
+      std::vector<std::size_t>& next = at[net_.number(v)];
+      while (!next.empty() && drawn[next.back()]) next.pop_back();
+      if (next.empty()) break;
+      const Curve& curve = *curves[next.back()];
+      drawn[next.back()] = true;
+      travel(curve, curve.from == v);
+      v = curve.from == v ? curve.to : curve.from;
+    }
+  }
 }
 
 void PathWriter::add_frame() {

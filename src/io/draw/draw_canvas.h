@@ -6,6 +6,7 @@
 // elliptical arc command, viewport.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -43,7 +44,7 @@ struct Frame {
 /// Path data of a net's curves, moved by `offset`, in a frame's pixels.
 class PathWriter {
  public:
-  /// To a thousandth of a pixel, or as precise as a double is.
+  /// To a thousandth of a pixel, or to thirteen digits, which is what a double has without the noise of computing.
   enum class Digits { kPixels, kAll };
 
   PathWriter(const CurveNet& net, const Frame& frame, const plane::Place& offset = {}, Digits digits = Digits::kPixels)
@@ -55,6 +56,8 @@ class PathWriter {
   void add_faces();
   /// Open: a whole circle is two arcs, so that no reader takes it for a disc.
   void add_curve(const Curve& curve);
+  /// Those that meet at their ends as lines that go on, each from a curve that none has.
+  void add_curves(std::span<const Curve* const> curves);
   const std::string& data() const { return data_; }
 
  private:

@@ -105,12 +105,15 @@ RegionDrawing region_drawing(const CurveNet& net, const Frame& frame) {
   faces.add_faces();
   out.faces = faces.data();
   const std::array<std::string*, 3> texts{&out.closed, &out.open, &out.free};
+  std::array<std::vector<const Curve*>, 3> curves;
   for (const Curve& k : net.curves()) {
     const EdgeKind kind = kind_of_edge(s, k.half_edges.front() / 2);
-    if (kind == kHidden) continue;
-    PathWriter curve(net, frame, {}, PathWriter::Digits::kAll);
-    curve.add_curve(k);
-    *texts[kind] += curve.data();
+    if (kind != kHidden) curves[kind].push_back(&k);
+  }
+  for (std::size_t kind = 0; kind < curves.size(); ++kind) {
+    PathWriter lines(net, frame, {}, PathWriter::Digits::kAll);
+    lines.add_curves(curves[kind]);
+    *texts[kind] = lines.data();
   }
   const std::array<std::vector<Place>*, 4> places{nullptr, &out.points, &out.full, &out.hollow};
   for (Index v : net.vertices()) {

@@ -33,7 +33,7 @@ std::string filled(const std::vector<plane::Region>& shapes, const exact::Real& 
 
 /// The same parts for other renderers: path data, and places in the frame.
 struct RegionDrawing {
-  std::string faces, closed, open, free;           // path data, with all digits
+  std::string faces, closed, open, free;           // path data, to thirteen digits
   std::vector<plane::Place> points, full, hollow;  // isolated points; ends that belong; ends that do not
 };
 RegionDrawing region_drawing(const CurveNet& net, const Frame& frame);
