@@ -12,6 +12,7 @@
 #include "plane/contour/contour.h"
 #include "plane/offset/level.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace bench {
 namespace {

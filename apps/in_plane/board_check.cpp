@@ -17,8 +17,8 @@
 #include "io/write/write_position.h"
 #include "plane/base/parallel.h"
 #include "plane/complex/extent.h"
-#include "plane/complex/overlay.h"
 #include "plane/query/measure_cells_twofold.h"
+#include "plane/walk/unite.h"
 #include "report/position_report.h"
 #include "report/scenery.h"
 

@@ -9,8 +9,8 @@
 #include "io/draw/draw_layout.h"
 #include "io/write/write_panels.h"
 #include "io/write/write_poses.h"
-#include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 #include "report/scenery.h"
 
 namespace findspace::app {

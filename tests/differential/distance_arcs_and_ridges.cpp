@@ -17,8 +17,8 @@
 
 #include "distance/planar/at_position.h"
 #include "plane/build/path_region.h"
-#include "plane/complex/overlay.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {

@@ -15,6 +15,7 @@
 #include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {

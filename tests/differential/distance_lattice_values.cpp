@@ -13,7 +13,7 @@
 #include <set>
 
 #include "distance/planar/at_position.h"
-#include "plane/complex/overlay.h"
+#include "plane/walk/unite.h"
 #include "unit/distance_shapes.h"
 
 namespace findspace::distance {

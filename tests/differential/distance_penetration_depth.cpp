@@ -17,6 +17,7 @@
 #include "plane/complex/primitives.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 namespace distance_penetration_depth {

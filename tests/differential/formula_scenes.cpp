@@ -13,9 +13,9 @@
 
 #include "formula/language/parse.h"
 #include "formula/planar/solve.h"
-#include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/locate.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::formula {
 namespace formula_scenes {

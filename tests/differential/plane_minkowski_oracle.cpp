@@ -11,11 +11,11 @@
 #include <array>
 #include <random>
 
-#include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/offset/level.h"
 #include "plane/query/locate.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace plane_minkowski_oracle {

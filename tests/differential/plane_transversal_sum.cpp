@@ -17,12 +17,12 @@
 #include "findspace/error.h"
 #include "plane/contour/contour.h"
 #include "plane/grid/grid_faces.h"
-#include "plane/grid/meeting_curves.h"
 #include "plane/grid/prune_inside.h"
 #include "plane/grid/transversal_sum.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 #include "plane/sum/pair_sums.h"
+#include "plane/walk/meeting_curves.h"
 
 namespace findspace::plane {
 namespace plane_transversal_sum {

@@ -17,6 +17,7 @@
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/sum/convolution.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 

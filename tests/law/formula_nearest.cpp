@@ -11,10 +11,10 @@
 #include "../unit/distance_shapes.h"
 #include "formula/language/parse.h"
 #include "formula/planar/solve.h"
-#include "plane/complex/overlay.h"
 #include "plane/query/nearest.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 using namespace findspace::formula;
 using findspace::exact::Real;

@@ -15,6 +15,7 @@
 #include "plane/query/locate.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::plane {

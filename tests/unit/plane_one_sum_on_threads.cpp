@@ -14,6 +14,7 @@
 #include "plane/contour/contour.h"
 #include "plane/offset/level.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace plane_one_sum_on_threads {

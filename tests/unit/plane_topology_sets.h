@@ -11,6 +11,7 @@
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/winding.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 

@@ -11,6 +11,7 @@
 #include "plane/complex/primitives.h"
 #include "plane/query/locate.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 #include "planning/order/convex_cells.h"
 #include "planning/order/linear_program.h"
 #include "planning/planar/pair_system.h"

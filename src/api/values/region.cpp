@@ -16,6 +16,7 @@
 #include "plane/query/in_order.h"
 #include "plane/query/nearest.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace {
 

@@ -24,6 +24,7 @@
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::formula {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "distance/planar/shape_pair.h"
 #include "findspace/error.h"
-#include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::formula {
 

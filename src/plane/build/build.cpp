@@ -22,6 +22,7 @@
 #include "plane/offset/plain_sum.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace {

@@ -262,7 +262,7 @@ CellComplex overlay(std::span<const CellComplex* const> operands,
   return extract(std::move(a), Labels(a, in, operands).evaluate(rule));
 }
 
-Region unite(std::span<const Region* const> regions) {
+Region unite_arranged(std::span<const Region* const> regions) {
   std::vector<std::int32_t> ones(regions.size(), 1);
   return combine(regions, ones, [](std::int32_t sum) { return Mark(sum > 0); });
 }

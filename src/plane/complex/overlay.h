@@ -19,8 +19,9 @@ namespace findspace::plane {
 CellComplex overlay(std::span<const CellComplex* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule);
 
-/// Boolean combinations of regions (marks 0/1), of any number at once. Cost: one arrangement.
-Region unite(std::span<const Region* const> regions);
+/// Boolean combinations of regions (marks 0/1), of any number at once. Cost: one arrangement. Unions mostly need none
+/// (walk/unite.h).
+Region unite_arranged(std::span<const Region* const> regions);
 Region intersect(std::span<const Region* const> regions);
 /// first \ (all others)
 Region subtract(std::span<const Region* const> regions);

@@ -52,7 +52,7 @@ class UsedGeometry {
 };
 
 /// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
-bool is_first(const SignMap& map, Index vertex, Index h, Index k) {
+bool is_first(const CellComplex& map, Index vertex, Index h, Index k) {
   if ((h & 1u) != (k & 1u)) return !(h & 1u);
   const Edge &e = map.edges[h / 2], &f = map.edges[k / 2];
   if (e.half == 0 && f.half == 0)
@@ -120,16 +120,17 @@ CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edg
   return c;
 }
 
-SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
-                 bool unbounded) {
+CellComplex ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                     RingMarks marks, bool unbounded) {
   Arena arena(geometry.supporting_curves.size() / 4);
-  SignMap map;
+  CellComplex map;
   const UsedGeometry used(geometry, edges, arena.memory());
   map.geometry = std::move(geometry);
   map.edges.reserve(edges.size());
   for (const RingEdge& e : edges)
-    map.edges.push_back({.supporting_curve = used.supporting_curve(e.supporting_curve), .half = e.half, .mark = 0});
-  join_rings(map, edges, rings, {-1, 0, 1}, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
+    map.edges.push_back(
+        {.supporting_curve = used.supporting_curve(e.supporting_curve), .half = e.half, .mark = marks.on});
+  join_rings(map, edges, rings, marks, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
   return map;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The cell complex of rings of segments and arcs, and the sign map of the open set they bound: -1 inside, 0 on the
-// boundary, +1 outside.
+// The cell complex of rings of segments and arcs: the sign map of the open set that they bound (-1 inside, 0 on the
+// boundary, +1 outside), or a set.
 // Guarantee: exact, for rings that do not touch each other or themselves and have no straight corners. Cost: linear;
-// where the nesting is not known, besides a vertical ray a ring through a tree of boxes. Keywords: boundary cycles.
+// where the nesting is not known, besides a vertical ray a ring through trees of boxes. Keywords: boundary cycles.
 #pragma once
 
 #include <span>
@@ -42,8 +42,10 @@ struct RingMarks {
 CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                          RingMarks marks, bool unbounded = false);
 
-/// Points and supporting curves that no ring uses are left out.
-SignMap ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
-                 bool unbounded = false);
+/// The same without the points and supporting curves that no ring uses.
+CellComplex ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                     RingMarks marks, bool unbounded = false);
+
+inline constexpr RingMarks kOpenSetSigns{-1, 0, 1};
 
 }  // namespace findspace::plane

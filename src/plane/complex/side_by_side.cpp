@@ -25,25 +25,27 @@ class Sweep {
     slabs_per_step_ = height > 0 ? double(open_.size()) / height : 0;
   }
 
-  /// Calls f(i, k) for all pairs of boxes that meet, more than once for those that share several slabs.
+  /// Calls f(i, k) for all pairs of boxes that meet, until it returns false.
   template <class F>
   void pairs(F&& f) {
     std::vector<Index> order(boxes_.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(), [&](Index i, Index k) { return from(i) < from(k); });
-    for (const Index k : order)
-      for (std::size_t s = slab(wide_ ? boxes_[k].y0 : boxes_[k].x0); s <= slab(wide_ ? boxes_[k].y1 : boxes_[k].x1);
-           ++s) {
+    for (const Index k : order) {
+      const std::size_t first = first_slab(k), last = slab(wide_ ? boxes_[k].y1 : boxes_[k].x1);
+      for (std::size_t s = first; s <= last; ++s) {
         std::erase_if(open_[s], [&](Index i) { return to(i) < from(k); });
-        for (const Index i : open_[s])
-          if (boxes_[i].meets(boxes_[k])) f(i, k);
+        for (const Index i : open_[s])  // of several slabs in the first
+          if (boxes_[i].meets(boxes_[k]) && (s == first || s == first_slab(i)) && !f(i, k)) return;
         open_[s].push_back(k);
       }
+    }
   }
 
  private:
   double from(Index k) const { return wide_ ? boxes_[k].x0 : boxes_[k].y0; }
   double to(Index k) const { return wide_ ? boxes_[k].x1 : boxes_[k].y1; }
+  std::size_t first_slab(Index k) const { return slab(wide_ ? boxes_[k].y0 : boxes_[k].x0); }
   std::size_t slab(double at) const {
     return std::min(std::size_t(std::max(0.0, (at - bottom_) * slabs_per_step_)), open_.size() - 1);
   }
@@ -58,9 +60,16 @@ Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
 }  // namespace
 
+void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(Index, Index)>& visit) {
+  if (!boxes.empty()) Sweep(boxes).pairs(visit);
+}
+
 std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes) {
   UnionFind same(boxes.size());
-  if (!boxes.empty()) Sweep(boxes).pairs([&](Index i, Index k) { same.unite(i, k); });
+  meeting_boxes(boxes, [&](Index i, Index k) {
+    same.unite(i, k);
+    return true;
+  });
   std::vector<std::vector<Index>> groups;
   std::vector<Index> group_of(boxes.size(), kNone);
   for (Index k = 0; k < boxes.size(); ++k) {

@@ -6,6 +6,7 @@
 // boxes that overlap in one coordinate. Keywords: disjoint union, collection, locality.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
+
+/// Calls visit(i, k) once for each pair of boxes that meet, until it returns false.
+void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(Index, Index)>& visit);
 
 /// Sets with these boxes in groups, no box of one meeting a box of another; in the order of their first members.
 std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes);

@@ -67,7 +67,7 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
     if (o >= 0) q.advance();
   }
   Index start = 0;
-  return ring_map(std::move(geometry), edges, rings_of_one_face(std::span(&start, 1)));
+  return ring_map(std::move(geometry), edges, rings_of_one_face(std::span(&start, 1)), kOpenSetSigns);
 }
 
 }  // namespace findspace::plane

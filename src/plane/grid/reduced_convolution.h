@@ -10,26 +10,15 @@
 #include <optional>
 #include <vector>
 
-#include "plane/complex/arrangement.h"
 #include "plane/grid/boundary_box.h"
 #include "plane/grid/covered_curves.h"
 #include "plane/grid/grid_faces.h"
 #include "plane/grid/inner_mask.h"
+#include "plane/walk/directed_curves.h"
 
 namespace findspace::plane {
 
-/// What a curve says about the sectors at its ends.
-struct InnerSide {
-  bool left = false;  // its inner side is to the left of p0 -> p1
-  /// Whether the displaced curve passes between its end and the directions on its inner side: not at a corner that
-  /// turns round the other way.
-  bool hides_at_p0 = true, hides_at_p1 = true;
-};
-
-struct ReducedConvolution {
-  exact::Geometry geometry;
-  std::vector<Piece> pieces;
-  std::vector<InnerSide> sides;   // per piece
+struct ReducedConvolution : DirectedCurves {
   std::optional<InnerMask> mask;  // where it was known to pay (prune_inside.h): curves in its cells were not made
 };
 

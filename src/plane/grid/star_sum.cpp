@@ -71,7 +71,7 @@ std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   if (!ring.closes()) return std::nullopt;
   const std::pmr::vector<RingEdge> edges = ring.edges();
   const Index start = 0;
-  return ring_map(std::move(convolution.geometry), edges, rings_of_one_face(std::span(&start, 1)));
+  return ring_map(std::move(convolution.geometry), edges, rings_of_one_face(std::span(&start, 1)), kOpenSetSigns);
 }
 
 }  // namespace findspace::plane

@@ -7,72 +7,10 @@
 #include <utility>
 
 #include "plane/complex/ring_map.h"
-#include "plane/grid/meeting_curves.h"
+#include "plane/walk/outer_walks.h"
 
 namespace findspace::plane {
 namespace {
-
-/// The closed walks along outer sides, against the way of the curves.
-class OuterWalks {
- public:
-  OuterWalks(const MeetingCurves& curves, Memory memory)
-      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
-    parts_.reserve(curves.size());
-  }
-
-  /// The walk from a part of a curve, if it is closed and new.
-  std::span<const CurvePart> walk(CurvePart from) {
-    parts_.clear();
-    CurvePart at = from;
-    for (;;) {
-      char& state = state_[curves_.part(at)];
-      if (state == kDone || state == kInner) return leave(kInner);
-      if (state == kOpen) break;
-      state = kOpen;
-      parts_.push_back(at);
-      if (!advance(at)) return leave(kInner);
-    }
-    // A walk may start on a curve that runs along another one: then it comes back to a later part.
-    auto start = std::find_if(parts_.begin(), parts_.end(),
-                              [&](const CurvePart& p) { return p.curve == at.curve && p.slot == at.slot; });
-    leave(kDone);
-    return std::span(start, parts_.end());
-  }
-
-  bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
-
- private:
-  enum State : char { kNew, kOpen, kInner, kDone };
-
-  /// To the part before; false where the walk would pass an inner side.
-  bool advance(CurvePart& at) const {
-    if (Index degenerate = curves_.degenerate_before(at); degenerate != kNone) {
-      const DirectedEdge& directed_edge = curves_.degenerate_vertices().clockwise(degenerate, at.curve, at.slot);
-      if (directed_edge.starts) return false;
-      at = {directed_edge.curve, directed_edge.slot};
-      return true;
-    }
-    if (at.slot == 0) {
-      Index before = curves_.before(at.curve);
-      if (before == kNone) return false;
-      at = {before, curves_.stop_count(before)};
-      return true;
-    }
-    const Stop& stop = curves_.stop(at.curve, at.slot - 1);
-    if (!stop.from_right) return false;
-    at = {stop.other, stop.twin};
-    return true;
-  }
-
-  std::span<const CurvePart> leave(State state) {
-    for (const CurvePart& p : parts_) state_[curves_.part(p)] = state;
-    return {};
-  }
-
-  const MeetingCurves& curves_;
-  std::pmr::vector<char> state_;
-  std::pmr::vector<CurvePart> parts_;
-};
 
 class TransversalSum {
  public:
@@ -87,7 +25,7 @@ class TransversalSum {
 
   std::optional<SignMap> run() {
     if (!find_rings() || has_slot() || has_lonely_point()) return std::nullopt;
-    return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_));
+    return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_), kOpenSetSigns);
   }
 
  private:

@@ -78,7 +78,7 @@ class Offset {
     if (starts_.empty()) return unbounded ? std::optional(CellComplex::uniform(-1)) : std::nullopt;
     const bool one_face = connected && (unbounded || starts_.size() == 1);
     const auto rings = one_face ? rings_of_one_face(starts_, unbounded) : nested_rings(c_.geometry, edges_, starts_);
-    return ring_map(std::move(c_.geometry), edges_, rings, unbounded);
+    return ring_map(std::move(c_.geometry), edges_, rings, kOpenSetSigns, unbounded);
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "plane/query/topology.h"
 #include "plane/sum/curve_sums.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace {

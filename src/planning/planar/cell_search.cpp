@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 #include "planning/order/convex_cells.h"
 #include "planning/order/linear_program.h"
 

@@ -12,6 +12,7 @@
 #include "plane/query/moved.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 #include "planning/order/convex_cells.h"
 #include "planning/planar/cell_search.h"
 

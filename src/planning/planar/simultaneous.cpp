@@ -9,6 +9,7 @@
 #include "findspace/error.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 #include "planning/order/alternatives.h"
 #include "planning/order/convex_cells.h"
 #include "planning/planar/corner_search.h"

@@ -14,6 +14,7 @@
 #include "formula/planar/solve_region.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
+#include "plane/walk/unite.h"
 #include "planning/pose/pose_formula.h"
 
 namespace findspace::planning {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/grid/degenerate_vertices.h"
+#include "plane/walk/degenerate_vertices.h"
 
 #include <algorithm>
 #include <cassert>

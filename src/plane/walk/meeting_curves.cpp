@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "plane/grid/meeting_curves.h"
+#include "plane/walk/meeting_curves.h"
 
 #include "plane/complex/piece_meet.h"
 
@@ -22,7 +22,7 @@ DirectedEdge directed_edge(const MeetingCurves& curves, const exact::Geometry& g
 }
 
 /// The half-edges of all degenerate vertices.
-void add_directed_edges(const MeetingCurves& curves, const ReducedConvolution& c, DegenerateVertices& all) {
+void add_directed_edges(const MeetingCurves& curves, const DirectedCurves& c, DegenerateVertices& all) {
   const auto add = [&](Index degenerate, CurvePart part, bool starts, bool hides) {
     all.add(directed_edge(curves, c.geometry, degenerate, part, starts, hides));
   };
@@ -43,8 +43,10 @@ void add_directed_edges(const MeetingCurves& curves, const ReducedConvolution& c
 
 }  // namespace
 
-MeetingCurves::MeetingCurves(ReducedConvolution& c, Memory memory)
-    : c_(c), ends_at_(c.geometry.points.size(), kNone, memory), found_(find_stops(c, memory)), memory_(memory) {
+MeetingCurves::MeetingCurves(DirectedCurves& c, Memory memory) : MeetingCurves(c, find_stops(c, memory), memory) {}
+
+MeetingCurves::MeetingCurves(const DirectedCurves& c, CurveStops found, Memory memory)
+    : c_(c), ends_at_(c.geometry.points.size(), kNone, memory), found_(std::move(found)), memory_(memory) {
   for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = i;
   if (!found_.degenerate_vertices.empty()) add_directed_edges(*this, c_, found_.degenerate_vertices);
 }

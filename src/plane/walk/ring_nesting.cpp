@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // How rings lie in each other: from the leftmost corner of each a ray goes straight down, a little to the left of the
-// corner; what it meets first tells the face about the ring. From left to right, so that this is known.
+// corner; of those rings whose box holds the box of this one, what it meets first tells the face about the ring. From
+// left to right, so that this is known. Others that the ray meets are round neither end of it and change nothing.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "plane/complex/piece_meet.h"
 #include "plane/complex/ring_map.h"
 #include "plane/complex/sequence_boxes.h"
+#include "plane/complex/side_by_side.h"
 
 namespace findspace::plane {
 namespace {
@@ -32,22 +34,16 @@ class RingNesting {
       rings.push_back({starts_[r], 0, 0, leaves_below(leftmost_.back(), r)});
       (rings[r].outer ? rings[r].inside : rings[r].outside) = faces++;
     }
-    if (starts_.size() == 1) return rings;
+    const bool no_hole = std::all_of(rings.begin(), rings.end(), [](const NestedRing& r) { return r.outer; });
+    if (no_hole || rings.size() == 1) return rings;
     make_pieces();
+    find_boxes_around();
     std::vector<Index> order(starts_.size());
     for (Index r = 0; r < order.size(); ++r) order[r] = r;
     std::sort(order.begin(), order.end(), [&](Index r, Index s) {
       return r != s && compare_xy(g_, edges_[leftmost_[r]].point, edges_[leftmost_[s]].point) < 0;
     });
-    for (Index r : order) {
-      const Index below = edge_below(edges_[leftmost_[r]].point);
-      Index around = 0;
-      if (below != kNone) {
-        const NestedRing& ring = rings[ring_of_[below]];
-        around = edges_[below].right ? ring.inside : ring.outside;
-      }
-      (rings[r].outer ? rings[r].outside : rings[r].inside) = around;
-    }
+    for (Index r : order) (rings[r].outer ? rings[r].outside : rings[r].inside) = face_around(r, rings);
     return rings;
   }
 
@@ -90,25 +86,67 @@ class RingNesting {
         largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
       }
     slack_ = box_slack(error, largest);
-    std::vector<PieceBox> boxes;
-    boxes.reserve(pieces_.size());
-    for (const Piece& p : pieces_) boxes.push_back(box_of(g_, p, slack_));
-    boxes_.emplace(std::move(boxes));
   }
 
-  /// The edge that a ray straight down from a little to the left of the point meets first; kNone: none.
-  Index edge_below(Index from) const {
+  /// All boxes are too large by the same slack.
+  void find_boxes_around() {
+    std::vector<PieceBox> boxes;
+    for (Index r = 0; r < starts_.size(); ++r) {
+      boxes.push_back(box_of(g_, pieces_[starts_[r]], slack_));
+      for (Index k = starts_[r] + 1; k < end(r); ++k)
+        boxes.back() = joined(boxes.back(), box_of(g_, pieces_[k], slack_));
+    }
+    around_.resize(starts_.size());
+    trees_.resize(starts_.size());
+    const auto holds = [&](const PieceBox& a, const PieceBox& b) {
+      return a.x0 <= b.x0 + 2 * slack_ && b.x1 <= a.x1 + 2 * slack_ && a.y0 <= b.y0 + 2 * slack_ &&
+             b.y1 <= a.y1 + 2 * slack_;
+    };
+    meeting_boxes(boxes, [&](Index r, Index s) {
+      if (holds(boxes[r], boxes[s])) around_[s].push_back(r);
+      if (holds(boxes[s], boxes[r])) around_[r].push_back(s);
+      return true;
+    });
+  }
+
+  Index face_around(Index r, const std::vector<NestedRing>& rings) {
+    const auto is_hole = [&](Index s) { return !rings[s].outer; };
+    // Between a ring and one around it is a ring of a hole.
+    if (rings[r].outer && std::none_of(around_[r].begin(), around_[r].end(), is_hole)) return 0;
+    const Index below = edge_below(r);
+    if (below == kNone) return 0;
+    const NestedRing& ring = rings[ring_of_[below]];
+    return edges_[below].right ? ring.inside : ring.outside;
+  }
+
+  /// Of the rings around this one, the edge that a ray straight down from a little to the left of its leftmost corner
+  /// meets first; kNone: none.
+  Index edge_below(Index r) {
+    const Index from = edges_[leftmost_[r]].point;
     const exact::Point& p = g_.points[from];
     Index best = kNone;
-    boxes_->any_meeting({p.x - slack_, -exact::kInfinity, p.x + slack_, p.y + slack_}, [&](Index k) {
-      const Piece& piece = pieces_[k];
-      const bool vertical = piece.half == 0 && g_.supporting_curves[piece.supporting_curve].b == 0;
-      if (!vertical && compare_x(g_, piece.p0, from) < 0 && compare_x(g_, piece.p1, from) >= 0 &&
-          height(g_, piece, from) > 0 && (best == kNone || is_higher(k, best, from)))
-        best = k;
-      return false;
-    });
+    for (const Index s : around_[r])
+      tree(s).any_meeting({p.x - slack_, -exact::kInfinity, p.x + slack_, p.y + slack_}, [&](Index i) {
+        const Index k = starts_[s] + i;
+        const Piece& piece = pieces_[k];
+        const bool vertical = piece.half == 0 && g_.supporting_curves[piece.supporting_curve].b == 0;
+        if (!vertical && compare_x(g_, piece.p0, from) < 0 && compare_x(g_, piece.p1, from) >= 0 &&
+            height(g_, piece, from) > 0 && (best == kNone || is_higher(k, best, from)))
+          best = k;
+        return false;
+      });
     return best;
+  }
+
+  /// Of the edges of a ring, made when it is asked for.
+  const SequenceBoxes& tree(Index r) {
+    if (!trees_[r]) {
+      std::vector<PieceBox> boxes;
+      boxes.reserve(SequenceBoxes::size_with_joined(end(r) - starts_[r]));
+      for (Index k = starts_[r]; k < end(r); ++k) boxes.push_back(box_of(g_, pieces_[k], slack_));
+      trees_[r].emplace(std::move(boxes));
+    }
+    return *trees_[r];
   }
 
   bool is_higher(Index k, Index l, Index at) const {
@@ -123,7 +161,8 @@ class RingNesting {
   std::vector<Piece> pieces_;    // of the edges
   std::vector<Index> ring_of_;   // edge -> ring
   double slack_ = 0;
-  std::optional<SequenceBoxes> boxes_;
+  std::vector<std::vector<Index>> around_;  // ring -> those whose box holds its box
+  std::vector<std::optional<SequenceBoxes>> trees_;
 };
 
 }  // namespace

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The curves of a reduced convolution with the places where they meet (curve_stops.h): how they run, in which parts
+// Directed curves with the places where they meet (curve_stops.h): how they run, in which parts
 // stops divide them, and the half-edges about each degenerate vertex. Guarantee: exact. Cost: that of the stops.
-// Used by transversal_sum.cpp only.
 #pragma once
 
 #include <vector>
 
 #include "plane/base/arena.h"
-#include "plane/grid/curve_stops.h"
+#include "plane/walk/curve_stops.h"
 
 namespace findspace::plane {
 
@@ -21,7 +20,9 @@ struct CurvePart {
 class MeetingCurves {
  public:
   /// Finds where they meet.
-  MeetingCurves(ReducedConvolution& c, Memory memory);
+  MeetingCurves(DirectedCurves& c, Memory memory);
+  /// Where that is known.
+  MeetingCurves(const DirectedCurves& c, CurveStops found, Memory memory);
 
   Index size() const { return Index(c_.pieces.size()); }
   /// Curves run with their inner side on the left.
@@ -50,7 +51,7 @@ class MeetingCurves {
   std::pmr::vector<CurvePart> parts_with_two_inner_sides() const;
 
  private:
-  const ReducedConvolution& c_;
+  const DirectedCurves& c_;
   std::pmr::vector<Index> ends_at_;
   CurveStops found_;
   Memory memory_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "plane/grid/curve_stops.h"
+#include "plane/walk/curve_stops.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ struct Found {
 class StopFinder {
  public:
   /// Appends crossings to `points`; the first that it appends has the number that the geometry's next point has.
-  StopFinder(const ReducedConvolution& c, std::vector<exact::Point>& points, Found& out)
+  StopFinder(const DirectedCurves& c, std::vector<exact::Point>& points, Found& out)
       : c_(c), g_(c.geometry), points_(points), before_(c.geometry.points.size() - points.size()), out_(out) {}
   /// Notes where two curves meet.
   void cross(Index i, Index j);
@@ -47,7 +47,7 @@ class StopFinder {
   /// The end of a curve lies on curve i.
   void touch(Index i, Index node);
 
-  const ReducedConvolution& c_;
+  const DirectedCurves& c_;
   const exact::Geometry& g_;
   std::vector<exact::Point>& points_;  // may be those of the geometry
   const std::size_t before_;           // points that are not among these
@@ -58,7 +58,7 @@ class StopFinder {
 /// there twice.
 class StopSorter {
  public:
-  StopSorter(const ReducedConvolution& c, CurveStops& out, Memory memory)
+  StopSorter(const DirectedCurves& c, CurveStops& out, Memory memory)
       : c_(c), g_(c.geometry), out_(out), memory_(memory) {}
   void run();
 
@@ -83,7 +83,7 @@ class StopSorter {
   /// The two stops of a crossing find each other.
   void find_twins();
 
-  const ReducedConvolution& c_;
+  const DirectedCurves& c_;
   const exact::Geometry& g_;
   CurveStops& out_;
   Memory memory_;
@@ -246,7 +246,7 @@ void StopSorter::find_twins() {
 }
 
 /// Strips of the grid at once where there are many curves; the same as one after the other.
-Found find_meetings(ReducedConvolution& c, Memory memory) {
+Found find_meetings(DirectedCurves& c, Memory memory) {
   Found all(memory);
   std::vector<exact::Point>& points = c.geometry.points;
   const CellGrid grid(c.geometry, c.pieces, {}, memory);
@@ -280,13 +280,28 @@ Found find_meetings(ReducedConvolution& c, Memory memory) {
 
 }  // namespace
 
-CurveStops find_stops(ReducedConvolution& c, Memory memory) {
+CurveStops find_stops(DirectedCurves& c, Memory memory) {
   CurveStops out(c.geometry.points.size() + c.pieces.size(), memory);
   Found found = find_meetings(c, memory);
   for (const auto& [p, q] : found.ties) out.degenerate_vertices.tie(p, q);
   out.stops = std::move(found.stops);
   out.opposite = std::move(found.opposite);
   StopSorter(c, out, memory).run();
+  return out;
+}
+
+std::optional<CurveStops> find_crossings(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs,
+                                         Memory memory) {
+  Found found(memory);
+  StopFinder finder(c, c.geometry.points, found);
+  for (const auto& [i, j] : pairs) {
+    finder.cross(i, j);
+    if (!found.ties.empty()) return std::nullopt;
+  }
+  CurveStops out(c.geometry.points.size(), memory);
+  out.stops = std::move(found.stops);
+  StopSorter(c, out, memory).run();
+  if (!out.degenerate_vertices.empty()) return std::nullopt;
   return out;
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Where the curves of a reduced convolution meet, in order along each: crossings of two, and degenerate vertices, where
-// ends touch other curves or each other or several curves cross. Guarantee: exact. Cost: that of the pairs in a grid of
-// cells (broad_phase.h). Used by meeting_curves.cpp only.
+// Where directed curves meet, in order along each: crossings of two, and degenerate vertices, where ends touch other
+// curves or each other or several curves cross. Guarantee: exact. Cost: that of the pairs in a grid of cells
+// (broad_phase.h), or of those given. Used by meeting_curves.cpp only.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "plane/base/arena.h"
-#include "plane/grid/degenerate_vertices.h"
-#include "plane/grid/reduced_convolution.h"
+#include "plane/walk/degenerate_vertices.h"
+#include "plane/walk/directed_curves.h"
 
 namespace findspace::plane {
 
@@ -34,14 +36,11 @@ struct CurveStops {
   DegenerateVertices degenerate_vertices;              // settled
 };
 
-/// Curves run with their inner side on the left: this one to the right?
-inline bool runs_right(const ReducedConvolution& c, Index i) { return c.sides[i].left; }
-inline Index start_of(const ReducedConvolution& c, Index i) {
-  return runs_right(c, i) ? c.pieces[i].p0 : c.pieces[i].p1;
-}
-inline Index end_of(const ReducedConvolution& c, Index i) { return runs_right(c, i) ? c.pieces[i].p1 : c.pieces[i].p0; }
-
 /// Adds the crossings to the geometry of `c`.
-CurveStops find_stops(ReducedConvolution& c, Memory memory);
+CurveStops find_stops(DirectedCurves& c, Memory memory);
+
+/// Of these pairs alone. Nothing where curves do more than cross in pairs: there is no degenerate vertex then.
+std::optional<CurveStops> find_crossings(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs,
+                                         Memory memory);
 
 }  // namespace findspace::plane

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The closed walks along the outer sides of directed curves, against their way, that turn at every crossing and never
+// pass an inner side: those that bound the union of what lies on inner sides are among them. Guarantee: exact. Cost:
+// linear in the parts of curves. Source: Behar & Lien 2011. Keywords: outer loops.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plane/walk/meeting_curves.h"
+
+namespace findspace::plane {
+
+class OuterWalks {
+ public:
+  OuterWalks(const MeetingCurves& curves, Memory memory)
+      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
+    parts_.reserve(curves.size());
+  }
+
+  /// The walk from a part of a curve, if it is closed and new.
+  std::span<const CurvePart> walk(CurvePart from);
+  bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
+
+ private:
+  enum State : char { kNew, kOpen, kInner, kDone };
+
+  /// To the part before; false where the walk would pass an inner side.
+  bool advance(CurvePart& at) const;
+  std::span<const CurvePart> leave(State state) {
+    for (const CurvePart& p : parts_) state_[curves_.part(p)] = state;
+    return {};
+  }
+
+  const MeetingCurves& curves_;
+  std::pmr::vector<char> state_;
+  std::pmr::vector<CurvePart> parts_;
+};
+
+}  // namespace findspace::plane

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The edges of closed sets, bounded by rings of segments of grid lines, as directed curves; which of them may meet; and
+// whether a point lies inside one of the sets. Guarantee: exact; boxes only choose. Cost: linear, and the edges of two
+// sets in the box that both share, for all pairs of sets whose boxes meet. Used by unite.cpp only.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plane/base/arena.h"
+#include "plane/complex/broad_phase.h"
+#include "plane/walk/directed_curves.h"
+
+namespace findspace::plane {
+
+class RegionCurves {
+ public:
+  using Pairs = std::pmr::vector<std::pair<Index, Index>>;
+
+  /// Nothing where a set is not bounded, not closed or not regular, its rings touch, or an edge is no segment of a grid
+  /// line.
+  static std::optional<RegionCurves> of(std::span<const Region* const> regions, Memory memory);
+
+  /// Curves of different sets that may meet; nothing where sets overlap so much that an arrangement may cost less.
+  std::optional<Pairs> pairs();
+
+  /// Is the point, which lies on the boundary of sets a and b alone, inside another one whose box meets that of a?
+  bool is_inside_another(Index point, Index a, Index b) const;
+
+  DirectedCurves curves;  // a set after the other; each has the number of its set as group
+
+ private:
+  explicit RegionCurves(Memory memory) : first_(memory), boxes_(memory), near_(memory), first_near_(memory) {}
+
+  void reserve(std::span<const Region* const> regions);
+  bool add(const Region& region);
+  void set_boxes();
+  /// Of two sets, those of their edges that reach into the box of both.
+  void add_pairs(Index a, Index b, const PieceBox& common, Pairs& to);
+  void append_meeting(Index region, const PieceBox& common, std::vector<Index>& to) const;
+  void set_near(std::span<const std::pair<Index, Index>> met);
+  bool holds(Index region, Index point) const;
+
+  std::pmr::vector<Index> first_;     // set -> its first curve
+  std::pmr::vector<PieceBox> boxes_;  // of curves
+  std::vector<PieceBox> region_boxes_;
+  std::pmr::vector<Index> near_, first_near_;  // set -> those whose boxes meet its box
+  std::vector<Index> of_a_, of_b_;             // lists in use
+  double slack_ = 0;
+};
+
+}  // namespace findspace::plane

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// The union of any number of sets. Of closed sets bounded by segments of grid lines, whose boundaries do no more than
+// cross in pairs, it is bounded by closed walks along their outer sides (outer_walks.h); nothing is arranged. All
+// others are arranged (overlay.h). Guarantee: exact, the same cells both ways. Cost: linear, and the pairs of edges
+// whose boxes meet; else that of an arrangement. Keywords: Boolean union, merge, dissolve.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "plane/complex/cell_complex.h"
+
+namespace findspace::plane {
+
+Region unite(std::span<const Region* const> regions);
+
+/// By walks; nothing where they do not do.
+std::optional<Region> united_by_walks(std::span<const Region* const> regions);
+
+}  // namespace findspace::plane
