@@ -19,12 +19,14 @@ namespace {
 
 using namespace findspace::plane;
 
-Region region(const Polygon& polygon) {
+std::vector<Contour> rings(const Polygon& polygon) {
   std::vector<Contour> rings(1);
   rings[0].reserve(polygon.size());
   for (const Point& p : polygon) rings[0].push_back({.start = {p.x, p.y}});
-  return region_of_rings(make_rings(std::move(rings), 1).contours);
+  return make_rings(std::move(rings), 1).contours;
 }
+
+Region region(const Polygon& polygon) { return region_of_rings(rings(polygon)); }
 
 std::size_t sum(const Polygon& a, const Polygon& b) { return contact_map(region(a), region(b)).vertices.size(); }
 
@@ -48,10 +50,11 @@ std::size_t offset(const Polygon& a, double r) {
 }
 
 std::size_t unite_all(const std::vector<Polygon>& all) {
-  std::vector<Region> regions;
-  std::vector<const Region*> operands;
-  for (const Polygon& p : all) regions.push_back(region(p));
-  for (const Region& r : regions) operands.push_back(&r);
+  std::vector<std::vector<Contour>> sets;
+  std::vector<std::span<const Contour>> operands;
+  sets.reserve(all.size());
+  for (const Polygon& p : all) sets.push_back(rings(p));
+  for (const auto& r : sets) operands.emplace_back(r);
   return unite(operands).vertices.size();
 }
 

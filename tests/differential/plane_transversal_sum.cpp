@@ -192,7 +192,8 @@ TEST(TransversalSum, CombsCutBack) {
     std::mt19937 rng(seed);
     const Region a = lattice_comb(rng, 12, 1000), b = lattice_comb(rng, 10, 1000);
     const auto p = grid_faces(a, in, false), q = grid_faces(b, in, true);
-    ASSERT_TRUE(pruning_pays(extent_of(reduced_convolution({*p, a.geometry}, {*q, b.geometry}))));
+    const GridOperand x{*p, a.geometry}, y{*q, b.geometry};
+    ASSERT_TRUE(mask_that_pays(reduced_convolution(x, y), x, y));
     expect_same(contact_map(a, b), -1, whole_sum(a, in, b), "seed " + std::to_string(seed));
     expect_same(contact_map(a, mirrored(b)), -1, whole_sum(a, in, mirrored(b)),
                 "mirrored, seed " + std::to_string(seed));

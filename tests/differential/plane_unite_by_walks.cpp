@@ -134,6 +134,45 @@ TEST(PlaneUniteByWalks, PolygonsInGeneralPosition) {
   EXPECT_GT(count.in_parts, 50);
 }
 
+/// From rings, without regions; some have straight corners, or arcs.
+TEST(PlaneUniteByWalks, Rings) {
+  std::mt19937 rng(5);
+  Count count;
+  for (int k = 0; k < 600; ++k) {
+    std::vector<std::vector<Contour>> sets;
+    const int n = 1 + int(rng() % 8);
+    const bool lattice = k % 2 != 0;
+    for (int i = 0; i < n; ++i) {
+      const std::int64_t x = std::int64_t(rng() % 3000), y = std::int64_t(rng() % 3000);
+      std::vector<Contour> rings{contour(star(rng, {x, y}, 3 + int(rng() % 9), 300, 1000))};
+      if (rng() % 3 == 0) rings.push_back(contour(star(rng, {x, y}, 5, 30, 100)));
+      if (lattice) rings = {contour({{x % 9, y % 9}, {x % 9 + 4, y % 9}, {x % 9 + 4, y % 9 + 3}, {x % 9, y % 9 + 5}})};
+      if (k % 20 == 0) rings = {circle_ring({x, y}, 500)};
+      if (k % 30 == 5) rings = {contour({{x, y}, {x + 400, y}, {x + 900, y}, {x + 300, y + 700}})};
+      try {
+        sets.push_back(make_rings(std::move(rings), 1).contours);
+      } catch (const Error&) {
+      }
+    }
+    std::vector<std::span<const Contour>> polygons;
+    std::vector<Region> regions;
+    for (const auto& s : sets) {
+      polygons.emplace_back(s);
+      regions.push_back(region_of_rings(s));
+    }
+    if (sets.empty()) continue;
+    const std::string what = "rings " + std::to_string(k);
+    const Region arranged = unite_arranged(pointers(regions));
+    const auto walked = united_by_walks(polygons);
+    ++count.unions;
+    count.walked += walked.has_value();
+    expect_same(walked ? *walked : unite(polygons), arranged, what);
+    if (walked) expect_consistent(*walked, what);
+  }
+  EXPECT_GT(count.walked, 250);
+  EXPECT_GT(count.unions - count.walked, 150);
+}
+
 /// Their corners are crossings.
 TEST(PlaneUniteByWalks, UnionsOfUnions) {
   std::mt19937 rng(2);

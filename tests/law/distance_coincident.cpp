@@ -14,6 +14,7 @@
 #include "distance/planar_least/extremum.h"
 #include "distance_random.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 namespace distance_coincident {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "distance_random.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 namespace distance_collections {

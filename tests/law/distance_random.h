@@ -11,6 +11,7 @@
 #include "../unit/distance_shapes.h"
 #include "distance/planar/shape_pair.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 

@@ -11,6 +11,7 @@
 #include "../unit/plane_topology_sets.h"
 #include "formula/language/parse.h"
 #include "formula/planar/feasible_near.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::formula {
 namespace formula_near {

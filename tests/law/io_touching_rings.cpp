@@ -16,6 +16,7 @@
 #include "law/plane_random.h"
 #include "plane/build/touching_rings.h"
 #include "plane/complex/primitives.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::io {
 namespace io_touching_rings {

@@ -9,6 +9,7 @@
 #include "law/plane_random.h"
 #include "plane/build/hull.h"
 #include "plane/offset/plain_sum.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace plane_hull {

@@ -12,6 +12,7 @@
 #include "plane/complex/extent.h"
 #include "plane/complex/side_by_side.h"
 #include "plane/query/boundary_components.h"
+#include "plane/walk/unite.h"
 #include "plane_invariants.h"
 
 namespace findspace::plane {

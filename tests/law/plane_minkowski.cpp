@@ -9,6 +9,7 @@
 #include "plane/offset/plain_sum.h"
 #include "plane/query/locate.h"
 #include "plane/sum/minkowski.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::plane {
 namespace plane_minkowski {

@@ -17,6 +17,7 @@
 #include "plane/build/path_region.h"
 #include "plane/query/summary.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 namespace distance_extremum {

@@ -10,6 +10,7 @@
 #include "distance/planar_features/feature_pair_search.h"
 #include "distance_shapes.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 // Values and sign maps of every distance against the closed forms of distances.md 3.11.
 namespace findspace::distance {

@@ -114,7 +114,9 @@ class Builder {
 
   Region combine(const Shape& shape) {
     const std::vector<ShapePtr> operands = operands_of(shape);
-    if (operands.size() > kOperands) return of_many(shape.kind, operands);
+    const bool sets_alone =
+        std::none_of(operands.begin(), operands.end(), [&](const ShapePtr& s) { return width(*s) > 1; });
+    if (operands.size() > kOperands || (shape.kind == Kind::kUnion && sets_alone)) return of_many(shape.kind, operands);
     std::vector<RegionPtr> leaves;
     Expression expression = compile(shape, leaves);
     return evaluate(expression, leaves);
@@ -200,7 +202,7 @@ class Builder {
       make_alone();
       std::vector<ShapePtr> members;
       for (const Index k : group) members.push_back(operands[k]);
-      parts.push_back(in_groups(regions(members), unite));
+      parts.push_back(united_group(members));
     }
     if (parts.empty()) return region_of_polygons(alone);
     make_alone();
@@ -208,6 +210,16 @@ class Builder {
     std::vector<const Region*> all;
     for (const RegionPtr& part : parts) all.push_back(part.get());
     return side_by_side(all);
+  }
+
+  /// Of sets whose boxes meet.
+  RegionPtr united_group(const std::vector<ShapePtr>& members) {
+    std::vector<std::span<const Contour>> rings;
+    for (const ShapePtr& shape : members)
+      if (only_rings(*shape)) rings.emplace_back(shape->contours);
+    if (rings.size() == members.size())
+      if (auto united = united_by_walks(rings)) return std::make_shared<const Region>(*std::move(united));
+    return in_groups(regions(members), unite);
   }
 
   /// Nothing else needs its region.

@@ -4,21 +4,17 @@
 #include "plane/complex/primitives.h"
 
 #include "exact/number/primitive.h"
-#include "plane/base/arena.h"
 #include "plane/complex/piece_builder.h"
-#include "plane/complex/ring_map.h"
 #include "plane/complex/simplify.h"
 #include "plane/complex/winding.h"
 
 namespace findspace::plane {
 namespace {
 
-using Polygons = std::span<const std::span<const Contour>>;
-
 /// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
-  RingBuilder(Polygons polygons, Memory memory) : edges_(memory), rings_(memory), normals_(memory) {
+  RingBuilder(Polygons polygons, Memory memory) : out_(memory), normals_(memory) {
     std::size_t edges = 0, rings = 0;
     for (const auto& polygon : polygons) {
       rings += polygon.size();
@@ -26,29 +22,29 @@ class RingBuilder {
     }
     curves_.geometry.supporting_curves.reserve(edges);
     curves_.geometry.points.reserve(edges);
-    edges_.reserve(edges);
-    rings_.reserve(rings);
+    out_.edges.reserve(edges);
+    out_.rings.reserve(rings);
     for (const auto& polygon : polygons) add_polygon(polygon);
   }
 
-  Region build() && {
-    Region region = ring_complex(std::move(curves_.geometry), edges_, rings_, {1, 1, 0});
-    if (could_merge_) return simplify(std::move(region));
-    return region;
+  RingCurves build() && {
+    out_.geometry = std::move(curves_.geometry);
+    return std::move(out_);
   }
 
  private:
   /// Its face comes first, then those of its holes.
   void add_polygon(std::span<const Contour> polygon) {
-    const Index inside = Index(rings_.size()) + 1;
+    const Index inside = Index(out_.rings.size()) + 1;
     for (Index k = 0; k < polygon.size(); ++k) {
-      rings_.push_back({Index(edges_.size()), inside, k == 0 ? 0 : inside + k, k == 0});
+      out_.rings.push_back({Index(out_.edges.size()), inside, k == 0 ? 0 : inside + k, k == 0});
       add(polygon[k]);
     }
   }
 
   void add(const Contour& ring) {
-    const Index first = Index(edges_.size()), corner = Index(curves_.geometry.points.size()), n = Index(ring.size());
+    const Index first = Index(out_.edges.size()), corner = Index(curves_.geometry.points.size()),
+                n = Index(ring.size());
     normals_.clear();
     for (Index k = 0; k < n; ++k) {
       const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
@@ -57,19 +53,19 @@ class RingBuilder {
     }
     exact::make_primitive(normals_);
     for (Index k = 0; k < n; ++k) {
-      const Index next = k + 1 == n ? 0 : k + 1, at = Index(edges_.size());
+      const Index next = k + 1 == n ? 0 : k + 1, at = Index(out_.edges.size());
       if (ring[k].arc)
         add_arc(ring[k], corner + k, corner + next);
       else
         add_segment(normals_[k], corner + k, ring[k].start, ring[next].start);
-      if (at > first) could_merge_ |= could_continue(edges_[at - 1], edges_[at]);
+      if (at > first) out_.could_merge |= could_continue(out_.edges[at - 1], out_.edges[at]);
     }
-    could_merge_ |= could_continue(edges_.back(), edges_[first]);
+    out_.could_merge |= could_continue(out_.edges.back(), out_.edges[first]);
   }
 
   void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {
     const Index line = curves_.geometry.add_line(n.a, n.b, exact::int128(n.a) * p.x + exact::int128(n.b) * p.y);
-    edges_.push_back({from, line, p < q});
+    out_.edges.push_back({from, line, p < q});
   }
 
   void add_arc(const ContourEdge& e, Index from, Index to) {
@@ -79,7 +75,7 @@ class RingBuilder {
                 e.ccw);
     for (std::size_t i = 0; i < curves_.pieces.size(); ++i) {
       const Piece& p = curves_.pieces[i];
-      edges_.push_back({curves_.forward[i] ? p.p0 : p.p1, p.supporting_curve, bool(curves_.forward[i]), p.half});
+      out_.edges.push_back({curves_.forward[i] ? p.p0 : p.p1, p.supporting_curve, bool(curves_.forward[i]), p.half});
     }
   }
 
@@ -92,10 +88,8 @@ class RingBuilder {
   }
 
   PieceBuilder curves_;
-  std::pmr::vector<RingEdge> edges_;
-  std::pmr::vector<NestedRing> rings_;
+  RingCurves out_;
   std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
-  bool could_merge_ = false;
 };
 
 /// Faces with a positive winding number, and everything on their boundary.
@@ -125,11 +119,16 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
 
 }  // namespace
 
+RingCurves ring_curves(Polygons polygons, Memory memory) { return RingBuilder(polygons, memory).build(); }
+
 Region region_of_rings(std::span<const Contour> rings) { return region_of_polygons({&rings, 1}); }
 
 Region region_of_polygons(Polygons polygons) {
   Arena arena(polygons.empty() || polygons[0].empty() ? 0 : polygons[0][0].size());
-  return RingBuilder(polygons, arena.memory()).build();
+  RingCurves curves = ring_curves(polygons, arena.memory());
+  Region region = ring_complex(std::move(curves.geometry), curves.edges, curves.rings, {1, 1, 0});
+  if (curves.could_merge) return simplify(std::move(region));
+  return region;
 }
 
 Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {

@@ -3,6 +3,7 @@
 
 #include "plane/grid/grid_faces.h"
 
+#include <algorithm>
 #include <span>
 
 #include "plane/base/arena.h"
@@ -20,7 +21,10 @@ class Walk {
  public:
   Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
 
-  void ring(Index start, std::vector<GridCorner>& out) const {
+  /// Were all edges so far segments between grid points?
+  bool on_grid() const { return on_grid_; }
+
+  void ring(Index start, std::vector<GridCorner>& out) {
     Index first = Index(out.size()), k = first, h = start;
     do {
       GridCorner& g = out.emplace_back(corner(h));
@@ -38,10 +42,11 @@ class Walk {
   }
 
  private:
-  GridCorner corner(Index h) const {
+  GridCorner corner(Index h) {
     const Edge& e = c_.edges[h / 2];
     const exact::SupportingCurve& k = c_.geometry.supporting_curves[e.supporting_curve];
     const exact::Point& p = c_.geometry.points[c_.vertices[c_.origin(h)].point];
+    on_grid_ &= e.half == 0 && k.grid && p.kind == exact::Point::Kind::kGrid;
     // To the right along a*x + b*y = c: (b, -a) or its opposite.
     bool flipped = (k.b > 0) == bool(h & 1u);
     GridCorner g{
@@ -55,13 +60,37 @@ class Walk {
   }
 
   const CellComplex& c_;
-  bool mirrored_;
+  bool mirrored_, on_grid_ = true;
 };
 
-bool on_grid(const CellComplex& c, Index e) {
-  const Edge& d = c.edges[e];
-  return d.half == 0 && c.geometry.supporting_curves[d.supporting_curve].grid &&
-         c.point(d.v0).kind == exact::Point::Kind::kGrid && c.point(d.v1).kind == exact::Point::Kind::kGrid;
+/// Faces, by their numbers.
+using Faces = std::pmr::vector<char>;
+
+bool is_beside(const CellComplex& c, Index e, const Faces& in) { return in[c.face(2 * e)] || in[c.face(2 * e + 1)]; }
+
+/// Whether a wanted vertex has no edge beside one of the faces. `edges_beside`: all of them are.
+bool has_vertex_apart(const CellComplex& c, const Faces& in, bool edges_beside, bool (*wanted)(Mark)) {
+  if (edges_beside)
+    return std::any_of(c.vertices.begin(), c.vertices.end(),
+                       [&](const Vertex& v) { return v.out == kNone && wanted(v.mark); });
+  std::vector<char> near(c.vertices.size(), 0);
+  for (Index e = 0; e < c.edges.size(); ++e)
+    if (is_beside(c, e, in)) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
+  for (Index v = 0; v < c.vertices.size(); ++v)
+    if (!near[v] && wanted(c.vertices[v].mark)) return true;
+  return false;
+}
+
+/// Whether a wanted edge or vertex lies outside the closure of the faces, or an edge has one of them on both sides.
+bool has_more(const CellComplex& c, const Faces& in, bool (*wanted)(Mark)) {
+  bool edges_beside = true;
+  for (Index e = 0; e < c.edges.size(); ++e) {
+    const Index left = c.face(2 * e), right = c.face(2 * e + 1);
+    const bool beside = in[left] || in[right];
+    if (beside ? left == right : wanted(c.edges[e].mark)) return true;
+    edges_beside &= beside;
+  }
+  return has_vertex_apart(c, in, edges_beside, wanted);
 }
 
 }  // namespace
@@ -78,18 +107,11 @@ bool GridFace::is_convex() const {
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
   Arena arena(c.edges.size() / 4);
-  std::pmr::vector<char> in(c.faces.size(), 0, arena.memory()), near(c.vertices.size(), 0, arena.memory());
+  Faces in(c.faces.size(), 0, arena.memory());
   for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
-  for (Index e = 0; e < c.edges.size(); ++e) {
-    Index left = c.face(2 * e), right = c.face(2 * e + 1);
-    const bool beside = in[left] || in[right];
-    if (beside ? left == right || !on_grid(c, e) : wanted(c.edges[e].mark)) return std::nullopt;
-    if (beside) near[c.edges[e].v0] = near[c.edges[e].v1] = 1;
-  }
-  for (Index v = 0; v < c.vertices.size(); ++v)
-    if (!near[v] && wanted(c.vertices[v].mark)) return std::nullopt;
+  if (has_more(c, in, wanted)) return std::nullopt;
   std::vector<GridFace> faces;
-  const Walk walk(c, mirrored);
+  Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
     if (!in[f]) continue;
     for (Index v : c.faces[f].isolated)
@@ -99,6 +121,7 @@ std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wan
     if (c.faces.size() == 2) face.corners.reserve(c.edges.size());
     if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
     for (Index h : c.faces[f].inner) walk.ring(h, face.corners);
+    if (!walk.on_grid()) return std::nullopt;
   }
   return faces;
 }

@@ -28,8 +28,7 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& d
   const bool bounded_pair = a.faces.size() == 1 && b.faces.size() == 1 && !unbounded;
   if (bounded_pair)
     if (auto sum = star_sum(curves)) return *std::move(sum);
-  if (!curves.mask)
-    if (const CurveExtent extent = extent_of(curves); pruning_pays(extent)) curves.mask = mask_for(extent, a, b);
+  if (!curves.mask) curves.mask = mask_that_pays(curves, a, b);
   if (curves.mask) curves = prune_inside(std::move(curves));
   if (bounded_pair)
     if (auto sum = transversal_sum(curves, inside)) return *std::move(sum);

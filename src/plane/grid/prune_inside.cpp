@@ -120,8 +120,7 @@ std::vector<Outline> outlines(const GridOperand& o, const GridOperand& other) {
   return out;
 }
 
-}  // namespace
-
+/// Of the curves of a convolution.
 CurveExtent extent_of(const ReducedConvolution& c) {
   double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300, length = 0;
   const auto& points = c.geometry.points;
@@ -135,6 +134,8 @@ CurveExtent extent_of(const ReducedConvolution& c) {
   }
   return {c.pieces.size(), length, x1 - x0, y1 - y0};
 }
+
+}  // namespace
 
 double estimated_crossings(const CurveExtent& c) {
   return c.length * c.length / (3.14 * std::max(c.width * c.height, 1.0));
@@ -152,6 +153,12 @@ InnerMask mask_for(const CurveExtent& c, const GridOperand& a, const GridOperand
   const double crossings = estimated_crossings(c), lines = std::clamp(kLines * std::cbrt(crossings), 64.0, 4000.0);
   const auto side = std::max<std::int64_t>(std::int64_t(std::max(c.width, c.height) / lines), 16);
   return InnerMask(pairs, side, kWordsPerCrossing * crossings);
+}
+
+std::optional<InnerMask> mask_that_pays(const ReducedConvolution& c, const GridOperand& a, const GridOperand& b) {
+  if (c.pieces.size() < kFewPieces) return std::nullopt;
+  const CurveExtent extent = extent_of(c);
+  return pruning_pays(extent) ? std::optional(mask_for(extent, a, b)) : std::nullopt;
 }
 
 bool lies_in(const InnerMask& mask, const LatticeEdge& segment) {

@@ -15,7 +15,6 @@ struct CurveExtent {
   std::size_t count = 0;
   double length = 0, width = 0, height = 0;
 };
-CurveExtent extent_of(const ReducedConvolution& convolution);
 
 /// Of segments placed at random (Buffon).
 double estimated_crossings(const CurveExtent& curves);
@@ -24,6 +23,9 @@ bool pruning_pays(const CurveExtent& curves);
 
 /// For the curves of the convolution of a and b.
 InnerMask mask_for(const CurveExtent& curves, const GridOperand& a, const GridOperand& b);
+/// Where cutting the curves pays.
+std::optional<InnerMask> mask_that_pays(const ReducedConvolution& convolution, const GridOperand& a,
+                                        const GridOperand& b);
 /// Does the segment lie in marked cells?
 bool lies_in(const InnerMask& mask, const LatticeEdge& segment);
 /// By the mask of the convolution, which is then done with.

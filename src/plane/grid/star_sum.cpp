@@ -20,6 +20,7 @@ class StarRing {
   /// Whether all curves follow each other, round once as seen from one point.
   bool closes() {
     const Index n = Index(c_.pieces.size());
+    if (c_.geometry.points.size() != n) return false;  // each is where one curve starts
     std::pmr::vector<Index> leaves(c_.geometry.points.size(), kNone, memory_);
     for (Index i = 0; i < n; ++i) {
       if (leaves[start(i)] != kNone) return false;

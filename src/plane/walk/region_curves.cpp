@@ -38,6 +38,35 @@ std::optional<RegionCurves> RegionCurves::of(std::span<const Region* const> regi
   return all;
 }
 
+std::optional<RegionCurves> RegionCurves::of(Polygons polygons, Memory memory) {
+  RingCurves rings = ring_curves(polygons, memory);
+  if (rings.could_merge) return std::nullopt;
+  RegionCurves all(memory);
+  all.curves.geometry = std::move(rings.geometry);
+  all.curves.pieces.reserve(rings.edges.size());
+  all.curves.sides.reserve(rings.edges.size());
+  all.first_.reserve(polygons.size() + 1);
+  for (std::size_t r = 0; r < rings.rings.size(); ++r) {
+    const Index first = rings.rings[r].start;
+    const Index end = r + 1 < rings.rings.size() ? rings.rings[r + 1].start : Index(rings.edges.size());
+    if (rings.rings[r].outer) all.first_.push_back(first);
+    const Index number = Index(all.first_.size()) - 1;
+    for (Index k = first; k < end; ++k) {
+      const RingEdge& e = rings.edges[k];
+      if (e.half != 0) return std::nullopt;
+      const Index to = rings.edges[k + 1 == end ? first : k + 1].point;
+      all.curves.pieces.push_back({.supporting_curve = e.supporting_curve,
+                                   .p0 = e.right ? e.point : to,
+                                   .p1 = e.right ? to : e.point,
+                                   .group = number});
+      all.curves.sides.push_back({.left = e.right});
+    }
+  }
+  all.first_.push_back(Index(all.curves.pieces.size()));
+  all.set_boxes();
+  return all;
+}
+
 void RegionCurves::reserve(std::span<const Region* const> regions) {
   std::size_t supporting_curves = 0, points = 0, edges = 0;
   for (const Region* r : regions) {

@@ -13,6 +13,7 @@
 
 #include "plane/base/arena.h"
 #include "plane/complex/broad_phase.h"
+#include "plane/complex/primitives.h"
 #include "plane/walk/directed_curves.h"
 
 namespace findspace::plane {
@@ -24,6 +25,8 @@ class RegionCurves {
   /// Nothing where a set is not bounded, not closed or not regular, its rings touch, or an edge is no segment of a grid
   /// line.
   static std::optional<RegionCurves> of(std::span<const Region* const> regions, Memory memory);
+  /// Of valid rings; nothing where there are arcs or straight corners.
+  static std::optional<RegionCurves> of(Polygons polygons, Memory memory);
 
   /// Curves of different sets that may meet; nothing where sets overlap so much that an arrangement may cost less.
   std::optional<Pairs> pairs();

@@ -54,8 +54,10 @@ class RingNesting {
 
   Index leftmost(Index r) const {
     Index best = starts_[r];
-    for (Index k = starts_[r] + 1; k < end(r); ++k)
-      if (compare_xy(g_, edges_[k].point, edges_[best].point) < 0) best = k;
+    for (Index k = starts_[r] + 1; k < end(r); ++k) {
+      const int x = compare_x(g_, edges_[k].point, edges_[best].point);
+      if (x < 0 || (x == 0 && compare_y(g_, edges_[k].point, edges_[best].point) < 0)) best = k;
+    }
     return best;
   }
 

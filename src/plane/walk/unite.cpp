@@ -51,29 +51,48 @@ class UnionRings {
   std::pmr::vector<Index> starts_;
 };
 
+std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, Memory memory) {
+  if (!sets) return std::nullopt;
+  const auto pairs = sets->pairs();
+  if (!pairs) return std::nullopt;
+  auto crossings = find_crossings(sets->curves, *pairs, memory);
+  if (!crossings) return std::nullopt;
+  const MeetingCurves curves(sets->curves, *std::move(crossings), memory);
+  const UnionRings rings(*sets, curves, memory);
+  if (rings.starts().empty()) return Region::uniform(0);
+  const auto nested = nested_rings(sets->curves.geometry, rings.edges(), rings.starts());
+  return ring_map(std::move(sets->curves.geometry), rings.edges(), nested, {1, 1, 0});
+}
+
 }  // namespace
 
 std::optional<Region> united_by_walks(std::span<const Region* const> regions) {
   std::size_t edges = 0;
   for (const Region* r : regions) edges += r->edges.size();
   Arena arena(edges);
-  auto sets = RegionCurves::of(regions, arena.memory());
-  if (!sets) return std::nullopt;
-  const auto pairs = sets->pairs();
-  if (!pairs) return std::nullopt;
-  auto crossings = find_crossings(sets->curves, *pairs, arena.memory());
-  if (!crossings) return std::nullopt;
-  const MeetingCurves curves(sets->curves, *std::move(crossings), arena.memory());
-  const UnionRings rings(*sets, curves, arena.memory());
-  if (rings.starts().empty()) return Region::uniform(0);
-  const auto nested = nested_rings(sets->curves.geometry, rings.edges(), rings.starts());
-  return ring_map(std::move(sets->curves.geometry), rings.edges(), nested, {1, 1, 0});
+  return united_by_walks(RegionCurves::of(regions, arena.memory()), arena.memory());
+}
+
+std::optional<Region> united_by_walks(Polygons polygons) {
+  std::size_t edges = 0;
+  for (const auto& polygon : polygons) edges += polygon.empty() ? 0 : polygon[0].size();
+  Arena arena(edges);
+  return united_by_walks(RegionCurves::of(polygons, arena.memory()), arena.memory());
 }
 
 Region unite(std::span<const Region* const> regions) {
   if (regions.size() == 1) return *regions[0];
   if (auto united = united_by_walks(regions)) return *std::move(united);
   return unite_arranged(regions);
+}
+
+Region unite(Polygons polygons) {
+  if (auto united = united_by_walks(polygons)) return *std::move(united);
+  std::vector<Region> regions;
+  std::vector<const Region*> operands;
+  for (const auto& polygon : polygons) regions.push_back(region_of_rings(polygon));
+  for (const Region& r : regions) operands.push_back(&r);
+  return unite(operands);
 }
 
 }  // namespace findspace::plane

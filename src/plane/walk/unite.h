@@ -10,13 +10,16 @@
 #include <optional>
 #include <span>
 
-#include "plane/complex/cell_complex.h"
+#include "plane/complex/primitives.h"
 
 namespace findspace::plane {
 
 Region unite(std::span<const Region* const> regions);
+/// Of valid rings, whose regions are not made where walks do.
+Region unite(Polygons polygons);
 
 /// By walks; nothing where they do not do.
 std::optional<Region> united_by_walks(std::span<const Region* const> regions);
+std::optional<Region> united_by_walks(Polygons polygons);
 
 }  // namespace findspace::plane
