@@ -55,7 +55,7 @@ std::size_t unite_all(const std::vector<Polygon>& all) {
   sets.reserve(all.size());
   for (const Polygon& p : all) sets.push_back(rings(p));
   for (const auto& r : sets) operands.emplace_back(r);
-  return unite(operands).vertices.size();
+  return unite_rings(operands).vertices.size();
 }
 
 }  // namespace

@@ -104,11 +104,8 @@ void compare(const std::vector<Region>& sets, const std::string& what, Count& co
   const auto walked = united_by_walks(operands);
   ++count.unions;
   count.walked += walked.has_value();
-  if (!walked) {
-    expect_same(unite(operands), arranged, what);
-    return;
-  }
-  EXPECT_TRUE(is_rings(arranged)) << what;
+  EXPECT_EQ(walked.has_value(), is_rings(arranged)) << what;
+  if (!walked) return expect_same(unite(operands), arranged, what);
   expect_same(*walked, arranged, what);
   expect_consistent(*walked, what);
   count.with_holes += inner_rings(*walked) > walked->faces[0].inner.size();
@@ -166,11 +163,11 @@ TEST(PlaneUniteByWalks, Rings) {
     const auto walked = united_by_walks(polygons);
     ++count.unions;
     count.walked += walked.has_value();
-    expect_same(walked ? *walked : unite(polygons), arranged, what);
+    expect_same(walked ? *walked : unite_rings(polygons), arranged, what);
     if (walked) expect_consistent(*walked, what);
   }
-  EXPECT_GT(count.walked, 250);
-  EXPECT_GT(count.unions - count.walked, 150);
+  EXPECT_GT(count.walked, 400);
+  EXPECT_GT(count.unions - count.walked, 30);
 }
 
 /// Their corners are crossings.
@@ -203,13 +200,14 @@ TEST(PlaneUniteByWalks, SetsInHolesOfOthers) {
   compare({outer, *region({square(95)})}, "all filled", count);
   compare({outer, Region::uniform(0), inner}, "an empty one", count);
   compare({Region::uniform(0), Region::uniform(0)}, "nothing", count);
-  EXPECT_EQ(count.walked, count.unions);
-  EXPECT_FALSE(united_by_walks(pointers({outer, outer})));
-  EXPECT_FALSE(united_by_walks(pointers({outer, Region::uniform(1)})));
   compare({outer, outer, inner}, "one twice", count);
+  compare({outer, *region({square(90)})}, "a hole filled exactly", count);
+  compare({outer, *region({square(100)}), cover}, "all filled exactly", count);
+  EXPECT_EQ(count.walked, count.unions);
+  EXPECT_FALSE(united_by_walks(pointers({outer, Region::uniform(1)})));
 }
 
-/// Most of them touch; every set that walks give is right, and the others are left to an arrangement.
+/// Their edges run along each other, they share corners, and many cross at a point. Walks do, unless rings touch.
 TEST(PlaneUniteByWalks, PolygonsOverFewLatticePoints) {
   std::mt19937 rng(3);
   Count count;
@@ -224,8 +222,27 @@ TEST(PlaneUniteByWalks, PolygonsOverFewLatticePoints) {
     }
     compare(sets, "union " + std::to_string(k), count);
   }
+  EXPECT_GT(count.walked, 2000);
+  EXPECT_GT(count.unions - count.walked, 100);
+  EXPECT_GT(count.with_holes, 100);
+}
+
+/// Parts in a row and stacked, on the lattice and off it.
+TEST(PlaneUniteByWalks, BoxesAndTrianglesSideBySide) {
+  std::mt19937 rng(6);
+  Count count;
+  for (int k = 0; k < 500; ++k) {
+    std::vector<Region> sets;
+    const std::int64_t size = k % 2 ? 1 : 1000;
+    for (int i = 0, n = 2 + int(rng() % 30); i < n; ++i) {
+      const std::int64_t x = size * std::int64_t(rng() % 6), y = size * std::int64_t(rng() % 6);
+      const std::int64_t w = size * std::int64_t(1 + rng() % 2), h = size * std::int64_t(1 + rng() % 2);
+      sets.push_back(rng() % 3 ? *region({{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}})
+                               : *region({{{x, y}, {x + w, y}, {x, y + h}}}));
+    }
+    compare(sets, "side by side " + std::to_string(k), count);
+  }
   EXPECT_GT(count.walked, 100);
-  EXPECT_GT(count.unions - count.walked, 1000);
 }
 
 /// Sets that overlap in many edges, so that a grid of cells chooses the pairs; and far more pairs of sets than edges.
@@ -248,7 +265,7 @@ TEST(PlaneUniteByWalks, ManyEdgesAndManySets) {
   std::vector<Region> nested;
   for (std::int64_t i = 1; i <= 400; ++i) nested.push_back(*region({{{-i, -i}, {i, -i - 1}, {0, i}}}));
   EXPECT_FALSE(united_by_walks(pointers(nested)));
-  compare(nested, "nested", count);
+  expect_same(unite(pointers(nested)), unite_arranged(pointers(nested)), "nested");
 }
 
 }  // namespace plane_unite_by_walks

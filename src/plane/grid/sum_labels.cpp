@@ -4,9 +4,9 @@
 #include "plane/grid/sum_labels.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/walk/point_between.h"
 
 namespace findspace::plane {
 namespace {
@@ -156,19 +156,6 @@ class Labels {
 };
 
 }  // namespace
-
-Index point_between(Geometry& g, Index supporting_curve, Index p, Index q) {
-  const exact::Point s = g.points[p], t = g.points[q];
-  for (bool steep : {false, true}) {
-    double u = steep ? s.y : s.x, w = steep ? t.y : t.x, low = std::min(u, w) + std::max(s.error, t.error) + 1,
-           high = std::max(u, w) - std::max(s.error, t.error) - 1, middle = std::floor((low + high) / 2);
-    if (!(low < middle && middle < high)) continue;
-    Index line = g.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(middle)));
-    return g.add_crossing(supporting_curve, line, 0);
-  }
-  exact::RealPoint a = g.exact(p), b = g.exact(q);
-  return g.add_real_point((a.x + b.x) / exact::Real(2), (a.y + b.y) / exact::Real(2));
-}
 
 SignMap labelled_sum(Arrangement a, const std::vector<InnerSide>& sides, bool unbounded_inside,
                      const InsideTest& inside) {

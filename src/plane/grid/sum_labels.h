@@ -15,9 +15,6 @@ namespace findspace::plane {
 /// Is the point of this geometry, to which points and supporting curves may be added, in the open sum?
 using InsideTest = std::function<bool(exact::Geometry&, Index point)>;
 
-/// A point of the supporting curve strictly between two of its points.
-Index point_between(exact::Geometry& geometry, Index supporting_curve, Index p, Index q);
-
 /// -1 on the open sum, 0 on its boundary, +1 elsewhere. `sides`: of the arrangement's pieces; those
 /// beyond the last are not curves of the sum. `unbounded_inside`: far away.
 SignMap labelled_sum(Arrangement arrangement, const std::vector<InnerSide>& sides, bool unbounded_inside,

@@ -8,6 +8,7 @@
 
 #include "plane/complex/ring_map.h"
 #include "plane/walk/outer_walks.h"
+#include "plane/walk/point_between.h"
 
 namespace findspace::plane {
 namespace {

@@ -278,11 +278,9 @@ Found find_meetings(DirectedCurves& c, Memory memory) {
   return all;
 }
 
-}  // namespace
-
-CurveStops find_stops(DirectedCurves& c, Memory memory) {
+/// Puts what was found in order.
+CurveStops in_order(const DirectedCurves& c, Found found, Memory memory) {
   CurveStops out(c.geometry.points.size() + c.pieces.size(), memory);
-  Found found = find_meetings(c, memory);
   for (const auto& [p, q] : found.ties) out.degenerate_vertices.tie(p, q);
   out.stops = std::move(found.stops);
   out.opposite = std::move(found.opposite);
@@ -290,19 +288,15 @@ CurveStops find_stops(DirectedCurves& c, Memory memory) {
   return out;
 }
 
-std::optional<CurveStops> find_crossings(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs,
-                                         Memory memory) {
+}  // namespace
+
+CurveStops find_stops(DirectedCurves& c, Memory memory) { return in_order(c, find_meetings(c, memory), memory); }
+
+CurveStops find_stops(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs, Memory memory) {
   Found found(memory);
   StopFinder finder(c, c.geometry.points, found);
-  for (const auto& [i, j] : pairs) {
-    finder.cross(i, j);
-    if (!found.ties.empty()) return std::nullopt;
-  }
-  CurveStops out(c.geometry.points.size(), memory);
-  out.stops = std::move(found.stops);
-  StopSorter(c, out, memory).run();
-  if (!out.degenerate_vertices.empty()) return std::nullopt;
-  return out;
+  for (const auto& [i, j] : pairs) finder.cross(i, j);
+  return in_order(c, std::move(found), memory);
 }
 
 }  // namespace findspace::plane

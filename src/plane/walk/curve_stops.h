@@ -6,7 +6,6 @@
 // (broad_phase.h), or of those given. Used by meeting_curves.cpp only.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,8 +38,7 @@ struct CurveStops {
 /// Adds the crossings to the geometry of `c`.
 CurveStops find_stops(DirectedCurves& c, Memory memory);
 
-/// Of these pairs alone. Nothing where curves do more than cross in pairs: there is no degenerate vertex then.
-std::optional<CurveStops> find_crossings(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs,
-                                         Memory memory);
+/// Of these pairs alone.
+CurveStops find_stops(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs, Memory memory);
 
 }  // namespace findspace::plane

@@ -181,6 +181,28 @@ bool RegionCurves::is_inside_another(Index point, Index a, Index b) const {
   return false;
 }
 
+bool RegionCurves::is_covered(Index point, Index curve) const {
+  const Index own = curves.pieces[curve].group;
+  for (Index k = first_near_[own]; k < first_near_[own + 1]; ++k) {
+    const Index other = along(near_[k], point, curve);
+    const bool covers =
+        other != kNone ? runs_right(curves, other) != runs_right(curves, curve) : holds(near_[k], point);
+    if (covers) return true;
+  }
+  return false;
+}
+
+Index RegionCurves::along(Index region, Index point, Index curve) const {
+  const exact::SupportingCurve& k = curves.geometry.supporting_curves[curves.pieces[curve].supporting_curve];
+  for (Index i = first_[region]; i < first_[region + 1]; ++i) {
+    const Piece& piece = curves.pieces[i];
+    const exact::SupportingCurve& l = curves.geometry.supporting_curves[piece.supporting_curve];
+    const bool on_one_line = k.a == l.a && k.b == l.b && k.c == l.c;
+    if (on_one_line && within(curves.geometry, piece, point) != Within::kOutside) return i;
+  }
+  return kNone;
+}
+
 /// By the number of edges that a ray straight down, a little to the left of the point, meets.
 bool RegionCurves::holds(Index region, Index point) const {
   const exact::Geometry& g = curves.geometry;

@@ -31,8 +31,10 @@ class RegionCurves {
   /// Curves of different sets that may meet; nothing where sets overlap so much that an arrangement may cost less.
   std::optional<Pairs> pairs();
 
-  /// Is the point, which lies on the boundary of sets a and b alone, inside another one whose box meets that of a?
+  /// Is the point, which lies on the boundary of sets a and b alone, inside another one? It is on a curve of a.
   bool is_inside_another(Index point, Index a, Index b) const;
+  /// Is the outer side of a curve inside a set, near a point that lies on no boundary but along the curve?
+  bool is_covered(Index point, Index curve) const;
 
   DirectedCurves curves;  // a set after the other; each has the number of its set as group
 
@@ -47,6 +49,8 @@ class RegionCurves {
   void append_meeting(Index region, const PieceBox& common, std::vector<Index>& to) const;
   void set_near(std::span<const std::pair<Index, Index>> met);
   bool holds(Index region, Index point) const;
+  /// The curve of a set that runs along another curve at the point, or kNone.
+  Index along(Index region, Index point, Index curve) const;
 
   std::pmr::vector<Index> first_;     // set -> its first curve
   std::pmr::vector<PieceBox> boxes_;  // of curves

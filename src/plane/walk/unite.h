@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The union of any number of sets. Of closed sets bounded by segments of grid lines, whose boundaries do no more than
-// cross in pairs, it is bounded by closed walks along their outer sides (outer_walks.h); nothing is arranged. All
-// others are arranged (overlay.h). Guarantee: exact, the same cells both ways. Cost: linear, and the pairs of edges
-// whose boxes meet; else that of an arrangement. Keywords: Boolean union, merge, dissolve.
+// The union of any number of sets. Of closed sets bounded by segments of grid lines it is bounded by closed walks along
+// their outer sides (outer_walks.h), and nothing is arranged; where those touch each other, and all other sets are
+// arranged (overlay.h). Guarantee: exact, the same cells both ways. Cost: linear, and the pairs of edges whose boxes
+// meet; else that of an arrangement. Keywords: Boolean union, merge, dissolve.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace findspace::plane {
 
 Region unite(std::span<const Region* const> regions);
 /// Of valid rings, whose regions are not made where walks do.
-Region unite(Polygons polygons);
+Region unite_rings(Polygons polygons);
 
 /// By walks; nothing where they do not do.
 std::optional<Region> united_by_walks(std::span<const Region* const> regions);
