@@ -5,7 +5,8 @@
 
 usage: pack_random.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
-Every third instance has sheets, some with an outline that is no rectangle and a hole, and mirrored parts.
+Every third instance has sheets, some with an outline that is no rectangle and a hole, and mirrored parts. Half of the
+parts may be tilted; their corners are turned and rounded here by a series of many digits.
 Checked: every copy of every part or said to be left out, an allowed angle, inside the strip or its sheet, the length as
 stated and not below the lower bound, no two parts with a common area, and gaps as wide as asked for. The area is the sum over signed triangles of both parts, each pair clipped
 exactly. Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
@@ -23,6 +24,8 @@ import time
 from fractions import Fraction
 
 from pack_refusals import REFUSALS
+
+PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 
 
 def area(ring):
@@ -68,10 +71,28 @@ def common_area(first, second):
     return total
 
 
-def turned(ring, degrees):
-    for _ in range(degrees // 90 % 4):
+def turned(ring, degrees, grid):
+    """By an angle in degrees; the corners rounded to the grid, unless that is a multiple of 90."""
+    if degrees % 90:
+        return [to_grid(x, y, degrees, grid) for x, y in ring]
+    for _ in range(int(degrees) // 90 % 4):
         ring = [(-y, x) for x, y in ring]
     return ring
+
+
+def cosine_and_sine(degrees):
+    """To some forty digits, by their series."""
+    angle = degrees % 360 * PI / 180
+    parts, term = [Fraction(0), Fraction(0)], Fraction(1)
+    for k in range(1, 80):
+        parts[(k - 1) % 2] += term * (-1 if (k - 1) // 2 % 2 else 1)
+        term = Fraction(round(term * angle / k * 10**50), 10**50)
+    return parts
+
+
+def to_grid(x, y, degrees, grid):
+    c, s = cosine_and_sine(degrees)
+    return tuple(Fraction(round(v / grid)) * grid for v in (c * x - s * y, s * x + c * y))
 
 
 def box_ring(w, h):
@@ -111,6 +132,7 @@ def instance(rng):
         angles = rng.choice([[0], [0, 180], [0, 90, 180, 270], [90]])
         items.append({"id": f"p{k}", "demand": rng.randint(0, 3) if k else 2, "angles": angles, "rings": rings})
         items[-1]["mirrored"] = rng.random() < 0.3
+        items[-1]["tilt"] = rng.choice([0, 0, 2, Fraction(25, 2)])
     gap = rng.choice([0, 0, Fraction(1, 2), Fraction(3, 10)])
     edge = rng.choice([0, 0, Fraction(1, 2)])
     problem = {"height": rng.randint(9, 14) + 2 * edge, "gap": gap, "edge": edge, "items": items, "sheets": []}
@@ -155,6 +177,7 @@ def nesting_json(problem):
             {"type": "polygon", "data": {"outer": rings[0], "inner": rings[1:]}}
         items.append({"id": item["id"], "demand": item["demand"], "allowed_orientations": item["angles"], "shape": shape})
         items[-1]["mirrored"] = item["mirrored"]
+        items[-1]["tilt"] = number(Fraction(item["tilt"]))
     result = {"name": "random", "items": items}
     if not problem["sheets"]:
         return {**result, "strip_height": number(Fraction(problem["height"]))}
@@ -163,11 +186,11 @@ def nesting_json(problem):
     return {**result, "sheets": sheets}
 
 
-def placed_rings(problem, item):
+def placed_rings(problem, item, grid):
     part = next(p for p in problem["items"] if p["id"] == item["part"])
     x, y = (Fraction(v) for v in item["at"])
     rings = [[(-a, b) for a, b in ring][::-1] for ring in part["rings"]] if item["mirrored"] else part["rings"]
-    return [[(a + x, b + y) for a, b in turned(ring, int(item["angle"]))] for ring in rings]
+    return [[(a + x, b + y) for a, b in turned(ring, Fraction(str(item["angle"])), grid)] for ring in rings]
 
 
 def outside_sheet(problem, kind, rings):
@@ -193,11 +216,21 @@ def sheet_faults(problem, layout, shapes):
             yield f"{item['part']} is outside"
 
 
+def is_allowed(part, angle):
+    """Within the tilt of one of the angles."""
+    off = [(angle - one) % 360 for one in part["angles"]]
+    return min(min(by, 360 - by) for by in off) <= part["tilt"]
+
+
+def grid_of(layout):
+    return Fraction(layout["grid"]) if "grid" in layout else None
+
+
 def faults(problem, layout):
     """What is wrong with a layout, as words."""
     found = []
     length, height = Fraction(layout["length"]), problem["height"]
-    shapes = [placed_rings(problem, item) for item in layout["items"]]
+    shapes = [placed_rings(problem, item, grid_of(layout)) for item in layout["items"]]
     for part in problem["items"]:
         count = sum(item["part"] == part["id"] for item in layout["items"])
         count += sum(out["copies"] for out in layout["left_out"] if out["part"] == part["id"])
@@ -205,7 +238,7 @@ def faults(problem, layout):
             found.append(f"{count} copies of {part['id']}")
     for item, rings in zip(layout["items"], shapes):
         part = next(p for p in problem["items"] if p["id"] == item["part"])
-        if int(item["angle"]) % 360 not in part["angles"]:
+        if not is_allowed(part, Fraction(str(item["angle"]))):
             found.append(f"{item['part']} turned by {item['angle']}")
         if item["mirrored"] and not part["mirrored"]:
             found.append(f"{item['part']} is mirrored")
@@ -252,7 +285,8 @@ def check_instance(program, seed, folder):
     if wrong:
         fail(seed, "; ".join(wrong))
     last = max(item["sheet"] for item in layout["items"])
-    ends = [x for item in layout["items"] if item["sheet"] == last for x, _ in placed_rings(problem, item)[0]]
+    ends = [x for item in layout["items"] if item["sheet"] == last
+            for x, _ in placed_rings(problem, item, grid_of(layout))[0]]
     if Fraction(layout["length"]) != max(ends) + problem["edge"]:
         fail(seed, f"length {layout['length']}, but the parts end at {max(ends)}")
     if Fraction(layout["length"]) < Fraction(layout["lower_bound"]):

@@ -88,6 +88,11 @@ std::string angles_text(const std::string& text) {
   return "";
 }
 
+std::string tilt_text(const std::string& text) {
+  const auto tilt = fraction(text);
+  return tilt && *tilt >= 0 && *tilt <= 180 ? "" : fmt::format("a tilt is from 0 to 180 degrees; not '{}'", text);
+}
+
 std::string unit_text(const std::string& text) try {
   io::parse_unit(text);
   return "";

@@ -140,6 +140,10 @@ void add_drawn_parts(CLI::App& command, Options& o) {
       ->type_name("DEG[,DEG]")
       ->check(angles_text)
       ->group(kDrawing);
+  command.add_option("--tilt", o.tilt, "by how many degrees a copy may be off one of the angles (default 0)")
+      ->type_name("DEG")
+      ->check(tilt_text)
+      ->group(kDrawing);
   command.add_flag("--mirrored", o.mirrored, "drawings may be turned over")->group(kDrawing);
   command.add_option("--unit", o.unit, "the unit of the result (default mm)")
       ->type_name("UNIT")

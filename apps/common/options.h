@@ -65,6 +65,7 @@ struct Options {
   std::optional<std::string> sheet;                    // of pack and verify, for drawings: "W,H", decimals
   std::vector<std::string> angles;                     // of these: allowed, in degrees
   bool mirrored = false;                               // of these: they may be turned over
+  std::optional<std::string> tilt;                     // of these: degrees off the angles
   std::optional<std::filesystem::path> start;          // of pack: a layout
   std::uint64_t seed = 1;                              // of pack
   unsigned workers = 0;                                // of batch; 0: one for each core

@@ -101,8 +101,8 @@ std::string item_json(const Drawing& drawing, const std::string& name, const Opt
   if (o.layer) file += fmt::format(", \"layer\": {}", io::json_string(*o.layer));
   const std::string angles = io::list(o.angles, [](const std::string& angle) { return io::json_string(angle); });
   return fmt::format(
-      "{{\"id\": {}, \"demand\": {}, \"allowed_orientations\": {}, \"mirrored\": {}, \"shape\": {{{}}}}}",
-      io::json_string(name), drawing.count, angles, io::truth(o.mirrored), file);
+      "{{\"id\": {}, \"demand\": {}, \"allowed_orientations\": {}, \"mirrored\": {}, \"tilt\": {}, \"shape\": {{{}}}}}",
+      io::json_string(name), drawing.count, angles, io::truth(o.mirrored), io::json_string(o.tilt.value_or("0")), file);
 }
 
 /// "600,400"
@@ -137,9 +137,10 @@ StatedProblem stated_problem(const std::vector<std::string>& words, const Option
   if (is_drawing(words[0]) || words.size() > 1) return drawn_problem(words, options);
   if (io::is_space_ending(io::lower_ending(std::filesystem::path(words[0]).extension().string())))
     refuse_word(words[0]);
-  if (options.sheet || !options.angles.empty() || options.mirrored || options.unit || options.layer)
-    throw Error(ErrorCode::kUsage,
-                "--sheet, --angles, --mirrored, --unit and --layer are for drawings; a problem says them itself");
+  if (options.sheet || !options.angles.empty() || options.mirrored || options.tilt || options.unit || options.layer)
+    throw Error(
+        ErrorCode::kUsage,
+        "--sheet, --angles, --tilt, --mirrored, --unit and --layer are for drawings; a problem says them itself");
   return {io::read_text(words[0], options.input_limit), words[0]};
 }
 

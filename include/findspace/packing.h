@@ -38,6 +38,9 @@ struct PackPart {
   std::optional<Number> value = {};
   /// Instead of rings.
   std::optional<Shape> shape = {};
+  /// Degrees by which each copy may be off one of the angles, from 0 to 180. The search keeps to the angles; its layout
+  /// is then made shorter by rotating the parts a little.
+  Number tilt = 0;
 
   /// A part of any shape.
   static PackPart of(std::string name, Shape shape, int count = 1);

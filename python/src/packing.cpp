@@ -67,22 +67,27 @@ PackProblem unpacked_problem(const py::tuple& t) {
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<PackPart>(m, "PackPart", "A kind of part: an outline with holes or a Shape, how many, at which angles.")
+  py::class_<PackPart>(m, "PackPart",
+                       "A kind of part: an outline with holes or a Shape, how many, at which angles (degrees), and by "
+                       "how many degrees a copy may be off one of them (`tilt`).")
       .def(py::init([](std::string name, const Shape& shape, int count, const py::sequence& angles, bool mirrored,
-                       const py::object& value) {
-             return PackPart{std::move(name), {}, count, numbers(angles), mirrored, amount(value), shape};
+                       const py::object& value, const py::object& tilt) {
+             return PackPart{std::move(name), {}, count, numbers(angles), mirrored, amount(value), shape, number(tilt)};
            }),
            py::arg("name"), py::arg("shape"), py::arg("count") = 1, py::arg("angles") = py::make_tuple(0),
-           py::arg("mirrored") = false, py::arg("value") = py::none())
+           py::arg("mirrored") = false, py::arg("value") = py::none(), py::arg("tilt") = 0)
       .def(py::init([](std::string name, const py::sequence& outline, const py::sequence& holes, int count,
-                       const py::sequence& angles, bool mirrored, const py::object& value) {
-             return PackPart{std::move(name), rings_of(outline, holes), count, numbers(angles), mirrored,
-                             amount(value)};
+                       const py::sequence& angles, bool mirrored, const py::object& value, const py::object& tilt) {
+             return PackPart{std::move(name), rings_of(outline, holes),
+                             count,           numbers(angles),
+                             mirrored,        amount(value),
+                             std::nullopt,    number(tilt)};
            }),
            py::arg("name"), py::arg("outline"), py::arg("holes") = py::tuple(), py::arg("count") = 1,
-           py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none())
+           py::arg("angles") = py::make_tuple(0), py::arg("mirrored") = false, py::arg("value") = py::none(),
+           py::arg("tilt") = 0)
       .def(pickled<PackPart>(&PackPart::name, &PackPart::rings, &PackPart::count, &PackPart::angles,
-                             &PackPart::mirrored, &PackPart::value, &PackPart::shape))
+                             &PackPart::mirrored, &PackPart::value, &PackPart::shape, &PackPart::tilt))
       .def_readonly("name", &PackPart::name, "Its name in problems and layouts.")
       .def_readwrite("count", &PackPart::count, "How many copies are wanted.");
   py::class_<PackZone>(m, "PackZone", "What the parts named may not enter, or may not leave: an outline or a Shape.")

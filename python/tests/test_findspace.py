@@ -378,6 +378,17 @@ def test_examples_in_docstrings(module):
     assert runner.summarize(verbose=False).failed == 0
 
 
+def test_pack_with_a_tilt():
+    def bar(**tilt):
+        return fs.PackPart("bar", [(0, 0), (12, 0), (12, 4), (0, 4)], angles=[10], **tilt)
+    tilted = fs.PackProblem([pickle.loads(pickle.dumps(bar(tilt=10)))], height=20)
+    layout = fs.pack(tilted, work=1)
+    assert layout.length == "12" and layout.faults(tilted) == []
+    assert layout.faults(fs.PackProblem([bar(tilt=9)], height=20)) != []
+    with pytest.raises(fs.Error, match="a tilt is from 0 to 180 degrees"):
+        fs.pack(fs.PackProblem([bar(tilt=-1)], height=20), work=1)
+
+
 def test_pack_on_sheets_and_into_a_strip():
     domino = fs.PackPart("domino", [(0, 0), (1, 0), (1, 2), (0, 2)], count=8, angles=[0, 90])
     layout = fs.pack(fs.PackProblem([domino], height=4), work=5)

@@ -23,6 +23,19 @@ inline constexpr double kPieceLeft = 1e-10;
 /// A compaction ends where it gains less than this: a thousandth of a percent, far below what one more round of search
 /// finds. Searches.
 inline constexpr double kCompactionGain = 1e-5;
+/// How far the corners that make an edge of a no-fit polygon may be off its line, of the height of the strip: a
+/// thousand times what programs leave; of arcs the tangents and chords that stand for them. A rotation to first order
+/// needs no more. Searches.
+inline constexpr double kTilt = 1e-6, kTiltOfArcs = 1e-3;
+/// Two unit normals are one where their product is within this of 1: 40 millionths of a radian, where roundings of
+/// corners turn short edges by some millionths. Searches.
+inline constexpr double kTiltDirection = 0x1p-30;
+/// What the way of a part's farthest corner costs beside the length when parts are tilted: so little that it changes no
+/// length worth having, and enough that no part rotates for nothing. Searches.
+inline constexpr double kCostOfTilt = 1e-3;
+/// Tilts by steps of a smaller part of the height are not tried, steps that gain less than the second number of the
+/// length are made smaller, and rounds that gain less than the third are the last. Found by trial. Searches.
+inline constexpr double kLeastTilt = 1e-4, kTiltGain = 2e-4, kTiltRoundGain = 1e-3;
 
 /// Solids this near count as touching where directions along contacts are chosen; of the floor. A thousand times what
 /// programs leave. Searches.

@@ -56,6 +56,9 @@ io::UnscaledPart part_of(const PackPart& part) {
   take_outline(part, "part '" + part.name + "'", result);
   for (const Number& angle : part.angles) result.angles.push_back(fraction(angle));
   if (result.angles.empty()) result.angles.push_back(0);
+  result.tilt = fraction(part.tilt);
+  if (result.tilt < 0 || result.tilt > 180)
+    throw Error(ErrorCode::kBadValue, "part '" + part.name + "': a tilt is from 0 to 180 degrees");
   return result;
 }
 
@@ -174,6 +177,7 @@ PackPart public_part(const io::UnscaledPart& part) {
                   public_amount(part.value),
                   public_shape(part.shape)};
   for (const Fraction& angle : part.angles) result.angles.push_back(angle.text());
+  result.tilt = part.tilt.text();
   return result;
 }
 

@@ -241,6 +241,10 @@ class Reader : private NestingJson {
       for (const JsonValue& angle : list(*angles).items) result.angles.push_back(number(angle));
     if (result.angles.empty()) result.angles.push_back(0);
     if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
+    if (const JsonValue* tilt = item.find("tilt")) {
+      result.tilt = number(*tilt);
+      if (result.tilt < 0 || result.tilt > 180) fail(*tilt, "a tilt is from 0 to 180 degrees");
+    }
     if (const JsonValue* value = item.find("value")) {
       result.value = number(*value);
       if (*result.value < 0) fail(*value, "a value below 0");

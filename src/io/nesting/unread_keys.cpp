@@ -21,7 +21,8 @@ using Kind = JsonValue::Kind;
 constexpr std::array<Key, 20> kProblemKeys{
     "findspace", "layout", "name",  "items",  "strip_height", "sheets",    "box",  "fixed",      "shapes",  "unit",
     "gaps",      "pairs",  "where", "groups", "curves",       "tolerance", "join", "open_lines", "$schema", "comment"};
-constexpr std::array<Key, 7> kPartKeys{"id", "demand", "allowed_orientations", "mirrored", "value", "shape", "dxf"};
+constexpr std::array<Key, 8> kPartKeys{"id",    "demand", "allowed_orientations", "mirrored", "tilt", "value",
+                                       "shape", "dxf"};
 constexpr std::array<Key, 7> kSheetKeys{"id", "count", "cost", "width", "height", "shape", "zones"};
 constexpr std::array<Key, 4> kZoneKeys{"shape", "only", "keeps_out", "holds"};
 constexpr std::array<Key, 2> kPolygonKeys{"type", "data"};

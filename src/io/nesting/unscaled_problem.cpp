@@ -61,7 +61,7 @@ int grid_digits(const UnscaledProblem& problem) {
   if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
   for (const UnscaledPart& part : problem.parts) {
     see(part, "part '" + part.name + "'");
-    if (!std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
+    if (part.tilt > 0 || !std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
   }
   for (const packing::FixedPart& fixed : problem.fixed)
     if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
@@ -109,7 +109,7 @@ packing::Part part_on(UnscaledPart& part, packing::int128 steps, const std::stri
   const std::string own = fmt::format("{}: part '{}'", place, part.name);
   Outlined outlined = outlined_on(part, steps, own);
   packing::Part result{std::move(part.name), part.demand, std::move(outlined.shape), std::move(part.angles),
-                       part.mirrored,        part.value,  std::move(outlined.round)};
+                       part.mirrored,        part.value,  std::move(outlined.round), part.tilt};
   if (!result.round) return result;
   try {
     for (const Fraction& angle : result.angles)

@@ -31,6 +31,7 @@ struct UnscaledPart {
   bool mirrored = false;
   std::optional<packing::Fraction> value = {};
   std::optional<UnscaledShape> shape = {};
+  packing::Fraction tilt = {};  // degrees, from 0 to 180
 };
 
 struct UnscaledZone {

@@ -143,24 +143,22 @@ Layout layout_of_boxes(const Problem& problem, const FieldTable& table) {
   return layout;
 }
 
-std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout) {
-  std::vector<Pose> poses;
+std::vector<const Placed*> movable_items(const Problem& problem, const FieldTable& table, const Layout& layout) {
+  std::vector<const Placed*> items;
   for (const Placed& item : layout.items) {
     const auto is_it = [&](const FixedPart& fixed) { return is_fixed_part(layout, item, fixed); };
-    if (std::any_of(problem.fixed.begin(), problem.fixed.end(), is_it) || table.variants_of(item.part).empty())
-      continue;
-    // An angle may look like another one of the part up to a translation; then the pose is that one's.
-    const SearchShape mine = search_shape(problem, problem.parts[item.part], item.angle, item.mirrored);
-    Pose pose{table.variants_of(item.part)[0],
-              {(item.x - problem.edge).to_double() + row.rooms()[problem.on_sheets() ? item.sheet : 0].low.x,
-               (item.y - problem.edge).to_double()}};
-    for (const std::size_t v : table.variants_of(item.part)) {
-      const auto off = table.offset_to(v, mine);
-      if (!off) continue;
-      pose = {v, pose.at + *off};
-      break;
-    }
-    poses.push_back(pose);
+    if (std::none_of(problem.fixed.begin(), problem.fixed.end(), is_it) && !table.variants_of(item.part).empty())
+      items.push_back(&item);
+  }
+  return items;
+}
+
+std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout) {
+  std::vector<Pose> poses;
+  for (const Placed* item : movable_items(problem, table, layout)) {
+    const double low = row.rooms()[problem.on_sheets() ? item->sheet : 0].low.x;
+    poses.push_back(table.pose_of(item->part, item->angle, item->mirrored,
+                                  {(item->x - problem.edge).to_double() + low, (item->y - problem.edge).to_double()}));
   }
   return poses;
 }

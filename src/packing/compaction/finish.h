@@ -22,7 +22,10 @@ std::optional<Layout> finished(const Problem& problem, const FieldTable& table, 
 /// Columns of the parts' boxes on a strip, behind the fixed parts: feasible where no condition of pairs forbids it.
 Layout layout_of_boxes(const Problem& problem, const FieldTable& table);
 
-/// The poses of a layout, in its order, without the fixed parts. The row begins with the layout's sheets.
+/// The items of a layout that the search may move, in its order: neither fixed parts nor what fits nowhere.
+std::vector<const Placed*> movable_items(const Problem& problem, const FieldTable& table, const Layout& layout);
+
+/// Their poses, in its order, without the fixed parts. The row begins with the layout's sheets.
 std::vector<Pose> poses_of(const Problem& problem, const FieldTable& table, const Row& row, const Layout& layout);
 
 }  // namespace findspace::packing

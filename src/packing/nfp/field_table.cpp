@@ -169,6 +169,13 @@ std::optional<Vec> FieldTable::offset_to(std::size_t variant, const SearchShape&
   return Vec{double(theirs.first - mine.first) * own.step, double(theirs.second - mine.second) * own.step};
 }
 
+Pose FieldTable::pose_of(std::size_t part, const Fraction& angle, bool mirrored, Vec at) const {
+  const SearchShape mine = search_shape(problem_, problem_.parts[part], angle, mirrored);
+  for (const std::size_t v : variants_of(part))
+    if (const auto off = offset_to(v, mine)) return {v, at + *off};
+  return {variants_of(part)[0], at};
+}
+
 std::optional<FieldTable::Opposite> FieldTable::opposite_of(std::size_t variant) const {
   SearchShape opposite = variants_[variant].shape;
   for (auto& ring : opposite.rings)

@@ -57,6 +57,9 @@ class FieldTable {
   /// Parts of different containers are farther apart than any condition asks.
   double greatest_level() const { return greatest_level_; }
 
+  /// A copy at an angle that the part may have, `at` of its own origin. It may look like another angle up to a
+  /// translation; then the pose is that one's. Of what the part never looks like: the part's first variant there.
+  Pose pose_of(std::size_t part, const Fraction& angle, bool mirrored, Vec at) const;
   /// How far the variant must be moved to be this shape at its own position, if it looks the same.
   std::optional<Vec> offset_to(std::size_t variant, const SearchShape& shape) const;
 
@@ -68,6 +71,8 @@ class FieldTable {
     /// A position of b relative to a, in the field; and a vector of the field as one of positions, or the other way.
     Vec in_field(Vec t) const { return sign_ * t + shift_; }
     Vec rotated(Vec v) const { return sign_ * v; }
+    /// The least distance of the two.
+    double gap() const { return gap_; }
 
    private:
     friend class FieldTable;

@@ -111,7 +111,30 @@ LatticePoint rotated(const LatticePoint& p, const Fraction& angle) {
   return {int128(std::round(c * x - s * y)), int128(std::round(s * x + c * y))};
 }
 
+/// From above -180 to 180 degrees.
+Fraction within_half_turn(const Fraction& angle) {
+  const int128 turn = 360 * angle.denominator();
+  int128 rest = angle.numerator() % turn;
+  if (rest <= -turn / 2) rest += turn;
+  if (rest > turn / 2) rest -= turn;
+  return Fraction(rest, angle.denominator());
+}
+
 }  // namespace
+
+Part::Off Part::nearest_angle(const Fraction& angle) const {
+  Off best{0, Fraction(360)};
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const Fraction by = within_half_turn(angle - angles[k]);
+    if (std::max(by, Fraction() - by) < std::max(best.by, Fraction() - best.by)) best = {k, by};
+  }
+  return best;
+}
+
+bool Part::allows(const Fraction& angle, bool is_mirrored) const {
+  const Fraction by = nearest_angle(angle).by;
+  return (mirrored || !is_mirrored) && by <= tilt && Fraction() - by <= tilt;
+}
 
 bool Problem::has_round_parts() const {
   const auto is_round = [](const auto& one) { return one.round != nullptr; };

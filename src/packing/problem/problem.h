@@ -48,6 +48,15 @@ struct Part {
   bool mirrored = false;                        // whether it may be turned over as well
   std::optional<Fraction> value = {};           // of a copy, where not all fit; without it its area
   std::shared_ptr<const RoundPart> round = {};  // the part itself, where that is not one polygon of the grid
+  Fraction tilt = {};                           // degrees by which a copy may be off one of the angles
+
+  /// The nearest of `angles`, and how many degrees off it the given one is, from -180 to 180.
+  struct Off {
+    std::size_t angle = 0;
+    Fraction by;
+  };
+  Off nearest_angle(const Fraction& angle) const;
+  bool allows(const Fraction& angle, bool is_mirrored) const;
 };
 
 /// What parts of some kinds, or of all, may not enter; or may not leave.

@@ -35,8 +35,9 @@ std::pair<int128, int128> size_at(const Part& part, const Fraction& angle) {
   return {box.high.x - box.low.x, box.high.y - box.low.y};
 }
 
-/// The width at the narrowest angle at which the part fits the height.
+/// The width at the narrowest angle at which the part fits the height; not of parts that may be tilted.
 std::optional<int128> least_width(const Problem& problem, const Part& part) {
+  if (part.tilt > 0) return std::nullopt;
   std::optional<int128> least;
   for (const Fraction& angle : part.angles) {
     const auto [width, height] = size_at(part, angle);

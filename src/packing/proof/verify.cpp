@@ -77,10 +77,7 @@ class Check {
     for (std::size_t i = 0; i < layout_.items.size(); ++i) {
       const Placed& item = layout_.items[i];
       --left[item.part];
-      const auto& angles = problem_.parts[item.part].angles;
-      const auto same = [&](const Fraction& angle) { return same_angle(angle, item.angle); };
-      if (is_fixed(item)) continue;
-      if ((item.mirrored && !problem_.parts[item.part].mirrored) || std::none_of(angles.begin(), angles.end(), same))
+      if (!is_fixed(item) && !problem_.parts[item.part].allows(item.angle, item.mirrored))
         result_.faults.push_back({.kind = Fault::Kind::kAngle, .first = i});
     }
     for (std::size_t p = 0; p < left.size(); ++p)
@@ -101,11 +98,6 @@ class Check {
                                 .x = f.placed.x.to_double(),
                                 .y = f.placed.y.to_double()});
     }
-  }
-
-  static bool same_angle(const Fraction& a, const Fraction& b) {
-    const Fraction difference = a - b;
-    return difference.denominator() == 1 && difference.numerator() % 360 == 0;
   }
 
   void check_inside(std::size_t i) {
