@@ -19,7 +19,7 @@
 namespace findspace::app {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr int kBusyMilliseconds = 2000;
 constexpr std::uint64_t kPage = 4096, kLeastPages = 64;
 constexpr std::uint64_t kLargestShare = 8;  // of the limit, one over that: an entry at most

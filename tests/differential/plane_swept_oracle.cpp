@@ -56,7 +56,7 @@ RealVector middle(const CellComplex& c, Index e) {
   if (!c.is_arc(e)) return m;
   const exact::SupportingCurve& k = c.supporting_curve(e);
   const Real dx = m.x - k.center_x();
-  return {m.x, k.center_y() + Real(int(c.edges[e].half)) * sqrt(k.w * k.w - dx * dx)};
+  return {m.x, k.center_y() + Real(int(c.edges[e].half)) * sqrt(k.w() * k.w() - dx * dx)};
 }
 
 std::vector<RealVector> probes(const CellComplex& result, Random& random) {

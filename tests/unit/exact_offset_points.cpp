@@ -59,9 +59,9 @@ TEST(LineFilter, HoldsTheUnitNormalAndTheDistance) {
     const std::uint32_t parallel = g.add_parallel(g.supporting_curves[line], y, x);
     const Real n = length(w.a, w.b);
     for (std::uint32_t l : {line, parallel}) {
-      EXPECT_TRUE(holds(g.supporting_curves[l].x, Real(w.a) / n));
-      EXPECT_TRUE(holds(g.supporting_curves[l].y, Real(w.b) / n));
-      EXPECT_TRUE(holds(g.supporting_curves[l].z, Real(g.supporting_curves[l].c) / n)) << k;
+      EXPECT_TRUE(holds(g.supporting_curves[l].x(), Real(w.a) / n));
+      EXPECT_TRUE(holds(g.supporting_curves[l].y(), Real(w.b) / n));
+      EXPECT_TRUE(holds(g.supporting_curves[l].z(), Real(g.supporting_curves[l].c) / n)) << k;
     }
   }
 }

@@ -45,7 +45,7 @@ Real extent(const CellComplex& m) {
     most = std::max({most, p.x + p.error, p.y + p.error});
   }
   for (const exact::SupportingCurve& k : m.geometry.supporting_curves)
-    if (k.circle) widest = std::max(widest, k.z.value + k.z.error);
+    if (k.circle) widest = std::max(widest, k.z().value + k.z().error);
   return Real::from_double(std::ceil(2 * (most - least + 2 * widest)) + 1);
 }
 

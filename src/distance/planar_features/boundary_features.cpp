@@ -68,9 +68,9 @@ BoundaryFeature edge_feature(const CellComplex& c, Index e) {
   s.arc = s.half != 0;
   const SupportingCurve& k = c.supporting_curve(e);
   if (s.arc) {
-    s.cx = k.x.value;
-    s.cy = k.y.value;
-    s.r = k.z.value;
+    s.cx = k.x().value;
+    s.cy = k.y().value;
+    s.r = k.z().value;
   }
   return s;
 }
@@ -93,9 +93,9 @@ LevelCurve near_level_curve(const CellComplex& c, const BoundaryFeature& s, doub
   const SupportingCurve& k = c.supporting_curve(s.cell.index);
   if (k.circle) {
     bool outside = plain_length(x - s.cx, y - s.cy) > s.r;
-    return LevelCurve::ring(k.center_x(), k.center_y(), k.w, outside ? level : -level);
+    return LevelCurve::ring(k.center_x(), k.center_y(), k.w(), outside ? level : -level);
   }
-  bool above = k.x.value * (x - s.x0) + k.y.value * (y - s.y0) > 0;
+  bool above = k.x().value * (x - s.x0) + k.y().value * (y - s.y0) > 0;
   Real n = sqrt(Real(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b)) * level;
   return LevelCurve::line(k.a, k.b, k.offset(), above ? n : -n);
 }
@@ -103,7 +103,7 @@ LevelCurve near_level_curve(const CellComplex& c, const BoundaryFeature& s, doub
 LevelCurve far_level_curve(const CellComplex& c, const BoundaryFeature& s) {
   if (s.is_vertex()) return near_level_curve(c, s, 0, 0, 1);
   const SupportingCurve& k = c.supporting_curve(s.cell.index);
-  return LevelCurve::ring(k.center_x(), k.center_y(), -k.w, 1);
+  return LevelCurve::ring(k.center_x(), k.center_y(), -k.w(), 1);
 }
 
 LevelCurve fixed_level_curve(const CellComplex& c, const BoundaryFeature& s) {
@@ -112,7 +112,7 @@ LevelCurve fixed_level_curve(const CellComplex& c, const BoundaryFeature& s) {
     return LevelCurve::ring(at.x, at.y, Real(), Real());
   }
   const SupportingCurve& k = c.supporting_curve(s.cell.index);
-  if (k.circle) return LevelCurve::ring(k.center_x(), k.center_y(), k.w, Real());
+  if (k.circle) return LevelCurve::ring(k.center_x(), k.center_y(), k.w(), Real());
   return LevelCurve::line(k.a, k.b, k.offset(), Real());
 }
 

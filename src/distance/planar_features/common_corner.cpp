@@ -32,8 +32,8 @@ int height(const Region& r, Index edge, double x, double y, double tolerance) {
     return ahead > up ? 1 : -1;
   }
   const exact::SupportingCurve& k = r.supporting_curve(edge);
-  const double dy = (y - k.y.value) * e.half, gap = std::hypot(x - k.x.value, y - k.y.value) - k.z.value;
-  const double near = 4 * (tolerance + k.z.value * margin::kLostByDoubles + k.x.error + k.y.error + k.z.error);
+  const double dy = (y - k.y().value) * e.half, gap = std::hypot(x - k.x().value, y - k.y().value) - k.z().value;
+  const double near = 4 * (tolerance + k.z().value * margin::kLostByDoubles + k.x().error + k.y().error + k.z().error);
   if (dy < -near || gap < -near) return -e.half;  // on the side of the chord
   return dy > near && gap > near ? e.half : 0;
 }

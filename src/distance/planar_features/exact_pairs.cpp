@@ -31,7 +31,7 @@ Centre centre(const Region& r, Cell cell, const RealPoint& by) {
     return {{at.x + by.x, at.y + by.y}, Real()};
   }
   const exact::SupportingCurve& k = r.supporting_curve(cell.index);
-  return {{k.center_x() + by.x, k.center_y() + by.y}, k.w};
+  return {{k.center_x() + by.x, k.center_y() + by.y}, k.w()};
 }
 
 bool is_line(const Region& r, Cell cell) { return cell.dimension == 1 && !r.is_arc(cell.index); }

@@ -196,7 +196,7 @@ std::optional<Index> FeatureTree::face_around(Index vertex, double x, double y) 
     }
     const exact::SupportingCurve& k = region_.supporting_curve(e);
     double turn = region_.heading(h).forward ? 1 : -1;  // counter-clockwise: the radius turned left
-    return {-(at.y - k.y.value) * turn, (at.x - k.x.value) * turn};
+    return {-(at.y - k.y().value) * turn, (at.x - k.x().value) * turn};
   };
   // 0 where it is not certain.
   auto cross = [](double ax, double ay, double bx, double by) {

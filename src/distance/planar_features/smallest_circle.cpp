@@ -145,7 +145,7 @@ class Proof {
     const RealPoint first = set_.geometry.exact(set_.vertices[e.v0].point),
                     second = set_.geometry.exact(set_.vertices[e.v1].point);
     if (off.y.sign() * s.half < 0) return false;
-    const Real length = sqrt(off.x * off.x + off.y * off.y), x = k.center_x() + k.w * off.x / length;
+    const Real length = sqrt(off.x * off.x + off.y * off.y), x = k.center_x() + k.w() * off.x / length;
     return first.x <= x && x <= second.x;
   }
 

@@ -35,7 +35,7 @@ void add_arc_values(const Region& s, Index e, const LinearForm& form, std::vecto
   const Index from = s.vertices[s.edges[e].v0].point, to = s.vertices[s.edges[e].v1].point;
   const bool above = s.edges[e].half > 0;
   const Real along =
-      k.w * Real(form.b) / exact::sqrt(Real(exact::int128(form.a) * form.a + exact::int128(form.b) * form.b));
+      k.w() * Real(form.b) / exact::sqrt(Real(exact::int128(form.a) * form.a + exact::int128(form.b) * form.b));
   const Real over = along * Real::ratio(form.a, form.b);
   // The point (over, along) from the centre lies above it where along > 0; the opposite one is the other extreme.
   const bool same = (along.sign() > 0) == above;
@@ -81,7 +81,7 @@ Region line_across(const Region& s, const LinearForm& form, const Real& value) {
     size = std::max({size, std::abs(p.x) + 2, std::abs(p.y) + 2});
   }
   for (Index e = 0; e < s.edges.size(); ++e)
-    if (s.is_arc(e)) size = std::max(size, size + 2 * s.supporting_curve(e).z.value);
+    if (s.is_arc(e)) size = std::max(size, size + 2 * s.supporting_curve(e).z().value);
   // The coordinate along the line is the larger one of its direction (-b, a); the set lies within `size` of the origin.
   const Real reach = Real::from_double(std::ceil(size));
   const bool steep = std::abs(form.a) > std::abs(form.b);

@@ -58,7 +58,7 @@ class Lengths {
 
   Arc arc_of(Index e) const {
     const exact::SupportingCurve& k = base_.supporting_curve(e);
-    return {{k.center_x(), k.center_y()}, k.w};
+    return {{k.center_x(), k.center_y()}, k.w()};
   }
 
   void add_line(const RealVector& through) {

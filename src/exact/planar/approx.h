@@ -8,6 +8,7 @@
 // analysis.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,22 @@ struct Approx {
     double spread = below > 0 ? p.error / (v + std::sqrt(below)) : std::max(v, p.error / v);
     return {v, (spread + kUnit * v) * kGrow};
   }
+};
+
+/// A bound on an error in half the room: never below what it is made of, and above by 2^-21 of it at most. Copies are
+/// the same.
+class ErrorBound {
+ public:
+  ErrorBound() = default;
+  ErrorBound(double error) : bound_(float(error)) {  // NOLINT: implicit on purpose
+    if (double(bound_) < error) bound_ = std::max(bound_ * kUp, std::numeric_limits<float>::min());
+  }
+  operator double() const { return double(bound_); }  // NOLINT
+
+ private:
+  static constexpr float kUp = 1 + 0x1p-22f;  // to the next float, or the one after it
+
+  float bound_ = 0;
 };
 
 }  // namespace findspace::exact

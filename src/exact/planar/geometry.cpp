@@ -25,20 +25,20 @@ ApproxPoint approx_crossing_of_lines(const SupportingCurve& s, const SupportingC
 }
 
 ApproxPoint approx_crossing_of_line(const SupportingCurve& line, const SupportingCurve& circle, int root) {
-  Approx h = line.x * circle.x + line.y * circle.y - line.z;
+  Approx h = line.x() * circle.x() + line.y() * circle.y() - line.z();
   if (root == 0 && h.sign() != 0) {  // the line touches the circle: |h| is the radius
-    Approx r = h.sign() > 0 ? circle.z : -circle.z;
-    return {circle.x - r * line.x, circle.y - r * line.y};
+    Approx r = h.sign() > 0 ? circle.z() : -circle.z();
+    return {circle.x() - r * line.x(), circle.y() - r * line.y()};
   }
-  Approx half = Approx{double(root), 0} * sqrt((circle.z - h) * (circle.z + h));
-  return {circle.x - h * line.x + half * line.y, circle.y - h * line.y - half * line.x};
+  Approx half = Approx{double(root), 0} * sqrt((circle.z() - h) * (circle.z() + h));
+  return {circle.x() - h * line.x() + half * line.y(), circle.y() - h * line.y() - half * line.x()};
 }
 
 ApproxPoint approx_crossing_of_circles(const SupportingCurve& s, const SupportingCurve& t, int root) {
-  Approx dx = t.x - s.x, dy = t.y - s.y, l2 = dx * dx + dy * dy;
-  Approx k = (l2 + (s.z - t.z) * (s.z + t.z)) / (l2 + l2);
-  Approx half = Approx{double(root), 0} * sqrt(s.z * s.z / l2 - k * k);
-  return {s.x + dx * k + dy * half, s.y + dy * k - dx * half};
+  Approx dx = t.x() - s.x(), dy = t.y() - s.y(), l2 = dx * dx + dy * dy;
+  Approx k = (l2 + (s.z() - t.z()) * (s.z() + t.z())) / (l2 + l2);
+  Approx half = Approx{double(root), 0} * sqrt(s.z() * s.z() / l2 - k * k);
+  return {s.x() + dx * k + dy * half, s.y() + dy * k - dx * half};
 }
 
 ApproxPoint approx_crossing(const Geometry& g, const Point& p) {
@@ -71,7 +71,7 @@ RealPoint exact_crossing(const Geometry& g, const Point& p) {
     return {t->center_x() + (b * half - a * h) / n2, t->center_y() - (a * half + b * h) / n2};
   }
   Real dx = t->center_x() - s->center_x(), dy = t->center_y() - s->center_y(), l2 = dx * dx + dy * dy;
-  Real r2 = s->w * s->w, k = (l2 + r2 - t->w * t->w) / Real(2);
+  Real r2 = s->w() * s->w(), k = (l2 + r2 - t->w() * t->w()) / Real(2);
   Real half = p.root == 0 ? Real() : Real(int(p.root)) * sqrt(r2 * l2 - k * k);
   return {s->center_x() + (dx * k + dy * half) / l2, s->center_y() + (dy * k - dx * half) / l2};
 }
@@ -89,28 +89,24 @@ std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
 
 std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y) {
   const std::int64_t a = line.a, b = line.b;  // the line may be of this geometry, which grows
-  const Approx normal_x = line.x, normal_y = line.y;
+  const Approx normal_x = line.x(), normal_y = line.y();
   SupportingCurve& l = supporting_curves.emplace_back();
   l.a = a;
   l.b = b;
-  l.x = normal_x;
-  l.y = normal_y;
   l.c = int128(a) * x + int128(b) * y;
-  set_distance_through(l, x, y);
+  l.set_filter(normal_x, normal_y, distance_through(normal_x, normal_y, x, y));
   return std::uint32_t(supporting_curves.size() - 1);
 }
 
-std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const Real& shift) {
+std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const CurveReals& shift) {
   if (integer_length(line.a, line.b)) return add(SupportingCurve::displaced_line(line.a, line.b, line.c, shift));
   SupportingCurve l;  // made first: line and shift may be of this geometry, which grows
   l.grid = false;
   l.a = line.a;
   l.b = line.b;
   l.c = line.c;
-  l.w = shift;
-  l.x = line.x;
-  l.y = line.y;
-  l.z = line.z + from_real(shift);
+  l.reals = shift;
+  l.set_filter(line.x(), line.y(), line.z() + from_real(shift.w()));
   return add(std::move(l));
 }
 
@@ -129,6 +125,7 @@ std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
   Point p;
   p.kind = Point::Kind::kReal;
   p.i = std::uint32_t(reals.size());
+  p.j = 0;
   set_approx(p, {from_real(x), from_real(y)});
   reals.push_back({x, y});
   points.push_back(p);

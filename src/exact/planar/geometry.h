@@ -15,43 +15,66 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "exact/number/real.h"
 #include "exact/planar/approx.h"
+#include "exact/planar/curve_reals.h"
 
 namespace findspace::exact {
 
-struct RealPoint {
-  Real x, y;
-};
-
 struct SupportingCurve {
-  bool circle = false;
-  bool grid = true;           // line: the offset is the integer c; circle: the centre is (a, b)
+  int128 c = 0;               // line: integer offset, before it is displaced
   std::int64_t a = 0, b = 0;  // line: normal; circle: grid centre
-  int128 c = 0;               // line: integer offset
-  std::shared_ptr<const RealPoint>
-      real;  // line: x = offset, null unless neither grid nor displaced; circle: centre unless grid
-  Real w;    // circle: radius; line: displacement along its unit normal, 0 unless displaced
-  // First stage: line: unit normal (x, y) and distance z of the origin; circle: centre (x, y), radius z.
-  Approx x, y, z;
+  bool circle = false;
+  bool grid = true;  // line: the offset is the integer c; circle: the centre is (a, b)
+
+ private:
+  ErrorBound x_error_, y_error_, z_error_;  // here for their size: this is most of what large sets are made of
+
+ public:
+  /// Circle: radius; line: displacement along its unit normal, 0 unless displaced. The point: of a circle its centre
+  /// unless that is a grid point; of a line its x is the offset, and null unless that is neither an integer nor
+  /// displaced.
+  CurveReals reals;
+
+  const Real& w() const { return reals.w(); }
+  const RealPoint* real() const { return reals.point(); }
+  /// First stage: line: unit normal (x, y) and distance z of the origin; circle: centre (x, y), radius z.
+  Approx x() const { return {x_, x_error_}; }
+  Approx y() const { return {y_, y_error_}; }
+  Approx z() const { return {z_, z_error_}; }
+  void set_filter(const Approx& x, const Approx& y, const Approx& z) {
+    x_ = x.value;
+    y_ = y.value;
+    z_ = z.value;
+    x_error_ = x.error;
+    y_error_ = y.error;
+    z_error_ = z.error;
+  }
 
   static SupportingCurve line(std::int64_t a, std::int64_t b, int128 c);
   static SupportingCurve line(std::int64_t a, std::int64_t b, const Real& c);
   /// The line with offset c, moved along its unit normal by `shift`.
-  static SupportingCurve displaced_line(std::int64_t a, std::int64_t b, int128 c, const Real& shift);
-  static SupportingCurve circle_at(std::int64_t cx, std::int64_t cy, const Real& r);
-  static SupportingCurve circle_at(const Real& cx, const Real& cy, const Real& r);
-  bool displaced() const { return !circle && !grid && !real; }
-  Real offset() const {
-    return grid ? Real(c) : real ? real->x : Real(c) + w * sqrt(Real(int128(a) * a + int128(b) * b));
+  static SupportingCurve displaced_line(std::int64_t a, std::int64_t b, int128 c, const CurveReals& shift);
+  /// `r`: the radius, shared by circles that are given the same one.
+  static SupportingCurve circle_at(std::int64_t cx, std::int64_t cy, const CurveReals& r);
+  static SupportingCurve circle_at(std::int64_t cx, std::int64_t cy, const Real& r) {
+    return circle_at(cx, cy, CurveReals(r));
   }
-  Real center_x() const { return grid ? Real(a) : real->x; }
-  Real center_y() const { return grid ? Real(b) : real->y; }
+  static SupportingCurve circle_at(const Real& cx, const Real& cy, const Real& r);
+  bool displaced() const { return !circle && !grid && !real(); }
+  Real offset() const {
+    return grid ? Real(c) : real() ? real()->x : Real(c) + w() * sqrt(Real(int128(a) * a + int128(b) * b));
+  }
+  Real center_x() const { return grid ? Real(a) : real()->x; }
+  Real center_y() const { return grid ? Real(b) : real()->y; }
+
+ private:
+  double x_ = 0, y_ = 0, z_ = 0;
 };
+static_assert(sizeof(SupportingCurve) == 80);
 
 /// Exactly the same point set.
 bool same_supporting_curve(const SupportingCurve& p, const SupportingCurve& q);
@@ -63,11 +86,19 @@ std::int64_t make_primitive(std::int64_t& a, std::int64_t& b);
 struct Point {
   enum class Kind : std::uint8_t { kGrid, kCross, kReal };
   Kind kind = Kind::kGrid;
-  std::int8_t root = 0;            // kCross: 0 for two lines, else the sign of the square root (see geometry.cpp)
-  std::uint32_t i = 0, j = 0;      // kCross: supporting curves, i < j; kReal: i indexes Geometry::reals
-  std::int64_t gx = 0, gy = 0;     // kGrid
-  double x = 0, y = 0, error = 0;  // |exact - (x, y)| <= error in each coordinate
+  std::int8_t root = 0;  // kCross: 0 for two lines, else the sign of the square root (see geometry.cpp)
+  ErrorBound error;      // |exact - (x, y)| <= error in each coordinate
+  double x = 0, y = 0;
+  union {
+    std::int64_t gx = 0;  // kGrid
+    std::uint32_t i;      // kCross: supporting curves, i < j; kReal: i indexes Geometry::reals
+  };
+  union {
+    std::int64_t gy = 0;
+    std::uint32_t j;
+  };
 };
+static_assert(sizeof(Point) == 40);
 
 /// A store: curves and points are numbered in the order in which they were added. References into it end with the
 /// next `add`, but may be given to that one.
@@ -86,7 +117,7 @@ class Geometry {
   /// The line through the grid point (x, y) parallel to a grid line, whose filter it shares.
   std::uint32_t add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y);
   /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
-  std::uint32_t add_displaced(const SupportingCurve& line, const Real& shift);
+  std::uint32_t add_displaced(const SupportingCurve& line, const CurveReals& shift);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y);
   std::uint32_t add_real_point(const Real& x, const Real& y);
   /// The point where supporting curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.

@@ -64,10 +64,10 @@ int fixed_compare(const Geometry& g, const Point& p, const Point& q, bool x_axis
 
 std::array<Approx, 2> tangent(const Geometry& g, std::uint32_t p, Heading h) {
   const SupportingCurve& k = g.supporting_curves[h.supporting_curve];
-  Approx dx = k.y, dy = -k.x;
+  Approx dx = k.y(), dy = -k.x();
   if (k.circle) {
-    dx = k.y - from_double(g.points[p].y, g.points[p].error);
-    dy = from_double(g.points[p].x, g.points[p].error) - k.x;
+    dx = k.y() - from_double(g.points[p].y, g.points[p].error);
+    dy = from_double(g.points[p].x, g.points[p].error) - k.x();
   }
   if (h.forward) return {dx, dy};
   return {-dx, -dy};
@@ -104,7 +104,7 @@ int staged_side(const Geometry& g, std::uint32_t p, std::uint32_t supporting_cur
   if (q.kind == Point::Kind::kCross && (q.i == supporting_curve || q.j == supporting_curve)) return 0;
   Approx x = from_double(q.x, q.error), y = from_double(q.y, q.error);
   if (!k.circle) {
-    Approx s = k.x * x + k.y * y - k.z;
+    Approx s = k.x() * x + k.y() * y - k.z();
     if (s.sign() != 0) return s.sign();
     if (k.grid && is_fixed(g, q)) {
       FixedPoint f = fixed(g, q);
@@ -113,12 +113,12 @@ int staged_side(const Geometry& g, std::uint32_t p, std::uint32_t supporting_cur
     RealPoint e = g.exact(p);
     return (Real(k.a) * e.x + Real(k.b) * e.y - k.offset()).sign();
   }
-  Approx dx = x - k.x, dy = y - k.y;
-  Approx s = dx * dx + dy * dy - k.z * k.z;
+  Approx dx = x - k.x(), dy = y - k.y();
+  Approx s = dx * dx + dy * dy - k.z() * k.z();
   if (s.sign() != 0) return s.sign();
   RealPoint e = g.exact(p);
   Real ex = e.x - k.center_x(), ey = e.y - k.center_y();
-  return compare(ex * ex + ey * ey, k.w * k.w);
+  return compare(ex * ex + ey * ey, k.w() * k.w());
 }
 
 }  // namespace detail
@@ -131,13 +131,13 @@ int compare_xy(const Geometry& g, std::uint32_t p, std::uint32_t q) {
 
 int above_center(const Geometry& g, std::uint32_t p, std::uint32_t circle) {
   const SupportingCurve& k = g.supporting_curves[circle];
-  Approx s = from_double(g.points[p].y, g.points[p].error) - k.y;
+  Approx s = from_double(g.points[p].y, g.points[p].error) - k.y();
   return s.certain() ? s.sign() : compare(g.exact_y(p), k.center_y());
 }
 
 int right_of_center(const Geometry& g, std::uint32_t p, std::uint32_t circle) {
   const SupportingCurve& k = g.supporting_curves[circle];
-  Approx s = from_double(g.points[p].x, g.points[p].error) - k.x;
+  Approx s = from_double(g.points[p].x, g.points[p].error) - k.x();
   return s.certain() ? s.sign() : compare(g.exact_x(p), k.center_x());
 }
 
@@ -154,18 +154,18 @@ Meeting meet(const Geometry& g, std::uint32_t i, std::uint32_t j) {
   if (s->circle && !t->circle) std::swap(s, t);
   auto by_sign = [](int sign) { return sign > 0 ? Meeting{2, {-1, 1}} : sign == 0 ? Meeting{1, {0, 0}} : Meeting{}; };
   if (!s->circle) {
-    Approx h = s->x * t->x + s->y * t->y - s->z;
-    Approx square = (t->z - h) * (t->z + h);
+    Approx h = s->x() * t->x() + s->y() * t->y() - s->z();
+    Approx square = (t->z() - h) * (t->z() + h);
     return by_sign(square.sign() != 0 ? square.sign() : crossing_discriminant(*s, *t).sign());
   }
-  Approx dx = t->x - s->x, dy = t->y - s->y, l2 = dx * dx + dy * dy;
-  Approx sum = s->z + t->z, difference = s->z - t->z;
+  Approx dx = t->x() - s->x(), dy = t->y() - s->y(), l2 = dx * dx + dy * dy;
+  Approx sum = s->z() + t->z(), difference = s->z() - t->z();
   int outer = (sum * sum - l2).sign(), inner = (l2 - difference * difference).sign();
   if (outer < 0 || inner < 0) return {};
   if (outer == 0 || inner == 0) {
     Real ex = t->center_x() - s->center_x(), ey = t->center_y() - s->center_y(), e2 = ex * ex + ey * ey;
     if (e2.sign() == 0) return {};
-    Real plus = s->w + t->w, minus = s->w - t->w;
+    Real plus = s->w() + t->w(), minus = s->w() - t->w();
     if (outer == 0) outer = compare(plus * plus, e2);
     if (inner == 0) inner = compare(e2, minus * minus);
   }
@@ -204,8 +204,8 @@ int compare_curvature(const Geometry& g, Heading h, Heading k) {
   int p = s.circle ? (h.forward ? 1 : -1) : 0, q = t.circle ? (k.forward ? 1 : -1) : 0;
   if (p != q) return p > q ? 1 : -1;
   if (p == 0) return 0;
-  Approx gap = t.z - s.z;
-  int c = gap.sign() != 0 ? gap.sign() : compare(t.w, s.w);  // smaller radius, larger curvature
+  Approx gap = t.z() - s.z();
+  int c = gap.sign() != 0 ? gap.sign() : compare(t.w(), s.w());  // smaller radius, larger curvature
   return p > 0 ? c : -c;
 }
 

@@ -56,7 +56,7 @@ inline NarrowPoint narrow_crossing(const SupportingCurve& s, const SupportingCur
 inline Real crossing_discriminant(const SupportingCurve& line, const SupportingCurve& circle) {
   Real n2 = Real(int128(line.a) * line.a + int128(line.b) * line.b);
   Real h = Real(line.a) * circle.center_x() + Real(line.b) * circle.center_y() - line.offset();
-  return circle.w * circle.w * n2 - h * h;
+  return circle.w() * circle.w() * n2 - h * h;
 }
 
 /// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
@@ -79,8 +79,8 @@ inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
 }
 
 inline Approx line_offset(const SupportingCurve& l) {
-  if (l.real) return from_real(l.real->x);
-  return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w) * normal_length(l);
+  if (const RealPoint* at = l.real()) return from_real(at->x);
+  return l.grid ? from_int(l.c) : from_int(l.c) + from_real(l.w()) * normal_length(l);
 }
 
 /// Whether a coordinate may be held as a grid coordinate.
@@ -97,9 +97,9 @@ void set_line_filter(SupportingCurve& l);
 
 /// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 5u, the rounded
 /// coordinates, the products and the sum by u each.
-inline void set_distance_through(SupportingCurve& l, std::int64_t x, std::int64_t y) {
-  const double along_x = l.x.value * double(x), along_y = l.y.value * double(y);
-  l.z = {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
+inline Approx distance_through(const Approx& normal_x, const Approx& normal_y, std::int64_t x, std::int64_t y) {
+  const double along_x = normal_x.value * double(x), along_y = normal_y.value * double(y);
+  return {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
 }
 
 }  // namespace findspace::exact

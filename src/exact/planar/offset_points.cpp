@@ -31,18 +31,18 @@ std::uint32_t add_shifted_crossing(Geometry& g, const ShiftedLine& p, const Shif
   // from it by s * (m + n) / (1 + m * n).
   const SupportingCurve &k = g.supporting_curves[p.supporting_curve], &l = g.supporting_curves[q.supporting_curve];
   const bool opposite = (p.shift.value > 0) != (q.shift.value > 0);
-  const Approx mx = opposite ? -k.x : k.x, my = opposite ? -k.y : k.y;
-  const Approx divisor = Approx{1, 0} + (mx * l.x + my * l.y);
+  const Approx mx = opposite ? -k.x() : k.x(), my = opposite ? -k.y() : k.y();
+  const Approx divisor = Approx{1, 0} + (mx * l.x() + my * l.y());
   if (divisor.sign() <= 0) return g.add_crossing(p.supporting_curve, q.supporting_curve, 0);
   const Approx by = q.shift / divisor;
-  return add_near(g, p.supporting_curve, q.supporting_curve, from_int(x) + by * (mx + l.x),
-                  from_int(y) + by * (my + l.y));
+  return add_near(g, p.supporting_curve, q.supporting_curve, from_int(x) + by * (mx + l.x()),
+                  from_int(y) + by * (my + l.y()));
 }
 
 std::uint32_t add_shifted_touch(Geometry& g, const ShiftedLine& line, std::uint32_t circle, std::int64_t x,
                                 std::int64_t y) {
   const SupportingCurve& k = g.supporting_curves[line.supporting_curve];
-  return add_near(g, line.supporting_curve, circle, from_int(x) + line.shift * k.x, from_int(y) + line.shift * k.y);
+  return add_near(g, line.supporting_curve, circle, from_int(x) + line.shift * k.x(), from_int(y) + line.shift * k.y());
 }
 
 }  // namespace findspace::exact

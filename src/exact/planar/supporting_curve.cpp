@@ -9,15 +9,14 @@ namespace findspace::exact {
 
 void set_line_filter(SupportingCurve& l) {
   const double a = double(l.a), b = double(l.b), over = 1 / std::sqrt(a * a + b * b), x = a * over, y = b * over;
-  l.x = {x, std::abs(x) * (5 * Approx::kUnit)};
-  l.y = {y, std::abs(y) * (5 * Approx::kUnit)};
+  const Approx normal_x{x, std::abs(x) * (5 * Approx::kUnit)}, normal_y{y, std::abs(y) * (5 * Approx::kUnit)};
   if (l.grid) {
     const std::int64_t narrow = std::int64_t(l.c);
     const double z = (narrow == l.c ? double(narrow) : double(l.c)) * over;
-    l.z = {z, std::abs(z) * (8 * Approx::kUnit)};
-    return;
+    return l.set_filter(normal_x, normal_y, {z, std::abs(z) * (8 * Approx::kUnit)});
   }
-  l.z = l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w) : line_offset(l) / normal_length(l);
+  l.set_filter(normal_x, normal_y,
+               l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w()) : line_offset(l) / normal_length(l));
 }
 
 std::int64_t make_primitive(std::int64_t& a, std::int64_t& b) {
@@ -43,34 +42,32 @@ SupportingCurve SupportingCurve::line(std::int64_t a, std::int64_t b, const Real
   l.grid = false;
   l.a = a;
   l.b = b;
-  l.real = std::make_shared<const RealPoint>(RealPoint{c, Real()});
+  l.reals = CurveReals({c, Real()}, Real());
   set_line_filter(l);
   return l;
 }
 
-SupportingCurve SupportingCurve::displaced_line(std::int64_t a, std::int64_t b, int128 c, const Real& shift) {
-  if (shift.sign() == 0) return line(a, b, c);
+SupportingCurve SupportingCurve::displaced_line(std::int64_t a, std::int64_t b, int128 c, const CurveReals& shift) {
+  if (shift.w().sign() == 0) return line(a, b, c);
   // An integer length gives a rational offset.
-  if (auto length = integer_length(a, b)) return line(a, b, Real(c) + shift * Real(*length));
+  if (auto length = integer_length(a, b)) return line(a, b, Real(c) + shift.w() * Real(*length));
   SupportingCurve l;
   l.grid = false;
   l.a = a;
   l.b = b;
   l.c = c;
-  l.w = shift;
+  l.reals = shift;
   set_line_filter(l);
   return l;
 }
 
-SupportingCurve SupportingCurve::circle_at(std::int64_t cx, std::int64_t cy, const Real& r) {
+SupportingCurve SupportingCurve::circle_at(std::int64_t cx, std::int64_t cy, const CurveReals& r) {
   SupportingCurve k;
   k.circle = true;
   k.a = cx;
   k.b = cy;
-  k.w = r;
-  k.x = from_int(cx);
-  k.y = from_int(cy);
-  k.z = from_real(r);
+  k.reals = r;
+  k.set_filter(from_int(cx), from_int(cy), from_real(r.w()));
   return k;
 }
 
@@ -80,27 +77,24 @@ SupportingCurve SupportingCurve::circle_at(const Real& cx, const Real& cy, const
   SupportingCurve k;
   k.circle = true;
   k.grid = false;
-  k.real = std::make_shared<const RealPoint>(RealPoint{cx, cy});
-  k.w = r;
-  k.x = from_real(cx);
-  k.y = from_real(cy);
-  k.z = from_real(r);
+  k.reals = CurveReals({cx, cy}, r);
+  k.set_filter(from_real(cx), from_real(cy), from_real(r));
   return k;
 }
 
 bool same_supporting_curve(const SupportingCurve& p, const SupportingCurve& q) {
   if (p.circle != q.circle) return false;
-  if ((p.z - q.z).sign() != 0) return false;
+  if ((p.z() - q.z()).sign() != 0) return false;
   if (!p.circle) {
     if (p.a != q.a || p.b != q.b) return false;
     if (p.grid && q.grid) return p.c == q.c;
-    if (p.displaced() && q.displaced() && p.c == q.c) return p.w == q.w;
+    if (p.displaced() && q.displaced() && p.c == q.c) return p.w() == q.w();
     return p.offset() == q.offset();
   }
-  if ((p.x - q.x).sign() != 0 || (p.y - q.y).sign() != 0) return false;
+  if ((p.x() - q.x()).sign() != 0 || (p.y() - q.y()).sign() != 0) return false;
   bool same_center =
       p.grid && q.grid ? p.a == q.a && p.b == q.b : p.center_x() == q.center_x() && p.center_y() == q.center_y();
-  return same_center && p.w == q.w;
+  return same_center && p.w() == q.w();
 }
 
 }  // namespace findspace::exact

@@ -45,7 +45,7 @@ void set_kind(FeatureAt& out, const Region& r, plane::Cell cell, const exact::Re
     const exact::SupportingCurve& k = r.supporting_curve(cell.index);
     out.kind = Kind::kArc;
     out.points = {place({k.center_x(), k.center_y()})};
-    out.radius = k.w * step;
+    out.radius = k.w() * step;
   } else {
     out.kind = Kind::kEdge;
     for (Index v : {r.edges[cell.index].v0, r.edges[cell.index].v1})

@@ -66,10 +66,10 @@ class CellsText {
 
   std::string supporting_curve(const SupportingCurve& k) {
     if (k.circle) {
-      return fmt::format("{{\"circle\": [{}, {}, {}]}}", number(k.center_x()), number(k.center_y()), number(k.w));
+      return fmt::format("{{\"circle\": [{}, {}, {}]}}", number(k.center_x()), number(k.center_y()), number(k.w()));
     }
     const Real offset = k.displaced() ? Real(k.c) : k.offset();
-    const std::string shift = k.displaced() ? fmt::format(", \"shift\": {}", number(k.w)) : "";
+    const std::string shift = k.displaced() ? fmt::format(", \"shift\": {}", number(k.w())) : "";
     return fmt::format("{{\"line\": [{}, {}, {}]{}}}", k.a, k.b, number(offset), shift);
   }
 

@@ -92,7 +92,7 @@ class Primitives {
                          return exact::same_supporting_curve(c_.supporting_curve(h / 2), k);
                        });
     if (!whole || !face.inner.empty()) return std::nullopt;
-    const auto x = decimal(k.a), y = decimal(k.b), r = decimal(k.w);
+    const auto x = decimal(k.a), y = decimal(k.b), r = decimal(k.w());
     if (!x || !y || !r) return std::nullopt;
     return fmt::format(R"({{"disc": {{"center": [{}, {}], "radius": {}}}}})", *x, *y, *r);
   }

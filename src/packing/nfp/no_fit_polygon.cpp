@@ -68,7 +68,7 @@ class Boundary {
   }
   /// Chords where the overlap is outside the circle, tangents where it is inside: they lie on the free side.
   void add_arc(const exact::SupportingCurve& circle, Vec from, Vec to, bool ccw, bool slit) {
-    const Arc arc{{circle.x.value * step_, circle.y.value * step_}, circle.z.value * step_, from, to, ccw};
+    const Arc arc{{circle.x().value * step_, circle.y().value * step_}, circle.z().value * step_, from, to, ccw};
     for (const Vec next : corners_of(arc, ccw && !slit)) {
       add({from, next, slit});
       from = next;

@@ -74,7 +74,7 @@ Polygon polygon_about(const plane::Region& region) {
       if (!region.is_arc(h / 2)) continue;
       const exact::SupportingCurve& circle = region.supporting_curve(h / 2);
       const Arc arc{{circle.center_x().to_double(), circle.center_y().to_double()},
-                    circle.w.to_double(),
+                    circle.w().to_double(),
                     from,
                     place_of(region, region.target(h)),
                     (region.edges[h / 2].half < 0) == ((h & 1U) == 0)};
@@ -107,7 +107,7 @@ void find_box(RoundPart::Form& form) {
     if (side(region.edges[e].v0) >= 0 || side(region.edges[e].v1) <= 0) continue;
     const exact::SupportingCurve& circle = region.supporting_curve(e);
     see(form.low.y, form.high.y,
-        region.edges[e].half > 0 ? circle.center_y() + circle.w : circle.center_y() - circle.w);
+        region.edges[e].half > 0 ? circle.center_y() + circle.w() : circle.center_y() - circle.w());
   }
   form.box = {{exact::floor(form.low.x), exact::floor(form.low.y)},
               {-exact::floor(-form.high.x), -exact::floor(-form.high.y)}};

@@ -134,15 +134,16 @@ class Candidates {
     if (set_.faces[set_.face(outer)].mark > 0) return false;
     const SupportingCurve& k = set_.supporting_curve(e);
     return corners < 3 || std::any_of(sides_.begin(), sides_.end(), [&](const Side& s) {
-             double reach = s.x * k.x.value + s.y * k.y.value + k.z.value;
-             return reach + margin::kHullCandidate * (std::abs(reach) + std::abs(s.offset) + k.z.value + 1) > s.offset;
+             double reach = s.x * k.x().value + s.y * k.y().value + k.z().value;
+             return reach + margin::kHullCandidate * (std::abs(reach) + std::abs(s.offset) + k.z().value + 1) >
+                    s.offset;
            });
   }
 
   void add_arc(Index e) {
     const Edge& d = set_.edges[e];
     const SupportingCurve& k = set_.supporting_curve(e);
-    HullElement arc{.center = {k.center_x(), k.center_y()}, .radius = k.w};
+    HullElement arc{.center = {k.center_x(), k.center_y()}, .radius = k.w()};
     arc.low = place(d.half > 0 ? d.v1 : d.v0) - arc.center;
     arc.high = place(d.half > 0 ? d.v0 : d.v1) - arc.center;
     elements.push_back(std::move(arc));

@@ -10,7 +10,7 @@ using exact::Real;
 using exact::SupportingCurve;
 
 SupportingCurve moved(const SupportingCurve& k, const RealVector& by) {
-  if (k.circle) return SupportingCurve::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w);
+  if (k.circle) return SupportingCurve::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w());
   return SupportingCurve::line(k.a, k.b, k.offset() + Real(k.a) * by.x + Real(k.b) * by.y);
 }
 

@@ -70,7 +70,7 @@ void SweepStrips::split_arc(Index e) {
   const SupportingCurve& k = m_.supporting_curve(e);
   const int to_right = window_.dx > 0 ? 1 : -1, before = d.half * to_right;
   const Real square(int128(window_.dx) * window_.dx + int128(window_.dy) * window_.dy);
-  const Real scale = Real(d.half * to_right) * k.w / sqrt(square);
+  const Real scale = Real(d.half * to_right) * k.w() / sqrt(square);
   const RealVector at{k.center_x() - scale * Real(window_.dy), k.center_y() + scale * Real(window_.dx)};
   const RealVector in_start = at - window_.from;
   exact::Geometry& g = curves.geometry;

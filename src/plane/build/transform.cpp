@@ -32,12 +32,12 @@ void check_range(const CellComplex& c) {
 
 SupportingCurve shifted(const SupportingCurve& k, const GridPoint& by) {
   if (k.circle) {
-    return k.grid ? SupportingCurve::circle_at(k.a + by.x, k.b + by.y, k.w)
-                  : SupportingCurve::circle_at(k.real->x + Real(by.x), k.real->y + Real(by.y), k.w);
+    return k.grid ? SupportingCurve::circle_at(k.a + by.x, k.b + by.y, k.reals)
+                  : SupportingCurve::circle_at(k.real()->x + Real(by.x), k.real()->y + Real(by.y), k.w());
   }
   int128 step = int128(k.a) * by.x + int128(k.b) * by.y;
-  return k.real ? SupportingCurve::line(k.a, k.b, k.real->x + Real(step))
-                : SupportingCurve::displaced_line(k.a, k.b, k.c + step, k.w);
+  return k.real() ? SupportingCurve::line(k.a, k.b, k.real()->x + Real(step))
+                  : SupportingCurve::displaced_line(k.a, k.b, k.c + step, k.reals);
 }
 
 /// What takes a set to another one: a rotation by 90 degrees about the origin, or the reflection in the y axis.
@@ -53,16 +53,17 @@ SupportingCurve image(Isometry by, const SupportingCurve& k, bool& flipped) {
   flipped = false;
   if (k.circle) {
     if (!k.grid) {
-      const auto [x, y] = image(by, k.real->x, k.real->y);
-      return SupportingCurve::circle_at(x, y, k.w);
+      const auto [x, y] = image(by, k.real()->x, k.real()->y);
+      return SupportingCurve::circle_at(x, y, k.w());
     }
     const auto [x, y] = image(by, k.a, k.b);
-    return SupportingCurve::circle_at(x, y, k.w);
+    return SupportingCurve::circle_at(x, y, k.reals);
   }
   auto [a, b] = image(by, k.a, k.b);
   flipped = exact::make_primitive(a, b) < 0;
-  if (k.real) return SupportingCurve::line(a, b, flipped ? -k.real->x : k.real->x);
-  return flipped ? SupportingCurve::displaced_line(a, b, -k.c, -k.w) : SupportingCurve::displaced_line(a, b, k.c, k.w);
+  if (k.real()) return SupportingCurve::line(a, b, flipped ? -k.real()->x : k.real()->x);
+  return flipped ? SupportingCurve::displaced_line(a, b, -k.c, -k.w())
+                 : SupportingCurve::displaced_line(a, b, k.c, k.reals);
 }
 
 /// The points and supporting curves moved, in the same order. A reflection takes what is left of a curve to its right.

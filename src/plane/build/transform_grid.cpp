@@ -74,7 +74,7 @@ GridPoint rounded(const RealVector& p, Rounding& rounding) {
 /// The extreme points of the circle strictly inside its counter-clockwise arc from p to q (the whole circle where they
 /// are one), in order.
 std::vector<RealVector> extremes_inside(const SupportingCurve& circle, const RealVector& p, const RealVector& q) {
-  const Real x = circle.center_x(), y = circle.center_y(), &r = circle.w;
+  const Real x = circle.center_x(), y = circle.center_y(), &r = circle.w();
   const std::array<RealVector, 4> extreme{{{x + r, y}, {x, y + r}, {x - r, y}, {x, y - r}}};
   int right = compare(p.x, x), up = compare(p.y, y);
   std::size_t next = right > 0 && up >= 0 ? 1 : right <= 0 && up > 0 ? 2 : right < 0 ? 3 : 0;
@@ -207,14 +207,14 @@ class GridRotation {
     if (k.from == kNone) {
       const SupportingCurve& circle = c_.geometry.supporting_curves[k.supporting_curve];
       GridPoint center = round({circle.center_x(), circle.center_y()});
-      to_.curves.circle(to_.curves.geometry.add(SupportingCurve::circle_at(center.x, center.y, circle.w)));
+      to_.curves.circle(to_.curves.geometry.add(SupportingCurve::circle_at(center.x, center.y, circle.w())));
     }
     Index at = k.from == kNone ? kNone : point_[same_.find(k.from)];
     for (std::size_t i = 1; i < k.points.size(); ++i) {
       const GridPoint &p = k.points[i - 1], &q = k.points[i];
       Index end = i + 1 == k.points.size() ? point_[same_.find(k.to)] : to_.curves.geometry.add_grid_point(q.x, q.y);
       if (k.arc) {
-        ContourEdge e = radius_arc(p, q, c_.geometry.supporting_curves[k.supporting_curve].w, false, true);
+        ContourEdge e = radius_arc(p, q, c_.geometry.supporting_curves[k.supporting_curve].w(), false, true);
         to_.curves.arc(to_.curves.geometry.add(SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), at, end,
                        true);
       } else {

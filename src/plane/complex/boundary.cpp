@@ -191,7 +191,7 @@ void add_step(const CellComplex& c, Index h, std::vector<Step>& steps) {
   s.arc = true;
   s.ccw = forward;
   s.half = e.half;
-  s.radius = k.w;
+  s.radius = k.w();
   s.center = Position::of(k.center_x(), k.center_y());
   s.start = arc_tangent(s.from, s.center, s.radius, s.ccw);
   s.end = arc_tangent(s.to, s.center, s.radius, s.ccw);

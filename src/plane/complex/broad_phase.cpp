@@ -24,9 +24,9 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
     double w = b.x - a.x;
     return w > 0 ? a.y + (b.y - a.y) * ((x - a.x) / w) : a.y;
   }
-  double dx = x - k.x.value, h = k.z.value * k.z.value - dx * dx;
+  double dx = x - k.x().value, h = k.z().value * k.z().value - dx * dx;
   double s = h > 0 ? std::sqrt(h) : 0;
-  return k.y.value + (p.half > 0 ? s : -s);
+  return k.y().value + (p.half > 0 ? s : -s);
 }
 
 }  // namespace
@@ -38,12 +38,12 @@ PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
   PieceBox box = segment_box(a, b, slack);
   if (p.half == 0) return box;
   const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
-  if (k.x.value > box.x1 || k.x.value < box.x0) return box;  // monotone on this part: the ends bound it
-  double e = slack + k.z.error + k.y.error + std::abs(k.z.value) * margin::kPieceBoxSlack;
+  if (k.x().value > box.x1 || k.x().value < box.x0) return box;  // monotone on this part: the ends bound it
+  double e = slack + k.z().error + k.y().error + std::abs(k.z().value) * margin::kPieceBoxSlack;
   if (p.half > 0)
-    box.y1 = std::max(box.y1, k.y.value + k.z.value + e);
+    box.y1 = std::max(box.y1, k.y().value + k.z().value + e);
   else
-    box.y0 = std::min(box.y0, k.y.value - k.z.value - e);
+    box.y0 = std::min(box.y0, k.y().value - k.z().value - e);
   return box;
 }
 
@@ -79,7 +79,7 @@ void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces
   const double inf = std::numeric_limits<double>::infinity();
   double error = 0, largest_x = 0, largest_y = 0;
   auto take = [&](const exact::Point& p) {
-    error = std::max(error, p.error);
+    error = std::max<double>(error, p.error);
     largest_x = std::max(largest_x, std::abs(p.x));
     largest_y = std::max(largest_y, std::abs(p.y));
   };
@@ -118,9 +118,9 @@ CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece&
   const exact::SupportingCurve& k = g.supporting_curves[piece.supporting_curve];
   const double xa = std::clamp(box_.x0 + c / column_scale_ - 2 * slack_, b.x0, b.x1);
   const double xb = std::clamp(box_.x0 + (c + 1) / column_scale_ + 2 * slack_, b.x0, b.x1);
-  if (piece.half != 0 && xa <= k.x.value && k.x.value <= xb) return {row(b.y0), row(b.y1)};
+  if (piece.half != 0 && xa <= k.x().value && k.x().value <= xb) return {row(b.y0), row(b.y1)};
   const double ya = y_at(g, piece, xa), yb = y_at(g, piece, xb), lo = std::min(ya, yb), hi = std::max(ya, yb);
-  const double tolerance = 4 * slack_ + (piece.half == 0 ? 0 : k.z.error + k.y.error);
+  const double tolerance = 4 * slack_ + (piece.half == 0 ? 0 : k.z().error + k.y().error);
   return {row(std::max(lo - tolerance, b.y0)), row(std::min(hi + tolerance, b.y1))};
 }
 

@@ -3,7 +3,7 @@
 
 #include "plane/complex/cell_bytes.h"
 
-#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -33,10 +33,10 @@ bool put_curve(const SupportingCurve& k, ByteWriter& out) {
   out.put(k.a);
   out.put(k.b);
   out.put(k.c);
-  out.put(std::int8_t(k.real != nullptr));
-  if (k.real && !(put_real(k.real->x, out) && put_real(k.real->y, out))) return false;
-  for (const Approx& a : {k.x, k.y, k.z}) put_approx(a, out);
-  return put_real(k.w, out);
+  out.put(std::int8_t(k.real() != nullptr));
+  if (k.real() && !(put_real(k.real()->x, out) && put_real(k.real()->y, out))) return false;
+  for (const Approx& a : {k.x(), k.y(), k.z()}) put_approx(a, out);
+  return put_real(k.w(), out);
 }
 
 SupportingCurve take_curve(ByteReader& in) {
@@ -46,35 +46,41 @@ SupportingCurve take_curve(ByteReader& in) {
   k.a = in.take<std::int64_t>();
   k.b = in.take<std::int64_t>();
   k.c = in.take<exact::int128>();
+  std::optional<exact::RealPoint> at;
   if (in.take<std::int8_t>() != 0) {
     Real x = take_real(in), y = take_real(in);
-    k.real = std::make_shared<const exact::RealPoint>(exact::RealPoint{std::move(x), std::move(y)});
+    at = {std::move(x), std::move(y)};
   }
-  for (Approx* a : {&k.x, &k.y, &k.z}) *a = take_approx(in);
-  k.w = take_real(in);
+  const Approx x = take_approx(in), y = take_approx(in), z = take_approx(in);
+  k.set_filter(x, y, z);
+  const Real w = take_real(in);
+  k.reals = at ? exact::CurveReals(*std::move(at), w) : exact::CurveReals(w);
   return k;
 }
 
 void put_point(const exact::Point& p, ByteWriter& out) {
   out.put(p.kind);
   out.put(p.root);
-  out.put(p.i);
-  out.put(p.j);
-  out.put(p.gx);
-  out.put(p.gy);
+  const bool grid = p.kind == exact::Point::Kind::kGrid;
+  out.put(grid ? p.gx : std::int64_t(p.i));
+  out.put(grid ? p.gy : std::int64_t(p.j));
   out.put(p.x);
   out.put(p.y);
-  out.put(p.error);
+  out.put(double(p.error));
 }
 
 exact::Point take_point(ByteReader& in) {
   exact::Point p;
   p.kind = in.take<exact::Point::Kind>();
   p.root = in.take<std::int8_t>();
-  p.i = in.take<std::uint32_t>();
-  p.j = in.take<std::uint32_t>();
-  p.gx = in.take<std::int64_t>();
-  p.gy = in.take<std::int64_t>();
+  const auto first = in.take<std::int64_t>(), second = in.take<std::int64_t>();
+  if (p.kind == exact::Point::Kind::kGrid) {
+    p.gx = first;
+    p.gy = second;
+  } else {
+    p.i = std::uint32_t(first);
+    p.j = std::uint32_t(second);
+  }
   p.x = in.take<double>();
   p.y = in.take<double>();
   p.error = in.take<double>();

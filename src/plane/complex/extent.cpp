@@ -23,8 +23,9 @@ void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
 /// Ends are vertices; what an arc adds is its highest or lowest point.
 void grow_by_arc(std::optional<PieceBox>& box, const CellComplex& c, const Edge& arc) {
   const exact::SupportingCurve& k = c.geometry.supporting_curves[arc.supporting_curve];
-  const double x = std::clamp(k.x.value, box->x0, box->x1);
-  grow(box, x, k.y.value + arc.half * k.z.value, k.y.error + k.z.error + std::abs(k.z.value) * margin::kRoundings8);
+  const double x = std::clamp(k.x().value, box->x0, box->x1);
+  grow(box, x, k.y().value + arc.half * k.z().value,
+       k.y().error + k.z().error + std::abs(k.z().value) * margin::kRoundings8);
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ constexpr int kChords = 16;  // of an arc
 
 /// A point of the upper or lower half of a circle, by its share of the way along x.
 StageDrawing::Corner on_half(const exact::SupportingCurve& circle, int half, double x) {
-  const double across = x - circle.x.value, radius = circle.z.value;
+  const double across = x - circle.x().value, radius = circle.z().value;
   const double up = std::sqrt(std::max(0.0, radius * radius - across * across));
-  return {x, circle.y.value + (half > 0 ? up : -up), 0};
+  return {x, circle.y().value + (half > 0 ? up : -up), 0};
 }
 
 void add_piece(const exact::Geometry& geometry, const Piece& piece, StageDrawing& drawing) {

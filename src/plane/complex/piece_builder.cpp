@@ -28,7 +28,7 @@ void PieceBuilder::segment(const GridPoint& p, const GridPoint& q) {
 
 Index PieceBuilder::extreme(Index circle, int side) {
   const SupportingCurve k = geometry.supporting_curves[circle];
-  exact::Real x = side > 0 ? k.center_x() + k.w : k.center_x() - k.w;
+  exact::Real x = side > 0 ? k.center_x() + k.w() : k.center_x() - k.w();
   return geometry.add_real_point(x, k.center_y());
 }
 

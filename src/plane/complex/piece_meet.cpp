@@ -20,7 +20,7 @@ Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
   const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   Real x = g.exact_x(point);
   if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
-  Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
+  Real dx = x - k.center_x(), root = sqrt(k.w() * k.w() - dx * dx);
   return p.half > 0 ? k.center_y() + root : k.center_y() - root;
 }
 
@@ -111,9 +111,9 @@ class Strip {
 exact::Approx approx_y_at(const Geometry& g, const Piece& p, Index point) {
   const exact::SupportingCurve& k = g.supporting_curves[p.supporting_curve];
   exact::Approx x{g.points[point].x, g.points[point].error};
-  if (!k.circle) return (k.z - k.x * x) / k.y;
-  exact::Approx dx = x - k.x, root = sqrt((k.z - dx) * (k.z + dx));
-  return p.half > 0 ? k.y + root : k.y - root;
+  if (!k.circle) return (k.z() - k.x() * x) / k.y();
+  exact::Approx dx = x - k.x(), root = sqrt((k.z() - dx) * (k.z() + dx));
+  return p.half > 0 ? k.y() + root : k.y() - root;
 }
 
 int compare_heights(const Geometry& g, const Piece& p, const Piece& q, Index point) {

@@ -49,6 +49,8 @@ class Builder {
         source_(source),
         radius_(radius),
         opposite_(-radius),
+        outwards_(radius),
+        inwards_(opposite_),
         approx_(exact::approx(radius)),
         g_(out_.geometry) {
     const std::size_t n = corners.size();
@@ -66,7 +68,7 @@ class Builder {
     g_.points.reserve(capacity_ + n / 8);
     for (Index k = 0; k < n; ++k) {
       if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
-        circle_[k] = g_.add(SupportingCurve::circle_at(corners[k].at.x, corners[k].at.y, radius));
+        circle_[k] = g_.add(SupportingCurve::circle_at(corners[k].at.x, corners[k].at.y, outwards_));
       if (!(covering && edges.covers_displaced(k))) line_[k] = add_line(corners[k]);
     }
   }
@@ -92,7 +94,7 @@ class Builder {
  private:
   Index add_line(const GridCorner& c) {
     const SupportingCurve& l = source_.supporting_curves[c.supporting_curve];
-    return g_.add_displaced(l, normal_right(c, l) ? radius_ : opposite_);
+    return g_.add_displaced(l, normal_right(c, l) ? outwards_ : inwards_);
   }
 
   /// The displaced line of an edge, as it lies to its corners.
@@ -192,7 +194,8 @@ class Builder {
   const exact::Geometry& source_;
   const Real& radius_;
   Real opposite_;
-  exact::Approx approx_;  // of the radius
+  exact::CurveReals outwards_, inwards_;  // these two, shared by the curves
+  exact::Approx approx_;                  // of the radius
   OffsetCurves out_;
   exact::Geometry& g_;
   std::size_t capacity_ = 0;

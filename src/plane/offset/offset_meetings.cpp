@@ -27,7 +27,7 @@ std::vector<PieceBox> OffsetMeetings::boxes() const {
   const exact::Geometry& g = c_.geometry;
   double error = 0, largest_x = 0, largest_y = 0;
   for (const exact::Point& p : g.points) {
-    error = std::max(error, p.error);
+    error = std::max<double>(error, p.error);
     largest_x = std::max(largest_x, std::abs(p.x));
     largest_y = std::max(largest_y, std::abs(p.y));
   }

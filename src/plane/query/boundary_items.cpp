@@ -74,11 +74,11 @@ void BoundaryItems::add_edge(const CellComplex& c, Index edge) {
               : k.b == 0 ? BoundaryItem::Kind::kVertical
                          : BoundaryItem::Kind::kLine;
   const double sign = !k.circle && k.b < 0 ? -1 : 1;
-  item.a = sign * k.x.value;
-  item.b = sign * k.y.value;
-  item.c = sign * k.z.value;
-  item.c_error = k.z.error;
-  item.error = k.circle ? std::max(k.x.error, k.y.error) : k.x.error + k.y.error;
+  item.a = sign * k.x().value;
+  item.b = sign * k.y().value;
+  item.c = sign * k.z().value;
+  item.c_error = k.z().error;
+  item.error = k.circle ? std::max(k.x().error, k.y().error) : k.x().error + k.y().error;
   if (item.kind == BoundaryItem::Kind::kLine) {
     item.steep = std::abs(item.a / item.b);
     if (k.grid) {

@@ -34,11 +34,11 @@ CellBox box_of(const CellComplex& c, Index cell) {
   double top = std::max(widened(p.y, p.error, 1), widened(q.y, q.error, 1));
   if (e.half != 0) {
     const exact::SupportingCurve& k = c.supporting_curve(cell);
-    const double error = k.y.error + k.z.error;
+    const double error = k.y().error + k.z().error;
     if (e.half > 0)
-      top = widened(k.y.value + k.z.value, error, 1);
+      top = widened(k.y().value + k.z().value, error, 1);
     else
-      bottom = widened(k.y.value - k.z.value, error, -1);
+      bottom = widened(k.y().value - k.z().value, error, -1);
   }
   return {widened(p.x, p.error, -1), widened(q.x, q.error, 1), bottom, top, cell};
 }

@@ -32,7 +32,7 @@ CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
     if (!c.is_arc(e) || place != kNone) continue;
     place = Index(circles_.size());
     const exact::SupportingCurve& k = c.supporting_curve(e);
-    circles_.push_back({Twofold(k.center_x()), Twofold(k.center_y()), Twofold(k.w)});
+    circles_.push_back({Twofold(k.center_x()), Twofold(k.center_y()), Twofold(k.w())});
   }
 }
 

@@ -66,12 +66,12 @@ const VertexPlaces::Numbers& VertexPlaces::numbers(Index supporting_curve) {
 }
 
 VertexPlaces::Numbers VertexPlaces::computed(const exact::SupportingCurve& k) const {
-  if (k.circle && k.grid) return {number(k.a), number(k.b), number(k.w)};
-  if (k.circle) return {number(k.real->x), number(k.real->y), number(k.w)};
+  if (k.circle && k.grid) return {number(k.a), number(k.b), number(k.w())};
+  if (k.circle) return {number(k.real()->x), number(k.real()->y), number(k.w())};
   const Number a = number(k.a), b = number(k.b);
-  if (k.real) return {a, b, number(k.real->x)};
+  if (k.real()) return {a, b, number(k.real()->x)};
   if (k.grid) return {a, b, number(k.c)};
-  return {a, b, number(k.c) + number(k.w) * root(number(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b))};
+  return {a, b, number(k.c) + number(k.w()) * root(number(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b))};
 }
 
 VertexPlaces::Crossing VertexPlaces::crossing(const exact::Point& p) {

@@ -23,14 +23,14 @@ std::optional<std::int64_t> grid_step(const Real& x) {
 }
 
 SupportingCurve shifted(const SupportingCurve& k, const exact::RealPoint& by) {
-  if (k.circle) return SupportingCurve::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w);
+  if (k.circle) return SupportingCurve::circle_at(k.center_x() + by.x, k.center_y() + by.y, k.w());
   return SupportingCurve::line(k.a, k.b, k.offset() + Real(k.a) * by.x + Real(k.b) * by.y);
 }
 
 SupportingCurve shifted(const SupportingCurve& k, std::int64_t x, std::int64_t y) {
-  if (k.displaced()) return SupportingCurve::displaced_line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y, k.w);
+  if (k.displaced()) return SupportingCurve::displaced_line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y, k.reals);
   if (!k.grid) return shifted(k, exact::RealPoint{Real(x), Real(y)});
-  if (k.circle) return SupportingCurve::circle_at(k.a + x, k.b + y, k.w);
+  if (k.circle) return SupportingCurve::circle_at(k.a + x, k.b + y, k.reals);
   return SupportingCurve::line(k.a, k.b, k.c + int128(k.a) * x + int128(k.b) * y);
 }
 

@@ -35,8 +35,8 @@ bool projection_inside(const CellComplex& c, Index edge, double x, double y) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   // The direction lies between those of the ends. The foot itself is rounded, which moves it far along an arc where
   // this is vertical.
-  const double dx = x - k.x.value, dy = y - k.y.value;
-  const auto turn = [&](const exact::Point& end) { return (end.x - k.x.value) * dy - (end.y - k.y.value) * dx; };
+  const double dx = x - k.x().value, dy = y - k.y().value;
+  const auto turn = [&](const exact::Point& end) { return (end.x - k.x().value) * dy - (end.y - k.y().value) * dx; };
   return e.half * turn(p) <= 0 && e.half * turn(q) >= 0;
 }
 
@@ -44,9 +44,9 @@ double edge_distance(const CellComplex& c, Index edge, double x, double y) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (c.edges[edge].half == 0) {
     const exact::Point& p = c.point(c.edges[edge].v0);
-    return std::abs(k.x.value * (x - p.x) + k.y.value * (y - p.y));
+    return std::abs(k.x().value * (x - p.x) + k.y().value * (y - p.y));
   }
-  return std::abs(std::hypot(x - k.x.value, y - k.y.value) - k.z.value);
+  return std::abs(std::hypot(x - k.x().value, y - k.y().value) - k.z().value);
 }
 
 Nearest exact_vertex(const CellComplex& c, Index v, const RealPoint& from) {
@@ -62,9 +62,9 @@ Nearest exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
     Real d = h / sqrt(n2);
     return {d.sign() < 0 ? -d : d, {from.x - a * h / n2, from.y - b * h / n2}, {1, edge}};
   }
-  Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), length = sqrt(dx * dx + dy * dy), d = length - k.w;
+  Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), length = sqrt(dx * dx + dy * dy), d = length - k.w();
   RealPoint at = length.sign() == 0 ? c.geometry.exact(c.vertices[c.edges[edge].v0].point)
-                                    : RealPoint{k.center_x() + dx * k.w / length, k.center_y() + dy * k.w / length};
+                                    : RealPoint{k.center_x() + dx * k.w() / length, k.center_y() + dy * k.w() / length};
   return {d.sign() < 0 ? -d : d, at, {1, edge}};
 }
 

@@ -12,7 +12,7 @@ CellComplex scaled(CellComplex complex, std::int64_t factor) {
   const exact::Real f(factor);
   exact::Geometry to;
   for (const SupportingCurve& k : complex.geometry.supporting_curves)
-    to.add(k.circle ? SupportingCurve::circle_at(f * k.center_x(), f * k.center_y(), f * k.w)
+    to.add(k.circle ? SupportingCurve::circle_at(f * k.center_x(), f * k.center_y(), f * k.w())
                     : SupportingCurve::line(k.a, k.b, f * k.offset()));
   for (Index p = 0; p < complex.geometry.points.size(); ++p) {
     const exact::Point& q = complex.geometry.points[p];

@@ -47,7 +47,7 @@ class LineMeetings {
   void meet_circle(Index e) {
     const exact::SupportingCurve& k = s_.supporting_curve(e);
     const RealVector center{k.center_x(), k.center_y()};
-    const Real height = offset_from_line(center), rest = k.w * k.w * square_ - height * height;
+    const Real height = offset_from_line(center), rest = k.w() * k.w() * square_ - height * height;
     if (rest.sign() < 0) return;
     const Real middle = parameter(center), half = sqrt(rest) / square_;
     add_if_on_arc(e, middle - half);

@@ -19,7 +19,7 @@ Real half_of(const Real& a) { return a / Real(2); }
 Real y_at(const CellComplex& c, Index edge, const Real& x) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (!k.circle) return (k.offset() - Real(k.a) * x) / Real(k.b);
-  Real dx = x - k.center_x(), root = sqrt(k.w * k.w - dx * dx);
+  Real dx = x - k.center_x(), root = sqrt(k.w() * k.w() - dx * dx);
   return c.edges[edge].half > 0 ? k.center_y() + root : k.center_y() - root;
 }
 

@@ -28,7 +28,7 @@ RotatedEdge edge_of(const CellComplex& c, Index e, const std::vector<RealVector>
   const exact::SupportingCurve& k = c.supporting_curve(e);
   out.arc = true;
   out.center = RealVector{k.center_x(), k.center_y()} - about;
-  out.radius = k.w;
+  out.radius = k.w();
   return out;
 }
 

@@ -23,7 +23,7 @@ struct OpenEdge {
 
   RealVector center() const { return {supporting_curve.center_x(), supporting_curve.center_y()}; }
   /// From the centre to an end, of length 1.
-  RealVector unit(const RealVector& end) const { return (Real(1) / supporting_curve.w) * (end - center()); }
+  RealVector unit(const RealVector& end) const { return (Real(1) / supporting_curve.w()) * (end - center()); }
 };
 
 struct BoundaryCells {
@@ -78,7 +78,7 @@ SupportingCurve line_through(const SupportingCurve& line, const RealVector& p) {
 void add_moved(OpenCurves& to, const OpenEdge& e, const RealVector& by) {
   if (e.half == 0) return to.edge(line_through(e.supporting_curve, e.p + by), e.p + by, e.q + by, 0);
   RealVector c = e.center() + by;
-  to.edge(SupportingCurve::circle_at(c.x, c.y, e.supporting_curve.w), e.p + by, e.q + by, e.half);
+  to.edge(SupportingCurve::circle_at(c.x, c.y, e.supporting_curve.w()), e.p + by, e.q + by, e.half);
 }
 
 void add_lines(OpenCurves& to, const OpenEdge& e, const OpenEdge& f) {
@@ -91,7 +91,7 @@ void add_line_and_arc(OpenCurves& to, const OpenEdge& line, const OpenEdge& arc)
   const SupportingCurve& k = line.supporting_curve;
   if (k.b == 0) return;  // vertical tangents are at the ends of arcs only
   Real length = sqrt(Real(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b));
-  Real scale = arc.supporting_curve.w / ((k.b > 0) == (arc.half > 0) ? length : -length);
+  Real scale = arc.supporting_curve.w() / ((k.b > 0) == (arc.half > 0) ? length : -length);
   RealVector place = arc.center() + scale * RealVector{Real(k.a), Real(k.b)};
   if (compare(place.x, arc.p.x) > 0 && compare(place.x, arc.q.x) < 0) add_moved(to, line, place);
 }
@@ -108,7 +108,8 @@ void add_arcs(OpenCurves& to, const OpenEdge& e, const OpenEdge& f, int sign) {
   if (compare(other_from.x, from.x) > 0) from = other_from;
   if (compare(other_until.x, until.x) < 0) until = other_until;
   if (compare(from.x, until.x) >= 0) return;
-  Real radius = sign > 0 ? e.supporting_curve.w + f.supporting_curve.w : e.supporting_curve.w - f.supporting_curve.w;
+  Real radius =
+      sign > 0 ? e.supporting_curve.w() + f.supporting_curve.w() : e.supporting_curve.w() - f.supporting_curve.w();
   RealVector c = e.center() + f.center(), p = c + radius * from, q = c + radius * until;
   int s = radius.sign();
   if (s == 0) return to.point(c);

@@ -119,8 +119,10 @@ void mirror_geometry(exact::Geometry& g) {
   using exact::SupportingCurve;
   // A crossing with a line keeps its root only if the line's direction is mirrored too, and that stays canonical.
   for (exact::Point& p : g.points) {
-    p.gx = -p.gx;
-    p.gy = -p.gy;
+    if (p.kind == exact::Point::Kind::kGrid) {
+      p.gx = -p.gx;
+      p.gy = -p.gy;
+    }
     p.x = -p.x;
     p.y = -p.y;
     if (p.kind == exact::Point::Kind::kCross && g.supporting_curves[p.i].circle != g.supporting_curves[p.j].circle)
@@ -128,10 +130,11 @@ void mirror_geometry(exact::Geometry& g) {
   }
   for (SupportingCurve& k : g.supporting_curves) {
     if (k.circle)
-      k = k.grid ? SupportingCurve::circle_at(-k.a, -k.b, k.w)
-                 : SupportingCurve::circle_at(-k.real->x, -k.real->y, k.w);
+      k = k.grid ? SupportingCurve::circle_at(-k.a, -k.b, k.reals)
+                 : SupportingCurve::circle_at(-k.real()->x, -k.real()->y, k.w());
     else
-      k = k.real ? SupportingCurve::line(k.a, k.b, -k.real->x) : SupportingCurve::displaced_line(k.a, k.b, -k.c, -k.w);
+      k = k.real() ? SupportingCurve::line(k.a, k.b, -k.real()->x)
+                   : SupportingCurve::displaced_line(k.a, k.b, -k.c, -k.w());
   }
   for (exact::RealPoint& p : g.reals) p = {-p.x, -p.y};
 }

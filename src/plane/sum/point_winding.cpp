@@ -21,7 +21,7 @@ PointWinding::PointWinding(ConvolutionBuilder convolution, std::int32_t base)
   right_.reserve(pieces().size());
   for (const Piece& p : pieces()) {
     const exact::Point &from = g.points[p.p0], &to = g.points[p.p1];
-    slack_ = std::max({slack_, from.error, to.error});
+    slack_ = std::max<double>({slack_, from.error, to.error});
     low_.push_back(std::min(from.y - from.error, to.y - to.error));
     high_.push_back(std::max(from.y + from.error, to.y + to.error));
     right_.push_back(to.x + to.error);

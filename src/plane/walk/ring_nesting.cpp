@@ -84,7 +84,7 @@ class RingNesting {
                            .half = e.half});
         ring_of_.push_back(r);
         const exact::Point& p = g_.points[e.point];
-        error = std::max(error, p.error);
+        error = std::max<double>(error, p.error);
         largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
       }
     slack_ = box_slack(error, largest);

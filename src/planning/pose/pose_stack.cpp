@@ -40,7 +40,7 @@ double reach(const World& world, const plane::GridPoint& about) {
     for (plane::Index e = 0; e < r.edges.size(); ++e) {
       if (!r.is_arc(e)) continue;
       const exact::SupportingCurve& k = r.supporting_curve(e);
-      most = std::max(most, std::hypot(k.x.value - double(about.x), k.y.value - double(about.y)) + k.z.hi());
+      most = std::max(most, std::hypot(k.x().value - double(about.x), k.y().value - double(about.y)) + k.z().hi());
     }
   }
   return most * margin::kUpward + margin::kUpwardSteps;

@@ -46,7 +46,7 @@ std::optional<FacePart> disc(const plane::Region& region, const plane::Face& fac
                        return exact::same_supporting_curve(region.supporting_curve(h / 2), circle);
                      });
   if (!round) return std::nullopt;
-  return FacePart{{{{circle.center_x(), circle.center_y()}}}, circle.w};
+  return FacePart{{{{circle.center_x(), circle.center_y()}}}, circle.w()};
 }
 
 std::optional<FacePart> polygon(const plane::Region& region, const plane::Face& face) {
