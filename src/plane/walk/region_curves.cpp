@@ -102,7 +102,7 @@ bool RegionCurves::add(const Region& r) {
 void RegionCurves::set_boxes() {
   double error = 0, largest = 0;
   for (const exact::Point& p : curves.geometry.points) {
-    error = std::max(error, p.error);
+    error = std::max<double>(error, p.error);
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   slack_ = box_slack(error, largest);
