@@ -88,6 +88,11 @@ std::string angles_text(const std::string& text) {
   return "";
 }
 
+std::string seed_text(const std::string& text) {
+  const bool whole = !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string::npos;
+  return whole ? "" : fmt::format("a whole number from 0 on is meant, of at most 19 digits; not '{}'", text);
+}
+
 std::string tilt_text(const std::string& text) {
   const auto tilt = fraction(text);
   return tilt && *tilt >= 0 && *tilt <= 180 ? "" : fmt::format("a tilt is from 0 to 180 degrees; not '{}'", text);

@@ -22,11 +22,12 @@ std::optional<std::uint64_t> size_of(const std::string& text);
 std::string size_text(const std::string& text);
 
 /// What is wrong with a length of a packing, the size of its sheets, angles separated by commas, a tilt from 0 to 180
-/// degrees, or a unit; or nothing.
+/// degrees, a seed, or a unit; or nothing.
 std::string length_text(const std::string& text);
 std::string sheet_text(const std::string& text);
 std::string angles_text(const std::string& text);
 std::string tilt_text(const std::string& text);
+std::string seed_text(const std::string& text);
 std::string unit_text(const std::string& text);
 /// At the commas: one more than there are.
 std::vector<std::string> at_commas(const std::string& text);

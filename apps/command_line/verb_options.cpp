@@ -188,7 +188,10 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
       ->group(kCommon);
   add_dxf(command, o);
   add_start(command, o);
-  command.add_option("--seed", o.seed, "another search (default 1)")->type_name("N")->group(kPlaneGroup);
+  command.add_option("--seed", o.seed, "another search, a whole number from 0 on (default 1)")
+      ->type_name("N")
+      ->check(seed_text)
+      ->group(kPlaneGroup);
   command
       .add_option(
           "--work", o.work,

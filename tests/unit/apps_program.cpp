@@ -128,6 +128,10 @@ TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
   };
   expect_usage("a.svg --height 9 --angles foo", "--angles: angles in degrees are meant");
   expect_usage("a.svg --height 9 --angles 0,,90", "--angles: angles in degrees are meant");
+  for (const char* tilt : {"181", "-1", "3deg"})
+    expect_usage(std::string("a.svg --height 9 --tilt=") + tilt, "--tilt: a tilt is from 0 to 180 degrees");
+  for (const char* seed : {"-1", "1.5", "99999999999999999999"})
+    expect_usage(std::string("a.svg --height 9 --seed=") + seed, "--seed: a whole number from 0 on is meant");
   for (const char* size : {"100,100,100", "60mm,60mm", "0,0", "100", ","})
     expect_usage(std::string("a.svg --sheet ") + size, "--sheet: a width and a height above 0 are meant");
   expect_usage("a.svg --height 9 --unit furlong", "--unit: unknown unit 'furlong'");

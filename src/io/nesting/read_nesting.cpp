@@ -48,6 +48,7 @@ class Reader : private NestingJson {
         result.sheets.push_back(sheet(value, result.parts));
         check_name(value, result.sheets, "sheets");
       }
+    if (!asked.height) check_container();
     read_shapes(asked, result);
     check_costs(result);
     if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !asked.height;
@@ -224,6 +225,21 @@ class Reader : private NestingJson {
       fail(value, fmt::format("there is no sheet {} number {}", problem.sheets[result.kind].name, count));
     result.placed.sheet = std::size_t(count - 1);
     return result;
+  }
+
+  /// What the parts are packed into is said once, and holds something.
+  void check_container() const {
+    const JsonValue *strip = tree().find("strip_height"), *sheets = tree().find("sheets"), *box = tree().find("box");
+    const bool has_strip = strip != nullptr && !strip->is(Kind::kNull), has_box = box != nullptr && truth(*box);
+    const bool has_sheets = sheets != nullptr && list(*sheets).size() > 0;
+    if (has_strip + has_sheets + has_box > 1)
+      fail(has_sheets ? *sheets : *box, "a problem has one of 'strip_height', 'sheets' and 'box'");
+    const auto is_none = [&](const JsonValue& sheet) {
+      const JsonValue* count = sheet.find("count");
+      return count != nullptr && whole(*count) == 0;
+    };
+    if (has_sheets && std::all_of(sheets->items.begin(), sheets->items.end(), is_none))
+      fail(*sheets, "every sheet has a count of 0");
   }
 
   void check_costs(const UnscaledProblem& problem) const {
