@@ -19,7 +19,7 @@ export function alonePage(data: Alone, space: string): string {
   page.querySelector("meta[name=findspace-token]")?.remove();
   page.querySelector("#data")!.textContent = JSON.stringify(data).replaceAll("<", "\\u003c");
   page.querySelector("#space-program")!.textContent = space.replaceAll("</script", "<\\/script");
-  for (const list of page.querySelectorAll("#picture, #labels, #atoms, #sliders, #shapes, #poses, #views, #words, #why > div")) list.replaceChildren();
+  for (const list of page.querySelectorAll("#picture, #picture-over, #labels, #atoms, #sliders, #shapes, #poses, #views, #words, #why > div")) list.replaceChildren();
   for (const e of page.querySelectorAll("[nonce]")) e.removeAttribute("nonce");
   for (const e of page.querySelectorAll("script:not([id])")) e.remove();
   return "<!doctype html>\n" + page.outerHTML;

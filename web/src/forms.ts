@@ -3,7 +3,7 @@
 //
 // Forms of the picture of space: surfaces of convex faces, an arrow, a dot.
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Vector3 } from "three";
-import type { Corner } from "./engine";
+import type { Corner, SpaceDrawing } from "./engine";
 
 /// Convex faces, each cut about its first corner.
 export function surface(vertices: Corner[], faces: number[][]): BufferGeometry {
@@ -34,6 +34,14 @@ export const ofSheets = (sheets: Corner[][]): BufferGeometry => {
   let from = 0;
   return surface(vertices, sheets.map((s) => s.map(() => from++)));
 };
+
+/// About the z axis, by degrees.
+export function rotated(d: SpaceDrawing, degrees: number): SpaceDrawing {
+  if (!degrees) return d;
+  const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+  const turn = ([x, y, z]: Corner): Corner => [c * x - s * y, s * x + c * y, z];
+  return { vertices: d.vertices.map(turn), faces: d.faces, sheets: d.sheets.map((f) => f.map(turn)), curves: d.curves.map((l) => l.map(turn)), points: d.points.map(turn) };
+}
 
 /// A shaft and a tip along an axis, one long.
 export function arrowGeometry(axis: Vector3): BufferGeometry {

@@ -41,8 +41,11 @@ export class History {
     return state;
   }
 
-  private show(): void {
-    this.undo.disabled = !this.back.length;
-    this.redo.disabled = !this.forth.length;
+  private show(): void { this.allow(this.back.length > 0, this.forth.length > 0); }
+
+  /// For those that keep their steps themselves.
+  allow(back: boolean, forth: boolean): void {
+    this.undo.disabled = !back;
+    this.redo.disabled = !forth;
   }
 }

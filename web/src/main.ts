@@ -5,19 +5,20 @@
 import { alonePage, drawnAt, placeText, readAlone, save } from "./alone";
 import { Editor } from "./editor";
 import { call, kOwn, latest, Refusal, spaceScript, stayOpen } from "./engine";
-import type { Between, Check, Explanation, Interval, Nearest, Place, Placement, RegionMap, Summary } from "./engine";
+import type { Between, Check, Explanation, Interval, Nearest, Place, RegionMap, SpaceDrawing, Summary } from "./engine";
 import { History } from "./history";
 import type { State } from "./history";
 import { PackingPage } from "./packing";
-import { make, showAtoms, showBetween, showShapes, showSliders, showWhy, withUnit } from "./panel";
+import { showAtoms, showBetween, showShapes, showSliders, showWhy, withUnit } from "./panel";
 import type { Picture } from "./picture";
+import { Placing } from "./placing";
 import { Poses } from "./poses";
 import type { SpaceStage } from "./space";
 import { Stage } from "./stage";
 import { showOperations, showSection } from "./views";
 
 const get = <T extends Element = HTMLElement>(id: string): T => document.getElementById(id) as unknown as T;
-const kSnapPixels = 9;
+const kSnapPixels = 9, kManyFaces = 500;
 
 const alone = readAlone();
 const hidden = new Set<string>();
@@ -25,8 +26,8 @@ const editor = new Editor(get<HTMLTextAreaElement>("where"), get("caret"), get("
 const history = new History(get<HTMLButtonElement>("undo"), get<HTMLButtonElement>("redo"));
 const poses = new Poses(get("poses"));
 let picture: Picture, stage: Stage | null = null, spaceText = "";
-let summary: Summary, map: RegionMap | null = null, empty = false, picked = "", operation = "";
-let measuring: Place[] | null = null;
+let summary: Summary, map: RegionMap | null = null, empty = false, roomy = false, picked = "", operation = "";
+let measuring: Place[] | null = null, placing: Placing | null = null;
 
 const unit = (): string => summary.unit ?? "";
 const state = (): State => ({ where: summary.where, at: picture.at, moving: summary.moving, angle: poses.pose.angle });
@@ -83,6 +84,7 @@ async function pick(text: string): Promise<void> {
 
 const explain = latest(async () => {
   const answer = await call<Explanation>("explain", poseOf(false));
+  roomy = answer.feasible;
   get("why").hidden = false;
   showWhy(get("why").querySelector("div")!, answer, unit(), {
     go: (at) => void moveTo(at).then(keep),
@@ -97,13 +99,23 @@ async function solve(): Promise<void> {
   await showMap(map);
 }
 
+/// So that an explanation would take long, and has to be asked for.
+function isLarge(): boolean {
+  const faces = summary.dimension === 3 ? summary.shapes.map((s) => (s.drawing as SpaceDrawing | undefined)?.faces.length ?? 0) : [];
+  return faces.reduce((a, b) => a + b, 0) > kManyFaces;
+}
+
 async function showMap(found: RegionMap): Promise<void> {
   empty = found.empty ?? found.intervals?.length === 0;
   picture.setRegion(found.drawing);
   stage?.setOuter(found.outer_drawing ?? null);
   if (empty && !found.outer_drawing) {
-    verdict("No position is feasible", false);
-    if (summary.dimension === 2 && !summary.motion) await explain().catch(() => {});
+    verdict(found.on_lines ? "No position was found on the lines of the map" : "No position is feasible", false);
+    roomy = false;
+    const told = !summary.motion && !isLarge() && (await explain().then(() => true, () => false));
+    // Lines may miss what an explanation finds.
+    if (roomy) empty = false;
+    else if (told) verdict("No position is feasible", false);
   } else {
     get("why").hidden = true;
   }
@@ -137,6 +149,7 @@ function sliders(): void {
 }
 
 async function restore(back: boolean): Promise<void> {
+  if (placing && !summary.moving.length) return placing.step(back);
   const to = history.step(back);
   if (!to) return;
   picture.at = to.at;
@@ -205,6 +218,11 @@ function onKey(e: KeyboardEvent): void {
   if (typing || e.ctrlKey || e.metaKey || alone) return;
   const step = picture.rounded([(e.shiftKey ? 50 : e.altKey ? 1 : 5) * picture.unit])[0]!;
   const way = kUps[e.key];
+  if (way && way[0] < summary.dimension && placing?.chosen) {
+    e.preventDefault();
+    placing.nudge(way[0], (way[0] === 1 && summary.y === "down" ? -way[1] : way[1]) * step);
+    return;
+  }
   if (way && way[0] < summary.dimension && summary.moving.length) {
     e.preventDefault();
     const axis = way[0], sign = axis === 1 && summary.y === "down" ? -way[1] : way[1];
@@ -260,17 +278,6 @@ async function openScene(text: string): Promise<void> {
   await showLoaded(loaded);
 }
 
-/// A placement of several shapes, where the scene asks for one.
-async function placeAll(): Promise<void> {
-  verdict("Placing", null);
-  const found = await call<Placement>("place", { seconds: 20 });
-  const fits = found.positions.filter((p) => p.at);
-  picture.setPlaced(fits.map((p) => ({ shape: p.shape, at: p.at!, angle: p.angle ?? 0 })));
-  const all = fits.length === found.positions.length;
-  verdict(all ? `All ${fits.length} are placed` : `${fits.length} of ${found.positions.length} are placed${found.reason ? `: ${found.reason}` : ""}`, all);
-  picture.fit();
-}
-
 /// What the engine has loaded.
 async function showLoaded(loaded: Summary): Promise<void> {
   summary = loaded;
@@ -282,7 +289,7 @@ async function showLoaded(loaded: Summary): Promise<void> {
   const moving = summary.moving.length > 0;
   for (const id of ["place", "formula"]) get(id).hidden = !moving;
   get("nearest").hidden = !moving;
-  get("explain").hidden = !moving || summary.dimension === 3;
+  get("explain").hidden = !moving;
   get("measure").hidden = summary.dimension === 3;
   poses.show(summary);
   showScene();
@@ -300,7 +307,7 @@ async function showLoaded(loaded: Summary): Promise<void> {
   sliders();
   history.start(state());
   showTurns();
-  if (summary.place) await placeAll();
+  if (placing) await placing.begin();
 }
 
 function views(): void {
@@ -311,7 +318,10 @@ function views(): void {
     void solve().catch(fault);
   });
   if (summary.dimension === 3) showSection(box, picture as unknown as SpaceStage, unit());
-  if (summary.place && !alone) make("button", box, "Place again").onclick = () => void placeAll().catch(fault);
+  get("placing").hidden = !summary.place || !!alone;
+  const body = get("placing").querySelector("div")!;
+  body.replaceChildren();
+  placing = summary.place && !alone ? new Placing(picture, body, verdict, (back, forth) => history.allow(back, forth)) : null;
 }
 
 function connectAlone(): void {
@@ -344,9 +354,11 @@ function firstPlace(): Place {
 async function choosePicture(loaded: Summary): Promise<void> {
   const space = loaded.dimension === 3;
   get("space").toggleAttribute("hidden", !space);
-  get("picture").toggleAttribute("hidden", space);
-  get("picture").replaceChildren();
-  stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get("scale"));
+  for (const id of ["picture", "picture-over"]) {
+    get(id).toggleAttribute("hidden", space);
+    get(id).replaceChildren();
+  }
+  stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get<SVGSVGElement>("picture-over"), get("scale"));
   if (stage) {
     picture = stage;
     stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${loaded.unit ?? ""}`; };
@@ -378,10 +390,17 @@ function buttons(): void {
 }
 
 async function beginPacking(): Promise<void> {
-  for (const id of ["place", "actions", "formula", "poses", "views", "shapes", "take", "scale"]) get(id).hidden = true;
-  document.querySelectorAll("aside > h2, #stage > nav").forEach((e) => e.remove());
+  for (const id of ["place", "actions", "formula", "poses", "views", "shapes", "scale", "save-page", "save-scene"]) get(id).hidden = true;
+  document.querySelectorAll("aside > h2").forEach((e) => e.remove());
   get("packing").hidden = false;
-  await new PackingPage(get<SVGSVGElement>("picture"), get("packing").querySelector("div")!, verdict).begin();
+  get("picture").setAttribute("aria-label", "The layout");
+  const page = new PackingPage(get<SVGSVGElement>("picture"), get("packing").querySelector("div")!, verdict);
+  const moves: Record<string, [string, () => void]> = { "zoom-in": ["+", () => page.zoom(0.8)], "zoom-out": ["-", () => page.zoom(1.25)], fit: ["0", () => page.fit()] };
+  for (const [id, [, act]] of Object.entries(moves)) get(id).onclick = act;
+  document.addEventListener("keydown", (e) => Object.values(moves).find(([key]) => key === e.key)?.[1]());
+  get("save-svg").onclick = () => save("findspace.svg", new Blob([page.svgText()], { type: "image/svg+xml" }));
+  get("save-png").onclick = () => void page.png().then((png) => save("findspace.png", png), fault);
+  await page.begin();
 }
 
 async function begin(): Promise<void> {
@@ -395,4 +414,4 @@ async function begin(): Promise<void> {
   else connect();
 }
 
-begin().catch(fault);
+begin().catch(fault).finally(() => { document.documentElement.dataset["ready"] = "true"; });

@@ -6,10 +6,11 @@ import { call, Refusal } from "./engine";
 import type { PackedItem, PackingProblem, PackingState, Point } from "./engine";
 import { make } from "./panel";
 import { shown } from "./picture";
-import { element } from "./stage";
+import { element, pictureOf, pictureText } from "./svg";
 
 const kOfPacking = { scene: "scene" };
 const kBetweenLooks = 300;
+const kWays: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 const numberOf = (text: string): number => {
   const [a, b] = text.split("/");
@@ -25,6 +26,7 @@ export class PackingPage {
   private shown = 0;
   private said = "";
   private held = false;
+  private view: [number, number, number, number] = [0, 0, 1, 1];
 
   constructor(private readonly svg: SVGSVGElement, private readonly box: HTMLElement, private readonly verdict: (text: string, good: boolean | null) => void) {
     this.strip = element("rect", { class: "shape container", x: "0", y: "0", width: "1", height: "1" }, svg);
@@ -58,7 +60,7 @@ export class PackingPage {
       link.remove();
     });
     make("p", this.box, "", "facts").id = "pack-facts";
-    make("p", this.box, "Drag a part: the others make room, and the search goes on from there when you say so.", "hint");
+    make("p", this.box, "Drag a part, or move the one that has the focus by keys: the others make room, and the search goes on from there when you say so.", "hint");
   }
 
   private async start(search: boolean): Promise<void> {
@@ -93,13 +95,15 @@ export class PackingPage {
   private draw(): void {
     const { height, parts } = this.problem!;
     for (const [key, value] of Object.entries({ width: this.state!.length, y: -height, height })) this.strip.setAttribute(key, `${value}`);
+    const focused = document.activeElement?.getAttribute("data-item");
     this.layer.replaceChildren();
     this.items.forEach((item, k) => {
       const which = parts.findIndex((p) => p.name === item.part);
-      const path = element("path", { class: "item", "data-item": `${k}`, d: parts[which]!.drawing, transform: this.transform(item) }, this.layer);
+      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": `${item.part} ${item.copy}; arrow keys move it`, d: parts[which]!.drawing, transform: this.transform(item) }, this.layer);
       (path as SVGPathElement).style.setProperty("--hue", String((360 * which) / parts.length));
       element("title", {}, path).textContent = `${item.part} ${item.copy}`;
     });
+    if (focused) this.layer.querySelector<SVGElement>(`[data-item="${focused}"]`)?.focus();
   }
 
   private transform(item: PackedItem, by: Point = [0, 0]): string {
@@ -108,12 +112,46 @@ export class PackingPage {
   }
 
   fit(): void {
-    const { length } = this.state!, { height } = this.problem!, margin = 0.05 * Math.max(length, height);
-    this.svg.setAttribute("viewBox", `${-margin} ${-height - margin} ${length + 2 * margin} ${height + 2 * margin}`);
+    if (!this.state?.length) return;
+    const { length } = this.state, { height } = this.problem!, margin = 0.05 * Math.max(length, height);
+    this.view = [-margin, -height - margin, length + 2 * margin, height + 2 * margin];
+    this.look();
+  }
+
+  zoom(by: number, at?: DOMPoint): void {
+    const [x, y, w, h] = this.view, cx = at?.x ?? x + w / 2, cy = at?.y ?? y + h / 2;
+    this.view = [cx + (x - cx) * by, cy + (y - cy) * by, w * by, h * by];
+    this.look();
+  }
+
+  svgText(): string { return pictureText([this.svg]); }
+  png(): Promise<Blob> { return pictureOf(this.svgText(), this.svg); }
+
+  private look(): void { this.svg.setAttribute("viewBox", this.view.join(" ")); }
+
+  /// The item that has the focus, by keys.
+  private onKey(e: KeyboardEvent): void {
+    const way = kWays[e.key], item = (e.target as Element).getAttribute("data-item");
+    if (!way || item === null) return;
+    e.preventDefault();
+    const step = (e.shiftKey ? 50 : e.altKey ? 1 : 5) / this.svg.getScreenCTM()!.a;
+    this.repair(Number(item), [way[0] * step, way[1] * step]);
+  }
+
+  private repair(item: number, by: Point): void {
+    const [x, y] = this.items[item]!.at.map(numberOf) as Point;
+    this.held = true;
+    this.verdict("The others make room", null);
+    call<PackingState>("repair", { ...kOfPacking, item, at: [x + by[0], y + by[1]] })
+      .then((state) => this.show(state), (e: unknown) => {
+        this.verdict(e instanceof Refusal ? e.message : String(e), false);
+        this.draw();
+      })
+      .finally(() => { this.held = false; });
   }
 
   private follow(): void {
-    const under = (e: PointerEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(this.svg.getScreenCTM()!.inverse());
+    const under = (e: MouseEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(this.svg.getScreenCTM()!.inverse());
     let hold: { from: DOMPoint; item: number; path: Element; by: Point } | null = null;
     this.svg.addEventListener("pointerdown", (e) => {
       const path = (e.target as Element).closest(".item");
@@ -131,15 +169,14 @@ export class PackingPage {
     });
     this.svg.addEventListener("pointerup", () => {
       if (!hold) return;
-      const { item, by } = hold, [x, y] = this.items[item]!.at.map(numberOf) as Point;
+      const { item, by } = hold;
       hold = null;
-      this.verdict("The others make room", null);
-      call<PackingState>("repair", { ...kOfPacking, item, at: [x + by[0], y + by[1]] })
-        .then((state) => this.show(state), (e: unknown) => {
-          this.verdict(e instanceof Refusal ? e.message : String(e), false);
-          this.draw();
-        })
-        .finally(() => { this.held = false; });
+      this.repair(item, by);
     });
+    this.svg.addEventListener("keydown", (e) => this.onKey(e));
+    this.svg.addEventListener("wheel", (e) => {
+      e.preventDefault();
+      this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), under(e));
+    }, { passive: false });
   }
 }

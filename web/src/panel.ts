@@ -41,7 +41,8 @@ const changeWords = (c: Change, unit: string, slack: boolean): string => {
   if (c.to === null) return c.free ? "can be as tight as you like" : "no level of it alone makes room";
   if (c.by === 0) return slack ? "no slack" : "beyond its level, by as little as you like";
   const to = typeof c.to === "number" ? withUnit(c.to, unit) : c.to;
-  return `${slack ? "slack" : "change by"} ${withUnit(c.by ?? 0, unit)}, to ${c.reached ? "" : slack ? "just before " : "just beyond "}${to}`;
+  const known = c.proven === false && c.lower !== undefined && c.upper !== undefined ? ` (it is between ${shown(c.lower)} and ${shown(c.upper)})` : "";
+  return `${slack ? "slack" : "change by"} ${withUnit(c.by ?? 0, unit)}, to ${c.reached ? "" : slack ? "just before " : "just beyond "}${to}${known}`;
 };
 
 export interface WhyActions { go(at: Place): void; replace(text: string, by: string): void; canReplace(text: string): boolean }

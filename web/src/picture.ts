@@ -6,6 +6,9 @@ import type { AnyDrawing, Atom, Place, Summary } from "./engine";
 
 export interface Pose { angle: number; time: number | null }
 
+/// A copy of a shape where a placement put it; `turns`: it has an angle of its own.
+export interface Placed { shape: string; copy: number; at: Place; angle: number; turns: boolean }
+
 export interface Picture {
   at: Place;
   /// The part is dragged to a place; a drag has ended; the picture was clicked at a place.
@@ -22,7 +25,11 @@ export interface Picture {
   setGhost(at: Place | null): void;
   setAtoms(good: boolean, atoms: Atom[]): void;
   /// Shapes elsewhere than they are drawn: a placement.
-  setPlaced(placed: { shape: string; at: Place; angle: number }[]): void;
+  /// `names`: of all that are placed, also of those without a position, which are not drawn.
+  setPlaced(placed: Placed[], picked: number, names: string[]): void;
+  /// One of these is dragged to a place, or clicked.
+  onMovePlaced: (k: number, at: Place) => void;
+  onPickPlaced: (k: number) => void;
   fit(): void;
   zoom(by: number): void;
   /// To a tenth of a pixel, as a short decimal.

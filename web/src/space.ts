@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The picture of space, by three.js: shapes, the region as surfaces, sheets, curves and points, the moving solid with a
-// handle along each axis, dimension lines, a plane that cuts all open. A script of its own (space.js): pages of the plane
+// handle along each axis, dimension lines, a section (section.ts). A script of its own (space.js): pages of the plane
 // do without it.
 import {
   AmbientLight, BackSide, Box3, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
@@ -14,16 +14,18 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
-import { arrowGeometry, dot, ofSheets, surface } from "./forms";
+import { arrowGeometry, dot, ofSheets, rotated, surface } from "./forms";
+import { Section } from "./section";
 import { roundLength, shortDecimals, shown } from "./picture";
-import type { Picture, Pose } from "./picture";
+import type { Picture, Placed, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
 
 const colour = (name: string): Color => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7));
 
-interface Style { fill: string; opacity: number; edges: string; side?: Side }
+/// `cap`: how dense the faces are where a plane cuts the solid open; none: it is no solid to look at.
+interface Style { fill: string; opacity: number; edges: string; side?: Side; cap?: number }
 
 export class SpaceStage implements Picture {
   private readonly renderer: WebGLRenderer;
@@ -38,7 +40,7 @@ export class SpaceStage implements Picture {
   private readonly marks = new Group();
   private readonly handles: Mesh[] = [];
   private readonly labels: { e: HTMLElement; at: Vector3 }[] = [];
-  private readonly cut = new Plane(new Vector3(-1, 0, 0), 0);
+  private readonly section = new Section();
   private summary: Summary | null = null;
   private hidden = new Set<string>();
   private drawings: { region: SpaceDrawing | null; own: SpaceDrawing | null } = { region: null, own: null };
@@ -50,13 +52,16 @@ export class SpaceStage implements Picture {
   onDrag: (at: Place) => void = () => {};
   onDragged: () => void = () => {};
   onPick: (at: Place) => void = () => {};
+  onMovePlaced: (k: number, at: Place) => void = () => {};
+  onPickPlaced: (k: number) => void = () => {};
+  private placed: { all: Placed[]; groups: Group[]; picked: number; names: string[] } = { all: [], groups: [], picked: -1, names: [] };
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
     this.camera.up.set(0, 0, 1);
-    this.scene.add(new AmbientLight(0xffffff, 1.6), this.fixed, this.region, this.own, this.part, this.ghost, this.marks, this.camera);
+    this.scene.add(new AmbientLight(0xffffff, 1.6), this.fixed, this.region, this.own, this.part, this.ghost, this.marks, this.section.group, this.camera);
     const lamp = new DirectionalLight(0xffffff, 2);
     lamp.position.set(0.4, 0.8, 1);
     this.camera.add(lamp);
@@ -91,6 +96,7 @@ export class SpaceStage implements Picture {
     this.dirty = false;
     const length = 70 * this.unit;
     for (const handle of this.handles) handle.parent!.scale.setScalar(length);
+    this.section.face(this.camera);
     this.renderer.render(this.scene, this.camera);
     this.drawBar();
     const { clientWidth: w, clientHeight: h } = this.canvas;
@@ -109,12 +115,9 @@ export class SpaceStage implements Picture {
   }
 
   private material<T extends Material>(made: T): T {
-    made.clippingPlanes = this.cut.normal.lengthSq() && this.cutting ? [this.cut] : [];
-    made.clipShadows = false;
+    made.clippingPlanes = this.section.planes;
     return made;
   }
-
-  private cutting = false;
 
   /// Faces, edges and all below them, in one style.
   private show(into: Object3D, d: SpaceDrawing, style: Style): void {
@@ -127,6 +130,7 @@ export class SpaceStage implements Picture {
       into.add(new LineSegments(new EdgesGeometry(geometry, 25), this.material(new LineBasicMaterial({ color: edge, transparent: clear, opacity: clear ? 0.85 : 1 }))));
     };
     if (d.faces.length) add(surface(d.vertices, d.faces), style.opacity, style.side ?? DoubleSide);
+    if (this.section.cutting) this.section.add(d, into, { fill: style.cap ? fill : null, opacity: style.cap ?? 0, line: edge }, this.bounds().getCenter(new Vector3()), 4 * this.size);
     if (d.sheets.length) add(ofSheets(d.sheets), Math.min(1, style.opacity + 0.25), DoubleSide);
     if (d.curves.length) {
       const lines = new LineSegmentsGeometry();
@@ -150,33 +154,35 @@ export class SpaceStage implements Picture {
   private build(): void {
     if (!this.summary) return;
     for (const group of [this.fixed, this.part, this.ghost]) group.clear();
+    this.section.clear();
     const shapes = this.summary.shapes.filter((s) => s.drawing);
     const boxes = new Map(shapes.map((s) => [s.name, new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat())]));
     for (const s of shapes) {
       const drawing = s.drawing as SpaceDrawing;
       if (s.moving) {
-        this.show(this.part, drawing, { fill: this.good ? "--part" : "--bad", opacity: 0.75, edges: this.good ? "--part" : "--bad" });
+        this.show(this.part, drawing, { fill: this.good ? "--part" : "--bad", opacity: 0.75, edges: this.good ? "--part" : "--bad", cap: 0.95 });
         this.show(this.ghost, drawing, { fill: "--ghost", opacity: 0.15, edges: "--ghost" });
-      } else if (!this.hidden.has(s.name)) {
+      } else if (!this.hidden.has(s.name) && !this.placed.names.includes(s.name)) {
         const box = boxes.get(s.name)!;
         const around = shapes.some((o) => o !== s && !this.hidden.has(o.name) && box.containsBox(boxes.get(o.name)!));
-        this.show(this.fixed, drawing, around ? { fill: "--shape", opacity: 0.16, edges: "--edge", side: BackSide } : { fill: "--shape", opacity: 0.5, edges: "--edge" });
+        this.show(this.fixed, drawing, around ? { fill: "--shape", opacity: 0.16, edges: "--edge", side: BackSide } : { fill: "--shape", opacity: 0.5, edges: "--edge", cap: 1 });
       }
     }
-    this.addHandles(boxes);
+    this.handles.length = 0;
+    const moving = new Box3();
+    for (const name of this.summary.moving) if (boxes.has(name)) moving.union(boxes.get(name)!);
+    this.addHandles(moving, this.part);
     this.showRegions();
     this.drawMarks();
     this.place(this.at);
   }
 
-  private addHandles(boxes: Map<string, Box3>): void {
-    this.handles.length = 0;
-    const box = new Box3();
-    for (const name of this.summary!.moving) if (boxes.has(name)) box.union(boxes.get(name)!);
+  /// On what is drawn as the box says in the group.
+  private addHandles(box: Box3, to: Group): void {
     if (box.isEmpty()) return;
     const grip = new Group();
     grip.position.copy(box.getCenter(new Vector3()));
-    this.part.add(grip);
+    to.add(grip);
     kAxes.forEach((axis, k) => {
       const material = new MeshBasicMaterial({ color: kAxisColours[k]!, depthTest: false, transparent: true });
       const arrow = new Mesh(arrowGeometry(axis), material);
@@ -189,20 +195,24 @@ export class SpaceStage implements Picture {
 
   setRegion(drawing: AnyDrawing | null, own = false): void {
     this.drawings[own ? "own" : "region"] = drawing as SpaceDrawing | null;
-    this.showRegions();
+    if (this.section.cutting) this.build();
+    else this.showRegions();
     this.draw();
   }
 
   private showRegions(): void {
     this.region.clear();
     this.own.clear();
-    if (this.drawings.region) this.show(this.region, this.drawings.region, { fill: "--region", opacity: 0.32, edges: "--region" });
+    this.showPlaced();
+    if (this.drawings.region) this.show(this.region, this.drawings.region, { fill: "--region", opacity: 0.32, edges: "--region", cap: 0.5 });
     if (this.drawings.own) this.show(this.own, this.drawings.own, { fill: "--ghost", opacity: 0.12, edges: "--ghost" });
+    this.section.outline();
   }
 
   place(at: Place): void {
     this.at = at;
     this.part.position.set(at[0]!, at[1]!, at[2]!);
+    this.section.outline();
     this.draw();
   }
 
@@ -211,21 +221,30 @@ export class SpaceStage implements Picture {
   setGhost(at: Place | null): void {
     this.ghost.visible = !!at;
     if (at) this.ghost.position.set(at[0]!, at[1]!, at[2]!);
+    this.section.outline();
     this.draw();
   }
 
-  setPlaced(placed: { shape: string; at: Place; angle: number }[]): void {
-    this.own.clear();
-    for (const p of placed) {
-      const drawing = this.summary?.shapes.find((s) => s.name === p.shape)?.drawing as SpaceDrawing | undefined;
-      if (!drawing) continue;
-      const group = new Group();
-      this.show(group, drawing, { fill: "--part", opacity: 0.6, edges: "--part" });
-      group.position.set(p.at[0]!, p.at[1]!, p.at[2]!);
-      group.rotation.z = (p.angle * Math.PI) / 180;
-      this.own.add(group);
-    }
+  setPlaced(placed: Placed[], picked: number, names: string[]): void {
+    this.placed = { all: placed, groups: [], picked, names };
+    this.build();
     this.draw();
+  }
+
+  private showPlaced(): void {
+    this.placed.groups = this.placed.all.map((p, k) => {
+      const group = new Group(), box = new Box3();
+      group.position.set(...(p.at as Corner));
+      for (const s of this.summary!.shapes) {
+        if (!s.drawing || (s.name !== p.shape && !p.shape.split("+").includes(s.name))) continue;
+        const drawing = rotated(s.drawing as SpaceDrawing, p.angle);
+        this.show(group, drawing, { fill: k === this.placed.picked ? "--ghost" : "--part", opacity: 0.6, edges: "--part", cap: 0.95 });
+        box.union(new Box3().setFromArray(drawing.vertices.flat()));
+      }
+      if (k === this.placed.picked) this.addHandles(box, group);
+      this.own.add(group);
+      return group;
+    });
   }
 
   setAtoms(good: boolean, atoms: Atom[]): void {
@@ -259,20 +278,17 @@ export class SpaceStage implements Picture {
       this.addLabel(`${shown(a.value)} ${this.unitName}`.trim(), new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2), a.true ? "" : "no");
     }
     for (const s of this.summary?.shapes ?? []) {
-      if (!s.drawing || s.moving || this.hidden.has(s.name)) continue;
+      if (!s.drawing || s.moving || this.hidden.has(s.name) || this.placed.names.includes(s.name)) continue;
       const box = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
       this.addLabel(s.name, new Vector3((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z), "name");
     }
   }
 
-  /// Cuts everything open: what lies beyond `at` along the axis is not drawn. No axis, no cut.
+  /// Cuts everything open: what lies between the eye and the plane at `at` across the axis is not drawn. No axis, no cut.
   setSection(axis: number | null, at: number): void {
-    this.cutting = axis !== null;
-    if (axis !== null) {
-      this.cut.normal.copy(kAxes[axis]!).negate();
-      this.cut.constant = at;
-    }
+    this.section.set(axis, at);
     this.build();
+    this.draw();
   }
 
   /// From least to greatest, of what is drawn.
@@ -318,7 +334,7 @@ export class SpaceStage implements Picture {
 
   private follow(): void {
     const ray = new Raycaster();
-    let hold: { axis: number; from: Vector3; at: Place } | null = null;
+    let hold: { axis: number; from: Vector3; at: Place; placed: number; to: Place } | null = null;
     const aim = (e: PointerEvent) => {
       const b = this.canvas.getBoundingClientRect();
       ray.setFromCamera(new Vector2(((e.clientX - b.left) / b.width) * 2 - 1, 1 - ((e.clientY - b.top) / b.height) * 2), this.camera);
@@ -334,11 +350,14 @@ export class SpaceStage implements Picture {
     this.canvas.addEventListener("pointerdown", (e) => {
       aim(e);
       const arrow = ray.intersectObjects(this.handles, false)[0];
-      const body = arrow ?? ray.intersectObjects(this.part.children.filter((c) => c instanceof Mesh), false)[0];
+      const seen = [...this.part.children, ...this.placed.groups.flatMap((g) => g.children)].filter((c) => c instanceof Mesh);
+      const body = arrow ?? ray.intersectObjects(seen, false)[0];
       if (!body) return;
+      const groups = this.placed.groups as Object3D[];
+      const placed = groups.findIndex((g) => g === body.object.parent || g === body.object.parent?.parent);
       const from = reach(arrow ? (arrow.object.userData["axis"] as number) : -1, body.point.clone());
       if (!from) return;
-      hold = { axis: arrow ? (arrow.object.userData["axis"] as number) : -1, from, at: this.at };
+      hold = { axis: arrow ? (arrow.object.userData["axis"] as number) : -1, from, at: placed < 0 ? this.at : this.placed.all[placed]!.at, placed, to: [] };
       this.controls.enabled = false;
       this.canvas.setPointerCapture(e.pointerId);
     }, { capture: true });
@@ -350,10 +369,18 @@ export class SpaceStage implements Picture {
       const by = to.sub(hold.from);
       const free = hold.axis < 0 ? [0, 1] : [hold.axis];
       const moved = this.rounded(hold.at.map((x, k) => x + by.getComponent(k)));
-      this.onDrag(hold.at.map((x, k) => (free.includes(k) ? moved[k]! : x)));
+      hold.to = hold.at.map((x, k) => (free.includes(k) ? moved[k]! : x));
+      if (hold.placed < 0) return this.onDrag(hold.to);
+      this.placed.groups[hold.placed]!.position.set(...(hold.to as Corner));
+      this.draw();
     });
     const release = () => {
-      if (hold) this.onDragged();
+      if (hold && hold.placed >= 0) {
+        if (hold.to.length) this.onMovePlaced(hold.placed, hold.to);
+        else this.onPickPlaced(hold.placed);
+      } else if (hold) {
+        this.onDragged();
+      }
       hold = null;
       this.controls.enabled = true;
     };

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The picture of the plane: shapes, region, the moving part, dimension lines; panning and zooming. Its own coordinates
+// The picture of the plane: shapes, region, the moving part, dimension lines; panning and zooming. What moves has an
+// element of its own above the rest, so that a drag draws nothing else anew. Its own coordinates
 // are those of the engine's path data: the scene's, with y down.
 import type { AnyDrawing, Atom, Between, Drawing, Movement, Place, Point, Summary } from "./engine";
 import { along, roundLength, shortDecimals, shown } from "./picture";
-import type { Picture, Pose } from "./picture";
-
-const kSvg = "http://www.w3.org/2000/svg";
-
-export function element(name: string, attributes: Record<string, string>, parent?: Element): SVGElement {
-  const made = document.createElementNS(kSvg, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  parent?.append(made);
-  return made;
-}
+import type { Picture, Placed, Pose } from "./picture";
+import { element, pictureOf, pictureText } from "./svg";
 
 const dots = (points: Point[]): string => points.map(([x, y]) => `M${x} ${y}h0`).join("");
 const lookOf = (d: Drawing): string => d.faces + d.free + dots(d.points);
@@ -26,6 +19,9 @@ const placeAlong = (m: Movement, time: number): Point =>
   along(m.times, m.path, time, (a, b, t) => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])] as Point);
 
 const kLayers = ["shapes", "outer", "own", "region", "ghost", "placed", "part", "marks"] as const;
+const kOver = new Set<string>(["ghost", "placed", "part", "marks"]);
+
+const numberOf = (placed: Element): number => Number(placed.getAttribute("data-placed"));
 
 export class Stage implements Picture {
   private readonly layers = {} as Record<(typeof kLayers)[number], SVGGraphicsElement>;
@@ -43,9 +39,14 @@ export class Stage implements Picture {
   onDragged: () => void = () => {};
   onPick: (at: Place) => void = () => {};
   onHover: (at: Place) => void = () => {};
+  onMovePlaced: (k: number, at: Place) => void = () => {};
+  onPickPlaced: (k: number) => void = () => {};
+  private placed: Placed[] = [];
 
-  constructor(readonly element: SVGSVGElement, private readonly bar: HTMLElement) {
-    for (const id of kLayers) this.layers[id] = layer(id, element);
+  constructor(readonly element: SVGSVGElement, private readonly over: SVGSVGElement, private readonly bar: HTMLElement) {
+    // Lines that do not scale by themselves are laid out and drawn anew at every change anywhere.
+    element.classList.add("scaled");
+    for (const id of kLayers) this.layers[id] = layer(id, kOver.has(id) ? over : element);
     this.follow();
     new ResizeObserver(() => this.show()).observe(element);
   }
@@ -151,18 +152,23 @@ export class Stage implements Picture {
     if (at) this.layers.ghost.setAttribute("transform", this.transform(at, this.pose.angle, null));
   }
 
-  setPlaced(placed: { shape: string; at: Place; angle: number }[]): void {
+  setPlaced(placed: Placed[], picked: number, all: string[]): void {
+    this.placed = placed;
     this.layers.placed.replaceChildren();
-    const names = new Set(placed.map((p) => p.shape));
+    const of = (p: Placed) => this.summary!.shapes.filter((s) => s.name === p.shape || (s.drawing && p.shape.split("+").includes(s.name)));
+    const names = new Set(all);
     for (const [name, path] of this.moved) path.style.display = names.has(name) ? "none" : "";
     this.names = this.names.filter((n) => !names.has(n.text));
-    for (const p of placed) {
-      const drawing = this.summary?.shapes.find((s) => s.name === p.shape)?.drawing as Drawing | undefined;
-      if (!drawing) continue;
-      const [x, y] = p.at as Point;
-      const path = element("path", { class: "placed", d: lookOf(drawing), transform: `translate(${x} ${this.down * y}) rotate(${this.down * p.angle})` }, this.layers.placed);
-      element("title", {}, path).textContent = p.shape;
-    }
+    placed.forEach((p, k) => {
+      const d = of(p).map((s) => lookOf(s.drawing as Drawing)).join("");
+      const path = element("path", { class: k === picked ? "placed picked" : "placed", "data-placed": `${k}`, d, transform: this.standing(p) }, this.layers.placed);
+      element("title", {}, path).textContent = p.copy ? `${p.shape} ${p.copy}` : p.shape;
+    });
+  }
+
+  private standing(p: Placed, by: Point = [0, 0]): string {
+    const [x, y] = p.at as Point;
+    return `translate(${x + by[0]} ${this.down * (y + by[1])}) rotate(${this.down * p.angle})`;
   }
 
   setAtoms(good: boolean, atoms: Atom[]): void {
@@ -210,7 +216,7 @@ export class Stage implements Picture {
 
   private follow(): void {
     const down = new Map<number, PointerEvent>();
-    let hold: { from: Point; at: Place; part: boolean; far: boolean } | null = null;
+    let hold: { from: Point; at: Place; part: boolean; far: boolean; placed: Element | null; by: Point } | null = null;
     const spread = (): { size: number; middle: Point } => {
       const [a, b] = [...down.values()] as [PointerEvent, PointerEvent];
       return { size: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), middle: this.under({ clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 }) };
@@ -218,7 +224,8 @@ export class Stage implements Picture {
     const begin = (e: PointerEvent) => {
       down.set(e.pointerId, e);
       const part = (e.target as Element).classList.contains("part") && down.size === 1;
-      hold = { from: this.under(e), at: this.at, part, far: false };
+      const placed = down.size === 1 ? (e.target as Element).closest("[data-placed]") : null;
+      hold = { from: this.under(e), at: this.at, part, far: false, placed, by: [0, 0] };
       this.element.setPointerCapture(e.pointerId);
     };
     const pan = ([x, y]: Point, from: Point) => {
@@ -240,23 +247,35 @@ export class Stage implements Picture {
       down.set(e.pointerId, e);
       const [x, y] = this.under(e);
       hold.far ||= Math.hypot(x - hold.from[0], y - hold.from[1]) > 4 * this.unit;
+      if (hold.placed) {
+        hold.by = [x - hold.from[0], this.down * (y - hold.from[1])];
+        hold.placed.setAttribute("transform", this.standing(this.placed[numberOf(hold.placed)]!, hold.by));
+        return;
+      }
       if (!hold.part) return pan([x, y], hold.from);
       if (hold.far) this.onDrag(this.rounded([hold.at[0]! + x - hold.from[0], hold.at[1]! + this.down * (y - hold.from[1])]));
     };
     const release = (e: PointerEvent) => {
       down.delete(e.pointerId);
       if (hold && !hold.far && e.type === "pointerup") this.onPick(this.inScene(this.under(e)));
+      if (hold?.placed && e.type === "pointerup") {
+        const k = numberOf(hold.placed), { at } = this.placed[k]!;
+        if (hold.far) this.onMovePlaced(k, this.rounded(at.map((c, i) => c + hold!.by[i]!)));
+        else this.onPickPlaced(k);
+      }
       if (hold?.part) this.onDragged();
       hold = null;
     };
-    this.element.addEventListener("pointerdown", begin);
-    this.element.addEventListener("pointermove", move);
-    this.element.addEventListener("pointerup", release);
-    this.element.addEventListener("pointercancel", release);
-    this.element.addEventListener("wheel", (e) => {
-      e.preventDefault();
-      this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), this.under(e));
-    }, { passive: false });
+    for (const element of [this.element, this.over]) {
+      element.addEventListener("pointerdown", begin);
+      element.addEventListener("pointermove", move);
+      element.addEventListener("pointerup", release);
+      element.addEventListener("pointercancel", release);
+      element.addEventListener("wheel", (e) => {
+        e.preventDefault();
+        this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), this.under(e));
+      }, { passive: false });
+    }
   }
 
   rounded(at: Place): Place { return shortDecimals(at, this.unit); }
@@ -265,7 +284,9 @@ export class Stage implements Picture {
 
   private show(): void {
     const { x, y, w, h } = this.box;
-    this.element.setAttribute("viewBox", `${x} ${y} ${w} ${h}`);
+    for (const element of [this.element, this.over]) element.setAttribute("viewBox", `${x} ${y} ${w} ${h}`);
+    const unit = `${this.unit}`;
+    if (this.element.style.getPropertyValue("--px") !== unit) this.element.style.setProperty("--px", unit);
     this.drawMarks();
     this.drawBar();
   }
@@ -300,34 +321,9 @@ export class Stage implements Picture {
   }
 
   /// The picture with the colours that it has now.
-  svg(): string {
-    const svg = this.element, copy = svg.cloneNode(true) as SVGSVGElement;
-    const shapes = svg.querySelectorAll("path, line, text, rect"), copies = copy.querySelectorAll("path, line, text, rect");
-    shapes.forEach((shape, k) => {
-      const style = getComputedStyle(shape);
-      for (const key of ["display", "fill", "fill-rule", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "vector-effect", "font-family", "text-anchor", "paint-order"])
-        copies[k]!.setAttribute(key, style.getPropertyValue(key));
-    });
-    const { width, height } = svg.getBoundingClientRect();
-    for (const [key, value] of Object.entries({ xmlns: kSvg, width, height })) copy.setAttribute(key, `${value}`);
-    copy.style.background = getComputedStyle(document.body).backgroundColor;
-    return copy.outerHTML;
-  }
+  svg(): string { return pictureText([this.element, this.over]); }
 
-  async png(): Promise<Blob> {
-    const { width, height } = this.element.getBoundingClientRect(), sharp = Math.max(2, devicePixelRatio);
-    const image = new Image();
-    image.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(this.svg());
-    await image.decode();
-    const canvas = document.createElement("canvas");
-    canvas.width = width * sharp;
-    canvas.height = height * sharp;
-    const context = canvas.getContext("2d")!;
-    context.fillStyle = getComputedStyle(document.body).backgroundColor;
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return new Promise((done, fail) => canvas.toBlob((b) => (b ? done(b) : fail(new Error("no picture"))), "image/png"));
-  }
+  png(): Promise<Blob> { return pictureOf(this.svg(), this.element); }
 }
 
 function layer(id: string, parent: Element): SVGGraphicsElement {
