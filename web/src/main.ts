@@ -5,7 +5,7 @@
 import { alonePage, drawnAt, placeText, readAlone, save } from "./alone";
 import { Editor } from "./editor";
 import { call, kOwn, latest, Refusal, spaceScript, stayOpen } from "./engine";
-import type { Between, Check, Explanation, Interval, Nearest, Place, RegionMap, SpaceDrawing, Summary } from "./engine";
+import type { Between, Check, Drawing, Explanation, Interval, Nearest, Place, RegionMap, SpaceDrawing, Summary } from "./engine";
 import { History } from "./history";
 import type { State } from "./history";
 import { PackingPage } from "./packing";
@@ -18,7 +18,7 @@ import { Stage } from "./stage";
 import { showOperations, showSection } from "./views";
 
 const get = <T extends Element = HTMLElement>(id: string): T => document.getElementById(id) as unknown as T;
-const kSnapPixels = 9, kManyFaces = 500;
+const kSnapPixels = 9, kManyFaces = 500, kManyLetters = 200_000, kSlowTurns = 300;
 
 const alone = readAlone();
 const hidden = new Set<string>();
@@ -27,7 +27,7 @@ const history = new History(get<HTMLButtonElement>("undo"), get<HTMLButtonElemen
 const poses = new Poses(get("poses"));
 let picture: Picture, stage: Stage | null = null, spaceText = "";
 let summary: Summary, map: RegionMap | null = null, empty = false, roomy = false, picked = "", operation = "";
-let measuring: Place[] | null = null, placing: Placing | null = null;
+let measuring: Place[] | null = null, placing: Placing | null = null, turnsTook = 0;
 
 const unit = (): string => summary.unit ?? "";
 const state = (): State => ({ where: summary.where, at: picture.at, moving: summary.moving, angle: poses.pose.angle });
@@ -70,10 +70,22 @@ const check = latest(async (at: Place, snap: number) => {
 const turns = latest(async () => {
   const method = poses.method;
   if (!method) return;
+  const begun = performance.now();
   const { intervals } = await call<{ intervals: Interval[] }>(method, { at: picture.at });
+  turnsTook = performance.now() - begun;
   poses.showIntervals(intervals, picture.at);
 });
-const showTurns = (): void => void turns().catch(() => poses.showIntervals([], picture.at));
+/// Where that takes long, only while the pointer or the focus is at the slider: a drag is not to wait for it.
+function showTurns(asked = false): void {
+  const seen = asked || get("poses").matches(":hover, :focus-within");
+  if (!seen && (turnsTook > kSlowTurns || isIntricate())) return poses.forget();
+  void turns().catch(() => poses.showIntervals([], picture.at));
+}
+
+/// Of so many edges that angles take long.
+function isIntricate(): boolean {
+  return summary.dimension === 2 && summary.shapes.reduce((sum, s) => sum + ((s.drawing as Drawing | undefined)?.faces.length ?? 0), 0) > kManyLetters;
+}
 
 /// The set of one condition alone, or of none.
 async function pick(text: string): Promise<void> {
@@ -242,6 +254,7 @@ function onKey(e: KeyboardEvent): void {
 }
 
 function connect(): void {
+  for (const at of ["pointerenter", "focusin"]) get("poses").addEventListener(at, () => showTurns(true));
   picture.onDrag = (at) => void check(at, kSnapPixels * picture.unit);
   picture.onDragged = () => setTimeout(() => { keep(); showTurns(); }, 80);
   picture.onPick = (at) => void pickFeature(at).catch(fault);

@@ -69,6 +69,13 @@ export class Poses {
     this.range.value = this.number!.value = String(angle);
   }
 
+  /// Not known for where the part is now.
+  forget(): void {
+    if (!this.track) return;
+    this.track.replaceChildren();
+    this.track.title = "Point here to see where it holds";
+  }
+
   /// Where on the slider the formula holds.
   showIntervals(intervals: Interval[], at: Place): void {
     if (!this.track) return;

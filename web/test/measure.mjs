@@ -6,9 +6,11 @@
 // usage: node test/measure.mjs PROGRAM
 //
 // Prints a table: from the command to the picture; from a move of the pointer to the part at its place with all
-// conditions told; from a step of a slider to the new region. Each is the median and the greatest of some tens.
+// conditions told; from a step of a slider to the new region. Each is the median and the greatest of some tens, and the
+// processor time of one, of the program and of all of Chromium together: what a machine that does nothing else takes at
+// the most.
 import { spawn } from "node:child_process";
-import { mkdtempSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import puppeteer from "puppeteer-core";
@@ -37,14 +39,36 @@ function obstacles(count, outline, part) {
   return path;
 }
 
+/// Milliseconds that these processes and all that they began have run.
+function ran(roots) {
+  const children = new Map(), times = new Map();
+  for (const id of readdirSync("/proc").filter((name) => /^[0-9]+$/.test(name))) {
+    try {
+      const text = readFileSync(`/proc/${id}/stat`, "utf8"), fields = text.slice(text.lastIndexOf(")") + 2).split(" ");
+      children.set(fields[1], [...(children.get(fields[1]) ?? []), id]);
+      times.set(id, 10 * (Number(fields[11]) + Number(fields[12]) + Number(fields[13]) + Number(fields[14])));
+    } catch { /* it has ended */ }
+  }
+  const all = (id) => (times.get(id) ?? 0) + (children.get(id) ?? []).reduce((sum, k) => sum + all(k), 0);
+  return roots.reduce((sum, id) => sum + all(String(id)), 0);
+}
+
 const middle = (all) => [...all].sort((a, b) => a - b)[Math.floor(all.length / 2)];
-const row = (what, times) => console.log(`| ${what} | ${times.length} | ${middle(times).toFixed(1)} | ${Math.max(...times).toFixed(1)} |`);
+const row = (what, times, processor) => console.log(`| ${what} | ${times.length} | ${middle(times).toFixed(1)} | ${Math.max(...times).toFixed(1)} | ${(processor / times.length).toFixed(1)} |`);
+
+/// The times that `act` gives, in a row, with the processor time of each.
+async function measured(what, opened, act) {
+  const roots = [opened.child.pid, browser.process().pid], before = ran(roots);
+  const times = await act(opened.page);
+  row(what, times, ran(roots) - before);
+}
 
 async function start(browser, path) {
   const begun = performance.now();
   const child = spawn(program, ["view", path, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
   const link = await new Promise((done) => child.stdout.once("data", (d) => done(String(d).trim())));
   const page = await browser.newPage();
+  page.setDefaultTimeout(600_000);
   await page.setViewport({ width: 1280, height: 800 });
   await page.goto(link, { waitUntil: "domcontentloaded" });
   await page.waitForFunction(() => document.getElementById("verdict").textContent !== "", { polling: "mutation", timeout: 240000 });
@@ -68,7 +92,7 @@ async function drag(page) {
   await page.mouse.down();
   for (let k = 1; k <= 40; ++k) {
     await page.mouse.move(x + 4 * k, y + 60 * Math.sin(k / 6));
-    await page.waitForFunction((n) => globalThis.took.length >= n, {}, k);
+    await page.waitForFunction((n) => globalThis.took.length >= n, { polling: "mutation" }, k);
   }
   await page.mouse.up();
   return page.evaluate(() => globalThis.took);
@@ -92,21 +116,24 @@ const slide = (page) => page.evaluate(async () => {
 
 const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: kFlags });
 const finish = async ({ page, ended }) => { await page.close(); await ended; };
-console.log("| what | times | median ms | greatest ms |\n|---|---|---|---|");
+console.log("| what | times | median ms | greatest ms | processor ms |\n|---|---|---|---|---|");
 for (const name of ["peg", "first", "door-leaf", "carts", "rooms"]) {
   const times = [];
+  let processor = 0;
   for (let k = 0; k < 3; ++k) {
+    const before = ran([browser.process().pid]);
     const opened = await start(browser, join(examples, name + ".json"));
     times.push(opened.took);
+    processor += ran([opened.child.pid, browser.process().pid]) - before;
     await finish(opened);
   }
-  row(`command to picture, examples/${name}.json`, times);
+  row(`command to picture, examples/${name}.json`, times, processor);
 }
 for (const [count, outline, part, what] of [[100, kHexagon, kNotched, "hexagons"], [10000, kBox, kSquare, "boxes"]]) {
-  const opened = await start(browser, obstacles(count, outline, part));
-  row(`command to picture, ${count} ${what}`, [opened.took]);
-  row(`drag, ${count} ${what}`, await drag(opened.page));
-  if (count === 100) row(`slider step, ${count} ${what}`, await slide(opened.page));
+  const before = ran([browser.process().pid]), opened = await start(browser, obstacles(count, outline, part));
+  row(`command to picture, ${count} ${what}`, [opened.took], ran([opened.child.pid, browser.process().pid]) - before);
+  await measured(`drag, ${count} ${what}`, opened, drag);
+  if (count === 100) await measured(`slider step, ${count} ${what}`, opened, slide);
   await finish(opened);
 }
 await browser.close();
