@@ -14,39 +14,46 @@
 namespace findspace::plane {
 namespace {
 
+/// What bounds the union.
+struct Rings {
+  explicit Rings(Memory memory) : edges(memory), starts(memory) {}
+
+  std::pmr::vector<RingEdge> edges;
+  std::pmr::vector<Index> starts;
+  bool touch = false;  // one itself, or another one; then those that run straight on are not joined
+
+  Index end(std::size_t r) const { return r + 1 < starts.size() ? starts[r + 1] : Index(edges.size()); }
+};
+
 /// Along a walk the outer side is in the same sets everywhere, as no curve leads into it.
 class UnionRings {
  public:
   UnionRings(RegionCurves& sets, const MeetingCurves& curves, Memory memory)
-      : sets_(sets), curves_(curves), rings_(memory), starts_(memory), place_(memory) {
-    rings_.reserve(curves.size());
+      : sets_(sets), curves_(curves), rings_(memory), place_(memory), passed_(memory) {
+    rings_.edges.reserve(curves.size());
     choose_places();
   }
 
-  /// False where a ring touches itself or another one.
-  bool find(Memory memory) {
+  Rings find(Memory memory) && {
     OuterWalks walks(curves_, memory);
     for (Index i = 0; i < curves_.size(); ++i)
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
         if (!walks.is_new({i, k})) continue;
         const auto walk = walks.walk({i, k});
-        if (!walk.empty() && !is_inside(walk.front()) && !add_ring(walk)) return false;
+        if (!walk.empty() && !is_inside(walk.front())) add_ring(walk);
       }
-    return true;
+    if (!place_.empty() && !rings_.touch) join_straight();
+    return std::move(rings_);
   }
 
-  std::span<const RingEdge> edges() const { return rings_; }
-  std::span<const Index> starts() const { return starts_; }
-
  private:
-  static constexpr Index kPassed = kNone - 1;
-
   /// Of every degenerate vertex one of its points, on the grid if there is one.
   void choose_places() {
     const DegenerateVertices& degenerate = curves_.degenerate_vertices();
     if (degenerate.empty()) return;
     const auto& points = sets_.curves.geometry.points;
     place_.assign(degenerate.count(), kNone);
+    passed_.assign(degenerate.count(), 0);
     for (Index p = 0; p < points.size(); ++p)
       if (const Index at = degenerate.at(p); at != kNone)
         if (place_[at] == kNone || points[place_[at]].kind != exact::Point::Kind::kGrid) place_[at] = p;
@@ -63,44 +70,92 @@ class UnionRings {
     return sets_.is_inside_another(curves_.start(p), own, other);
   }
 
-  bool add_ring(std::span<const CurvePart> walk) {
-    starts_.push_back(Index(rings_.size()));
+  void add_ring(std::span<const CurvePart> walk) {
+    rings_.starts.push_back(Index(rings_.edges.size()));
     for (std::size_t k = walk.size(); k-- > 0;) {
       const CurvePart p = walk[k];
       Index from = curves_.start(p);
       if (const Index degenerate = curves_.degenerate_before(p); degenerate != kNone) {
-        if (place_[degenerate] == kPassed) return false;
-        from = std::exchange(place_[degenerate], kPassed);
-        if (straight(walk[k + 1 == walk.size() ? 0 : k + 1].curve, p.curve)) continue;
+        rings_.touch |= passed_[degenerate]++ > 0;
+        from = place_[degenerate];
       }
-      rings_.push_back({from, curves_.supporting_curve(p.curve), curves_.right(p.curve)});
+      rings_.edges.push_back({from, curves_.supporting_curve(p.curve), curves_.right(p.curve)});
     }
-    return true;
   }
 
-  bool straight(Index i, Index j) const {
-    const auto& lines = sets_.curves.geometry.supporting_curves;
-    const auto &k = lines[curves_.supporting_curve(i)], &l = lines[curves_.supporting_curve(j)];
+  void join_straight() {
+    auto& edges = rings_.edges;
+    Index kept = 0;
+    for (std::size_t r = 0; r < rings_.starts.size(); ++r) {
+      const Index first = rings_.starts[r], end = rings_.end(r);
+      Index before = edges[end - 1].supporting_curve;
+      rings_.starts[r] = kept;
+      for (Index k = first; k < end; ++k) {
+        const RingEdge e = edges[k];
+        if (!parallel(before, e.supporting_curve)) edges[kept++] = e;
+        before = e.supporting_curve;
+      }
+    }
+    edges.resize(kept);
+  }
+
+  bool parallel(Index i, Index j) const {
+    const auto &k = sets_.curves.geometry.supporting_curves[i], &l = sets_.curves.geometry.supporting_curves[j];
     return k.a == l.a && k.b == l.b;
   }
 
   RegionCurves& sets_;
   const MeetingCurves& curves_;
-  std::pmr::vector<RingEdge> rings_;
-  std::pmr::vector<Index> starts_;
-  std::pmr::vector<Index> place_;  // of a degenerate vertex; kPassed where a ring passes it
+  Rings rings_;
+  std::pmr::vector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
 };
+
+/// Rings that touch: their edges, which meet in common ends only, are arranged.
+Region arranged(exact::Geometry geometry, const Rings& rings) {
+  std::vector<Piece> pieces;
+  pieces.reserve(rings.edges.size());
+  for (std::size_t r = 0; r < rings.starts.size(); ++r) {
+    const Index first = rings.starts[r], end = rings.end(r);
+    for (Index k = first; k < end; ++k) {
+      const RingEdge& e = rings.edges[k];
+      const Index to = rings.edges[k + 1 == end ? first : k + 1].point;
+      pieces.push_back({.supporting_curve = e.supporting_curve,
+                        .p0 = e.right ? e.point : to,
+                        .p1 = e.right ? to : e.point,
+                        .group = 0});
+    }
+  }
+  Arrangement a = arrange(std::move(geometry), std::move(pieces));
+  Marks marks;
+  marks.faces.assign(a.face_count, 0);
+  marks.edges.assign(a.edge_count(), 1);
+  marks.vertices.assign(a.vertex_count(), 1);
+  for (Index e = 0; e < a.edge_count(); ++e) {
+    const bool left = rings.edges[a.cover[a.cover_start[e]]].right;
+    marks.faces[a.face[2 * e + (left ? 0 : 1)]] = 1;
+  }
+  return extract(std::move(a), marks);
+}
+
+std::optional<Rings> rings_of(RegionCurves& sets, Memory memory) {
+  auto pairs = sets.pairs();
+  if (!pairs) return std::nullopt;
+  CurveStops stops = find_stops(sets.curves, *pairs, memory);
+  pairs.reset();
+  const MeetingCurves curves(sets.curves, std::move(stops), memory);
+  return UnionRings(sets, curves, memory).find(memory);
+}
 
 std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, Memory memory) {
   if (!sets) return std::nullopt;
-  const auto pairs = sets->pairs();
-  if (!pairs) return std::nullopt;
-  const MeetingCurves curves(sets->curves, find_stops(sets->curves, *pairs, memory), memory);
-  UnionRings rings(*sets, curves, memory);
-  if (!rings.find(memory)) return std::nullopt;
-  if (rings.starts().empty()) return Region::uniform(0);
-  const auto nested = nested_rings(sets->curves.geometry, rings.edges(), rings.starts());
-  return ring_map(std::move(sets->curves.geometry), rings.edges(), nested, {1, 1, 0});
+  const std::optional<Rings> rings = rings_of(*sets, memory);
+  if (!rings) return std::nullopt;
+  if (rings->starts.empty()) return Region::uniform(0);
+  exact::Geometry geometry = std::move(sets->curves.geometry);
+  sets.reset();
+  if (rings->touch) return arranged(std::move(geometry), *rings);
+  const auto nested = nested_rings(geometry, rings->edges, rings->starts);
+  return ring_map(std::move(geometry), rings->edges, nested, {1, 1, 0});
 }
 
 }  // namespace
