@@ -151,16 +151,17 @@ def linear_text(pairs):
 
 
 def supporting_curve_text(value):
-    real, a, b = pointed(value["real"]), int(value["a"]), int(value["b"])
+    kept, a, b = value["reals"]["kept_"], int(value["a"]), int(value["b"])
+    real = held(kept["point"]) if int(kept) else None
     if value["circle"]:
         centre = f"({a}, {b})" if value["grid"] else real_point_text(real)
-        return f"circle about {centre}, radius {short(value['w'])}"
+        return f"circle about {centre}, radius {short(kept['w'])}"
     line = f"line {linear_text([(a, 'x'), (b, 'y')])} = "
     if value["grid"]:
         return line + str(int128(value["c"]))
     if real is not None:
         return line + short(real["x"])
-    return f"{line}{int128(value['c'])}, moved by {short(value['w'])}"
+    return f"{line}{int128(value['c'])}, moved by {short(kept['w'])}"
 
 
 def geometry_text(value):
@@ -191,7 +192,7 @@ def complex_box(value):
         if half == 0:
             continue
         circle = (value["geometry"]["supporting_curves"]["_M_impl"]["_M_start"] + supporting_curve).dereference()
-        x, y, radius = (float(circle[name]["value"]) for name in "xyz")
+        x, y, radius = (float(circle[name]) for name in ("x_", "y_", "z_"))
         if points[v0][0] <= x <= points[v1][0]:  # the arc is highest or lowest there
             ys.append(y + half * radius)
     return (min(xs), max(xs), min(ys), max(ys)) if xs else None
