@@ -15,6 +15,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
+#include "packing/search/refined_search.h"
 #include "placing/pack_solids.h"
 #include "placing/packing_report.h"
 #include "placing/stated_problem.h"
@@ -47,7 +48,7 @@ class Packing {
     std::optional<packing::Layout> best;
     {
       const StopOnInterrupt interrupt;
-      best = (problem_.box ? packing::search_box : packing::search_strip)(problem_, search, events,
+      best = (problem_.box ? packing::search_box : packing::search_refined)(problem_, search, events,
                                                                           StopOnInterrupt::wanted());
     }
     if (!best) return empty();

@@ -15,6 +15,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/arrangement.h"
+#include "packing/search/refined_search.h"
 
 namespace findspace::app {
 namespace {
@@ -104,7 +105,7 @@ void PackingJob::search(packing::SearchOptions options, std::optional<packing::L
                                      }};
   if (start) options.start = &*start;
   try {
-    packing::search_strip(problem_, options, events, stop_);
+    packing::search_refined(problem_, options, events, stop_);
   } catch (const std::exception& e) {
     const std::lock_guard lock(guard_);
     failure_ = e.what();

@@ -9,7 +9,7 @@
 #include <atomic>
 
 #include "packing/proof/verify.h"
-#include "packing/search/strip_search.h"
+#include "packing/search/refined_search.h"
 
 namespace findspace::packing {
 
@@ -19,7 +19,7 @@ inline Layout found(const Problem& problem, double work, std::uint64_t seed = 1,
   options.work = work;
   options.seed = seed;
   options.threads = threads;
-  const auto layout = search_strip(problem, options, {}, stop);
+  const auto layout = search_refined(problem, options, {}, stop);
   EXPECT_TRUE(verify(problem, layout.value()).feasible());
   return *layout;
 }

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "packing/nfp/row.h"
+#include "packing/proof/remnant.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
 #include "packing_found.h"
@@ -58,6 +59,29 @@ TEST(Sheets, OutlineHoleAndZone) {
   wrong = kept_out;
   wrong.items[0].x = Fraction(1);
   EXPECT_FALSE(verify(problem, wrong).feasible());
+}
+
+/// Bars as long as the sheet but one: side by side along its lower side they leave most of it as one rectangle.
+TEST(Sheets, TheLastLeavesALargeRectangle) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 2, {}, box(10, 10)});
+  problem.parts = {{"bar", 3, box(9, 1), {0}}, {"plug", 1, box(1, 2), {0}}};
+  const Layout layout = found(problem, 1e8);
+  EXPECT_EQ(layout.sheets.size(), 1u);
+  const Remnant left = largest_remnant(problem, layout).value();
+  EXPECT_EQ(left.width, Fraction(10));
+  EXPECT_EQ(left.height, Fraction(7));
+}
+
+TEST(Sheets, TheLastOneMayBeAnyShapeWithHolesZonesAndFixedParts) {
+  Problem problem;
+  Polygon angle = make_polygon({{{0, 0}, {12, 0}, {12, 9}, {0, 6}}, box_ring(5, 1, 6, 2)}, "angle");
+  problem.sheets.push_back({"angle", 1, {}, angle, {{make_polygon({box_ring(0, 0, 2, 1)}, "zone"), {0}}}});
+  problem.parts = {{"bar", 3, box(4, 1), {0, 90}, true}, {"post", 2, box(1, 1), {0}}};
+  problem.fixed = {{{.part = 1, .copy = 1, .angle = 0, .mirrored = false, .x = 3, .y = 3}, 0}};
+  const Layout layout = found(problem, 5e7);
+  EXPECT_EQ(layout.items.size(), 5u);
+  EXPECT_TRUE(layout.left_out.empty());
 }
 
 TEST(Sheets, TheMostValuableChoice) {

@@ -18,6 +18,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
+#include "packing/search/refined_search.h"
 #include "plane/query/topology.h"
 
 namespace findspace {
@@ -196,7 +197,7 @@ PackPart PackPart::of(std::string name, Shape shape, int count) {
 std::optional<PackLayout> pack(const PackProblem& problem, const Options& options,
                                const std::function<void(const PackLayout&)>& better) {
   const packing::Problem inner = on_grid(problem);
-  const auto search = inner.box ? packing::search_box : packing::search_strip;
+  const auto search = inner.box ? packing::search_box : packing::search_refined;
   const auto shown = [&](const packing::Layout& layout) { return public_layout(inner, layout); };
   return io::searched<packing::Layout, PackLayout>(options, better, shown,
                                                    [&](const auto&... how) { return search(inner, how...); });

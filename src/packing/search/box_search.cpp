@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "packing/search/refined_search.h"
+
 namespace findspace::packing {
 namespace {
 
@@ -67,7 +69,7 @@ class BoxSearch {
     SearchEvents events;
     events.progress = events_.progress;
     events.better = [&](const Layout& layout, const SearchState& state) { offer(layout, state); };
-    search_strip(strip, options, events, stop_);
+    search_refined(strip, options, events, stop_);
   }
 
   /// The box ends where its parts end.

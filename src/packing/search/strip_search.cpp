@@ -7,7 +7,6 @@
 #include "packing/proof/verify.h"
 #include "packing/search/first_layout.h"
 #include "packing/search/room_search.h"
-#include "packing/search/tilting.h"
 
 namespace findspace::packing {
 namespace {
@@ -47,47 +46,11 @@ struct StripKit {
   static bool has_fixed(const Problem& problem) { return !problem.fixed.empty(); }
 };
 
-constexpr double kTiltShare = 0.1;  // of the time
-
-/// A search, then tilts of its layout.
-class SearchAndTilt {
- public:
-  SearchAndTilt(const SearchOptions& options, const SearchEvents& events, const std::atomic<bool>& stop)
-      : options_(options), events_(events), limits_(options.seconds, 0, stop) {}
-
-  std::optional<Layout> run(const Problem& problem, const std::atomic<bool>& stop) {
-    SearchOptions options = options_;
-    options.seconds *= 1 - kTiltShare;
-    const Problem begun = options_.start != nullptr ? with_angles_of(problem, *options_.start) : problem;
-    std::optional<Layout> layout = RoomSearch<StripKit>(begun, options, events_, stop).run();
-    if (!layout) return layout;
-    return tilted(
-        problem, *std::move(layout), [&](const Layout& better) { tell(problem, better); },
-        [&] { return any_of(options_.peers, limits_.is_out_of_time()); });
-  }
-
- private:
-  void tell(const Problem& problem, const Layout& layout) const {
-    if (!events_.better) return;
-    SearchState state;
-    state.seconds = limits_.seconds();
-    state.processor = double(std::clock()) / CLOCKS_PER_SEC;
-    state.length = layout.length.to_double();
-    state.density = StripKit::density(problem, layout);
-    events_.better(layout, state);
-  }
-
-  const SearchOptions& options_;
-  const SearchEvents& events_;
-  const SearchLimits limits_;
-};
-
 }  // namespace
 
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
                                    const std::atomic<bool>& stop) {
   if (problem.items() == 0) return std::nullopt;
-  if (may_tilt(problem)) return SearchAndTilt(options, events, stop).run(problem, stop);
   return RoomSearch<StripKit>(problem, options, events, stop).run();
 }
 

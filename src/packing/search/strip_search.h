@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The search for a short strip, or for few sheets, in the plane: an island a thread (room_search.h); in
-// the end parts are tilted where they may be (tilting.h). Guarantee: layouts
+// The search for a short strip, or for few sheets, in the plane: an island a thread (room_search.h). Guarantee: layouts
 // given are feasible, exactly. With a limit of work alone the result depends on the seed and the number of threads
 // only. Cost: as long as allowed.
 #pragma once
