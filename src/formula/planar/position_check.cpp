@@ -10,6 +10,7 @@
 
 #include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
+#include "formula/language/text.h"
 #include "formula/planar/measure.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
@@ -63,8 +64,9 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
       value = world.pair(r.names)->measure(r.which(), p);
       if (auto clear = clear_sign(world, wanted, r, value, p)) return *std::move(clear);
     }
-    const plane::SignMap m = sign_map(world, wanted);
-    return {mark_of(m, locate(m, p)), Way::kMap, std::move(value)};
+    auto map = world.kept_maps().find(wanted);
+    if (!map) map = world.kept_maps().keep(wanted, sign_map(world, wanted));
+    return {mark_of(*map, locate(*map, p)), Way::kMap, std::move(value)};
   }
   if (wanted.minimum) refuse(wanted.distance, "whether a position is the best of all is not computed with a motion");
   const bool at_instant = world.world().instant && wanted.distance.prefix == Extremum::kNone;

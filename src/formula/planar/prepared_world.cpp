@@ -25,6 +25,21 @@ distance::Extremum LeastValues::keep(const std::string& text, distance::Extremum
   return known_.emplace(text, std::move(value)).first->second;
 }
 
+KeptMaps::Pointer KeptMaps::find(const SignMap& wanted) const {
+  std::lock_guard lock(guard_);
+  for (const auto& [map, made] : kept_)
+    if (map == wanted) return made;
+  return nullptr;
+}
+
+KeptMaps::Pointer KeptMaps::keep(const SignMap& wanted, plane::CellComplex map) {
+  const auto made = std::make_shared<const plane::CellComplex>(std::move(map));
+  std::lock_guard lock(guard_);
+  if (kept_.size() == kMost) kept_.erase(kept_.begin());
+  kept_.emplace_back(wanted, made);
+  return made;
+}
+
 void LeastValues::take_over(const LeastValues& others, const std::vector<std::string>& without) {
   std::scoped_lock lock(guard_, others.guard_);
   for (const auto& [text, value] : others.known_) {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A world made ready for questions: its shapes closed, with their boxes, and what several questions share made once:
-// pairs of shapes and least values. Everything that answers formulas in the plane reads it. Threads: safe. Keywords:
-// context, cache, workspace.
+// pairs of shapes, least values, a few sign maps. Everything that answers formulas in the plane reads it. Threads:
+// safe. Keywords: context, cache, workspace.
 #pragma once
 
 #include <map>
@@ -50,6 +50,21 @@ class LeastValues {
   std::map<std::string, distance::Extremum> known_;
 };
 
+/// The last sign maps that positions at a level asked for: a part that is dragged along a boundary asks again and
+/// again.
+class KeptMaps {
+ public:
+  using Pointer = std::shared_ptr<const plane::CellComplex>;
+  /// Null where it is not kept.
+  Pointer find(const SignMap& wanted) const;
+  Pointer keep(const SignMap& wanted, plane::CellComplex map);
+
+ private:
+  static constexpr std::size_t kMost = 4;
+  mutable std::mutex guard_;
+  std::vector<std::pair<SignMap, Pointer>> kept_;  // the oldest first
+};
+
 /// Shapes in grid steps that are new, or replace others of their name; nothing: it is removed.
 using ShapeChanges = std::map<std::string, std::optional<plane::Region>>;
 
@@ -74,6 +89,7 @@ class PreparedWorld {
   distance::Which which(const Distance& moving_first) const;
   std::shared_ptr<const distance::AtPosition> pair(const ShapeNames& names) const;
   LeastValues& least_values() const { return least_values_; }
+  KeptMaps& kept_maps() const { return kept_maps_; }
 
   /// A position of the scene in grid steps.
   exact::RealPoint steps(const exact::RealPoint& p) const { return {p.x / world_.step, p.y / world_.step}; }
@@ -89,6 +105,7 @@ class PreparedWorld {
   mutable std::map<std::string, Components> boundary_components_;  // of those that have several and were asked for
   mutable std::map<ShapeNames, std::shared_ptr<const distance::AtPosition>> pairs_;
   mutable LeastValues least_values_;
+  mutable KeptMaps kept_maps_;
 };
 
 }  // namespace findspace::formula
