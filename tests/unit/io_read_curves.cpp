@@ -56,6 +56,19 @@ TEST(ReadCurves, SvgAreas) {
   expect_svg("<path d='M0 0 C0 40 40 40 40 0 Z M18 10 A2 4 0 0 0 22 10 A2 4 0 0 0 18 10'/>", 960 - 8 * pi, 160);
 }
 
+TEST(ReadCurves, TangentialCusps) {
+  const std::string drop = "<path d='M50 10 C50 40 80 50 80 70 A30 30 0 0 1 20 70 C20 50 50 40 50 10 Z'/>";
+  const std::string lens = "<path d='M10 50 C40 50 60 40 90 50 C60 60 40 50 10 50 Z'/>";
+  expect_svg(drop, 1620 + 450 * pi, 250);
+  expect_svg(lens, 390, 180);
+  // Both sides of the tip are within the tolerance of each other there: arcs cross, and that is said.
+  Context context;
+  read_svg("<svg width='100mm' viewBox='0 0 100 100'>" + drop + "</svg>", "f.svg", {}, context);
+  ASSERT_EQ(context.notes.size(), 1u);
+  EXPECT_NE(context.notes[0].find("outlines cross in 1 place, the longest 0.08"), std::string::npos)
+      << context.notes[0];
+}
+
 TEST(ReadCurves, UseSymbolsAndViews) {
   const std::string defs =
       "<defs><rect id='r' width='4' height='5'/><symbol id='s' viewBox='0 0 10 10'><rect width='10' "

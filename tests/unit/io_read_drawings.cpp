@@ -312,6 +312,48 @@ TEST(ReadDxf, ALineThereAndBackIsALine) {
   EXPECT_EQ(read_dxf(dxf_text(back, "4"), "f.dxf", {}, context)->kind, Shape::Kind::kPolyline);
 }
 
+TEST(ReadDxf, ALineOutAndBackByTheSameCornersIsALine) {
+  const std::string back = "0 LWPOLYLINE|70 1|10 0|20 0|10 90|20 30|10 60|20 2000|10 90|20 30|";
+  expect_refused([&] { dxf(back); }, "run along each other");
+  Context context;
+  context.drawing.open_lines = true;
+  EXPECT_EQ(read_dxf(dxf_text(back, "4"), "f.dxf", {}, context)->kind, Shape::Kind::kPolyline);
+  // A bow tie of no area is none.
+  Context again;
+  again.drawing.open_lines = true;
+  EXPECT_THROW(read_dxf(dxf_text("0 LWPOLYLINE|70 1|10 0|20 0|10 9000|20 9000|10 9000|20 0|10 0|20 9000|", "4"),
+                        "f.dxf", {}, again),
+               Error);
+}
+
+/// A square of 10,000 whose last corner is passed by 30 on one side and 40 on the other.
+TEST(ReadDxf, CrossingsUpToTheJoinAreMended) {
+  const std::string loop = "0 LWPOLYLINE|70 1|10 0|20 0|10 10040|20 0|10 10000|20 -30|10 10000|20 10000|10 0|20 10000|";
+  expect_refused([&] { dxf(loop); }, "touches or crosses itself");
+  expect_refused([&] { dxf(loop); }, "meet at (10000, 0); --join 50mm mends it");
+  Context context;
+  context.drawing.join = 50;
+  ShapePtr shape = read_dxf(dxf_text(loop, "4"), "f.dxf", {}, context);
+  ASSERT_EQ(shape->kind, Shape::Kind::kCells);
+  EXPECT_EQ(context.notes.at(0),
+            "f.dxf: outlines cross in 1 place, the longest 40 mm at (10013, -10): overlaps are joined, loops and "
+            "spikes are left out");
+  // A spike of 700 and parts that overlap by 3; beside them what is sound stays as it is.
+  Context more;
+  const std::string spike =
+      "0 LWPOLYLINE|70 1|10 0|20 0|10 9000|20 0|10 9000|20 4000|10 9700|20 4000|10 9000|20 4000|10 9000|20 9000|10 "
+      "0|20 9000|";
+  const std::string parts =
+      "0 LWPOLYLINE|70 1|10 20000|20 0|10 29003|20 0|10 29003|20 9000|10 20000|20 9000|0 LWPOLYLINE|70 1|10 29000|20 "
+      "10|10 39000|20 10|10 39000|20 8000|10 29000|20 8000|0 CIRCLE|10 50000|20 0|40 700|";
+  shape = read_dxf(dxf_text(spike + parts, "4"), "f.dxf", {}, more);
+  ASSERT_EQ(shape->children.size(), 4u);
+  EXPECT_EQ(shape->children[0]->kind, Shape::Kind::kCells);
+  for (const std::size_t k : {1, 2, 3}) EXPECT_EQ(shape->children[k]->kind, Shape::Kind::kRings) << k;
+  EXPECT_NE(more.notes.at(0).find("outlines cross in 2 places, the longest 7990 mm"), std::string::npos)
+      << more.notes.at(0);
+}
+
 TEST(ReadDxf, ArcsTooFlatForTheGridAreCurves) {
   // A radius of 125 km: 1.25e11 steps of a micrometre, and too many of a tenth of a nanometre.
   const std::string flat = "0 LWPOLYLINE|70 1|10 0|20 0|42 0.000002|10 1000|20 0|10 1000|20 50|10 0|20 50|";

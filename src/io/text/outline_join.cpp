@@ -14,6 +14,7 @@
 
 #include "findspace/error.h"
 #include "io/text/outline_shapes.h"
+#include "plane/build/mended_rings.h"
 #include "plane/contour/contour.h"
 
 namespace findspace::io {
@@ -259,17 +260,16 @@ std::size_t drop_debris(std::vector<Chain>& chains, double most) {
   });
 }
 
-/// Segments alone, out along a line and back.
+/// It runs out along a line, straight or not, and back, so that it goes round nothing.
 bool runs_back(const Chain& c) {
   if (!c.curves.empty()) return false;
+  exact::int128 twice = 0;  // the area between the chords
   const GridPoint from = c.edges[0].start;
-  const auto farthest = std::max_element(c.edges.begin(), c.edges.end(), [&](const auto& a, const auto& b) {
-    return distance(a.start, from) < distance(b.start, from);
-  });
-  const exact::int128 dx = farthest->start.x - from.x, dy = farthest->start.y - from.y;
-  return std::all_of(c.edges.begin(), c.edges.end(), [&](const ContourEdge& e) {
-    return !e.arc && dx * (e.start.y - from.y) == dy * (e.start.x - from.x);
-  });
+  for (std::size_t k = 0; k < c.edges.size(); ++k) {
+    const GridPoint p = c.edges[k].start, q = plane::end_of(c.edges, k);
+    twice += exact::int128(p.x - from.x) * (q.y - from.y) - exact::int128(p.y - from.y) * (q.x - from.x);
+  }
+  return twice == 0 && plane::RingMender({&c.edges, 1}).winds_round_nothing();
 }
 
 /// Closed chains that run back on themselves become open ones.
@@ -281,14 +281,7 @@ void open_lines_there_and_back(std::vector<Chain>& chains) {
   }
 }
 
-std::string length_text(double steps, const ReadContext& context) {
-  const std::string unit = context.unit ? fmt::format(" {}", formula::name(*context.unit)) : "";
-  return fmt::format("{:.3g}{}", steps * context.grid.step_size(), unit);
-}
-
-std::string point_text(GridPoint p, double step) {
-  return fmt::format("({:.10g}, {:.10g})", double(p.x) * step, double(p.y) * step);
-}
+std::string point_text(GridPoint p, const ReadContext& context) { return context.point_text(double(p.x), double(p.y)); }
 
 /// The chains that stay open, and the end of one that is nearest to another end.
 [[noreturn]] void refuse_open(const std::vector<Chain>& chains, const ReadContext& context) {
@@ -305,8 +298,8 @@ std::string point_text(GridPoint p, double step) {
   const GridPoint from = end_place(chains, ends[0]), to = end_place(chains, ends[1]);
   std::string message = fmt::format(
       "{} open, {}from {} to {}", ends.size() == 2 ? "an outline is" : fmt::format("{} outlines are", ends.size() / 2),
-      ends.size() == 2 ? "" : "the first ", point_text(from, step), point_text(to, step));
-  if (least < kFar) message += fmt::format("; the narrowest gap is {}", length_text(least, context));
+      ends.size() == 2 ? "" : "the first ", point_text(from, context), point_text(to, context));
+  if (least < kFar) message += fmt::format("; the narrowest gap is {}", context.length_text(least));
   message += "; --join closes gaps up to a width, --open-lines takes what is open for lines";
   throw Error(ErrorCode::kGeometry, message).at(double(from.x) * step, double(from.y) * step);
 }
@@ -336,7 +329,7 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
     if (count > 0)
       context.notes.push_back(
           fmt::format("{}: {} closed, the widest {} at {}", name, count == 1 ? "1 gap" : fmt::format("{} gaps", count),
-                      length_text(widest.width, context), point_text(end_place(drawing.chains, widest.a), step)));
+                      context.length_text(widest.width), point_text(end_place(drawing.chains, widest.a), context)));
   }
   join_open_chains(drawing, step);
   if (const std::size_t debris = drop_debris(drawing.chains, context.drawing.join); debris > 0)

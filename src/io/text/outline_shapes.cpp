@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "findspace/error.h"
+#include "io/text/mended_outlines.h"
 #include "plane/build/touching_rings.h"
 #include "plane/contour/contour.h"
 #include "plane/contour/nesting_depths.h"
@@ -80,8 +81,7 @@ void count_curves(const Chain& chain, std::size_t edges, ReadContext& context) {
 }
 
 /// The rings of closed chains, and the boxes that the side of their curves needs beside them.
-struct Rings {
-  std::vector<Contour> contours;
+struct Rings : Outlines {
   std::vector<plane::CapBox> caps;
 };
 
@@ -101,14 +101,16 @@ Rings take_rings(Drawing& drawing, ReadContext& context, const std::vector<Conto
     rings.contours.push_back(expanded(chain, context, plane::CurveSide::kNear, rings.caps));
   if (std::any_of(rings.contours.begin(), rings.contours.end(), [](const Contour& c) { return c.size() < 2; }))
     throw Error(ErrorCode::kGeometry, "a closed curve smaller than the tolerance");
-  const bool any = std::any_of(closed.begin(), closed.end(), [](const Chain& c) { return !c.curves.empty(); });
-  if (any && context.drawing.curves != CurveRule::kNear) {
+  rings.material_left.resize(closed.size());
+  rings.curved = std::any_of(closed.begin(), closed.end(), [](const Chain& c) { return !c.curves.empty(); });
+  if (rings.curved && context.drawing.curves != CurveRule::kNear) {
     std::vector<Contour> all = rings.contours;
     all.insert(all.end(), others.begin(), others.end());
     const std::vector<std::size_t> depths = plane::nesting_depths(all);
     for (std::size_t k = 0; k < closed.size(); ++k) {
       if (closed[k].curves.empty()) continue;
       const bool material_left = (plane::orientation(all[k]) > 0) == (depths[k] % 2 == 0);
+      rings.material_left[k] = material_left;
       const bool left = material_left == (context.drawing.curves == CurveRule::kInside);
       const auto side = left ? plane::CurveSide::kLeft : plane::CurveSide::kRight;
       rings.contours[k] = expanded(closed[k], context, side, rings.caps);
@@ -178,6 +180,29 @@ bool is_one_disc(const Drawing& drawing) {
          std::none_of(drawing.chains.begin(), drawing.chains.end(), [](const Chain& c) { return c.closed; });
 }
 
+std::vector<ShapePtr> mended_parts(const Outlines& outlines, const Error& fault, ReadContext& context,
+                                   const std::string& place) {
+  std::vector<ShapePtr> parts;
+  for (plane::MendedPart& part : mended_outlines(outlines, fault, context, place).parts)
+    parts.push_back(part.cells ? cells_shape(*std::move(part.cells), place)
+                               : rings_shape(std::move(part.rings), place));
+  return parts;
+}
+
+/// Outer rings with their holes, as they are or mended.
+std::vector<ShapePtr> nested_parts(const Rings& rings, ReadContext& context, const std::string& place) {
+  std::vector<ShapePtr> parts;
+  try {
+    for (plane::RingSet& set : plane::nest_rings(rings.contours, context.grid.step_size())) {
+      context.repeated_points += set.repeated_points;
+      parts.push_back(rings_shape(std::move(set.contours), place));
+    }
+  } catch (const Error& fault) {
+    return mended_parts(rings, fault, context, place);
+  }
+  return parts;
+}
+
 void add_areas(Drawing& drawing, ReadContext& context, const std::string& place, std::vector<ShapePtr>& all) {
   std::vector<Contour> discs;
   for (const Disc& disc : drawing.discs) discs.push_back(ring_of(disc, context));
@@ -189,11 +214,7 @@ void add_areas(Drawing& drawing, ReadContext& context, const std::string& place,
   };
   if (auto cells = plane::region_of_touching_rings(contours, plane::RingRule::kEvenOdd))
     return add(cells_shape(*std::move(cells), place));
-  std::vector<ShapePtr> parts;
-  for (plane::RingSet& set : plane::nest_rings(std::move(contours), context.grid.step_size())) {
-    context.repeated_points += set.repeated_points;
-    parts.push_back(rings_shape(std::move(set.contours), place));
-  }
+  std::vector<ShapePtr> parts = nested_parts(rings, context, place);
   if (!rings.caps.empty()) return add(united(std::move(parts), place));
   std::move(parts.begin(), parts.end(), std::back_inserter(all));
 }
@@ -240,13 +261,18 @@ void append(Drawing& all, const Drawing& more) {
 }
 
 ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place) {
-  std::vector<Contour> rings;
-  for (Chain& chain : take_closed(drawing)) rings.push_back(std::move(chain.edges));
-  if (auto cells = plane::region_of_touching_rings(rings, plane::RingRule::kHoles))
+  Outlines rings;
+  rings.rule = plane::RingRule::kHoles;
+  for (Chain& chain : take_closed(drawing)) rings.contours.push_back(std::move(chain.edges));
+  if (auto cells = plane::region_of_touching_rings(rings.contours, rings.rule))
     return cells_shape(*std::move(cells), place);
-  plane::RingSet set = plane::make_rings(std::move(rings), context.grid.step_size());
-  context.repeated_points += set.repeated_points;
-  return rings_shape(std::move(set.contours), place);  // formats disagree about the direction of rings: no note
+  try {
+    plane::RingSet set = plane::make_rings(rings.contours, context.grid.step_size());
+    context.repeated_points += set.repeated_points;
+    return rings_shape(std::move(set.contours), place);  // formats disagree about the direction of rings: no note
+  } catch (const Error& fault) {
+    return united(mended_parts(rings, fault, context, place), place);
+  }
 }
 
 }  // namespace findspace::io

@@ -68,6 +68,15 @@ void ReadContext::use(const DrawingRules& rules) {
                                                   drawing.tolerance, plane::kLeastBound));
 }
 
+std::string ReadContext::length_text(double steps) const {
+  const std::string blank_unit = unit ? fmt::format(" {}", formula::name(*unit)) : "";
+  return fmt::format("{:.3g}{}", steps * grid.step_size(), blank_unit);
+}
+
+std::string ReadContext::point_text(double x, double y) const {
+  return fmt::format("({:.10g}, {:.10g})", x * grid.step_size(), y * grid.step_size());
+}
+
 std::vector<std::string> ReadContext::summary() const {
   std::vector<std::string> all = notes;
   if (rounding.points > 0) {

@@ -61,6 +61,10 @@ struct ReadContext {
   /// Makes these rules those of what is read from here on; throws Error. Needs the unit and the grid.
   void use(const DrawingRules& rules);
 
+  /// Grid steps in the scene's unit, as messages say them.
+  std::string length_text(double steps) const;
+  std::string point_text(double x, double y) const;
+
   /// All of it in words, e.g. "12 points rounded to the grid, largest move 3.1e-07 mm".
   std::vector<std::string> summary() const;
 };

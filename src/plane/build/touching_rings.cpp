@@ -13,8 +13,6 @@
 namespace findspace::plane {
 namespace {
 
-GridPoint end_of(const Contour& ring, std::size_t k) { return ring[k + 1 == ring.size() ? 0 : k + 1].start; }
-
 /// The edges that have a length.
 Contour without_repeated(const Contour& ring) {
   Contour out;

@@ -40,6 +40,9 @@ ContourEdge three_point_arc(GridPoint from, GridPoint through, GridPoint to, boo
 /// A ring of two half circles about `center` with radius `radius` grid steps, counter-clockwise.
 Contour circle_ring(GridPoint center, std::int64_t radius);
 
+/// Where edge k of a closed ring ends.
+inline GridPoint end_of(const Contour& ring, std::size_t k) { return ring[k + 1 == ring.size() ? 0 : k + 1].start; }
+
 /// Distance from the middle of an arc to its chord, in grid steps; `to` is its end.
 double sagitta(const ContourEdge& edge, GridPoint to);
 

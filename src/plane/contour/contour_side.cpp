@@ -51,7 +51,7 @@ Contour reversed(const Contour& ring) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     std::size_t i = ring.size() - 1 - k;
     ContourEdge edge = ring[i];
-    edge.start = ring[i + 1 == ring.size() ? 0 : i + 1].start;
+    edge.start = end_of(ring, i);
     edge.ccw = !edge.ccw || !edge.arc;
     result.push_back(std::move(edge));
   }
@@ -88,7 +88,7 @@ int orientation(const Contour& ring) {
 bool encloses(const Contour& ring, GridPoint p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    GridPoint a = ring[i].start, b = ring[i + 1 == ring.size() ? 0 : i + 1].start;
+    GridPoint a = ring[i].start, b = end_of(ring, i);
     int128 side = cross(a, b, p);
     // A point on the chord counts as a little right of it and, far less, above: one rule for both tests below.
     if (side == 0) side = b.y != a.y ? a.y - b.y : b.x - a.x;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/text/mended_outlines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace findspace::io {
+namespace {
+
+using plane::RingMender;
+
+constexpr double kRounded = 4;  // grid steps: two points, each rounded by up to one
+
+bool mends(const RingMender& mender, bool curved, double join, const ReadContext& context) {
+  const double tolerance = context.drawing.tolerance;
+  return mender.width() <= std::max({kRounded, join, curved ? 2 * tolerance : 0}) &&
+         mender.spike() <= std::max(join, tolerance);
+}
+
+/// Curves lie on the side that they were made for, and holes are those that were stated.
+bool keeps_order(const RingMender& mender, const Outlines& outlines) {
+  for (std::size_t k = 0; outlines.rule == plane::RingRule::kHoles && k < outlines.contours.size(); ++k)
+    if (mender.is_hole(k) != (k > 0)) return false;
+  for (std::size_t k = 0; k < outlines.material_left.size(); ++k)
+    if (outlines.material_left[k] && mender.set_on_left(k) != outlines.material_left[k]) return false;
+  return true;
+}
+
+/// The round number above that is 1, 2 or 5 times a power of ten.
+double round_up(double steps) {
+  double decade = 1;
+  while (decade * 10 < steps) decade *= 10;
+  for (const double digit : {1, 2, 5})
+    if (digit * decade >= steps) return digit * decade;
+  return 10 * decade;
+}
+
+/// The --join that would do, if it is not far from what is allowed.
+std::optional<double> enough(const RingMender& mender, const ReadContext& context) {
+  const double least = std::max(mender.width(), mender.spike());
+  if (least > 100 * std::max(context.drawing.join, context.drawing.tolerance)) return std::nullopt;
+  return round_up(least);
+}
+
+[[noreturn]] void refuse(const RingMender& mender, const Outlines& outlines, const Error& fault,
+                         const ReadContext& context) {
+  const auto join = keeps_order(mender, outlines) ? enough(mender, context) : std::nullopt;
+  if (!join) throw fault;
+  const std::string width =
+      fmt::format("{:.3g}{}", *join * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
+  Error named(fault.code(), fmt::format("{}; --join {} mends it", fault.message(), width), fault.place());
+  for (const auto& [x, y] : fault.geometry()) named.at(x, y);
+  throw named;
+}
+
+void note(const plane::MendedRings& mended, ReadContext& context, const std::string& name) {
+  if (mended.places == 0) {
+    context.notes.push_back(fmt::format("{}: outlines touch, and are taken as they are drawn", name));
+    return;
+  }
+  context.notes.push_back(
+      fmt::format("{}: outlines cross in {}, the longest {} at {}: overlaps are joined, loops and spikes are left out",
+                  name, mended.places == 1 ? "1 place" : fmt::format("{} places", mended.places),
+                  context.length_text(mended.longest), context.point_text(mended.place[0], mended.place[1])));
+}
+
+}  // namespace
+
+plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault, ReadContext& context,
+                                   const std::string& name) {
+  std::size_t edges = 0;
+  for (const plane::Contour& ring : outlines.contours) edges += ring.size();
+  context.work.charge(edges, "outlines that cross");
+  const RingMender mender(outlines.contours);
+  if (!keeps_order(mender, outlines) || !mends(mender, outlines.curved, context.drawing.join, context))
+    refuse(mender, outlines, fault, context);
+  plane::MendedRings mended = mender.mended();
+  if (mended.parts.empty()) throw fault;
+  note(mended, context, name);
+  return mended;
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Outlines of drawings that touch, or cross themselves and each other by a little (plane/build/mended_rings.h): how
+// little that is, by the rules of the drawing, and what is said of it. Where nothing is asked for it is what rounding
+// does: four grid steps, with curves twice their tolerance. --join allows its width. Never silent: a note counts the
+// places. Keywords: self-intersection, polygon repair.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "findspace/error.h"
+#include "io/text/read_context.h"
+#include "plane/build/mended_rings.h"
+#include "plane/build/touching_rings.h"
+
+namespace findspace::io {
+
+/// Closed chains with arcs in place of their curves.
+struct Outlines {
+  std::vector<plane::Contour> contours;
+  std::vector<std::optional<bool>> material_left;  // of each, where the side of its curves relies on it
+  bool curved = false;
+  plane::RingRule rule = plane::RingRule::kEvenOdd;
+};
+
+/// Throws `fault`, which says why the outlines are not valid as they are, where they are not mended; it then names the
+/// --join that would do.
+plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault, ReadContext& context,
+                                   const std::string& name);
+
+}  // namespace findspace::io

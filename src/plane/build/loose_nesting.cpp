@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/build/loose_nesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "plane/complex/extent.h"
+#include "plane/contour/contour.h"
+
+namespace findspace::plane {
+namespace {
+
+constexpr std::size_t kVoters = 15;  // corners of a loop that say where it lies
+
+/// Adds the loops of a ring, cut where it comes back to a corner, without edges that have no length.
+void add_loops(const Contour& ring, std::size_t number, std::vector<Loop>& loops) {
+  Contour path;
+  std::map<GridPoint, std::size_t> place;  // of a corner in the path
+  auto cut = [&](std::size_t from) {
+    const auto first = path.begin() + std::ptrdiff_t(from);
+    Contour edges(std::make_move_iterator(first), std::make_move_iterator(path.end()));
+    path.erase(first, path.end());
+    for (const ContourEdge& e : edges) place.erase(e.start);
+    loops.push_back({.edges = std::move(edges), .ring = number});
+  };
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (ring[k].start == end_of(ring, k)) continue;
+    if (const auto back = place.find(ring[k].start); back != place.end()) cut(back->second);
+    place[ring[k].start] = path.size();
+    path.push_back(ring[k]);
+  }
+  if (!path.empty()) cut(0);
+}
+
+/// A loop in doubles.
+struct Sketch {
+  struct Side {
+    double x, y, u, v;             // from, to
+    double cx = 0, cy = 0, r = 0;  // of an arc; r = 0 for a segment
+    bool ccw = true;
+  };
+  std::vector<Side> sides;
+  std::optional<PieceBox> box;
+
+  explicit Sketch(const Contour& loop) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const GridPoint a = loop[k].start, b = end_of(loop, k);
+      Side s{double(a.x), double(a.y), double(b.x), double(b.y)};
+      if (loop[k].arc) {
+        s.cx = loop[k].arc->cx.to_double();
+        s.cy = loop[k].arc->cy.to_double();
+        s.r = loop[k].arc->r.to_double();
+        s.ccw = loop[k].ccw;
+      }
+      sides.push_back(s);
+      grow(a, loop[k].arc ? sagitta(loop[k], b) : 0);
+      grow(b, loop[k].arc ? sagitta(loop[k], b) : 0);
+    }
+  }
+
+  double area() const {
+    const double ox = sides[0].x, oy = sides[0].y;
+    double sum = 0;
+    for (const Side& s : sides) sum += ((s.x - ox) * (s.v - oy) - (s.y - oy) * (s.u - ox)) / 2 + beside_chord(s);
+    return sum;
+  }
+
+  /// By a ray to the right, as `encloses` does exactly.
+  bool goes_round(double x, double y) const {
+    bool inside = false;
+    for (const Side& s : sides) {
+      const double side = (s.u - s.x) * (y - s.y) - (s.v - s.y) * (x - s.x);
+      if ((s.y > y) != (s.v > y) && (side > 0) == (s.v > s.y)) inside = !inside;
+      if (s.r != 0 && (side < 0) == s.ccw && std::hypot(x - s.cx, y - s.cy) < s.r) inside = !inside;
+    }
+    return inside;
+  }
+
+ private:
+  void grow(GridPoint p, double by) {
+    const double x = double(p.x), y = double(p.y);
+    if (!box) box = PieceBox{x, y, x, y};
+    box = PieceBox{std::min(box->x0, x - by), std::min(box->y0, y - by), std::max(box->x1, x + by),
+                   std::max(box->y1, y + by)};
+  }
+
+  /// Between an arc and its chord, positive to the right of the chord.
+  static double beside_chord(const Side& s) {
+    if (s.r == 0) return 0;
+    const double ax = s.x - s.cx, ay = s.y - s.cy, bx = s.u - s.cx, by = s.v - s.cy;
+    double angle = std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    if (s.ccw && angle < 0) angle += 2 * M_PI;
+    if (!s.ccw && angle > 0) angle -= 2 * M_PI;
+    return s.r * s.r * (angle - std::sin(angle)) / 2;
+  }
+};
+
+/// Whether a loop goes round a corner, if all points beside the corner agree.
+std::optional<bool> goes_round(const Sketch& loop, GridPoint p) {
+  constexpr double kBeside = 4;  // grid steps
+  const double x = double(p.x), y = double(p.y);
+  const bool answer = loop.goes_round(x + kBeside, y + kBeside);
+  for (const auto& [dx, dy] : {std::pair{-kBeside, kBeside}, {-kBeside, -kBeside}, {kBeside, -kBeside}})
+    if (loop.goes_round(x + dx, y + dy) != answer) return std::nullopt;
+  return answer;
+}
+
+bool goes_round(const Sketch& outer, const Contour& inner) {
+  const std::size_t step = (inner.size() + kVoters - 1) / kVoters;
+  int votes = 0;
+  for (std::size_t k = 0; k < inner.size(); k += step)
+    if (const auto vote = goes_round(outer, inner[k].start)) votes += *vote ? 1 : -1;
+  return votes > 0;
+}
+
+bool boxes_meet(const PieceBox& a, const PieceBox& b) {
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}
+
+}  // namespace
+
+std::vector<Loop> loosely_nested(std::span<const Contour> rings) {
+  std::vector<Loop> loops;
+  for (std::size_t r = 0; r < rings.size(); ++r) add_loops(rings[r], r, loops);
+  std::vector<Sketch> sketches;
+  for (Loop& loop : loops) {
+    sketches.emplace_back(loop.edges);
+    loop.area = sketches.back().area();
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    loops[i].within = i;
+    double least = INFINITY;
+    for (std::size_t j = 0; j < loops.size(); ++j) {
+      const double size = std::abs(loops[j].area);
+      if (size <= std::abs(loops[i].area) || !boxes_meet(*sketches[i].box, *sketches[j].box)) continue;
+      if (!goes_round(sketches[j], loops[i].edges)) continue;
+      ++loops[i].depth;
+      if (size >= least) continue;
+      least = size;
+      loops[i].within = j;
+    }
+  }
+  return loops;
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/build/mended_rings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "exact/margins/rounding.h"
+#include "plane/contour/contour.h"
+#include "plane/query/summary.h"
+#include "plane/query/topology.h"
+
+namespace findspace::plane {
+namespace {
+
+/// From a chord to the tangent of its arc, half of a circle at most; nothing for a segment.
+std::array<double, 2> rise(const CellComplex& c, Index edge) {
+  if (!c.is_arc(edge)) return {};
+  const exact::Point &p = c.point(c.edges[edge].v0), &q = c.point(c.edges[edge].v1);
+  const double r = c.supporting_curve(edge).z().value, dx = (q.x - p.x) / 2, dy = (q.y - p.y) / 2,
+               half2 = dx * dx + dy * dy;
+  const double share = c.edges[edge].half * std::sqrt(half2) / (r + std::sqrt(std::max(r * r - half2, 0.0)));
+  return {-dy * share, dx * share};
+}
+
+/// Of a strip that holds a bounded face: along its longest diagonal, with what the arcs rise and what doubles lose.
+double strip(const CellComplex& c, const Face& face) {
+  std::vector<std::array<double, 2>> points;  // which have the face in their hull
+  double error = 0;
+  for (Index h = face.outer;;) {
+    const std::array<double, 2> up = rise(c, h / 2);
+    for (const Index v : {c.origin(h), c.target(h)}) {
+      const exact::Point& p = c.point(v);
+      points.push_back({p.x, p.y});
+      points.push_back({p.x + up[0], p.y + up[1]});
+      error = std::max(error, p.error + std::max(std::abs(p.x), std::abs(p.y)) * margin::kRoundings32);
+    }
+    if ((h = c.next(h)) == face.outer) break;
+  }
+  const auto farthest = [&](const std::array<double, 2>& from) {
+    const auto apart = [&](const auto& p) { return std::hypot(p[0] - from[0], p[1] - from[1]); };
+    return *std::max_element(points.begin(), points.end(),
+                             [&](const auto& p, const auto& q) { return apart(p) < apart(q); });
+  };
+  const std::array<double, 2> from = farthest(points[0]), to = farthest(from);
+  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+  double low = 0, high = 0;
+  for (const auto& [x, y] : points) {
+    const double beside = ((x - from[0]) * dy - (y - from[1]) * dx) / length;
+    low = std::min(low, beside);
+    high = std::max(high, beside);
+  }
+  return high - low + 4 * error;
+}
+
+double widest(const Region& set) {
+  double width = 0;
+  for (const Face& f : set.faces)
+    if (f.mark != 0) width = std::max(width, strip(set, f));
+  return width;
+}
+
+double longer_side(const Component& c) {
+  return std::max(c.bbox->high[0] - c.bbox->low[0], c.bbox->high[1] - c.bbox->low[1]);
+}
+
+double longest(const Region& set) {
+  double length = 0;
+  for (const Component& c : summarize(set, 1).components) length = std::max(length, longer_side(c));
+  return length;
+}
+
+bool is_ordered(const std::vector<Loop>& loops) {
+  return std::all_of(loops.begin(), loops.end(),
+                     [&](const Loop& loop) { return loop.depth % 2 == 0 || loops[loop.within].depth % 2 == 0; });
+}
+
+void count_places(const Region& set, MendedRings& result) {
+  for (const Component& c : summarize(set, 1).components) {
+    ++result.places;
+    if (longer_side(c) < result.longest) continue;
+    result.longest = longer_side(c);
+    result.place = c.sample;
+  }
+}
+
+std::vector<std::size_t> every(const std::vector<Loop>& loops) {
+  std::vector<std::size_t> all(loops.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  return all;
+}
+
+MendedPart part_of(const std::vector<Loop>& loops, const std::vector<std::size_t>& group, const WoundLoops& all) {
+  MendedPart part;
+  const auto as_rings = [&] {
+    for (const std::size_t i : group)
+      part.rings.push_back(is_turned(loops[i]) ? reversed(loops[i].edges) : loops[i].edges);
+    return part;
+  };
+  if (all.are_apart(group)) return as_rings();
+  const WoundLoops alone(loops, group);
+  if (alone.are_apart(group)) return as_rings();
+  part.cells = alone.faces([](std::int32_t w) { return w >= 1; });
+  return part;
+}
+
+}  // namespace
+
+RingMender::RingMender(std::span<const Contour> rings)
+    : loops_(loosely_nested(rings)),
+      all_(loops_, every(loops_)),
+      excess_(all_.faces([](std::int32_t w) { return w < 0 || w > 1; })),
+      spikes_(all_.run_back(loops_)),
+      width_(is_ordered(loops_) ? widest(excess_) : exact::kInfinity),
+      spike_(longest(spikes_)) {}
+
+MendedRings RingMender::mended() const {
+  std::vector<std::vector<std::size_t>> groups(loops_.size());  // outer loops, each with its holes
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    const bool hole = loops_[i].depth % 2 != 0;
+    std::vector<std::size_t>& group = groups[hole ? loops_[i].within : i];
+    group.insert(hole ? group.end() : group.begin(), i);
+  }
+  MendedRings result;
+  for (const std::vector<std::size_t>& group : groups) {
+    if (group.empty()) continue;
+    MendedPart part = part_of(loops_, group, all_);
+    if (!part.cells || !is_empty(*part.cells)) result.parts.push_back(std::move(part));
+  }
+  count_places(excess_, result);
+  count_places(spikes_, result);
+  return result;
+}
+
+std::optional<bool> RingMender::set_on_left(std::size_t ring) const {
+  std::optional<bool> answer;
+  for (const Loop& loop : loops_) {
+    if (loop.ring != ring) continue;
+    if (answer && *answer == is_turned(loop)) return std::nullopt;
+    answer = !is_turned(loop);
+  }
+  return answer;
+}
+
+bool RingMender::is_hole(std::size_t ring) const {
+  return std::any_of(loops_.begin(), loops_.end(),
+                     [&](const Loop& loop) { return loop.ring == ring && loop.depth % 2 != 0; });
+}
+
+bool RingMender::winds_round_nothing() const {
+  return is_empty(all_.faces([](std::int32_t w) { return w != 0; }));
+}
+
+}  // namespace findspace::plane

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Rings that touch or cross a little: what they mean, and how far they are from being valid.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "law/plane_random.h"
+#include "plane/build/mended_rings.h"
+#include "plane/complex/primitives.h"
+#include "plane/contour/contour.h"
+#include "plane/query/locate.h"
+#include "plane/query/summary.h"
+#include "plane/query/topology.h"
+#include "plane_topology_sets.h"
+
+namespace findspace::plane {
+namespace plane_mended_rings {
+
+Contour ring(const std::vector<GridPoint>& points) { return contour_of(points); }
+Contour box_ring(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
+  return ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+/// All parts as one set.
+Region set_of(const MendedRings& mended) {
+  Region all = Region::uniform(0);
+  for (const MendedPart& part : mended.parts) all = all + (part.cells ? *part.cells : region_of_rings(part.rings));
+  return all;
+}
+
+struct Answer {
+  Region set;
+  std::size_t parts, places;
+  double width, spike;
+};
+
+Answer mended(const std::vector<Contour>& rings) {
+  const RingMender mender(rings);
+  const MendedRings result = mender.mended();
+  return {set_of(result), result.parts.size(), result.places, mender.width(), mender.spike()};
+}
+
+TEST(MendedRings, NothingToMend) {
+  const Answer a = mended({box_ring(0, 0, 100, 100), box_ring(20, 20, 40, 40), box_ring(25, 25, 30, 30)});
+  EXPECT_TRUE(same_set(a.set, box(0, 0, 100, 100) - interior(box(20, 20, 40, 40)) + box(25, 25, 30, 30)));
+  EXPECT_EQ(a.parts, 2u);
+  EXPECT_EQ(a.places, 0u);
+  EXPECT_EQ(a.width, 0);
+  EXPECT_EQ(a.spike, 0);
+}
+
+TEST(MendedRings, TouchingIsNoFault) {
+  // A corner on an edge, a hole with a side on the edge, and parts side by side.
+  const Answer notch = mended({box_ring(0, 0, 100, 100), ring({{50, 0}, {60, 20}, {40, 20}})});
+  EXPECT_TRUE(same_set(
+      notch.set, box(0, 0, 100, 100) - interior(region_of_rings(std::array{ring({{50, 0}, {60, 20}, {40, 20}})}))));
+  EXPECT_EQ(notch.width + notch.spike, 0);
+  const Answer beside = mended({box_ring(0, 0, 100, 100), box_ring(100, 20, 150, 80)});
+  EXPECT_TRUE(same_set(beside.set, box(0, 0, 100, 100) + box(100, 20, 150, 80)));
+  EXPECT_EQ(beside.parts, 2u);
+  EXPECT_EQ(beside.width + beside.spike, 0);
+}
+
+TEST(MendedRings, SidesSharedWithAHoleAreSpikes) {
+  const Answer a = mended({box_ring(0, 0, 100, 100), box_ring(20, 0, 50, 20)});
+  EXPECT_EQ(a.spike, 30);
+  EXPECT_TRUE(same_set(a.set, region_of_rings(std::array{ring(
+                                  {{0, 0}, {20, 0}, {20, 20}, {50, 20}, {50, 0}, {100, 0}, {100, 100}, {0, 100}})})));
+}
+
+TEST(MendedRings, LoopsSpikesAndOverlaps) {
+  // A loop outside by sides that pass each other, 4 wide.
+  const Answer loop = mended({ring({{0, 0}, {104, 0}, {104, 4}, {100, -4}, {100, 100}, {0, 100}})});
+  EXPECT_EQ(loop.parts, 1u);
+  EXPECT_EQ(loop.places, 1u);
+  EXPECT_GT(loop.width, 1);
+  EXPECT_LT(loop.width, 5);
+  EXPECT_TRUE(same_set(loop.set, box(0, 0, 100, 100)));
+  const Answer spike = mended({ring({{0, 0}, {100, 0}, {100, 50}, {107, 50}, {100, 50}, {100, 100}, {0, 100}})});
+  EXPECT_TRUE(same_set(spike.set, box(0, 0, 100, 100)));
+  EXPECT_EQ(spike.spike, 7);
+  EXPECT_EQ(spike.places, 1u);
+  // Holes that overlap, and one that sticks out.
+  const Answer holes =
+      mended({box_ring(0, 0, 100, 100), box_ring(20, 20, 42, 40), box_ring(40, 20, 60, 40), box_ring(70, -3, 80, 9)});
+  EXPECT_TRUE(same_set(holes.set, closure(box(0, 0, 100, 100) - box(20, 20, 60, 40) - box(70, -3, 80, 9))));
+  EXPECT_NEAR(holes.width, 3, 2);
+  // Parts that overlap stay two.
+  const Answer parts = mended({box_ring(0, 0, 100, 100), box_ring(98, 20, 150, 80)});
+  EXPECT_EQ(parts.parts, 2u);
+  EXPECT_TRUE(same_set(parts.set, box(0, 0, 100, 100) + box(98, 20, 150, 80)));
+  EXPECT_NEAR(parts.width, 3, 1.1);
+}
+
+TEST(MendedRings, LargeFaultsAreLarge) {
+  EXPECT_GT(mended({box_ring(0, 0, 100, 100), box_ring(50, 50, 150, 150)}).width, 49);
+  EXPECT_GT(mended({box_ring(0, 0, 100, 100), box_ring(50, -50, 60, 50)}).width, 9);
+  EXPECT_GT(mended({ring({{0, 0}, {100, 100}, {100, 0}, {0, 100}})}).width, 40);  // a bow tie without a corner between
+  EXPECT_GE(mended({box_ring(0, 0, 100, 100), ring({{0, 0}, {100, 0}, {100, 50}, {100, 100}, {0, 100}})}).spike, 100);
+}
+
+TEST(MendedRings, ArcsThatCrossAreOneSet) {
+  // Discs that touch at (60.4, 80.5..) but for one step, each as a ring of two arcs.
+  const Answer a = mended({circle_ring({0, 0}, 101), circle_ring({120, 160}, 100)});
+  EXPECT_EQ(a.parts, 2u);
+  EXPECT_GT(a.width, 0.9);
+  EXPECT_LT(a.width, 1.1);
+  EXPECT_TRUE(same_set(a.set, disc(0, 0, exact::Real(101)) + disc(120, 160, exact::Real(100))));
+}
+
+TEST(MendedRings, SaysOnWhichSideTheSetIs) {
+  const Contour outer = box_ring(0, 0, 100, 100), hole = box_ring(20, 20, 40, 40);
+  const std::vector<Contour> rings{reversed(outer), hole};
+  const RingMender mender(rings);
+  EXPECT_EQ(mender.set_on_left(0), std::optional(false));
+  EXPECT_EQ(mender.set_on_left(1), std::optional(false));
+  EXPECT_FALSE(mender.is_hole(0));
+  EXPECT_TRUE(mender.is_hole(1));
+  EXPECT_FALSE(mender.winds_round_nothing());
+  const std::vector<Contour> line{ring({{0, 0}, {10, 5}, {20, 30}, {10, 5}})};
+  EXPECT_TRUE(RingMender(line).winds_round_nothing());
+  const std::vector<Contour> eight{ring({{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}})};
+  EXPECT_FALSE(RingMender(eight).winds_round_nothing());
+}
+
+/// How often the polygon winds around a point that is on none of its edges.
+int winding(const Contour& ring, double x, double y) {
+  double turn = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const GridPoint p = ring[k].start, q = end_of(ring, k);
+    const double ax = double(p.x) - x, ay = double(p.y) - y, bx = double(q.x) - x, by = double(q.y) - y;
+    turn += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+  }
+  return int(std::lround(turn / (2 * M_PI)));
+}
+
+/// Round polygons whose corners are moved by up to 30 of 10,000 steps cross themselves here and there.
+TEST(MendedRings, TheSetIsWhereTheRingWindsOnce) {
+  Random random(11);
+  int crossing = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<GridPoint> points;
+    const int n = 800;
+    for (int k = 0; k < n; ++k)
+      points.push_back({std::int64_t(std::lround(10000 * std::cos(2 * M_PI * k / n))) + random.pick(-60, 60),
+                        std::int64_t(std::lround(10000 * std::sin(2 * M_PI * k / n))) + random.pick(-60, 60)});
+    const std::vector<Contour> rings{ring(points)};
+    const Answer a = mended(rings);
+    crossing += a.width > 0;
+    EXPECT_LT(a.width, 400);
+    for (int sample = 0; sample < 300; ++sample) {
+      const std::size_t k = std::size_t(random.pick(0, n - 1));
+      const exact::RealPoint p{exact::Real::ratio(2 * points[k].x + random.pick(-99, 99) * 2 + 1, 2),
+                               exact::Real::ratio(3 * points[k].y + random.pick(-150, 150) * 3 + 1, 3)};
+      const bool in = mark_of(a.set, locate(a.set, p)) != 0;
+      EXPECT_EQ(in, winding(rings[0], p.x.to_double(), p.y.to_double()) >= 1) << round << ' ' << sample;
+    }
+  }
+  EXPECT_GT(crossing, 50);
+}
+
+}  // namespace plane_mended_rings
+}  // namespace findspace::plane
