@@ -19,6 +19,7 @@
 #include "law/plane_random.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/measure_cells.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::io {
 

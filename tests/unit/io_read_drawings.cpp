@@ -336,7 +336,7 @@ TEST(ReadDxf, CrossingsUpToTheJoinAreMended) {
   ShapePtr shape = read_dxf(dxf_text(loop, "4"), "f.dxf", {}, context);
   ASSERT_EQ(shape->kind, Shape::Kind::kCells);
   EXPECT_EQ(context.notes.at(0),
-            "f.dxf: outlines cross in 1 place, the longest 40 mm at (10013, -10): overlaps are joined, loops and "
+            "f.dxf: outlines cross in 1 place, the longest 40 mm at (10010, -10): overlaps are joined, loops and "
             "spikes are left out");
   // A spike of 700 and parts that overlap by 3; beside them what is sound stays as it is.
   Context more;

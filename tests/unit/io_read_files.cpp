@@ -55,7 +55,7 @@ TEST(ReadWkt, Refuses) {
   expect_refused(read_wkt, "POLYGON EMPTY", "an empty geometry");
   expect_refused(read_wkt, "POLYGON Z((0 0 0, 4 0 0, 4 4 0, 0 0 0))", "Z and M");
   expect_refused(read_wkt, "POLYGON((0 0 0, 4 0 0, 4 4 0, 0 0 0))", "a third coordinate");
-  expect_refused(read_wkt, "POLYGON((0 0, 4 4, 4 0, 0 4, 0 0))", "touches or crosses itself");
+  expect_refused(read_wkt, "POLYGON((0 0, 40 40, 40 0, 0 40, 0 0))", "touches or crosses itself");
   expect_refused(read_wkt, "POLYGON((0 0, 4 0, 0 0))", "no area");
   expect_refused(read_wkt, "POLYGN((0 0, 4 0, 4 4, 0 0))", "'POLYGN' is not a geometry");
   expect_refused(read_wkt, "\x01\x02 junk", "f:1:1");
@@ -110,7 +110,7 @@ TEST(ReadGeoJson, Refuses) {
   expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": []})", "is empty");
   expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4]]]})",
                  "end at its first point");
-  expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": [[[0,0],[4,4],[4,0],[0,4],[0,0]]]})",
+  expect_refused(read_geojson, R"({"type": "Polygon", "coordinates": [[[0,0],[40,40],[40,0],[0,40],[0,0]]]})",
                  "crosses itself");
   expect_refused(read_geojson, R"({"type": "Point", "coordinates": [1,2,3]})", "not [x, y]");
   expect_refused(read_geojson, R"({"type": "Point", "coordinates": ["1",2]})", "f:1:35");

@@ -51,7 +51,7 @@ std::optional<double> enough(const RingMender& mender, const ReadContext& contex
   const auto join = keeps_order(mender, outlines) ? enough(mender, context) : std::nullopt;
   if (!join) throw fault;
   const std::string width =
-      fmt::format("{:.3g}{}", *join * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
+      fmt::format("{:.10g}{}", *join * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
   Error named(fault.code(), fmt::format("{}; --join {} mends it", fault.message(), width), fault.place());
   for (const auto& [x, y] : fault.geometry()) named.at(x, y);
   throw named;

@@ -25,34 +25,45 @@ std::array<double, 2> rise(const CellComplex& c, Index edge) {
   return {-dy * share, dx * share};
 }
 
-/// Of a strip that holds a bounded face: along its longest diagonal, with what the arcs rise and what doubles lose.
+using Spot = std::array<double, 2>;
+double apart(const Spot& p, const Spot& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+/// Of the strip along p -> q that holds the points.
+double strip_along(const Spot& p, const Spot& q, const std::vector<Spot>& points) {
+  const double dx = q[0] - p[0], dy = q[1] - p[1];
+  double low = 0, high = 0;
+  for (const auto& [x, y] : points) {
+    const double beside = ((x - p[0]) * dy - (y - p[1]) * dx) / apart(p, q);
+    low = std::min(low, beside);
+    high = std::max(high, beside);
+  }
+  return high - low;
+}
+
+/// Of a strip that holds a bounded face, along its longest chord or diagonal, with what doubles lose.
 double strip(const CellComplex& c, const Face& face) {
-  std::vector<std::array<double, 2>> points;  // which have the face in their hull
+  std::vector<Spot> corners, hull;  // the hull of `hull` holds the face
   double error = 0;
   for (Index h = face.outer;;) {
-    const std::array<double, 2> up = rise(c, h / 2);
+    const Spot up = rise(c, h / 2);
     for (const Index v : {c.origin(h), c.target(h)}) {
       const exact::Point& p = c.point(v);
-      points.push_back({p.x, p.y});
-      points.push_back({p.x + up[0], p.y + up[1]});
+      corners.push_back({p.x, p.y});
+      hull.push_back(corners.back());
+      hull.push_back({p.x + up[0], p.y + up[1]});
       error = std::max(error, p.error + std::max(std::abs(p.x), std::abs(p.y)) * margin::kRoundings32);
     }
     if ((h = c.next(h)) == face.outer) break;
   }
-  const auto farthest = [&](const std::array<double, 2>& from) {
-    const auto apart = [&](const auto& p) { return std::hypot(p[0] - from[0], p[1] - from[1]); };
-    return *std::max_element(points.begin(), points.end(),
-                             [&](const auto& p, const auto& q) { return apart(p) < apart(q); });
+  const auto farthest = [&](const Spot& from) {
+    return *std::max_element(corners.begin(), corners.end(),
+                             [&](const Spot& p, const Spot& q) { return apart(p, from) < apart(q, from); });
   };
-  const std::array<double, 2> from = farthest(points[0]), to = farthest(from);
-  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
-  double low = 0, high = 0;
-  for (const auto& [x, y] : points) {
-    const double beside = ((x - from[0]) * dy - (y - from[1]) * dx) / length;
-    low = std::min(low, beside);
-    high = std::max(high, beside);
-  }
-  return high - low + 4 * error;
+  std::size_t chord = 0;  // corners come in pairs, a chord each
+  for (std::size_t k = 2; k < corners.size(); k += 2)
+    if (apart(corners[k], corners[k + 1]) > apart(corners[chord], corners[chord + 1])) chord = k;
+  const Spot from = farthest(corners[0]), to = farthest(from);
+  return std::min(strip_along(corners[chord], corners[chord + 1], hull), strip_along(from, to, hull)) + 4 * error;
 }
 
 double widest(const Region& set) {
