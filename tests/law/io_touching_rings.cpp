@@ -3,7 +3,7 @@
 //
 // Sets whose rings touch themselves, their holes or each other in points, written as SVG and WKT, read back as the same
 // sets: lattice cells in which corners meet, triangles cut out corner to corner, discs that touch at lattice points.
-// Rings that run along or through each other are refused as before.
+// Rings that run along or through each other by more than a rounding are refused.
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
@@ -101,11 +101,13 @@ plane::ShapePtr path(const std::string& d) {
       "s.svg", {}, context);
 }
 
-TEST(TouchingRings, OnlyInCommonCorners) {
+TEST(TouchingRings, ElsewhereTheyAreMended) {
   EXPECT_NO_THROW(path("M0 0H8V8H0Z M0 0L4 2L2 4Z"));
-  EXPECT_THROW(path("M0 0H8V8H0Z M4 0L6 2L2 2Z"), Error);               // a corner on an edge
-  EXPECT_THROW(path("M0 0H8V8H0Z M0 0H4V4Z"), Error);                   // along an edge
-  EXPECT_THROW(path("M0 0H8V8H0Z M0 0L4 2L2 4Z M6 6H10V7H6Z"), Error);  // through an edge elsewhere
+  // What is no larger than a rounding is mended: on this grid a corner on an edge, a short side along one, a small hole
+  // that sticks out. unit/plane_mended_rings.cpp has larger ones.
+  EXPECT_NO_THROW(path("M0 0H8V8H0Z M4 0L6 2L2 2Z"));
+  EXPECT_NO_THROW(path("M0 0H8V8H0Z M0 0H4V4Z"));
+  EXPECT_NO_THROW(path("M0 0H8V8H0Z M0 0L4 2L2 4Z M6 6H10V7H6Z"));
 }
 
 TEST(TouchingRings, HolesLieInTheirRing) {
