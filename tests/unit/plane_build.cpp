@@ -128,6 +128,19 @@ TEST(Build, ManyOperands) {
   expect_same(node(Kind::kIntersection, without), node(Kind::kComplement, {square}));
 }
 
+TEST(Build, WhatLiesInAVoidOfOthersIsWithinThem) {
+  std::vector<ShapePtr> boxes{box_of(0, 0, 3, 3), box_of(-3, 3, 0, 6), box_of(3, 3, 6, 6), box_of(0, 6, 3, 9),
+                              box_of(1, 4, 2, 5)};
+  for (const std::size_t far : {0u, 40u}) {
+    for (std::size_t k = 0; k < far; ++k) {
+      const auto x = std::int64_t(100 + 3 * k);
+      boxes.push_back(box_of(x, 0, x + 1, 1));
+    }
+    const Region set = region_of(node(Kind::kUnion, boxes));
+    EXPECT_EQ(set.faces[0].inner.size(), 1 + far);
+  }
+}
+
 TEST(Build, SharedShapesAreBuiltOnce) {
   // 2^40 leaves as a tree, 41 shapes.
   ShapePtr shape = box_of(0, 0, 2, 2);

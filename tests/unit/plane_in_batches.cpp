@@ -65,6 +65,19 @@ TEST(InBatches, PartsAloneAreTheSet) {
   }
 }
 
+TEST(InBatches, WhatLiesInAVoidOfOthersIsMadeWithThem) {
+  const Region bars[] = {box(0, 0, 40, 4),   box(0, 5, 4, 40),    box(5, 36, 40, 40),
+                         box(36, 5, 40, 35), box(18, 18, 22, 22), box(90, 0, 94, 4)};
+  std::vector<const Region*> sets;
+  for (const Region& bar : bars) sets.push_back(&bar);
+  const Region set = unite(sets);
+  const auto offset = [](const CellComplex& part) { return distance_map(part, Real(2)); };
+  const auto made = made_in_batches(set, {-2, -2, 2, 2}, offset, kSmall);
+  ASSERT_TRUE(made);
+  EXPECT_TRUE(same(*made, offset(set)));
+  EXPECT_EQ(made->faces[0].inner.size(), 2u);  // the frame and the box far off, not the one within the frame
+}
+
 TEST(InBatches, OffsetsAreThoseOfTheWhole) {
   int compared = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {

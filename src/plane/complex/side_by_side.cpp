@@ -56,6 +56,34 @@ class Sweep {
   std::vector<std::vector<Index>> open_;
 };
 
+/// In the order of their first members.
+std::vector<std::vector<Index>> by_set(UnionFind& same, std::size_t size) {
+  std::vector<std::vector<Index>> groups;
+  std::vector<Index> group_of(size, kNone);
+  for (Index k = 0; k < size; ++k) {
+    Index& group = group_of[same.find(k)];
+    if (group == kNone) {
+      group = Index(groups.size());
+      groups.emplace_back();
+    }
+    groups[group].push_back(k);
+  }
+  return groups;
+}
+
+std::vector<std::vector<Index>> groups_that_meet(const std::vector<PieceBox>& boxes) {
+  UnionFind same(boxes.size());
+  meeting_boxes(boxes, [&](Index i, Index k) {
+    same.unite(i, k);
+    return true;
+  });
+  return by_set(same, boxes.size());
+}
+
+bool holds(const PieceBox& a, const PieceBox& b) {
+  return a.x0 <= b.x0 && b.x1 <= a.x1 && a.y0 <= b.y0 && b.y1 <= a.y1;
+}
+
 Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
 }  // namespace
@@ -65,22 +93,22 @@ void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(
 }
 
 std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes) {
+  const std::vector<std::vector<Index>> groups = groups_that_meet(boxes);
+  if (groups.size() < 2 || groups.size() == boxes.size()) return groups;
+  std::vector<PieceBox> around;
+  around.reserve(groups.size());
+  for (const std::vector<Index>& group : groups) {
+    around.push_back(boxes[group[0]]);
+    for (const Index k : group) around.back() = joined(around.back(), boxes[k]);
+  }
   UnionFind same(boxes.size());
-  meeting_boxes(boxes, [&](Index i, Index k) {
-    same.unite(i, k);
+  for (const std::vector<Index>& group : groups)
+    for (const Index k : group) same.unite(group[0], k);
+  meeting_boxes(around, [&](Index i, Index k) {
+    if (holds(around[i], around[k]) || holds(around[k], around[i])) same.unite(groups[i][0], groups[k][0]);
     return true;
   });
-  std::vector<std::vector<Index>> groups;
-  std::vector<Index> group_of(boxes.size(), kNone);
-  for (Index k = 0; k < boxes.size(); ++k) {
-    Index& group = group_of[same.find(k)];
-    if (group == kNone) {
-      group = Index(groups.size());
-      groups.emplace_back();
-    }
-    groups[group].push_back(k);
-  }
-  return groups;
+  return by_set(same, boxes.size());
 }
 
 Index append(exact::Geometry& to, const exact::Geometry& from) {

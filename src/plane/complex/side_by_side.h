@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Unions of sets that lie apart: nothing has to be arranged then, their cells are written one after the other.
-// Guarantee: exact; boxes only choose, and sets whose boxes meet are not taken for apart. Cost: linear, and pairs of
-// boxes that overlap in one coordinate. Keywords: disjoint union, collection, locality.
+// Guarantee: exact; boxes only choose, and sets whose boxes meet, or may surround each other, are not taken for apart.
+// Cost: linear, and pairs of boxes that overlap in one coordinate. Keywords: disjoint union, collection, locality.
 #pragma once
 
 #include <functional>
@@ -18,13 +18,15 @@ namespace findspace::plane {
 /// Calls visit(i, k) once for each pair of boxes that meet, until it returns false.
 void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(Index, Index)>& visit);
 
-/// Sets with these boxes in groups, no box of one meeting a box of another; in the order of their first members.
+/// Sets with these boxes in groups that lie apart: no box of one meets a box of another, and none lies in a hole that
+/// the sets of another one leave, as its box lies in none of theirs. In the order of their first members.
 std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes);
 
-/// The union of bounded sets whose boxes are apart.
+/// The union of bounded sets, of groups that lie apart.
 Region side_by_side(std::span<const Region* const> regions);
 
-/// Writes the cells of a complex beside those that are there: the boxes are apart, the unbounded faces have one mark.
+/// Writes the cells of a complex beside those that are there: the two lie apart, as groups do, and the unbounded faces
+/// have one mark.
 void put_beside(CellComplex& to, const CellComplex& from);
 
 /// Appends a geometry; returns the offset of its points. SupportingCurves keep their order, so crossings keep their
