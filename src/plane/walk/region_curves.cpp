@@ -12,8 +12,10 @@
 namespace findspace::plane {
 namespace {
 
-constexpr std::size_t kLooksPerCurve = 128;  // an arrangement costs more a curve
-constexpr std::size_t kFewPairs = 4096;      // from here on a grid of cells costs less than all pairs
+constexpr std::size_t kLooksPerCurve = 128;  // an arrangement costs more a curve,
+constexpr std::size_t kLooksPerPart = 12;    // and more a part between crossings
+constexpr std::size_t kFewPairs = 4096;      // from here on a grid of cells costs less than all pairs,
+constexpr std::size_t kLooksOfGrid = 96;     // and as much as so many looks a curve
 
 /// As many edges as vertices, and none of them isolated, so that each vertex of a closed regular set has two edges.
 bool is_rings(const Region& r) {
@@ -121,16 +123,15 @@ void RegionCurves::set_boxes() {
 
 std::optional<RegionCurves::Pairs> RegionCurves::pairs() {
   Pairs pairs(near_.get_allocator()), met(near_.get_allocator());
-  std::size_t looks = kLooksPerCurve * curves.pieces.size();
+  looks_ = kLooksPerCurve * curves.pieces.size();
+  bool few = true;
   meeting_boxes(region_boxes_, [&](Index a, Index b) {
-    const std::size_t both = first_[a + 1] - first_[a] + first_[b + 1] - first_[b];
-    looks -= std::min(looks, both);
-    if (looks == 0) return false;
+    few = take_looks(first_[a + 1] - first_[a] + first_[b + 1] - first_[b]);
+    if (!few) return false;
     met.emplace_back(a, b);
-    add_pairs(a, b, common(region_boxes_[a], region_boxes_[b]), pairs);
-    return true;
+    return few = add_pairs(a, b, common(region_boxes_[a], region_boxes_[b]), pairs);
   });
-  if (looks == 0 && !curves.pieces.empty()) return std::nullopt;
+  if (!few) return std::nullopt;
   set_near(met);
   return pairs;
 }
@@ -140,7 +141,7 @@ void RegionCurves::append_meeting(Index region, const PieceBox& common, std::vec
     if (boxes_[i].meets(common)) to.push_back(i);
 }
 
-void RegionCurves::add_pairs(Index a, Index b, const PieceBox& common, Pairs& to) {
+bool RegionCurves::add_pairs(Index a, Index b, const PieceBox& common, Pairs& to) {
   of_a_.clear();
   of_b_.clear();
   append_meeting(a, common, of_a_);
@@ -149,8 +150,9 @@ void RegionCurves::add_pairs(Index a, Index b, const PieceBox& common, Pairs& to
     for (const Index i : of_a_)
       for (const Index j : of_b_)
         if (boxes_[i].meets(boxes_[j])) to.emplace_back(i, j);
-    return;
+    return true;
   }
+  if (!take_looks(kLooksOfGrid * (of_a_.size() + of_b_.size()))) return false;
   std::vector<Piece> pieces;
   of_a_.insert(of_a_.end(), of_b_.begin(), of_b_.end());
   for (const Index i : of_a_) pieces.push_back(curves.pieces[i]);
@@ -158,13 +160,17 @@ void RegionCurves::add_pairs(Index a, Index b, const PieceBox& common, Pairs& to
   grid.pairs([&](Index i, Index j) {
     if (pieces[i].group != pieces[j].group) to.emplace_back(of_a_[i], of_a_[j]);
   });
+  return true;
 }
 
 void RegionCurves::set_near(std::span<const std::pair<Index, Index>> met) {
   first_near_.assign(first_.size(), 0);
+  near_curves_.assign(first_.size(), 0);
   for (const auto& [a, b] : met) {
     ++first_near_[a];
     ++first_near_[b];
+    near_curves_[a] += first_[b + 1] - first_[b];
+    near_curves_[b] += first_[a + 1] - first_[a];
   }
   Index end = 0;
   for (Index& first : first_near_) first = end += first;
@@ -173,6 +179,16 @@ void RegionCurves::set_near(std::span<const std::pair<Index, Index>> met) {
     near_[--first_near_[a]] = b;
     near_[--first_near_[b]] = a;
   }
+}
+
+void RegionCurves::allow_looks(std::size_t parts) { looks_ = kLooksPerPart * parts; }
+
+bool RegionCurves::look_near(Index set) { return take_looks(near_curves_[set]); }
+
+bool RegionCurves::take_looks(std::size_t count) {
+  if (count > looks_) return false;
+  looks_ -= count;
+  return true;
 }
 
 bool RegionCurves::is_inside_another(Index point, Index a, Index b) const {

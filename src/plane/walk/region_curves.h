@@ -31,6 +31,11 @@ class RegionCurves {
   /// Curves of different sets that may meet; nothing where sets overlap so much that an arrangement may cost less.
   std::optional<Pairs> pairs();
 
+  /// Allows as many looks at curves as an arrangement of so many parts of curves costs.
+  void allow_looks(std::size_t parts);
+  /// Takes a look at all curves near those of the set from what is allowed; false where that is used up.
+  bool look_near(Index set);
+
   /// Is the point, which lies on the boundary of sets a and b alone, inside another one? It is on a curve of a.
   bool is_inside_another(Index point, Index a, Index b) const;
   /// Is the outer side of a curve inside a set, near a point that lies on no boundary but along the curve?
@@ -39,13 +44,16 @@ class RegionCurves {
   DirectedCurves curves;  // a set after the other; each has the number of its set as group
 
  private:
-  explicit RegionCurves(Memory memory) : first_(memory), boxes_(memory), near_(memory), first_near_(memory) {}
+  explicit RegionCurves(Memory memory)
+      : first_(memory), boxes_(memory), near_(memory), first_near_(memory), near_curves_(memory) {}
 
   void reserve(std::span<const Region* const> regions);
   bool add(const Region& region);
   void set_boxes();
-  /// Of two sets, those of their edges that reach into the box of both.
-  void add_pairs(Index a, Index b, const PieceBox& common, Pairs& to);
+  /// From what is allowed; false where there is too little.
+  bool take_looks(std::size_t count);
+  /// Of two sets, those of their edges that reach into the box of both; false where that takes too many looks.
+  bool add_pairs(Index a, Index b, const PieceBox& common, Pairs& to);
   void append_meeting(Index region, const PieceBox& common, std::vector<Index>& to) const;
   void set_near(std::span<const std::pair<Index, Index>> met);
   bool holds(Index region, Index point) const;
@@ -56,7 +64,9 @@ class RegionCurves {
   std::pmr::vector<PieceBox> boxes_;  // of curves
   std::vector<PieceBox> region_boxes_;
   std::pmr::vector<Index> near_, first_near_;  // set -> those whose boxes meet its box
-  std::vector<Index> of_a_, of_b_;             // lists in use
+  std::pmr::vector<std::size_t> near_curves_;  // set -> how many curves those have
+  std::size_t looks_ = 0;
+  std::vector<Index> of_a_, of_b_;  // lists in use
   double slack_ = 0;
 };
 

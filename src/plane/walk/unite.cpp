@@ -34,13 +34,17 @@ class UnionRings {
     choose_places();
   }
 
-  Rings find(Memory memory) && {
+  /// Nothing where there are so many walks that an arrangement may cost less.
+  std::optional<Rings> find(Memory memory) && {
     OuterWalks walks(curves_, memory);
+    sets_.allow_looks(curves_.part_count());
     for (Index i = 0; i < curves_.size(); ++i)
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
         if (!walks.is_new({i, k})) continue;
         const auto walk = walks.walk({i, k});
-        if (!walk.empty() && !is_inside(walk.front())) add_ring(walk);
+        if (walk.empty()) continue;
+        if (!sets_.look_near(set_of(walk.front().curve))) return std::nullopt;
+        if (!is_inside(walk.front())) add_ring(walk);
       }
     if (!place_.empty() && !rings_.touch) join_straight();
     return std::move(rings_);
