@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Tasks on the threads of oneTBB: nothing but its call, as that library is not instrumented and ThreadSanitizer has to be
-// told what order it keeps (tests/thread/order_of_tasks.cpp). Work is spread by parallel.h.
+// Tasks on the threads of oneTBB: nothing but its call, as that library is not instrumented and ThreadSanitizer has to
+// be told what order it keeps (tests/thread/order_of_tasks.cpp). Work is spread by parallel.h.
 #pragma once
 
 #include <cstddef>
