@@ -47,7 +47,8 @@ class Sweep {
   double to(Index k) const { return wide_ ? boxes_[k].x1 : boxes_[k].y1; }
   std::size_t first_slab(Index k) const { return slab(wide_ ? boxes_[k].y0 : boxes_[k].x0); }
   std::size_t slab(double at) const {
-    return std::min(std::size_t(std::max(0.0, (at - bottom_) * slabs_per_step_)), open_.size() - 1);
+    const double steps = (at - bottom_) * slabs_per_step_;  // of the box of nothing infinite, or no number
+    return steps > 0 ? std::size_t(std::min(steps, double(open_.size() - 1))) : 0;
   }
 
   const std::vector<PieceBox>& boxes_;
