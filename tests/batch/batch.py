@@ -232,10 +232,11 @@ class Batch(unittest.TestCase):
 
     def test_a_killed_worker_costs_no_question(self):
         write(self.path, questions(QUESTIONS, 6))
-        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl", "--as-they-come"], cwd=self.path,
-                                   stdout=subprocess.PIPE, text=True)
+        # A question that is killed twice is ended. Of six workers the five oldest are killed; killed questions are with new ones.
+        running = subprocess.Popen([PROGRAM, "batch", "jobs.jsonl", "-o", "results.jsonl", "--as-they-come", "--workers", "6"],
+                                   cwd=self.path, stdout=subprocess.PIPE, text=True)
         for _ in range(5):
-            for _ in range(12):  # answers between two kills: none strikes a question twice, which would end it
+            for _ in range(12):  # answers between two kills
                 running.stdout.readline()
             children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True)
             for pid in children.stdout.split()[:1]:
