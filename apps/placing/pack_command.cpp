@@ -49,7 +49,7 @@ class Packing {
     {
       const StopOnInterrupt interrupt;
       best = (problem_.box ? packing::search_box : packing::search_refined)(problem_, search, events,
-                                                                          StopOnInterrupt::wanted());
+                                                                            StopOnInterrupt::wanted());
     }
     if (!best) return empty();
     return {answer(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
