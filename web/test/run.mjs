@@ -48,7 +48,8 @@ async function view(path) {
 
 const kFlags = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
 const kLongest = 120_000;  // of whatever is waited for: the machine may be busy
-const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: kFlags, protocolTimeout: kLongest, timeout: kLongest });
+const launch = () => puppeteer.launch({ executablePath: "/usr/bin/chromium", args: kFlags, protocolTimeout: kLongest, timeout: kLongest });
+let browser = await launch();
 const running = [];
 const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill(); };
 process.on("SIGTERM", () => { endAll(); process.exit(1); });
@@ -381,11 +382,10 @@ const tests = {
     assert.equal(await ask({}), 403);
     assert.equal(await ask({ "X-Findspace-Token": token.replace(/./g, "0") }), 403);
     assert.equal(await ask({ "X-Findspace-Token": token, Origin: "http://example.org" }), 403);
-    const other = await fetch(`http://localhost:${link.port}/?token=${token}`).then((r) => r.status);
-    assert.equal(other, 200);
     const { request } = await import("node:http");
-    const foreign = await new Promise((done) => request({ host: "127.0.0.1", port: link.port, path: `/?token=${token}`, headers: { Host: `example.org:${link.port}` } }, (r) => done(r.statusCode)).end());
-    assert.equal(foreign, 403);
+    const askHost = (host) => new Promise((done, fail) => request({ host: "127.0.0.1", port: link.port, path: `/?token=${token}`, headers: { Host: `${host}:${link.port}` } }, (r) => done(r.statusCode)).on("error", fail).end());
+    assert.equal(await askHost("localhost"), 200);
+    assert.equal(await askHost("example.org"), 403);
     await close(opened);
   },
   async "a page that stands alone opens from a file"() {
@@ -412,19 +412,34 @@ const tests = {
   },
 };
 
-let failed = 0;
-const chosen = Object.entries(tests).filter(([name]) => new RegExp(process.argv[4] ?? "").test(name));
-for (const [name, test] of chosen) {
+async function passes(name) {
   try {
-    await test();
+    await tests[name]();
     console.log(`ok    ${name}`);
+    return true;
   } catch (e) {
-    ++failed;
     console.log(`FAILS ${name}\n${e.stack ?? e}`);
-    for (const page of (await browser.pages()).slice(1)) await page.close();
+    return false;
   }
+}
+
+const chosen = Object.keys(tests).filter((name) => new RegExp(process.argv[4] ?? "").test(name));
+const again = [];
+for (const name of chosen)
+  if (!(await passes(name))) {
+    again.push(name);
+    for (const page of (await browser.pages().catch(() => [])).slice(1)) await page.close().catch(() => {});
+  }
+// A machine that is busy, or a browser that died, fails tests that pass in a new browser. What is wrong fails twice.
+const failed = [];
+if (again.length > 0) {
+  await browser.close().catch(() => {});
+  endAll();
+  browser = await launch();
+  console.log(`again, in a new browser: ${again.length}`);
+  for (const name of again) if (!(await passes(name))) failed.push(name);
 }
 await browser.close();
 endAll();
-console.log(`${chosen.length} tests, ${failed} fail`);
-process.exit(failed ? 1 : 0);
+console.log(`${chosen.length} tests, ${again.length} fail at first, ${failed.length} twice${failed.map((name) => `\n  ${name}`).join("")}`);
+process.exit(failed.length > 0 ? 1 : 0);
