@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text/read_limits.h"
+#include "findspace/files.h"
 
 namespace findspace::app {
 

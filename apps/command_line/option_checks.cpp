@@ -8,17 +8,20 @@
 #include <algorithm>
 #include <charconv>
 
+#include "common/options.h"
 #include "findspace/error.h"
+#include "findspace/number.h"
 #include "formula/language/names.h"
 #include "io/mesh/write_mesh.h"
 #include "io/text/units.h"
-#include "packing/problem/fraction.h"
 
 namespace findspace::app {
 namespace {
 
-std::optional<packing::Fraction> fraction(const std::string& text) try {
-  return packing::Fraction::parse(text);
+std::optional<Number> number(const std::string& text) try {
+  const Number result = text;
+  result.value();  // refuses what is none
+  return result;
 } catch (const Error&) {
   return std::nullopt;
 }
@@ -67,7 +70,7 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 }
 
 std::string length_text(const std::string& text) {
-  const auto length = fraction(text);
+  const auto length = number(text);
   if (length && *length >= 0) return "";
   return fmt::format("a number from 0 on is meant, without a unit, such as 2.5; not '{}'", text);
 }
@@ -75,7 +78,7 @@ std::string length_text(const std::string& text) {
 std::string sheet_text(const std::string& text) {
   const std::vector<std::string> sizes = at_commas(text);
   const auto is_size = [](const std::string& size) {
-    const auto length = fraction(size);
+    const auto length = number(size);
     return length && *length > 0;
   };
   if (sizes.size() == 2 && std::all_of(sizes.begin(), sizes.end(), is_size)) return "";
@@ -84,7 +87,7 @@ std::string sheet_text(const std::string& text) {
 
 std::string angles_text(const std::string& text) {
   for (const std::string& angle : at_commas(text))
-    if (!fraction(angle)) return fmt::format("angles in degrees are meant, such as 0,90,180; not '{}'", text);
+    if (!number(angle)) return fmt::format("angles in degrees are meant, such as 0,90,180; not '{}'", text);
   return "";
 }
 
@@ -94,7 +97,7 @@ std::string seed_text(const std::string& text) {
 }
 
 std::string tilt_text(const std::string& text) {
-  const auto tilt = fraction(text);
+  const auto tilt = number(text);
   return tilt && *tilt >= 0 && *tilt <= 180 ? "" : fmt::format("a tilt is from 0 to 180 degrees; not '{}'", text);
 }
 
@@ -103,17 +106,6 @@ std::string unit_text(const std::string& text) try {
   return "";
 } catch (const Error& e) {
   return e.message();
-}
-
-std::vector<std::string> at_commas(const std::string& text) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
 }
 
 std::vector<std::string> endings_of(std::string_view verb) {

@@ -29,8 +29,6 @@ std::string angles_text(const std::string& text);
 std::string tilt_text(const std::string& text);
 std::string seed_text(const std::string& text);
 std::string unit_text(const std::string& text);
-/// At the commas: one more than there are.
-std::vector<std::string> at_commas(const std::string& text);
 
 /// "; did you mean 'map'?", or "" where no name is near.
 std::string meant(const std::string& word, const std::vector<std::string>& names);

@@ -14,6 +14,7 @@
 #include "command_line/help_pages.h"
 #include "command_line/option_checks.h"
 #include "common/options.h"
+#include "io/text/drawing_rules.h"
 
 namespace findspace::app {
 namespace {
@@ -119,8 +120,7 @@ void add_drawings(CLI::App& command, Options& o) {
 void add_dxf(CLI::App& command, Options& o) {
   command
       .add_option_function<std::string>(
-          "--dxf",
-          [&o](const std::string& word) { o.dxf = word == "2000" ? io::DxfVersion::k2000 : io::DxfVersion::kR12; },
+          "--dxf", [&o](const std::string& word) { o.dxf = word == "2000" ? DxfVersion::k2000 : DxfVersion::kR12; },
           "r12 or 2000: the version of a DXF file that is written (default r12, which every program reads)")
       ->type_name("VERSION")
       ->check(CLI::IsMember({"r12", "2000"}).description(""))

@@ -32,16 +32,15 @@ namespace {
 /// Decimals with commas between them.
 std::vector<Real> decimals(const std::string& text) {
   std::vector<Real> out;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    out.push_back(Real::parse_decimal(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  for (const std::string& number : at_commas(text)) out.push_back(Real::parse_decimal(number));
   return out;
 }
 
 }  // namespace
 
+namespace {
+
+/// Zeros without --at; not held to the grid's range.
 std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
   if (!session.options().at) return std::vector<Real>(count);
   const std::string& text = *session.options().at;
@@ -57,8 +56,6 @@ std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
                             count == 2 ? "two decimal numbers x,y" : "three decimal numbers x,y,z", text));
   }
 }
-
-namespace {
 
 /// Within the grid's range.
 std::vector<Real> coordinates(const Session& session, std::size_t count) {
@@ -78,20 +75,26 @@ exact::RealPoint asked_position(const Session& session) {
   return {p[0], p[1]};
 }
 
+std::vector<Number> asked_coordinates(const Session& session, std::size_t count) {
+  if (!session.options().at) return {};
+  asked_anywhere(session, count);  // refuses what is none
+  std::vector<Number> out;
+  for (const std::string& number : at_commas(*session.options().at)) out.emplace_back(number);
+  return out;
+}
+
 std::optional<Point> asked_point(const Session& session) {
-  if (!session.options().at) return std::nullopt;
-  asked_position(session);  // refuses what is none
-  const std::string& text = *session.options().at;
-  const std::size_t comma = text.find(',');
-  return Point{text.substr(0, comma), text.substr(comma + 1)};
+  const std::vector<Number> c = asked_coordinates(session, 2);
+  if (c.empty()) return std::nullopt;
+  asked_position(session);  // refuses what is too far away
+  return Point{c[0], c[1]};
 }
 
 std::optional<Point3> asked_point_in_space(const Session& session) {
-  if (!session.options().at) return std::nullopt;
-  asked_position_in_space(session);  // refuses what is none
-  const std::string& text = *session.options().at;
-  const std::size_t first = text.find(','), second = text.find(',', first + 1);
-  return Point3{text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+  const std::vector<Number> c = asked_coordinates(session, 3);
+  if (c.empty()) return std::nullopt;
+  asked_position_in_space(session);  // refuses what is too far away
+  return Point3{c[0], c[1], c[2]};
 }
 
 std::array<Real, 3> asked_position_in_space(const Session& session) {

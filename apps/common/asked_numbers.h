@@ -20,8 +20,8 @@ exact::RealPoint asked_position(const Session& session);
 std::optional<Point> asked_point(const Session& session);
 std::optional<Point3> asked_point_in_space(const Session& session);
 std::array<exact::Real, 3> asked_position_in_space(const Session& session);
-/// `count` numbers of --at, zeros without it; not held to the grid's range.
-std::vector<exact::Real> asked_anywhere(const Session& session, std::size_t count);
+/// `count` numbers of --at as they were written; none without it. Not held to the grid's range.
+std::vector<Number> asked_coordinates(const Session& session, std::size_t count);
 /// --orientation, or --angle about the z axis, of a scene in space: about the scene's "about".
 std::optional<io::Orientation> asked_orientation(const Session& session);
 /// --angle, or 0, in degrees.

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "findspace/files.h"
 #include "io/export/dxf_writer.h"
-#include "io/text/read_limits.h"
 #include "io/text/spool.h"
 
 namespace findspace::app {
@@ -55,28 +55,38 @@ struct Options {
   std::uint64_t memory_limit = 0;  // bytes; 0: none
   bool no_files = false;           // shapes come from the scene alone, or
   std::filesystem::path root;      // from files in this folder
-  std::uint64_t input_limit = io::kUsualInput, work_limit = plane::kUsualWorkBudget;  // io/text/read_limits.h
-  std::filesystem::path store;                         // the folder of results that are kept; empty: none
-  std::uint64_t store_limit = std::uint64_t{1} << 30;  // bytes
-  io::DrawingRules drawings;                           // before those of the scene
-  io::DxfVersion dxf = io::DxfVersion::kR12;           // of drawings that are written
-  std::optional<std::string> height;                   // of pack and verify: of the strip, instead of the file's
-  std::string gap = "0", edge = "0";                   // of pack and verify: least distances
-  std::optional<std::string> sheet;                    // of pack and verify, for drawings: "W,H", decimals
-  std::vector<std::string> angles;                     // of these: allowed, in degrees
-  bool mirrored = false;                               // of these: they may be turned over
-  std::optional<std::string> tilt;                     // of these: degrees off the angles
-  std::optional<std::filesystem::path> start;          // of pack: a layout
-  std::uint64_t seed = 1;                              // of pack
-  unsigned workers = 0;                                // of batch; 0: one for each core
-  bool as_they_come = false;                           // of batch: print results too
-  ProcessTeam* team = nullptr;                         // processes that answer one question together, or none
-  double work = 0;                                     // of pack: millions of evaluations a thread; 0: no limit
+  std::uint64_t input_limit = kUsualInput, work_limit = kUsualWork;  // findspace/files.h
+  std::filesystem::path store;                                       // the folder of results that are kept; empty: none
+  std::uint64_t store_limit = std::uint64_t{1} << 30;                // bytes
+  DrawingRules drawings;                                             // before those of the scene
+  DxfVersion dxf = DxfVersion::kR12;                                 // of drawings that are written
+  std::optional<std::string> height;           // of pack and verify: of the strip, instead of the file's
+  std::string gap = "0", edge = "0";           // of pack and verify: least distances
+  std::optional<std::string> sheet;            // of pack and verify, for drawings: "W,H", decimals
+  std::vector<std::string> angles;             // of these: allowed, in degrees
+  bool mirrored = false;                       // of these: they may be turned over
+  std::optional<std::string> tilt;             // of these: degrees off the angles
+  std::optional<std::filesystem::path> start;  // of pack: a layout
+  std::uint64_t seed = 1;                      // of pack
+  unsigned workers = 0;                        // of batch; 0: one for each core
+  bool as_they_come = false;                   // of batch: print results too
+  ProcessTeam* team = nullptr;                 // processes that answer one question together, or none
+  double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 
 /// What reading may open and cost, and how drawings are read.
-inline io::ReadOptions reading(const Options& o) {
-  return {!o.no_files, o.root, o.input_limit, o.work_limit, o.drawings};
+inline ReadOptions reading(const Options& o) { return {!o.no_files, o.root, o.input_limit, o.work_limit, o.drawings}; }
+
+/// What stands between commas.
+inline std::vector<std::string> at_commas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
 }
 
 /// Whether the answer is printed, besides the files.

@@ -6,11 +6,12 @@
 // searched by all. The others write nothing.
 #pragma once
 
+#include <findspace/pack_search.h>
+
 #include <functional>
 
 #include "common/row_digests.h"
 #include "formula/solid/solve_rays.h"
-#include "packing/search/island_peers.h"
 
 namespace findspace::app {
 
@@ -30,7 +31,7 @@ class ProcessTeam {
   /// What makes a text, called by the leader alone; all get the text, or the Error. All call this in the same order.
   virtual std::string shared_text(const std::function<std::string()>& make) = 0;
   /// For a search that all take part in.
-  virtual packing::IslandPeers& peers() = 0;
+  virtual PackPeers& peers() = 0;
   /// Of the leader: the same rows, made by all.
   virtual space::RaySourcePointer shared(space::RaySourcePointer rows) = 0;
   /// Of the leader: how it spent its time on rows; nothing where it has shared none.

@@ -17,7 +17,6 @@
 #include "io/cad/read_cad.h"
 #include "io/text/file_kind.h"
 #include "io/text/read_text.h"
-#include "io/write/write_file.h"
 #include "io/write/write_json.h"
 #include "plane/base/parallel.h"
 #include "plane/build/build.h"
@@ -94,7 +93,7 @@ io::Scene asked(io::Scene scene, const Options& o) {
 io::Scene read(const Options& o) {
   const std::filesystem::path path(o.scene);
   if (o.scene_text) {
-    io::ReadOptions limits = reading(o);
+    ReadOptions limits = reading(o);
     if (limits.root.empty()) limits.root = std::filesystem::current_path();
     return asked(io::read_scene_text(*o.scene_text, limits.root, o.scene, limits), o);
   }
@@ -107,7 +106,7 @@ io::Scene read(const Options& o) {
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
   if (!drawing && (o.unit || o.id || o.layer || o.index))
     throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
-  io::ReadOptions limits = reading(o);
+  ReadOptions limits = reading(o);
   if (o.scene == "-") {
     const std::filesystem::path folder = std::filesystem::current_path();
     if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
@@ -150,9 +149,19 @@ Session::Session(const Options& options, Reporter& reporter, io::Scene scene)
 
 std::string Session::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
 
-plane::Region Session::region(std::string_view name) const {
+Shape Session::shape(const std::string& name) const { return io::public_shape(scene_, name); }
+
+Region Session::shape_region(const std::string& name) const {
   reporter_.stage(fmt::format("shape {}", name));
-  return std::move(regions({scene_.shape(name)})[0]);
+  const Shape made = shape(name);
+  const Shape::Rounded moved = made.rotated_points();
+  if (moved.points > 0) note_rotated(name, moved.points, moved.largest);
+  return made.region();
+}
+
+void Session::note_rotated(const std::string& name, std::size_t points, double largest) const {
+  reporter_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}", name,
+                             points, largest, unit()));
 }
 
 std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
@@ -164,10 +173,8 @@ std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& 
   std::vector<plane::Region> out;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const plane::Rounding& moved = built[k].rounding;
-    if (moved.points > 0) {
-      reporter_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}",
-                                 shapes[k]->name, moved.points, moved.largest * scene_.grid.step_size(), unit()));
-    }
+    if (moved.points > 0)
+      note_rotated(shapes[k]->name, std::size_t(moved.points), moved.largest * scene_.grid.step_size());
     out.push_back(std::move(built[k].region));
   }
   return out;
@@ -303,26 +310,6 @@ void Session::forget_shapes() {
     bare->name = s->name;
     s = std::move(bare);
   }
-}
-
-void check_outputs(const Options& options, const std::vector<std::string>& formats) {
-  for (const auto& path : options.outputs) {
-    if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
-    throw Error(ErrorCode::kUsage,
-                fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));
-  }
-}
-
-void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
-  std::vector<io::FileText> files;
-  for (const auto& path : options.outputs) {
-    const auto stream = streams.find(path.extension().string());
-    if (stream != streams.end())
-      files.push_back({path, {}, stream->second});
-    else
-      files.push_back({path, writers.at(path.extension().string())(), {}});
-  }
-  io::write_files(files);
 }
 
 }  // namespace findspace::app

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What the verbs share: the scene, its shapes as regions, its formula, and the files that results go to.
+// What the verbs share: the scene, its shapes as regions, its formula.
 #pragma once
 
 #include <findspace/world.h>
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "common/options.h"
+#include "common/outputs.h"
 #include "common/reporter.h"
 #include "formula/language/parse.h"
 #include "formula/language/parse_goal.h"
 #include "formula/planar/solve_region.h"
 #include "io/scene/scene.h"
-#include "io/text/spool.h"
 #include "io/write/write_svg.h"
 
 namespace findspace::app {
@@ -37,8 +35,10 @@ class Session {
   std::string unit() const;
   Reporter& reporter() const { return reporter_; }
 
-  /// The exact set of a shape; what had to be rounded is said once.
-  plane::Region region(std::string_view name) const;
+  /// A shape. Error(kUnknownName); what had to be rounded is said where its region is made.
+  Shape shape(const std::string& name) const;
+  /// The exact set of one of the plane; what had to be rounded is said once.
+  Region shape_region(const std::string& name) const;
   /// The formula of `where`, true without one; a mistake is reported at its place in the scene.
   formula::Formula where() const;
   /// A formula or a goal of a placement in its context; a mistake is reported at its place.
@@ -73,6 +73,7 @@ class Session {
   void forget_shapes();
 
  private:
+  void note_rotated(const std::string& name, std::size_t points, double largest) const;
   formula::World world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const;
 
   const Options& options_;
@@ -82,16 +83,5 @@ class Session {
 
 /// Whether the file is a circuit board of KiCad.
 bool is_board(const std::filesystem::path& path);
-
-/// How a verb writes its result in one format, e.g. {".svg", ...}.
-using Writers = std::map<std::string, std::function<std::string()>>;
-/// The same for results that are too long for memory.
-using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
-
-/// Throws Error(kUsage) where an output has an ending that is not among the formats.
-void check_outputs(const Options& options, const std::vector<std::string>& formats);
-
-/// Makes all texts first, then writes them: a failure leaves no file.
-void write_outputs(const Options& options, const Writers& writers, const Streams& streams = {});
 
 }  // namespace findspace::app

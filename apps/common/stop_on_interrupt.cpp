@@ -7,9 +7,9 @@
 namespace findspace::app {
 namespace {
 
-std::atomic<bool> stop_wanted = false;
+const Cancel stop_wanted;
 
-extern "C" void on_stop(int) { stop_wanted = true; }
+extern "C" void on_stop(int) { stop_wanted.request(); }
 
 }  // namespace
 
@@ -25,6 +25,6 @@ StopOnInterrupt::~StopOnInterrupt() {
   sigaction(SIGTERM, &terminate_, nullptr);
 }
 
-const std::atomic<bool>& StopOnInterrupt::wanted() { return stop_wanted; }
+const Cancel& StopOnInterrupt::wanted() { return stop_wanted; }
 
 }  // namespace findspace::app

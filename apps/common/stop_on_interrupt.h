@@ -4,9 +4,8 @@
 // While it lives Ctrl-C and a polite end of the process end the search, and the best result is kept.
 #pragma once
 
+#include <findspace/options.h>
 #include <signal.h>
-
-#include <atomic>
 
 namespace findspace::app {
 
@@ -17,8 +16,8 @@ class StopOnInterrupt {
   StopOnInterrupt(const StopOnInterrupt&) = delete;
   StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
 
-  /// Becomes true when an end is asked for.
-  static const std::atomic<bool>& wanted();
+  /// Is requested when an end is asked for.
+  static const Cancel& wanted();
 
  private:
   struct sigaction interrupt_ {

@@ -4,9 +4,9 @@
 
 #include "findspace/error.h"
 #include "formula/planar/solve_region.h"
+#include "io/write/write_summary.h"
 #include "plane/query/in_order.h"
 #include "plane/query/topology.h"
-#include "report/report.h"
 
 namespace findspace::app {
 namespace {
@@ -112,12 +112,12 @@ std::string planar_map_json(const Session& session, const PlanarMap& map, const 
     return io::region_json(region, summary, session.step(), session.unit(), best, exact);
   };
   std::string text = json(map.region, extreme, session.options().exact);
-  return map.outer ? bounded_json(std::move(text), json(*map.outer, nullptr, false)) : text;
+  return map.outer ? io::bounded_json(std::move(text), json(*map.outer, nullptr, false)) : text;
 }
 
 std::string Instants::json() const {
   std::string text = io::intervals_json(intervals, exact::Real(1), "");
-  return outer ? bounded_json(std::move(text), io::intervals_json(*outer, exact::Real(1), "")) : text;
+  return outer ? io::bounded_json(std::move(text), io::intervals_json(*outer, exact::Real(1), "")) : text;
 }
 
 Instants planar_instants(const formula::Solver& solver, const formula::Formula& formula, const exact::RealPoint& at) {

@@ -14,12 +14,11 @@
 #include "io/write/write_json.h"
 #include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
+#include "io/write/write_summary.h"
 #include "io/write/write_witness.h"
 #include "plane/query/measure_cells_twofold.h"
 #include "report/position_picture.h"
 #include "report/position_report.h"
-#include "report/report.h"
-#include "report/report_text.h"
 #include "report/scenery.h"
 
 namespace findspace::app {
@@ -232,13 +231,13 @@ Outcome map_of_angles(const Session& session) {
   const distance::OptimalValue* extreme = map.best ? &*map.best : nullptr;
   const auto json = [&] {
     std::string text = io::rotations_json(map.set.angles, extreme);
-    return map.set.outer ? bounded_json(std::move(text), io::rotations_json(*map.set.outer)) : text;
+    return map.set.outer ? io::bounded_json(std::move(text), io::rotations_json(*map.set.outer)) : text;
   };
   const auto angles = io::degree_intervals(map.set.angles);
   const auto svg = [&] { return picture(session, solver.world(), formula, at, angles); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   std::string text = rotations_text(session, angles, map.set.outer ? &*map.set.outer : nullptr);
-  if (map.best) text += optimum_text(*map.best, "");
+  if (map.best) text += io::optimum_text(*map.best, "");
   const bool possible = map.set.outer && !io::degree_intervals(*map.set.outer).empty();
   return {session.options().json ? json() : text, !angles.empty() ? kDone : possible ? kLimit : kEmpty};
 }

@@ -12,7 +12,7 @@
 #include "in_space/space_outcome.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
-#include "report/space_report.h"
+#include "io/write/write_summary.h"
 #include "space/shape/shape_rays.h"
 
 namespace findspace::app {
@@ -71,7 +71,7 @@ Outcome describe_space(const Session& session, const std::string& name) {
   write_outputs(options,
                 space_writers(
                     json, [&] { return io::box_surface(*shape.boxes, session.step()); }, name, session.unit()));
-  return {options.json ? json() : space_summary_text(name, summary, session.unit(), nullptr),
+  return {options.json ? json() : io::summary_text(name, summary, session.unit(), nullptr),
           summary.empty ? kEmpty : kDone};
 }
 

@@ -14,8 +14,8 @@
 #include "in_space/space_outcome.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
+#include "io/write/write_summary.h"
 #include "plane/base/parallel.h"
-#include "report/space_report.h"
 #include "space/box/box_operations.h"
 
 namespace findspace::app {
@@ -93,7 +93,7 @@ Outcome map_space(const Session& session) {
       json, [&] { return io::box_surface(region, session.step()); }, title, session.unit());
   all[".svg"] = [&] { return picture(session, solver.world(), region, summary, title); };
   write_outputs(session.options(), all);
-  return {options.json ? json() : space_summary_text(title, summary, session.unit(), shown),
+  return {options.json ? json() : io::summary_text(title, summary, session.unit(), shown),
           summary.empty ? kEmpty : kDone};
 }
 

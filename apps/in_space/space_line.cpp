@@ -8,8 +8,7 @@
 #include "in_space/space_commands.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_json.h"
-#include "report/report.h"
-#include "report/report_text.h"
+#include "io/write/write_summary.h"
 
 namespace findspace::app {
 
@@ -52,8 +51,8 @@ Outcome map_space_line(const Session& session) {
     title += fmt::format(" with the {} {}", map.extreme->maximum() ? "greatest" : "least", goal->text);
   const auto json = [&] { return space_line_json(session, map); };
   write_outputs(options, {{".json", json}});
-  std::string text = intervals_text(title, map.intervals, session.step(), session.unit());
-  if (map.extreme) text += optimum_text(*map.extreme, session.unit());
+  std::string text = io::intervals_text(title, map.intervals, session.step(), session.unit());
+  if (map.extreme) text += io::optimum_text(*map.extreme, session.unit());
   return {options.json ? json() : text, map.intervals.empty() ? kEmpty : kDone};
 }
 

@@ -9,7 +9,7 @@
 
 #include "io/mesh/space_surface.h"
 #include "io/write/write_json_space.h"
-#include "report/space_report.h"
+#include "io/write/write_summary.h"
 
 namespace findspace::app {
 
@@ -44,7 +44,7 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
   const auto json = [&] { return io::space_json(set, summary, step, session.unit(), best); };
   const auto surface = [&] { return io::convex_surface(set, step); };
   write_outputs(options, space_writers(json, surface, title, session.unit()));
-  return {options.json ? json() : space_summary_text(title, summary, session.unit(), best),
+  return {options.json ? json() : io::summary_text(title, summary, session.unit(), best),
           summary.empty ? kEmpty : kDone};
 }
 

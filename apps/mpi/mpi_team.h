@@ -17,7 +17,7 @@
 
 namespace findspace::app {
 
-class MpiTeam : public ProcessTeam, private packing::IslandPeers {
+class MpiTeam : public ProcessTeam, private PackPeers {
  public:
   explicit MpiTeam(MPI_Comm ranks);
 
@@ -25,7 +25,7 @@ class MpiTeam : public ProcessTeam, private packing::IslandPeers {
   std::size_t count() const override { return static_cast<std::size_t>(count_); }
   void meet() override { MPI_Barrier(ranks_); }
   std::string shared_text(const std::function<std::string()>& make) override;
-  packing::IslandPeers& peers() override { return *this; }
+  PackPeers& peers() override { return *this; }
   space::RaySourcePointer shared(space::RaySourcePointer rows) override;
   std::string account() const override;
   void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,

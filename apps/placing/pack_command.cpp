@@ -1,121 +1,160 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
+// The verb `pack`: one run for the plane and for space, with what the two say differently.
 
 #include <findspace/error.h>
+#include <findspace/packing.h>
+#include <findspace/solid_packing.h>
 #include <fmt/format.h>
 
 #include "common/commands.h"
+#include "common/outputs.h"
 #include "common/run_limits.h"
-#include "common/session.h"
 #include "common/stop_on_interrupt.h"
-#include "io/nesting/read_nesting.h"
-#include "io/nesting/read_solids.h"
-#include "io/nesting/write_layout.h"
-#include "packing/proof/lower_bound.h"
-#include "packing/proof/verify.h"
-#include "packing/search/box_search.h"
-#include "packing/search/refined_search.h"
-#include "placing/pack_solids.h"
+#include "io/text/read_text.h"
 #include "placing/packing_report.h"
 #include "placing/stated_problem.h"
 
 namespace findspace::app {
 namespace {
 
-class Packing {
+/// What differs: words, files, and when no layout at all is an error.
+struct Plane {
+  using Problem = Packing;
+  using Layout = PackLayout;
+  static constexpr const char *kSize = "length", *kHolder = "sheet";
+
+  static bool has_containers(const PackProblem& problem) { return !problem.sheets.empty(); }
+  static bool may_lack_a_layout(const PackProblem& problem) { return problem.sheets.empty(); }
+
+  static Writers writers(const Packing& packing, const PackLayout& layout, const Options& options) {
+    return {{".json", [&] { return packing.json(layout); }},
+            {".svg", [&] { return packing.svg(layout); }},
+            {".dxf", [&] { return packing.dxf(layout, options.dxf); }}};
+  }
+  static std::string summary(const Packing& packing, const PackLayout& layout) {
+    const PackProblem& problem = packing.problem();
+    const std::string length = layout.length.text();
+    std::string text = fmt::format("length {}", length);
+    if (has_containers(problem))
+      text = fmt::format("{} sheet{}, of the last {} used", layout.sheets.size(), layout.sheets.size() == 1 ? "" : "s",
+                         length);
+    if (problem.box) text = fmt::format("{} wide, {} high", length, layout.height.text());
+    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * layout.density,
+                        layout.items.size());
+    if (!has_containers(problem) && !problem.box)
+      text += fmt::format("no layout is shorter than {}\n", packing.lower_bound().text());
+    if (const auto& left = layout.remnant)
+      text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
+                          left->height.text(), left->x.text(), left->y.text());
+    return text;
+  }
+  static PackLayout start(const Packing& packing, const Options& options) {
+    return start_layout(packing, *options.start, options.input_limit);
+  }
+};
+
+struct Space {
+  using Problem = SolidPacking;
+  using Layout = SolidPackLayout;
+  static constexpr const char *kSize = "height", *kHolder = "container";
+
+  static bool may_lack_a_layout(const SolidPackProblem& problem) {
+    return !problem.where.empty() || !problem.conditions.empty() || !problem.groups.empty();
+  }
+  static Writers writers(const SolidPacking& packing, const SolidPackLayout& layout, const Options&) {
+    Writers result{{".json", [&] { return packing.json(layout); }}, {".svg", [&] { return packing.svg(layout); }}};
+    for (const char* ending : {".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"})
+      result[ending] = [&packing, &layout, ending] { return packing.file(layout, ending); };
+    return result;
+  }
+  static std::string summary(const SolidPacking& packing, const SolidPackLayout& layout) {
+    const bool contained = !packing.problem().containers.empty();
+    const std::string height = layout.height.text(), bound = packing.lower_bound().text();
+    std::string text = fmt::format("height {}", height);
+    if (contained)
+      text = fmt::format("{} container{}, of the last {} used", layout.containers.size(),
+                         layout.containers.size() == 1 ? "" : "s", height);
+    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * layout.density,
+                        layout.items.size());
+    if (contained) return text;
+    return text + (height == bound ? "no layout is lower\n" : fmt::format("no layout is lower than {}\n", bound));
+  }
+  static SolidPackLayout start(const SolidPacking& packing, const Options& options) {
+    const std::string name = options.start->string();
+    SolidPackLayout layout = packing.layout(io::read_text(*options.start, options.input_limit), name);
+    const PackVerdict verdict = packing.verdict(layout);
+    if (verdict.feasible()) return layout;
+    throw Error(ErrorCode::kBadValue, "the layout to start with is not feasible: " + verdict.faults[0].text, name);
+  }
+};
+
+template <class Kind>
+class PackRun {
  public:
-  Packing(const Options& options, const StatedProblem& stated, Reporter& reporter)
-      : options_(options), reporter_(reporter) {
-    check_outputs(options, {".json", ".svg", ".dxf"});
-    io::UnscaledProblem problem = read_stated(stated, options);
-    for (const std::string& note : problem.notes) reporter_.note(note);
-    problem_ = std::move(problem).on_grid(stated.name);
-    if (!problem_.on_sheets() && !problem_.box) bound_ = packing::lower_bound(problem_);
+  using Layout = typename Kind::Layout;
+
+  PackRun(const Options& options, typename Kind::Problem packing, Reporter& reporter)
+      : options_(options), reporter_(reporter), packing_(std::move(packing)) {
+    for (const std::string& note : packing_.notes()) reporter_.note(note);
   }
 
   Outcome run() {
-    auto search = search_options<packing::Layout>(options_);
-    facts_.seed = search.seed;
-    facts_.threads = search.threads;
-    packing::Layout start;
-    if (options_.start) {
-      start = start_layout(problem_, *options_.start, options_.input_limit);
-      search.start = &start;
-    }
-    const packing::SearchEvents events{[&](const auto& layout, const auto& state) { keep(layout, state); },
-                                       [&](const auto& state) { show(state); }};
-    std::optional<packing::Layout> best;
+    PackSearch<Layout> search;
+    if (options_.start) search.start = Kind::start(packing_, options_);
+    search.better = [&](const Layout& layout, const PackProgress& state) { keep(layout, state); };
+    search.progress = [&](const PackProgress& state) { reporter_.stage(progress_text(state, Kind::kSize)); };
+    search.peers = peers_of(options_);
+    std::optional<Layout> best;
     {
       const StopOnInterrupt interrupt;
-      best = (problem_.box ? packing::search_box : packing::search_refined)(problem_, search, events,
-                                                                            StopOnInterrupt::wanted());
+      best = packing_.search(search_options(options_), search);
     }
     if (!best) return empty();
-    return {answer(*best), StopOnInterrupt::wanted() ? kInterrupted : kDone};
+    return {answer(*best), was_stopped() ? kInterrupted : kDone};
   }
 
  private:
+  static bool was_stopped() { return StopOnInterrupt::wanted().requested(); }
+
   /// Every better layout is in its files at once.
-  void keep(const packing::Layout& layout, const packing::SearchState& state) {
-    facts_.seconds = state.seconds;
-    facts_.density = state.density;
-    facts_.lower_bound = bound_;
-    facts_.proven = packing::verify(problem_, layout).feasible();
-    facts_.remnant = packing::largest_remnant(problem_, layout);
+  void keep(const Layout& layout, const PackProgress& state) {
     write(layout);
     answer_at_the_end(is_printed(options_) ? answer(layout) : "");
-    if (!options_.quiet) reporter_.note(better_text(state, "length"));
+    if (!options_.quiet) reporter_.note(better_text(state, Kind::kSize));
   }
 
-  void show(const packing::SearchState& state) { reporter_.stage(progress_text(state, "length")); }
+  void write(const Layout& layout) const { write_outputs(options_, Kind::writers(packing_, layout, options_)); }
 
-  void write(const packing::Layout& layout) const {
-    write_outputs(options_, {{".json", [&] { return json(layout); }},
-                             {".svg", [&] { return io::layout_svg(problem_, layout, facts_); }},
-                             {".dxf", [&] { return io::layout_dxf(problem_, layout, options_.dxf); }}});
+  std::string answer(const Layout& layout) const {
+    if (options_.json) return packing_.json(layout);
+    std::string text = Kind::summary(packing_, layout);
+    for (const LeftOutPart& out : layout.left_out)
+      text += fmt::format("left out: {} of {}: {}\n", out.copies, out.part, out.why);
+    return text;
   }
 
-  std::string json(const packing::Layout& layout) const { return io::layout_json(problem_, layout, facts_); }
-
-  std::string answer(const packing::Layout& layout) const { return options_.json ? json(layout) : summary(layout); }
-
-  std::string summary(const packing::Layout& layout) const {
-    std::string text = fmt::format("length {}", layout.length.text());
-    if (problem_.on_sheets())
-      text = fmt::format("{} sheet{}, of the last {} used", layout.sheets.size(), layout.sheets.size() == 1 ? "" : "s",
-                         layout.length.text());
-    if (problem_.box) text = fmt::format("{} wide, {} high", layout.length.text(), layout.height.text());
-    text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * facts_.density,
-                        layout.items.size());
-    if (!problem_.on_sheets() && !problem_.box) text += fmt::format("no layout is shorter than {}\n", bound_.text());
-    if (const auto& left = facts_.remnant)
-      text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
-                          left->height.text(), left->x.text(), left->y.text());
-    return text + left_out_text(problem_.parts, layout.left_out);
-  }
-
-  /// No parts, none that are wanted or fit a sheet, or no layout in which all conditions hold.
+  /// No parts, none that are wanted or fit, or no layout in which all conditions hold.
   Outcome empty() {
-    packing::Layout layout;
-    if (StopOnInterrupt::wanted()) return {"interrupted before a first layout was found\n", kInterrupted};
-    if (!problem_.on_sheets() && problem_.items() > 0)
+    if (was_stopped()) return {"interrupted before a first layout was found\n", kInterrupted};
+    const bool wanted = packing_.copies() > 0;
+    if (wanted && Kind::may_lack_a_layout(packing_.problem()))
       throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
-    layout.left_out = all_left_out(problem_.parts, "it is larger than every sheet");
-    facts_.proven = true;
+    Layout layout;
+    for (const auto& part : packing_.problem().parts)
+      if (part.count > 0)
+        layout.left_out.push_back({part.name, part.count, fmt::format("it is larger than every {}", Kind::kHolder)});
     write(layout);
-    const bool wanted = problem_.items() > 0;
-    return {options_.json ? json(layout)
-            : wanted      ? "no part fits a sheet\n"
+    return {options_.json ? packing_.json(layout)
+            : wanted      ? fmt::format("no part fits a {}\n", Kind::kHolder)
                           : "there are no parts to pack\n",
             wanted ? kEmpty : kDone};
   }
 
   const Options& options_;
   Reporter& reporter_;
-  packing::Problem problem_;
-  packing::Fraction bound_;
-  io::LayoutFacts facts_;
+  typename Kind::Problem packing_;
 };
 
 }  // namespace
@@ -124,8 +163,12 @@ Outcome run_pack(const Options& options, Reporter& reporter) {
   std::vector<std::string> words{options.scene};
   words.insert(words.end(), options.shapes.begin(), options.shapes.end());
   const StatedProblem stated = stated_problem(words, options);
-  if (io::is_solid_problem(stated.text, stated.name)) return run_pack_solids(options, stated.text, reporter);
-  return Packing(options, stated, reporter).run();
+  if (SolidPacking::is_stated_in(stated.text, stated.name)) {
+    check_outputs(options, {".json", ".svg", ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step"});
+    return PackRun<Space>(options, stated_solids(stated, options), reporter).run();
+  }
+  check_outputs(options, {".json", ".svg", ".dxf"});
+  return PackRun<Plane>(options, stated_packing(stated, options), reporter).run();
 }
 
 }  // namespace findspace::app

@@ -4,105 +4,94 @@
 
 #include "placing/packing_report.h"
 
+#include <findspace/error.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "findspace/error.h"
-#include "io/nesting/fault_text.h"
+#include "common/process_team.h"
+#include "common/stop_on_interrupt.h"
 #include "io/text/read_text.h"
 
 namespace findspace::app {
 namespace {
 
-using packing::Fault;
-
 constexpr std::size_t kFaultsShown = 8;
 
-const char* kind_name(Fault::Kind kind) {
-  constexpr const char* kNames[] = {"overlap", "gap",   "condition", "outside", "angle",
-                                    "zone",    "count", "sheets",    "fixed"};
+const char* kind_name(PackFault::Kind kind) {
+  constexpr const char* kNames[] = {"overlap", "gap",   "condition", "outside",    "angle",
+                                    "zone",    "count", "sheets",    "containers", "fixed"};
   return kNames[std::size_t(kind)];
 }
 
-bool of_part(Fault::Kind kind) { return kind == Fault::Kind::kCount || kind == Fault::Kind::kFixed; }
-
 }  // namespace
 
-packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path, std::uint64_t most) {
+PackReading pack_reading(const Options& options, const std::string& name) {
+  PackReading result{name, {}, reading(options), options.gap, options.edge};
+  if (options.height) result.height = *options.height;
+  return result;
+}
+
+findspace::Options search_options(const Options& options) {
+  findspace::Options result;
+  result.threads = options.threads;
+  result.seconds = options.time_limit;
+  result.cancel = StopOnInterrupt::wanted();
+  result.seed = options.seed;
+  result.work = options.work;
+  return result;
+}
+
+PackPeers* peers_of(const Options& options) {
+  return options.team != nullptr && options.team->count() > 1 ? &options.team->peers() : nullptr;
+}
+
+PackLayout start_layout(const Packing& packing, const std::filesystem::path& path, std::uint64_t most) {
   const std::string text = io::read_text(path, most);
-  packing::Layout layout;
-  if (path.extension() == ".svg") {
-    io::ProblemAndLayout read = io::read_sparrow_svg(text, path.string());
-    layout = std::move(read.layout);
-    for (packing::Placed& item : layout.items) {
-      const std::string& name = read.problem.parts[item.part].name;
-      const auto same = [&](const packing::Part& part) { return part.name == name; };
-      const auto found = std::find_if(problem.parts.begin(), problem.parts.end(), same);
-      if (found == problem.parts.end())
-        throw Error(ErrorCode::kBadValue, fmt::format("no part '{}'", name), path.string());
-      item.part = std::size_t(found - problem.parts.begin());
-    }
-  } else {
-    layout = io::read_layout(text, path.string(), problem);
+  PackLayout layout =
+      path.extension() == ".svg" ? Packing::sparrow(text, path.string()).second : packing.layout(text, path.string());
+  try {
+    packing.check_copies(layout);
+  } catch (const Error& e) {
+    throw e.within(path.string());
   }
-  std::vector<int> missing;
-  for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
-  for (const packing::Placed& item : layout.items) --missing[item.part];
-  for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
-  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
-    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem", path.string());
   return layout;
 }
 
-io::NestingOptions nesting_options(const Options& options) {
-  const auto height = options.height ? std::optional(packing::Fraction::parse(*options.height)) : std::nullopt;
-  return {height, packing::Fraction::parse(options.gap), packing::Fraction::parse(options.edge), reading(options)};
-}
-
-std::string better_text(const packing::SearchState& state, std::string_view size) {
+std::string better_text(const PackProgress& state, std::string_view size) {
   return fmt::format("{:8.2f} s  processor {:8.2f} s  {} {:.8g}  density {:.3f} %", state.seconds, state.processor,
                      size, state.length, 100 * state.density);
 }
 
-std::string progress_text(const packing::SearchState& state, std::string_view size) {
+std::string progress_text(const PackProgress& state, std::string_view size) {
   return fmt::format("{:.0f} s  {} {:.6g}  density {:.3f} %  overlap left {:.3g}  better {:.0f} s ago", state.seconds,
                      size, state.length, 100 * state.density, state.overlap, state.since_better);
 }
 
-std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
-                         const packing::Verdict& verdict) {
+std::string verdict_text(std::size_t items, const LayoutSize& size, const PackVerdict& verdict) {
   std::string text =
-      fmt::format("{}  {} items, length {}, density {:.4f} %\n", verdict.feasible() ? "feasible" : "not feasible",
-                  layout.items.size(), layout.length.text(), 100 * verdict.density);
+      fmt::format("{}  {} items, {} {}, density {:.4f} %\n", verdict.feasible() ? "feasible" : "not feasible", items,
+                  size.word, size.value.text(), 100 * verdict.density);
   for (std::size_t i = 0; i < std::min(kFaultsShown, verdict.faults.size()); ++i)
-    text += "  " + io::fault_text(problem, layout, verdict.faults[i]) + "\n";
+    text += "  " + verdict.faults[i].text + "\n";
   if (verdict.faults.size() > kFaultsShown)
     text += fmt::format("  and {} more\n", verdict.faults.size() - kFaultsShown);
   return text;
 }
 
-std::string verdict_json(const packing::Problem& problem, const packing::Layout& layout,
-                         const packing::Verdict& verdict) {
+std::string verdict_json(std::size_t items, const LayoutSize& size, const PackVerdict& verdict) {
   std::string faults;
   double deepest = 0;
-  for (const Fault& fault : verdict.faults) {
-    if (fault.kind == Fault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
-    std::string items =
-        fmt::format("\"{}\"", of_part(fault.kind)                  ? problem.parts[fault.first].name
-                              : fault.kind == Fault::Kind::kSheets ? problem.sheets[fault.first].name
-                                                                   : io::item_name(problem, layout, fault.first));
-    if (fault.kind <= Fault::Kind::kCondition)
-      items += fmt::format(", \"{}\"", io::item_name(problem, layout, fault.second));
-    faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [{}], \"depth\": {}, \"near\": [{}, {}]}}",
-                          faults.empty() ? "" : ",", kind_name(fault.kind), items, fault.depth, fault.x, fault.y);
+  for (const PackFault& fault : verdict.faults) {
+    if (fault.kind == PackFault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
+    faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [\"{}\"], \"depth\": {}, \"near\": [{}]}}",
+                          faults.empty() ? "" : ",", kind_name(fault.kind), fmt::join(fault.of, "\", \""), fault.depth,
+                          fmt::join(fault.near, ", "));
   }
   return fmt::format(
-      "{{\"findspace\": 1, \"verdict\": {{\"feasible\": {}, \"items\": {}, \"length\": \"{}\", \"used\": \"{}\", "
+      "{{\"findspace\": 1, \"verdict\": {{\"feasible\": {}, \"items\": {}, \"{}\": \"{}\", \"used\": \"{}\", "
       "\"density\": {}, \"largest_overlap\": {}, \"faults\": [{}]}}}}\n",
-      verdict.feasible(), layout.items.size(), layout.length.text(), verdict.used.text(), verdict.density, deepest,
-      faults);
+      verdict.feasible(), items, size.word, size.value.text(), verdict.used.text(), verdict.density, deepest, faults);
 }
 
 }  // namespace findspace::app

@@ -5,63 +5,45 @@
 // layout in words and as JSON.
 #pragma once
 
-#include <fmt/format.h>
+#include <findspace/packing.h>
+#include <findspace/solid_packing.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <thread>
+#include <vector>
 
 #include "common/options.h"
-#include "common/process_team.h"
-#include "io/nesting/read_nesting.h"
-#include "packing/proof/verify.h"
-#include "packing/search/search_options.h"
 
 namespace findspace::app {
 
-/// The height, gap and edge of the command line.
-io::NestingOptions nesting_options(const Options& options);
+/// How the command line has the problem of that name read.
+PackReading pack_reading(const Options& options, const std::string& name);
+
+/// The limits, the seed and the threads of the command line; the search ends where an end is asked for.
+findspace::Options search_options(const Options& options);
+
+/// The other processes of a search, or null.
+PackPeers* peers_of(const Options& options);
 
 /// A layout of the problem to begin with: JSON, or an SVG of sparrow; `most` bytes. Throws Error.
-packing::Layout start_layout(const packing::Problem& problem, const std::filesystem::path& path, std::uint64_t most);
-
-/// The limits, the seed and the threads of the command line.
-template <class Layout>
-packing::SearchOptionsOf<Layout> search_options(const Options& options) {
-  packing::SearchOptionsOf<Layout> out;
-  out.seed = options.seed;
-  out.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  out.seconds = options.time_limit;
-  out.work = options.work * 1000000;
-  if (options.team != nullptr && options.team->count() > 1) out.peers = &options.team->peers();
-  return out;
-}
+PackLayout start_layout(const Packing& packing, const std::filesystem::path& path, std::uint64_t most);
 
 /// A better layout, and a search under way; `size` is what is made small: "length".
-std::string better_text(const packing::SearchState& state, std::string_view size);
-std::string progress_text(const packing::SearchState& state, std::string_view size);
+std::string better_text(const PackProgress& state, std::string_view size);
+std::string progress_text(const PackProgress& state, std::string_view size);
 
-/// A line for each part of which copies are left out.
-template <class Part>
-std::string left_out_text(const std::vector<Part>& parts, const std::vector<packing::LeftOut>& left_out) {
-  std::string text;
-  for (const packing::LeftOut& out : left_out)
-    text += fmt::format("left out: {} of {}: {}\n", out.copies, parts[out.part].name, out.why);
-  return text;
-}
-/// What is left out where no part fits a container.
-template <class Part>
-std::vector<packing::LeftOut> all_left_out(const std::vector<Part>& parts, const char* too_large) {
-  return packing::left_out_of(
-      parts, std::vector<int>(parts.size()), [](std::size_t) { return false; }, too_large);
-}
+/// How large a layout is: "length" of a strip or the last sheet, "height" of solids.
+struct LayoutSize {
+  std::string_view word;
+  const Number& value;
+};
+inline LayoutSize size_of(const PackLayout& layout) { return {"length", layout.length}; }
+inline LayoutSize size_of(const SolidPackLayout& layout) { return {"height", layout.height}; }
 
-std::string verdict_text(const packing::Problem& problem, const packing::Layout& layout,
-                         const packing::Verdict& verdict);
-std::string verdict_json(const packing::Problem& problem, const packing::Layout& layout,
-                         const packing::Verdict& verdict);
+/// A layout of so many items, checked.
+std::string verdict_text(std::size_t items, const LayoutSize& size, const PackVerdict& verdict);
+std::string verdict_json(std::size_t items, const LayoutSize& size, const PackVerdict& verdict);
 
 }  // namespace findspace::app

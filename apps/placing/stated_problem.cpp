@@ -144,14 +144,20 @@ StatedProblem stated_problem(const std::vector<std::string>& words, const Option
   return {io::read_text(words[0], options.input_limit), words[0]};
 }
 
-io::UnscaledProblem read_stated(const StatedProblem& stated, const Options& options) {
-  io::NestingOptions asked = nesting_options(options);
+Packing stated_packing(const StatedProblem& stated, const Options& options) {
+  PackReading asked = pack_reading(options, stated.name);
   if (stated.drawn) {
     asked.folder = std::filesystem::current_path();
     asked.read.files = true;  // those that are named
     asked.read.root.clear();
   }
-  return io::read_unscaled(stated.text, stated.name, asked);
+  return Packing::json(stated.text, asked);
+}
+
+SolidPacking stated_solids(const StatedProblem& stated, const Options& options) {
+  if (options.height)
+    throw Error(ErrorCode::kUsage, "--height is of strips in the plane; in space the height is sought", stated.name);
+  return SolidPacking::json(stated.text, pack_reading(options, stated.name));
 }
 
 }  // namespace findspace::app

@@ -5,11 +5,13 @@
 // Drawings become nesting JSON whose shapes are files, so there is one reader. Keywords: quantities.
 #pragma once
 
+#include <findspace/packing.h>
+#include <findspace/solid_packing.h>
+
 #include <string>
 #include <vector>
 
 #include "common/options.h"
-#include "io/nesting/read_nesting.h"
 
 namespace findspace::app {
 
@@ -22,7 +24,8 @@ struct StatedProblem {
 /// Throws Error(kUsage) where a count stands without a drawing, or drawings without a strip or a sheet.
 StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options);
 
-/// In the plane.
-io::UnscaledProblem read_stated(const StatedProblem& stated, const Options& options);
+/// In the plane, and in space.
+Packing stated_packing(const StatedProblem& stated, const Options& options);
+SolidPacking stated_solids(const StatedProblem& stated, const Options& options);
 
 }  // namespace findspace::app

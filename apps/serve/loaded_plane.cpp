@@ -18,10 +18,10 @@
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
+#include "io/write/write_summary.h"
 #include "io/write/write_witness.h"
 #include "plane/complex/extent.h"
 #include "plane/query/in_order.h"
-#include "report/report.h"
 #include "serve/features.h"
 
 namespace findspace::app {
@@ -244,7 +244,7 @@ std::string LoadedPlane::angles_json(const Spot& spot) const {
   const formula::RotationMaps maps = rotation.maps(formula());
   const formula::SolvedAngles found = formula::solve_angles(maps, formula());
   std::string text = io::rotations_json(found.angles);
-  return found.outer ? bounded_json(std::move(text), io::rotations_json(*found.outer)) : text;
+  return found.outer ? io::bounded_json(std::move(text), io::rotations_json(*found.outer)) : text;
 }
 
 std::string LoadedPlane::instants_json(const Spot& spot) const {

@@ -289,8 +289,10 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
   if (path && content) refuse("pack takes either \"path\" or \"text\"");
   const std::string name = name_of(parameters);
   if (path || content) {
-    const PackingOptions asked{text(parameters, "height"), text(parameters, "gap").value_or("0"),
-                               text(parameters, "edge").value_or("0")};
+    PackReading asked;
+    if (const auto height = text(parameters, "height")) asked.height = *height;
+    asked.gap = text(parameters, "gap").value_or("0");
+    asked.edge = text(parameters, "edge").value_or("0");
     if (path)
       store.load_problem(name, *path, asked);
     else

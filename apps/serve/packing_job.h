@@ -6,6 +6,8 @@
 // one request at a time, beside the search. Keywords: background job, progress, anytime algorithm.
 #pragma once
 
+#include <findspace/packing.h>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -14,19 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "io/nesting/read_nesting.h"
-#include "io/nesting/write_layout.h"
-#include "packing/search/strip_search.h"
-
 namespace findspace::app {
-
-/// Decimals, as the options of the verb `pack`.
-struct PackingOptions {
-  std::optional<std::string> height;
-  std::string gap = "0", edge = "0";
-  io::ReadOptions read = {};          // of shapes in files,
-  std::filesystem::path folder = {};  // which are looked for here
-};
 
 struct PackingStart {
   std::uint64_t seed = 1;
@@ -38,14 +28,14 @@ struct PackingStart {
 class PackingJob {
  public:
   /// Throws Error.
-  PackingJob(const std::string& problem, const std::string& file, const PackingOptions& asked);
+  PackingJob(const std::string& problem, const PackReading& asked);
   ~PackingJob();
   PackingJob(const PackingJob&) = delete;
   PackingJob& operator=(const PackingJob&) = delete;
 
   /// A layout that is the best one for now.
-  void begin_with(const packing::Layout& layout);
-  const packing::Problem& problem() const { return problem_; }
+  void begin_with(const PackLayout& layout);
+  const Packing& packing() const { return packing_; }
   /// Goes on from the layout given, or else from the best one. Throws Error.
   void start(const PackingStart& start);
   void stop();
@@ -58,17 +48,16 @@ class PackingJob {
   std::string state_json(std::uint64_t since) const;
 
  private:
-  void search(packing::SearchOptions options, std::optional<packing::Layout> start);
-  void keep(const packing::Layout& layout, const packing::SearchState& state);
+  void search(const findspace::Options& options, std::optional<PackLayout> start);
+  void keep(const PackLayout& layout, const PackProgress& state);
 
-  packing::Problem problem_;
-  packing::Fraction bound_;
+  Packing packing_;
   std::thread thread_;
-  std::atomic<bool> stop_ = false, running_ = false;
+  const Cancel stop_;
+  std::atomic<bool> running_ = false;
   mutable std::mutex guard_;  // of what follows
-  std::optional<packing::Layout> best_;
-  packing::SearchState state_;
-  io::LayoutFacts facts_;
+  std::optional<PackLayout> best_;
+  PackProgress state_;
   std::uint64_t number_ = 0;
   std::string failure_;
 };

@@ -43,10 +43,11 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
   options_.root = std::filesystem::weakly_canonical(options_.root);
   if (scene.empty()) return;
   if (is_problem(scene, options.input_limit)) {
-    keep_problem("scene", io::read_text(scene, options.input_limit), scene.string(),
-                 {options.height, options.gap, options.edge, reading(options_), scene.parent_path()});
+    PackReading asked = pack_reading(options_, scene.string());
+    asked.folder = scene.parent_path().string();
+    keep_problem("scene", io::read_text(scene, options.input_limit), asked);
     PackingJob& job = packing("scene");
-    if (options.start) job.begin_with(start_layout(job.problem(), *options.start, options.input_limit));
+    if (options.start) job.begin_with(start_layout(job.packing(), *options.start, options.input_limit));
     return;
   }
   Options first = options_;
@@ -85,24 +86,25 @@ std::string SceneStore::source(const std::string& name) {
   return edited_scene(texts_[name], now.where.text, now.moving);
 }
 
-void SceneStore::keep_problem(const std::string& name, const std::string& text, const std::string& file,
-                              const PackingOptions& asked) {
-  auto job = std::make_unique<PackingJob>(text, file, asked);
+void SceneStore::keep_problem(const std::string& name, const std::string& text, const PackReading& asked) {
+  auto job = std::make_unique<PackingJob>(text, asked);
   scenes_.erase(name);
   packings_[name] = std::move(job);
 }
 
-void SceneStore::load_problem(const std::string& name, const std::string& path, PackingOptions asked) {
+void SceneStore::load_problem(const std::string& name, const std::string& path, PackReading asked) {
   const std::filesystem::path whole = within_root(path);
+  asked.name = path;
   asked.read = reading(options_);
-  asked.folder = whole.parent_path();
-  keep_problem(name, io::read_text(whole, options_.input_limit), path, asked);
+  asked.folder = whole.parent_path().string();
+  keep_problem(name, io::read_text(whole, options_.input_limit), asked);
 }
 
-void SceneStore::load_problem_text(const std::string& name, const std::string& text, PackingOptions asked) {
+void SceneStore::load_problem_text(const std::string& name, const std::string& text, PackReading asked) {
+  asked.name = name;
   asked.read = reading(options_);
   asked.read.files = false;
-  keep_problem(name, text, name, asked);
+  keep_problem(name, text, asked);
 }
 
 void SceneStore::forget(const std::string& name) {
@@ -125,7 +127,7 @@ void SceneStore::load(const std::string& name, const std::string& path) {
 }
 
 void SceneStore::load_text(const std::string& name, const std::string& text) {
-  io::ReadOptions without_files = reading(options_);
+  ReadOptions without_files = reading(options_);
   without_files.files = false;
   keep(name, io::read_scene_text(text, options_.root, name, without_files), text);
 }

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "common/options.h"
-#include "io/text/read_limits.h"
 #include "serve/loaded.h"
 #include "serve/packing_job.h"
 
@@ -34,8 +33,8 @@ class SceneStore {
   PackingJob& packing(const std::string& name);
   bool has_packing() const { return !packings_.empty(); }
   /// A packing problem below the folder, and one from memory, which reads no files.
-  void load_problem(const std::string& name, const std::string& path, PackingOptions asked);
-  void load_problem_text(const std::string& name, const std::string& text, PackingOptions asked);
+  void load_problem(const std::string& name, const std::string& path, PackReading asked);
+  void load_problem_text(const std::string& name, const std::string& text, PackReading asked);
   void forget(const std::string& name);
 
   /// A scene, drawing or board below the folder. Throws Error where the path leads out of it.
@@ -44,8 +43,7 @@ class SceneStore {
   void load_text(const std::string& name, const std::string& text);
 
  private:
-  void keep_problem(const std::string& name, const std::string& text, const std::string& file,
-                    const PackingOptions& asked);
+  void keep_problem(const std::string& name, const std::string& text, const PackReading& asked);
   std::filesystem::path within_root(const std::string& path) const;
 
   Options options_;  // the root is the one that is kept to

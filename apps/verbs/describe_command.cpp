@@ -10,12 +10,6 @@
 #include "common/session.h"
 #include "in_space/space_commands.h"
 #include "io/board/board.h"
-#include "io/export/write_drawing.h"
-#include "io/export/write_wkt.h"
-#include "io/write/write_constructive.h"
-#include "io/write/write_json.h"
-#include "plane/query/in_order.h"
-#include "report/report.h"
 
 namespace findspace::app {
 namespace {
@@ -36,14 +30,9 @@ std::string chosen_shape(const Session& session) {
   throw Error(ErrorCode::kUsage, fmt::format("which shape? The scene has {}", names));
 }
 
-std::string wkt(const Session& session, const plane::Region& region) {
-  io::WktText text = io::region_wkt(region, session.step());
-  if (!text.lost.empty()) session.reporter().note(text.lost);
-  return text.text;
-}
-
-/// The text of a drawing; what it loses is noted.
-std::string drawn(const Session& session, io::DrawingText text) {
+/// The text of a file; what it loses is noted.
+std::string drawn(const Session& session, const Region& region, const char* ending, const std::string& name) {
+  Region::Drawn text = region.drawn(ending, name, session.options().dxf);
   if (!text.lost.empty()) session.reporter().note(text.lost);
   return std::move(text.text);
 }
@@ -56,24 +45,12 @@ Outcome run_describe(const Options& options, Reporter& reporter) {
   if (session.in_space()) return describe_space(session, name);
   refuse_lines(options, "for 3D shapes");
   check_outputs(options, {".svg", ".wkt", ".json"});
-  const plane::Region region = plane::in_order(session.region(name));
-  const plane::Summary summary = plane::summarize(region, session.step());
-  const auto json = [&] {
-    return io::region_json(region, summary, session.step(), session.unit(), nullptr, options.exact);
-  };
-  const auto svg = [&] {
-    io::Picture picture;
-    picture.title = name;
-    picture.subtitle = session.scene().file;
-    picture.step = session.step();
-    picture.unit = session.unit();
-    picture.region = &region;
-    picture.summary = &summary;
-    picture.of_positions = false;
-    return io::picture_svg(picture);
-  };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", [&] { return wkt(session, region); }}});
-  return {options.json ? json() : summary_text(name, summary, session.unit()), summary.empty ? kEmpty : kDone};
+  const Region region = session.shape_region(name);
+  const auto json = [&] { return region.json(options.exact); };
+  const auto svg = [&] { return region.picture(name, session.scene().file); };
+  const auto wkt = [&] { return drawn(session, region, ".wkt", name); };
+  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", wkt}});
+  return {options.json ? json() : region.text(name), region.empty() ? kEmpty : kDone};
 }
 
 Outcome run_convert(const Options& options, Reporter& reporter) {
@@ -85,22 +62,14 @@ Outcome run_convert(const Options& options, Reporter& reporter) {
   const std::string name = chosen_shape(session);
   if (session.in_space()) return convert_space(session, name);
   check_outputs(options, {".svg", ".dxf", ".geojson", ".wkt", ".json"});
-  const plane::Region region = plane::in_order(session.region(name));
-  const auto json = [&] {
-    if (options.constructive) return io::constructive_scene(region, name, session.scene());
-    const plane::Summary summary = plane::summarize(region, session.step());
-    return io::region_json(region, summary, session.step(), session.unit(), nullptr, true);
-  };
-  const auto svg = [&] { return drawn(session, io::shape_svg(region, session.step(), name, session.scene().unit)); };
-  const io::NamedRegion named{name, &region};
-  const auto dxf = [&] {
-    return drawn(session, io::shapes_dxf({&named, 1}, session.step(), session.scene().unit, options.dxf));
-  };
-  const auto geojson = [&] { return drawn(session, io::shapes_geojson({&named, 1}, session.step())); };
-  const auto text = [&] { return wkt(session, region); };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".dxf", dxf}, {".geojson", geojson}, {".wkt", text}});
+  const Region region = session.shape_region(name);
+  const auto json = [&] { return options.constructive ? region.scene_json(name) : region.json(true); };
+  Writers writers{{".json", json}};
+  for (const char* ending : {".svg", ".dxf", ".geojson", ".wkt"})
+    writers.emplace(ending, [&, ending] { return drawn(session, region, ending, name); });
+  write_outputs(options, writers);
   if (options.json) return {json(), kDone};
-  return {options.outputs.empty() ? wkt(session, region) : "", kDone};
+  return {options.outputs.empty() ? drawn(session, region, ".wkt", name) : "", kDone};
 }
 
 }  // namespace findspace::app

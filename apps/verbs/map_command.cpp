@@ -17,9 +17,8 @@
 #include "io/draw/draw_layout.h"
 #include "io/export/write_drawing.h"
 #include "io/export/write_wkt.h"
+#include "io/write/write_summary.h"
 #include "plane/query/topology.h"
-#include "report/report.h"
-#include "report/report_text.h"
 #include "report/scenery.h"
 
 namespace findspace::app {
@@ -44,8 +43,8 @@ Outcome map_of_line(const Session& session, const PlanarMap& map) {
   const auto intervals = intervals_on_line(map.region, free);
   const auto json = [&] { return planar_map_json(session, map); };
   write_outputs(session.options(), {{".json", json}});
-  std::string text = intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
-  if (map.extreme) text += optimum_text(*map.extreme, session.unit());
+  std::string text = io::intervals_text(title(session) + " on the line", intervals, session.step(), session.unit());
+  if (map.extreme) text += io::optimum_text(*map.extreme, session.unit());
   const bool possible = map.outer && !intervals_on_line(*map.outer, free).empty();
   return {session.options().json ? json() : text, !intervals.empty() ? kDone : possible ? kLimit : kEmpty};
 }
@@ -60,7 +59,7 @@ Outcome map_of_time(const Session& session, const formula::Solver& solver, const
         "ones");
   const auto json = [&] { return found.json(); };
   write_outputs(session.options(), {{".json", json}});
-  const std::string text = intervals_text(
+  const std::string text = io::intervals_text(
       fmt::format("Instants with {} at {}", session.scene().moving_text(), session.options().at.value_or("0,0")),
       found.intervals, exact::Real(1), "");
   const bool possible = found.outer && !found.outer->empty();
@@ -97,7 +96,7 @@ Outcome map_of_plane(const Session& session, const PlanarMap& map, const formula
     return std::move(text.text);
   };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}, {".wkt", wkt}, {".dxf", dxf}});
-  return {session.options().json ? json() : summary_text(title(session), summary, session.unit(), extreme),
+  return {session.options().json ? json() : io::summary_text(title(session), summary, session.unit(), extreme),
           !summary.empty                              ? kDone
           : !map.outer || plane::is_empty(*map.outer) ? kEmpty
                                                       : kLimit};

@@ -12,6 +12,7 @@
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
 //   region.h    the answers: exact point sets
+//   files.h     what reading may open and cost, versions of what is written
 //   packing.h   many parts on a strip or on sheets; solid_packing.h: solids upon a floor or in containers
 //   space_region.h, surface.h   exact sets of space, and surfaces
 //   phi.h       Phi-functions with gradients
@@ -21,11 +22,13 @@
 #include "findspace/contour.h"
 #include "findspace/error.h"
 #include "findspace/explanation.h"
+#include "findspace/files.h"
 #include "findspace/formula.h"
 #include "findspace/line_map.h"
 #include "findspace/motion.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/pack_search.h"
 #include "findspace/packing.h"
 #include "findspace/phi.h"
 #include "findspace/placement.h"

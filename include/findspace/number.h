@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <concepts>
 #include <string>
 #include <utility>
@@ -26,6 +27,11 @@ class Number {
   Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
   /// Text that is not a number is refused where it is used, with Error(kSyntax).
   const std::string& text() const { return text_; }
+  /// Of a decimal, or of a fraction "17/3" as layouts have them: the nearest double but for an ulp. Error(kSyntax).
+  double value() const;
+  /// By value, exactly. Error(kSyntax).
+  friend bool operator==(const Number& a, const Number& b) { return (a <=> b) == 0; }
+  friend std::weak_ordering operator<=>(const Number& a, const Number& b);
 
  private:
   std::string text_;

@@ -9,14 +9,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "findspace/files.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
+#include "findspace/pack_search.h"
 #include "findspace/shape.h"
 
 namespace findspace {
@@ -200,6 +205,59 @@ struct PackLayout {
   std::optional<PackRemnant> remnant = {};
   /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
   std::optional<Limit> met = {};
+  /// How it was found: after so many seconds, by a search of that seed on so many threads.
+  double seconds = 0;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+};
+
+/// A packing problem that is put on its grid once, for many questions. Immutable, cheap to copy; asking from many
+/// threads is safe. Error where a part is not a simple polygon, is higher than the strip, a name is unknown, or the
+/// fixed parts overlap.
+class Packing {
+ public:
+  /// Of values.
+  explicit Packing(const PackProblem& problem);
+  /// The nesting JSON of docs/nesting.md. Error(kSyntax) with line and column.
+  static Packing json(std::string_view text, const PackReading& reading = {});
+  /// A drawing that sparrow writes has shapes and a layout both. Its parts may stand at the angles at which they stand.
+  static std::pair<Packing, PackLayout> sparrow(std::string_view svg, const std::string& name = "layout");
+
+  /// As it was given, in values.
+  const PackProblem& problem() const;
+  /// What was changed or left unread in JSON.
+  const std::vector<std::string>& notes() const;
+  /// How many copies of all parts are wanted.
+  std::size_t copies() const;
+  /// No layout in the strip is shorter; 0 where the problem has none.
+  Number lower_bound() const;
+
+  /// As pack() below.
+  std::optional<PackLayout> search(const Options& options = {.seconds = 10},
+                                   const PackSearch<PackLayout>& search = {}) const;
+  /// By exact signs.
+  PackVerdict verdict(const PackLayout& layout) const;
+  /// Error(kBadValue) unless every copy that is wanted is in the layout, or said to be left out.
+  void check_copies(const PackLayout& layout) const;
+  /// In a strip without fixed parts: the layout with one of its items put there, its origin on the grid, and the others
+  /// out of its way; the strip may become longer. Nothing where they cannot make room. Error(kUnsupported) elsewhere.
+  std::optional<PackLayout> moved(const PackLayout& layout, std::size_t item, const Position& at) const;
+
+  /// A layout of this problem from JSON. Error(kSyntax) with line and column.
+  PackLayout layout(std::string_view json, const std::string& name = "layout") const;
+  /// A layout as the JSON of docs/nesting.md, as a drawing with a page a sheet, and as one to cut: outlines on the
+  /// layers "cut" and "sheet", arcs as bulges.
+  std::string json(const PackLayout& layout) const;
+  std::string svg(const PackLayout& layout) const;
+  std::string dxf(const PackLayout& layout, DxfVersion version = DxfVersion::kR12) const;
+  /// A part, counted as in problem().parts, as SVG path data about its origin, y downwards.
+  std::string outline(std::size_t part) const;
+
+  struct Data;
+  explicit Packing(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
 };
 
 /// The best layout found. Nothing where no part is wanted, none fits a sheet, or no layout was found in which all

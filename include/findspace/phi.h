@@ -14,7 +14,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "findspace/number.h"
@@ -24,6 +27,22 @@
 namespace findspace {
 
 class AdjustedPhi;
+
+/// What a Phi-function is written with.
+struct PhiQuestion {
+  /// The name of A.
+  std::string a = "A";
+  /// The name of B.
+  std::string b = "B";
+  /// Of the shapes, or empty.
+  std::string unit = {};
+  /// Where B is translated to: two or three coordinates, or none.
+  std::vector<Number> at = {};
+  /// A least distance that is allowed there.
+  std::optional<Number> least = {};
+  /// A greatest one.
+  std::optional<Number> greatest = {};
+};
 
 class Phi {
  public:
@@ -71,8 +90,18 @@ class Phi {
   /// Convex parts of A and of B; 0 by curves.
   std::size_t parts_of_a() const;
   std::size_t parts_of_b() const;
+  /// Of space: the vertices of convex parts that had to be rounded.
+  Shape::Rounded rounded_of_a() const;
+  Shape::Rounded rounded_of_b() const;
+
+  /// As `findspace phi` writes it, by the ending: ".json" and ".txt" have all parts and lines or planes, and the value
+  /// at the position; ".svg" is a picture of the positions of overlap, or in space of the surface of contact, which
+  /// ".obj", ".off" and ".stl" are too. Error(kUnsupported) for other endings, and for such a surface of a ball;
+  /// Error(kBadValue) for a position with another number of coordinates, or a negative distance.
+  std::string text(std::string_view ending, const PhiQuestion& question = {}) const;
 
   struct Data;
+  const Data& data() const { return *data_; }
 
  private:
   std::shared_ptr<const Data> data_;

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "findspace/files.h"
 #include "findspace/number.h"
 #include "findspace/options.h"
 
@@ -164,8 +165,14 @@ class Region {
   /// The closure as a GeoJSON geometry, its arcs flattened. Error(kUnsupported) where unbounded.
   std::string geojson(double bound, Towards side = Towards::kOnArcs) const;
 
-  /// As `findspace map --json` writes it (docs/results.md): cells with marks, arcs as arcs.
-  std::string json() const;
+  /// As `findspace map --json` writes it (docs/results.md): cells with marks, arcs as arcs. `exact`: with
+  /// exact_json()'s cells too.
+  std::string json(bool exact = false) const;
+  /// What it is like, in words: whether it is open, its area, box and components.
+  std::string text(std::string_view title = "region") const;
+  /// A scene with this one shape, stated by polygons, discs, segments and points where the grid's decimals say them
+  /// exactly: the same set.
+  std::string scene_json(std::string_view name = "region") const;
   /// The set by its exact boundary, as the shape kind "cells" of a scene has it (docs/scene.md): Shape::json brings the
   /// same set back.
   std::string exact_json() const;
@@ -173,6 +180,17 @@ class Region {
   std::string wkt() const;
   /// A drawing in true size. Error(kUnsupported) where unbounded.
   std::string svg() const;
+
+  /// The text of a file, and what it does not say of the set, in words: open ends, cracks; empty if nothing.
+  struct Drawn {
+    /// See there.
+    std::string text, lost;
+  };
+  /// In the unit, by the ending: ".svg", ".dxf", ".wkt", ".geojson"; the name is that of a layer or of a feature.
+  /// Error(kUnsupported) where unbounded, for another ending, and of arcs in GeoJSON.
+  Drawn drawn(std::string_view ending, std::string_view name = "region", DxfVersion dxf = DxfVersion::kR12) const;
+  /// A picture with a frame, for people; unbounded ones are cut off.
+  std::string picture(std::string_view title, std::string_view subtitle = {}) const;
 
   struct Data;
   explicit Region(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "findspace/files.h"
 #include "findspace/formula.h"
 #include "findspace/shape.h"
 #include "findspace/world.h"
@@ -21,10 +22,11 @@ namespace findspace {
 /// Immutable and cheap to copy.
 class Scene {
  public:
-  /// Files of shapes are looked for beside it.
-  static Scene file(const std::string& path);
+  /// Files of shapes are looked for beside it. What is not trusted may be read without files, from one folder alone, or
+  /// at less cost: Error(kUnsupported), Error(kFile), Error(kLimit).
+  static Scene file(const std::string& path, const ReadOptions& reading = {});
   /// The text of a scene; files of shapes are looked for in the folder.
-  static Scene json(std::string_view text, const std::string& folder = ".");
+  static Scene json(std::string_view text, const std::string& folder = ".", const ReadOptions& reading = {});
 
   /// By name; a group is one as well.
   const std::map<std::string, Shape>& shapes() const;

@@ -134,6 +134,9 @@ class Shape {
   };
   /// What was rounded when it was made.
   Rounded rounded() const;
+  /// Of the plane: the vertices that rotations by other angles than multiples of 90 degrees put on the grid. Makes the
+  /// region.
+  Rounded rotated_points() const;
   /// The set itself, of the plane only (Error(kUnsupported)); made when first asked for.
   const Region& region() const;
 

@@ -10,10 +10,13 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "findspace/number.h"
@@ -119,6 +122,52 @@ struct SolidPackLayout {
   Number lower_bound = 0;
   /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
   std::optional<Limit> met = {};
+  /// How it was found: after so many seconds, by a search of that seed on so many threads.
+  double seconds = 0;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+};
+
+/// A packing problem of solids that is put on its grid once, for many questions. Immutable, cheap to copy; asking from
+/// many threads is safe. Error where a shape is none that is packed, stands on the floor in no orientation, has too
+/// many digits, or a name is unknown.
+class SolidPacking {
+ public:
+  /// Of values.
+  explicit SolidPacking(const SolidPackProblem& problem);
+  /// The JSON of docs/nesting.md, "Solids". Error(kSyntax) with line and column.
+  static SolidPacking json(std::string_view text, const PackReading& reading = {});
+  /// Whether JSON is such a problem, not one of the plane. Error(kSyntax) where it is no JSON.
+  static bool is_stated_in(std::string_view json, const std::string& name = "problem");
+
+  /// As it was given, in values.
+  const SolidPackProblem& problem() const;
+  /// What was changed in meshes.
+  const std::vector<std::string>& notes() const;
+  /// How many copies of all solids are wanted.
+  std::size_t copies() const;
+  /// No layout upon the floor is lower; 0 in containers.
+  Number lower_bound() const;
+
+  /// As pack() below.
+  std::optional<SolidPackLayout> search(const Options& options = {.seconds = 10},
+                                        const PackSearch<SolidPackLayout>& search = {}) const;
+  /// By exact signs.
+  PackVerdict verdict(const SolidPackLayout& layout) const;
+
+  /// A layout of this problem from JSON. Error(kSyntax) with line and column.
+  SolidPackLayout layout(std::string_view json, const std::string& name = "layout") const;
+  /// As the functions below.
+  std::string json(const SolidPackLayout& layout) const;
+  std::string svg(const SolidPackLayout& layout) const;
+  std::string file(const SolidPackLayout& layout, std::string_view ending) const;
+  Surface surface(const SolidPackLayout& layout) const;
+
+  struct Data;
+  explicit SolidPacking(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
 };
 
 /// The best layout found. Nothing where no solid is wanted, none fits a container, or no layout was found in which all

@@ -223,10 +223,14 @@ void bind_layout(py::module_& m) {
                          "Where the parts are. `problem` is what was packed, which notebooks draw it with.")
       .def(pickled_with_problem<PackLayout>(&PackLayout::length, &PackLayout::items, &PackLayout::left_out,
                                             &PackLayout::sheets, &PackLayout::height, &PackLayout::density,
-                                            &PackLayout::remnant, &PackLayout::met))
+                                            &PackLayout::remnant, &PackLayout::met, &PackLayout::seconds,
+                                            &PackLayout::seed, &PackLayout::threads))
       .def_property_readonly(
           "met", [](const PackLayout& l) { return limit_name(l.met); },
           "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
+      .def_readonly("seconds", &PackLayout::seconds, "How long the search took to find it.")
+      .def_readonly("seed", &PackLayout::seed, "Of the search.")
+      .def_readonly("threads", &PackLayout::threads, "Of the search.")
       .def_property_readonly(
           "length", [](const PackLayout& l) { return l.length.text(); }, "Of the strip or box, exactly, as text.")
       .def_property_readonly(

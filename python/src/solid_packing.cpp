@@ -252,7 +252,8 @@ void bind_layout(py::module_& m) {
                               "Where the solids are. `problem` is what was packed, which notebooks draw it with.")
       .def(pickled_with_problem<SolidPackLayout>(
           &SolidPackLayout::height, &SolidPackLayout::items, &SolidPackLayout::left_out, &SolidPackLayout::containers,
-          &SolidPackLayout::density, &SolidPackLayout::lower_bound, &SolidPackLayout::met))
+          &SolidPackLayout::density, &SolidPackLayout::lower_bound, &SolidPackLayout::met, &SolidPackLayout::seconds,
+          &SolidPackLayout::seed, &SolidPackLayout::threads))
       .def_property_readonly(
           "height", [](const SolidPackLayout& l) { return l.height.text(); },
           "What is used of the last container, exactly, as text.")
@@ -267,6 +268,9 @@ void bind_layout(py::module_& m) {
       .def_property_readonly(
           "met", [](const SolidPackLayout& l) { return limit_name(l.met); },
           "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
+      .def_readonly("seconds", &SolidPackLayout::seconds, "How long the search took to find it.")
+      .def_readonly("seed", &SolidPackLayout::seed, "Of the search.")
+      .def_readonly("threads", &SolidPackLayout::threads, "Of the search.")
       .def(
           "json", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_json(p, l); },
           py::arg("problem"), "The layout file (docs/nesting.md).")

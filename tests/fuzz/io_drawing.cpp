@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   context.options.files = false;
   context.unit = io::Unit::kMillimetre;
   char first = text.empty() ? ' ' : text[0];
-  context.drawing.curves = static_cast<io::CurveRule>(size % 3);
+  context.drawing.curves = static_cast<findspace::CurveRule>(size % 3);
   if (size % 5 == 0) context.drawing.join = 1000000;
   context.drawing.open_lines = size % 7 < 4;
   const bool binary = text.starts_with("AutoCAD");

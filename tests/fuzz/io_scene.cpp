@@ -40,7 +40,7 @@ void check(const plane::Shape& shape) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view text(reinterpret_cast<const char*>(data), size);
-  io::ReadOptions options;
+  ReadOptions options;
   options.files = false;
   try {
     io::Scene scene = io::read_scene_text(text, "/nowhere", "fuzz.json", options);

@@ -130,7 +130,7 @@ TEST(Constructive, MakesTheSameSet) {
     const Region region = region_of(scene);
     const std::string tree = constructive_json(region, scene.grid.step());
     ASSERT_TRUE(same_set(region, region_of(scene_of(tree)))) << shape << "\n" << tree;
-    ASSERT_NO_THROW(read_scene_text(constructive_scene(region, "S", scene), ".", "test"));
+    ASSERT_NO_THROW(read_scene_text(constructive_scene(region, "S", scene.grid, "mm"), ".", "test"));
   }
 }
 

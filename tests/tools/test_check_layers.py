@@ -62,6 +62,14 @@ class CheckLayers(TreeTest):
         self.assertEqual(self.faults(), ['apps/verbs/explain_command.cpp:5: a client of the public headers includes '
                                          '"plane/sum/minkowski.h"'])
 
+    def test_the_program_includes_no_more_of_src(self):
+        self.readme("apps", "common")
+        most = check_layers.MOST_INCLUDES
+        self.source("apps/common/session.h", *["plane/sum/minkowski.h"] * most)
+        self.assertEqual(self.faults(), [])
+        self.source("apps/common/more.h", "common/session.h", "plane/sum/minkowski.h")
+        self.assertIn(f"apps:1: includes headers of src {most + 1} times", self.faults()[0])
+
     def test_the_program_stands_above_all_layers(self):
         self.readme("apps", "common", "verbs")
         self.source("apps/common/session.h", "plane/sum/minkowski.h")

@@ -221,4 +221,99 @@ TEST(PublicPacking, ADiscFillsItsRoundSheet) {
   EXPECT_THROW(pack(problem, {.threads = 1, .work = 1}), Error);  // both
 }
 
+TEST(PublicPacking, AProblemIsPutOnItsGridOnce) {
+  const PackProblem problem = dots_and_block();
+  const Packing packing(problem);
+  EXPECT_EQ(packing.copies(), 3u);
+  EXPECT_EQ(packing.lower_bound().text(), "4.499999");  // rounded down
+  EXPECT_EQ(packing.problem().parts[2].name, "block");
+  int better = 0, progress = 0;
+  PackSearch<PackLayout> search;
+  search.better = [&](const PackLayout& layout, const PackProgress& state) {
+    ++better;
+    EXPECT_EQ(layout.length.value(), state.length);
+    EXPECT_EQ(layout.density, state.density);
+  };
+  search.progress = [&](const PackProgress&) { ++progress; };
+  const auto layout = packing.search({.threads = 1, .seed = 7, .work = 2}, search);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->length.text(), "5");
+  EXPECT_EQ(layout->seed, 7u);
+  EXPECT_GE(better, 1);
+  EXPECT_GE(progress, 1);
+  EXPECT_TRUE(packing.verdict(*layout).feasible());
+  EXPECT_EQ(packing.verdict(*layout).used.text(), "5");
+  const PackLayout back = packing.layout(packing.json(*layout));
+  EXPECT_EQ(back.items[0].x.text(), layout->items[0].x.text());
+  EXPECT_NE(packing.json(*layout).find("\"seed\": 7"), std::string::npos);
+  EXPECT_NE(packing.dxf(*layout, DxfVersion::k2000).find("AC1015"), std::string::npos);
+  EXPECT_EQ(packing.outline(0)[0], 'M');
+  EXPECT_THROW(packing.outline(3), Error);
+  search.start = *layout;
+  const auto again = packing.search({.threads = 1, .work = 1}, search);
+  EXPECT_EQ(again->length.text(), "5");
+  search.start->items.pop_back();
+  EXPECT_THROW(packing.search({.threads = 1, .work = 1}, search), Error);  // a copy is not accounted for
+}
+
+TEST(PublicPacking, FaultsSayWhatIsWrong) {
+  const Packing packing(dots_and_block());
+  PackLayout layout = *packing.search({.threads = 1, .work = 2});
+  for (PlacedPart& item : layout.items) item.x = 0, item.y = 0;
+  layout.items.pop_back();
+  const PackVerdict verdict = packing.verdict(layout);
+  ASSERT_EQ(verdict.faults.size(), 2u);
+  const auto with = [&](PackFault::Kind kind) {
+    for (const PackFault& fault : verdict.faults)
+      if (fault.kind == kind) return fault;
+    return PackFault{};
+  };
+  EXPECT_EQ(with(PackFault::Kind::kOverlap).of.size(), 2u);
+  EXPECT_EQ(with(PackFault::Kind::kOverlap).depth, 1);
+  EXPECT_EQ(with(PackFault::Kind::kCount).of.size(), 1u);
+  EXPECT_EQ(with(PackFault::Kind::kCount).depth, -1);
+}
+
+TEST(PublicPacking, TheOthersMakeRoomForAnItem) {
+  const Packing packing(dots_and_block());
+  const PackLayout layout = *packing.search({.threads = 1, .work = 2});
+  const auto moved = packing.moved(layout, 0, {2, 1});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_TRUE(packing.verdict(*moved).feasible());
+  EXPECT_THROW(packing.moved(layout, 3, {0, 0}), Error);
+  PackProblem sheets = dots_and_block();
+  sheets.sheets = {PackSheet::rectangle("sheet", 9, 9)};
+  EXPECT_THROW(Packing(sheets).moved(layout, 0, {0, 0}), Error);
+}
+
+TEST(PublicPacking, JsonIsReadAsItIsAsked) {
+  const char* const text = R"({"name": "kit", "strip_height": 4, "unread": 1,
+    "items": [{"id": "a", "demand": 2, "shape": {"type": "simple_polygon", "data": [[0,0], [1,0], [1,1.5]]}}]})";
+  PackReading reading;
+  reading.height = 3;
+  reading.gap = "0.5";
+  const Packing packing = Packing::json(text, reading);
+  EXPECT_EQ(packing.problem().height.text(), "3");
+  EXPECT_EQ(packing.problem().gap.text(), "0.5");
+  EXPECT_EQ(packing.notes().size(), 1u);
+  reading.name = "kit.json";
+  try {
+    Packing::json("{", reading);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kSyntax);
+    EXPECT_EQ(e.place().rfind("kit.json", 0), 0u);
+  }
+}
+
+TEST(PublicPacking, ATokenEndsTheSearch) {
+  const Packing packing(dots_and_block());
+  Options options{.threads = 1};
+  PackSearch<PackLayout> search;
+  search.progress = [&](const PackProgress&) { options.cancel.request(); };
+  const auto layout = packing.search(options, search);  // without limits else for half a minute
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->met, Limit::kCancelled);
+}
+
 }  // namespace io_public_packing

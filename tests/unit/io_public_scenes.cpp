@@ -18,6 +18,43 @@ const char* const kScene = R"json({"findspace": 1, "unit": "mm", "shapes": {
   "groups": {"both": ["a", "b"]}, "moving": "peg", "where": ["inside(peg, plate)", "clear(peg, both, 1)"],
   "minimize": "y"})json";
 
+TEST(PublicScene, IsReadWithinLimits) {
+  const char* const text = R"json({"findspace": 1, "shapes": {"a": {"file": "part.svg"}}})json";
+  const auto code_of = [&](const ReadOptions& reading) {
+    try {
+      Scene::json(text, ".", reading);
+    } catch (const Error& e) {
+      return e.code();
+    }
+    return ErrorCode::kUsage;
+  };
+  EXPECT_EQ(code_of({}), ErrorCode::kFile);  // it is not there
+  EXPECT_EQ(code_of({.files = false}), ErrorCode::kUnsupported);
+  EXPECT_EQ(code_of({.work_limit = 1}), ErrorCode::kLimit);
+}
+
+TEST(PublicScene, ItsRegionsAreWritten) {
+  const Scene scene = Scene::json(R"json({"findspace": 1, "unit": "mm", "shapes": {
+    "ring": {"difference": [{"disc": {"center": [0, 0], "radius": 2}}, {"disc": {"center": [0, 0], "radius": 1}}]},
+    "tilted": {"rotate": 30, "of": {"box": {"min": [0, 0], "max": [1, 1]}}}}})json");
+  const Region& ring = scene.shapes().at("ring").region();
+  EXPECT_EQ(ring.text("a ring").rfind("a ring\nbounded, not open, not closed, not regular; 1 component, 1 hole\n", 0),
+            0u);
+  EXPECT_NE(ring.text().find(" mm²"), std::string::npos);  // the scene's unit
+  EXPECT_GT(ring.json(true).size(), ring.json().size());
+  EXPECT_EQ(Scene::json(ring.scene_json("again")).shapes().at("again").region(), ring);
+  const Region::Drawn dxf = ring.drawn(".dxf", "ring", DxfVersion::k2000);
+  EXPECT_NE(dxf.text.find("AC1015"), std::string::npos);
+  EXPECT_FALSE(dxf.lost.empty());  // its inner circle does not belong to it
+  EXPECT_TRUE(Region(ring.closure()).drawn(".wkt").lost.empty());
+  EXPECT_THROW(ring.drawn(".geojson"), Error);  // arcs
+  EXPECT_THROW(ring.drawn(".doc"), Error);
+  EXPECT_NE(ring.picture("a ring", "below").find("below"), std::string::npos);
+  EXPECT_EQ(scene.shapes().at("ring").rotated_points().points, 0u);
+  EXPECT_EQ(scene.shapes().at("tilted").rotated_points().points, 3u);  // all but the pole
+  EXPECT_LT(scene.shapes().at("tilted").rotated_points().largest, 1e-6);
+}
+
 TEST(PublicScene, AsksWhatTheFileAsks) {
   const Scene scene = Scene::json(kScene);
   EXPECT_EQ(scene.shapes().size(), 5u);  // the group is one, too

@@ -167,4 +167,39 @@ TEST(PublicSolidPacking, FilesBothWays) {
   EXPECT_EQ(layout_surface(problem, *layout).vertices.size(), 16u);
 }
 
+TEST(PublicSolidPacking, AProblemIsPutOnItsGridOnce) {
+  const char* const text = R"({"name": "kit", "container": {"size-x": 4, "size-y": 2},
+    "item-types": [{"id": "rod", "demand": 2, "shape": {"box": {"min": [0, 0, 0], "max": [1.5, 1, 1]}}}]})";
+  EXPECT_TRUE(SolidPacking::is_stated_in(text));
+  EXPECT_FALSE(SolidPacking::is_stated_in("{}"));
+  PackReading reading;
+  reading.gap = "0.5";
+  const SolidPacking packing = SolidPacking::json(text, reading);
+  EXPECT_EQ(packing.problem().gap.text(), "0.5");
+  EXPECT_EQ(packing.copies(), 2u);
+  EXPECT_EQ(packing.lower_bound().text(), "1");
+  PackSearch<SolidPackLayout> search;
+  int better = 0;
+  search.better = [&](const SolidPackLayout& layout, const PackProgress& state) {
+    ++better;
+    EXPECT_EQ(layout.height.value(), state.length);
+  };
+  const auto layout = packing.search({.seed = 5, .work = 1}, search);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_GE(better, 1);
+  EXPECT_EQ(layout->height.text(), "1");
+  EXPECT_EQ(layout->lower_bound.text(), "1");
+  EXPECT_EQ(layout->seed, 5u);
+  EXPECT_TRUE(packing.verdict(*layout).feasible());
+  EXPECT_EQ(packing.layout(packing.json(*layout)).items[1].at.x.text(), layout->items[1].at.x.text());
+  search.start = *layout;
+  search.start->items[0].at = search.start->items[1].at;
+  const PackVerdict verdict = packing.verdict(*search.start);
+  ASSERT_EQ(verdict.faults.size(), 1u);
+  EXPECT_EQ(verdict.faults[0].kind, PackFault::Kind::kOverlap);
+  EXPECT_EQ(verdict.faults[0].of, (std::vector<std::string>{"rod#1", "rod#2"}));
+  EXPECT_EQ(verdict.faults[0].near.size(), 3u);
+  EXPECT_THROW(packing.search({.work = 1}, search), Error);
+}
+
 }  // namespace io_public_solid_packing

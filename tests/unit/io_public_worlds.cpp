@@ -337,6 +337,37 @@ TEST(PublicPhi, OfThePlane) {
   EXPECT_EQ(gradients[2], (Position{0, 1}));
 }
 
+TEST(PublicPhi, AsText) {
+  PhiQuestion question{.a = "plate", .b = "peg", .at = {7, 1}, .least = 2};
+  const Phi parts(Shape::box({0, 0}, {4, 2}), Shape::disc({0, 0}, 1));
+  EXPECT_EQ(parts.text(".txt", question).rfind("Phi-function of plate and peg", 0), 0u);
+  EXPECT_NE(parts.text(".json", question).find("\"adjusted\""), std::string::npos);
+  EXPECT_EQ(parts.text(".json").find("\"at\""), std::string::npos);
+  EXPECT_NE(parts.text(".svg", question).find("<svg"), std::string::npos);
+  EXPECT_THROW(parts.text(".obj"), Error);
+  const Phi curves(Shape::intersect({Shape::disc({0, 0}, 2), Shape::box({0, 0}, {4, 2})}), Shape::disc({0, 0}, 1));
+  ASSERT_EQ(curves.form(), Phi::Form::kCurves);
+  EXPECT_NE(curves.text(".json", question).find("\"form\":\"curves\""), std::string::npos);
+  EXPECT_NE(curves.text(".txt", question).find("at (7, 1): "), std::string::npos);
+  const Phi solids(Shape::box({0, 0, 0}, {1, 1, 1}), Shape::box({0, 0, 0}, {2, 1, 1}));
+  EXPECT_THROW(solids.text(".json", question), Error);  // two coordinates
+  question.at = {0, 0, 3};
+  EXPECT_NE(solids.text(".json", question).find("\"at\""), std::string::npos);
+  EXPECT_NE(solids.text(".obj").find("v "), std::string::npos);
+  question.at = {};
+  EXPECT_THROW(solids.text(".json", question), Error);  // a limit without a position
+  EXPECT_EQ(solids.rounded_of_a().points, 0u);
+}
+
+TEST(PublicNumber, IsComparedByItsValue) {
+  EXPECT_EQ(Number("1.50"), Number(1.5));
+  EXPECT_LT(Number("17/3"), Number("5.7"));
+  EXPECT_GT(Number("0.30000000000000000000000000000000000001"), Number(0.3));
+  EXPECT_EQ(Number("17/4").value(), 4.25);
+  EXPECT_THROW(Number("x").value(), Error);
+  EXPECT_THROW(Number("1/0").value(), Error);
+}
+
 TEST(PublicPhi, AdjustedForLimitsOfTheDistance) {
   const Phi phi(Shape::box({0, 0}, {4, 2}), Shape::box({0, 0}, {1, 1}));
   const Phi::Value corner = phi.at(Point{7, 6});  // (3, 4) beyond the corner of the contacts

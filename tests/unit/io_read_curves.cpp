@@ -11,6 +11,7 @@
 #include "findspace/error.h"
 #include "io/read/read_file.h"
 #include "io/scene/scene.h"
+#include "io/text/drawing_rules.h"
 #include "plane/build/build.h"
 #include "plane/query/summary.h"
 

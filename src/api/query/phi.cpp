@@ -5,11 +5,14 @@
 
 #include "findspace/phi.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 #include <optional>
+#include <utility>
 
+#include "api/query/phi_data.h"
 #include "api/query/world_data.h"
-#include "api/values/shape_data.h"
 #include "distance/planar/shape_phi.h"
 #include "exact/planar/geometry.h"
 #include "findspace/error.h"
@@ -20,23 +23,6 @@
 namespace findspace {
 
 using exact::Real;
-
-struct Phi::Data {
-  Shape first, second;
-  std::size_t a = 0, b = 0;                    // convex parts
-  std::optional<distance::ShapePhi> planar{};  // one of these two
-  std::optional<space::RoundedPhi> solid{};
-  Real step{};  // of space: one unit of the coordinates in the shapes' unit
-
-  const distance::ShapePhi& plane() const {
-    if (!planar) throw Error(ErrorCode::kBadValue, "a position of these shapes has three coordinates");
-    return *planar;
-  }
-  const space::RoundedPhi& space() const {
-    if (!solid) throw Error(ErrorCode::kBadValue, "a position of these shapes has two coordinates");
-    return *solid;
-  }
-};
 
 namespace {
 
@@ -58,13 +44,19 @@ void make_planar(const plane::Shape& p, const plane::Shape& q, const plane::Grid
 
 void make_solid(const plane::Shape& a, const plane::Shape& b, const Real& step, Phi::Data& data) {
   const space::Body p = space::body(a), q = space::body(b);
-  if (p.outside || q.outside)
-    throw Error(ErrorCode::kUnsupported, "a Phi-function of a complement, which is not a union of convex parts");
+  for (const auto& [shape, body] : {std::pair(&a, &p), std::pair(&b, &q)})
+    if (body->outside)
+      throw Error(ErrorCode::kUnsupported, "a complement is not a union of convex parts",
+                  shape->name.empty() ? "" : fmt::format("shape '{}'", shape->name));
   const std::int64_t scale = common_scale(p.scale, q.scale);
   data.solid.emplace(space::at_scale(p, scale).parts, space::at_scale(q, scale).parts);
   data.a = p.parts.size();
   data.b = q.parts.size();
   data.step = step / Real(scale);
+  const auto rounded = [&](const space::Body& body) {
+    return Shape::Rounded{std::size_t(body.rounded), body.moved * step.to_double()};
+  };
+  data.rounded = {rounded(p), rounded(q)};
 }
 
 Place place(const space::Vector2& v) { return {v.x, v.y}; }
@@ -187,5 +179,7 @@ Phi::Form Phi::form() const {
 int Phi::dimension() const { return data_->planar ? 2 : 3; }
 std::size_t Phi::parts_of_a() const { return data_->a; }
 std::size_t Phi::parts_of_b() const { return data_->b; }
+Shape::Rounded Phi::rounded_of_a() const { return data_->rounded[0]; }
+Shape::Rounded Phi::rounded_of_b() const { return data_->rounded[1]; }
 
 }  // namespace findspace

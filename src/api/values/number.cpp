@@ -19,6 +19,29 @@ Number::Number(double value) : text_(fmt::format("{}", value)) {
   if (!std::isfinite(value)) throw Error(ErrorCode::kBadValue, "a number must be finite");
 }
 
+namespace {
+
+/// A decimal, or a fraction of two.
+exact::Real value_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const exact::Real numerator = exact::Real::parse_decimal(std::string_view(text).substr(0, slash));
+  if (slash == std::string::npos) return numerator;
+  const exact::Real denominator = exact::Real::parse_decimal(std::string_view(text).substr(slash + 1));
+  if (denominator.sign() == 0) throw Error(ErrorCode::kSyntax, fmt::format("'{}' is divided by 0", text));
+  return numerator / denominator;
+}
+
+std::weak_ordering ordering(int sign) {
+  return sign < 0 ? std::weak_ordering::less : sign > 0 ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+}
+
+}  // namespace
+
+double Number::value() const { return value_of(text_).to_double(); }
+std::weak_ordering operator<=>(const Number& a, const Number& b) {
+  return ordering(compare(value_of(a.text_), value_of(b.text_)));
+}
+
 namespace api {
 
 exact::Real real_of(const Number& number) { return exact::Real::parse_decimal(number.text()); }
@@ -64,8 +87,7 @@ Exact Exact::read(std::string_view full_text) {
 bool operator==(const Exact& a, const Exact& b) { return a.data_->value == b.data_->value; }
 
 std::weak_ordering operator<=>(const Exact& a, const Exact& b) {
-  const int sign = compare(a.data_->value, b.data_->value);
-  return sign < 0 ? std::weak_ordering::less : sign > 0 ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+  return ordering(compare(a.data_->value, b.data_->value));
 }
 
 }  // namespace findspace

@@ -29,8 +29,9 @@ using api::make_shape;
 
 namespace api {
 
-Shape make_shape(plane::ShapePtr tree, const plane::Grid& grid, int dimension, const RoundingLog& rounding) {
-  return Shape(std::make_shared<const Shape::Data>(std::move(tree), grid, dimension, rounding));
+Shape make_shape(plane::ShapePtr tree, const plane::Grid& grid, int dimension, const RoundingLog& rounding,
+                 std::uint64_t work, std::string unit) {
+  return Shape(std::make_shared<const Shape::Data>(std::move(tree), grid, dimension, rounding, work, std::move(unit)));
 }
 
 }  // namespace api
@@ -331,10 +332,17 @@ Shape::Rounded Shape::rounded() const {
   return {std::size_t(data_->rounding.points), data_->rounding.largest * data_->grid.step_size()};
 }
 
+Shape::Rounded Shape::rotated_points() const {
+  region();
+  return {std::size_t(data_->rotated.points), data_->rotated.largest * data_->grid.step_size()};
+}
+
 const Region& Shape::region() const {
   if (dimension() == 3) throw Error(ErrorCode::kUnsupported, "a shape of space is not a region of the plane");
   std::call_once(data_->made, [&] {
-    data_->region = api::make_region(plane::build(*data_->tree, data_->grid.step_size()).region, data_->grid);
+    plane::BuildResult built = plane::build(*data_->tree, data_->grid.step_size(), data_->work);
+    data_->rotated = built.rounding;
+    data_->region = api::make_region(std::move(built.region), data_->grid, data_->unit);
   });
   return *data_->region;
 }

@@ -5,12 +5,17 @@
 // has looked at it. Threads: safe.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "findspace/region.h"
 #include "findspace/shape.h"
+#include "plane/base/work_budget.h"
+#include "plane/build/transform.h"
 #include "plane/contour/decimal_grid.h"
 #include "plane/contour/shape.h"
 
@@ -20,17 +25,22 @@ struct Shape::Data {
   plane::ShapePtr tree;
   plane::Grid grid;
   int dimension = 2;
-  plane::RoundingLog rounding;  // of the points given
+  plane::RoundingLog rounding;                   // of the points given
+  std::uint64_t work = plane::kUsualWorkBudget;  // that the region may cost
+  std::string unit{};                            // of the region, or empty
   mutable std::once_flag made{};
   mutable std::optional<Region> region{};
+  mutable plane::Rounding rotated{};  // what its rotations put on the grid
 
-  Data(plane::ShapePtr t, plane::Grid g, int d, const plane::RoundingLog& r = {})
-      : tree(std::move(t)), grid(g), dimension(d), rounding(r) {}
+  Data(plane::ShapePtr t, plane::Grid g, int d, const plane::RoundingLog& r = {},
+       std::uint64_t limit = plane::kUsualWorkBudget, std::string u = {})
+      : tree(std::move(t)), grid(g), dimension(d), rounding(r), work(limit), unit(std::move(u)) {}
 };
 
 namespace api {
 
-Shape make_shape(plane::ShapePtr tree, const plane::Grid& grid, int dimension, const plane::RoundingLog& rounding = {});
+Shape make_shape(plane::ShapePtr tree, const plane::Grid& grid, int dimension, const plane::RoundingLog& rounding = {},
+                 std::uint64_t work = plane::kUsualWorkBudget, std::string unit = {});
 inline const plane::ShapePtr& tree_of(const Shape& shape) { return shape.data().tree; }
 
 exact::Real real_of(const Number& number);

@@ -9,6 +9,9 @@
 #include <findspace/packing.h>
 #include <fmt/format.h>
 
+#include <mutex>
+#include <utility>
+
 #include "api/values/region_data.h"
 #include "io/api/public_search.h"
 #include "io/nesting/fault_text.h"
@@ -18,6 +21,7 @@
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/box_search.h"
+#include "packing/search/make_room.h"
 #include "packing/search/refined_search.h"
 #include "plane/query/topology.h"
 
@@ -144,16 +148,6 @@ packing::Layout layout_of(const packing::Problem& problem, const PackLayout& lay
   return result;
 }
 
-io::LayoutFacts facts_of(const packing::Problem& problem, const packing::Layout& layout) {
-  io::LayoutFacts facts;
-  const packing::Verdict verdict = packing::verify(problem, layout);
-  facts.proven = verdict.feasible();
-  facts.density = verdict.density;
-  if (facts.proven) facts.remnant = packing::largest_remnant(problem, layout);
-  if (!problem.on_sheets() && !problem.box) facts.lower_bound = packing::lower_bound(problem);
-  return facts;
-}
-
 std::vector<Ring> public_rings(const std::vector<io::UnscaledRing>& rings) {
   std::vector<Ring> result;
   for (const io::UnscaledRing& ring : rings) {
@@ -182,43 +176,13 @@ PackPart public_part(const io::UnscaledPart& part) {
   return result;
 }
 
-}  // namespace
-
-PackSheet PackSheet::rectangle(std::string name, const Number& width, const Number& height, int count) {
-  return {std::move(name), {{{0, 0}, {width, 0}, {width, height}, {0, height}}}, count};
-}
-
-PackPart PackPart::of(std::string name, Shape shape, int count) {
-  PackPart result{std::move(name), {}, count};
-  result.shape = std::move(shape);
-  return result;
-}
-
-std::optional<PackLayout> pack(const PackProblem& problem, const Options& options,
-                               const std::function<void(const PackLayout&)>& better) {
-  const packing::Problem inner = on_grid(problem);
-  const auto search = inner.box ? packing::search_box : packing::search_refined;
-  const auto shown = [&](const packing::Layout& layout) { return public_layout(inner, layout); };
-  return io::searched<packing::Layout, PackLayout>(options, better, shown,
-                                                   [&](const auto&... how) { return search(inner, how...); });
-}
-
-std::vector<std::string> layout_faults(const PackProblem& problem, const PackLayout& layout) {
-  const packing::Problem inner = on_grid(problem);
-  const packing::Layout placed = layout_of(inner, layout);
-  std::vector<std::string> result;
-  for (const packing::Fault& fault : packing::verify(inner, placed).faults)
-    result.push_back(io::fault_text(inner, placed, fault));
-  return result;
-}
-
-PackProblem pack_problem(std::string_view json) {
-  const io::UnscaledProblem inner = io::read_unscaled(std::string(json), "problem");
-  io::UnscaledProblem(inner).on_grid("problem");  // refuses what is wrong
+PackProblem public_problem(const io::UnscaledProblem& inner) {
   PackProblem result;
   result.name = inner.name;
   result.height = inner.height.text();
   result.box = inner.box;
+  result.gap = inner.gap.text();
+  result.edge = inner.edge.text();
   const auto name_of = [&](std::size_t part) { return inner.parts[part].name; };
   for (const io::UnscaledPart& part : inner.parts) result.parts.push_back(public_part(part));
   for (const io::UnscaledSheet& sheet : inner.sheets) {
@@ -240,16 +204,208 @@ PackProblem pack_problem(std::string_view json) {
   return result;
 }
 
-std::string layout_json(const PackProblem& problem, const PackLayout& layout) {
-  const packing::Problem inner = on_grid(problem);
-  const packing::Layout placed = layout_of(inner, layout);
-  return io::layout_json(inner, placed, facts_of(inner, placed));
+PackFault::Kind kind_of(packing::Fault::Kind kind) {
+  using From = packing::Fault::Kind;
+  using To = PackFault::Kind;
+  switch (kind) {
+    case From::kOverlap:
+      return To::kOverlap;
+    case From::kGap:
+      return To::kGap;
+    case From::kCondition:
+      return To::kCondition;
+    case From::kOutside:
+      return To::kOutside;
+    case From::kAngle:
+      return To::kAngle;
+    case From::kZone:
+      return To::kZone;
+    case From::kCount:
+      return To::kCount;
+    case From::kSheets:
+      return To::kSheets;
+    case From::kFixed:
+      break;
+  }
+  return To::kFixed;
 }
 
-std::string layout_svg(const PackProblem& problem, const PackLayout& layout) {
-  const packing::Problem inner = on_grid(problem);
-  const packing::Layout placed = layout_of(inner, layout);
-  return io::layout_svg(inner, placed, facts_of(inner, placed));
+PackFault public_fault(const packing::Problem& problem, const packing::Layout& layout, const packing::Fault& fault) {
+  using Kind = packing::Fault::Kind;
+  PackFault result{kind_of(fault.kind), {}, fault.depth, {fault.x, fault.y}, io::fault_text(problem, layout, fault)};
+  if (fault.kind == Kind::kCount || fault.kind == Kind::kFixed)
+    result.of.push_back(problem.parts[fault.first].name);
+  else if (fault.kind == Kind::kSheets)
+    result.of.push_back(problem.sheets[fault.first].name);
+  else
+    result.of.push_back(io::item_name(problem, layout, fault.first));
+  if (fault.kind <= Kind::kCondition) result.of.push_back(io::item_name(problem, layout, fault.second));
+  return result;
 }
+
+}  // namespace
+
+struct Packing::Data {
+  packing::Problem problem;
+  std::vector<std::string> notes;
+  Fraction bound;
+
+  explicit Data(const PackProblem& values) : problem(on_grid(values)), given_(values) { find_bound(); }
+  Data(io::UnscaledProblem stated, const std::string& name) : notes(stated.notes), stated_(stated) {
+    problem = std::move(stated).on_grid(name);
+    find_bound();
+  }
+  /// Of a drawing that has both: its parts are polygons of the grid.
+  explicit Data(packing::Problem drawn) : problem(std::move(drawn)) {
+    io::UnscaledProblem stated;
+    stated.height = problem.height;
+    for (const packing::Part& part : problem.parts) stated.parts.push_back(unscaled(part));
+    stated_ = std::move(stated);
+    find_bound();
+  }
+
+  const PackProblem& values() const {
+    std::call_once(made_, [&] {
+      if (!given_) given_ = public_problem(*stated_);
+    });
+    return *given_;
+  }
+
+ private:
+  void find_bound() {
+    if (!problem.on_sheets() && !problem.box) bound = packing::lower_bound(problem);
+  }
+  io::UnscaledPart unscaled(const packing::Part& part) const {
+    io::UnscaledPart out{part.name, part.demand, {}, part.angles, part.mirrored};
+    for (const packing::Ring& ring : part.shape.rings) {
+      io::UnscaledRing& to = out.rings.emplace_back();
+      for (const packing::LatticePoint& p : ring)
+        to.push_back({Fraction(p.x, problem.steps()), Fraction(p.y, problem.steps())});
+    }
+    return out;
+  }
+
+  std::optional<io::UnscaledProblem> stated_ = {};  // what was read
+  mutable std::once_flag made_{};
+  mutable std::optional<PackProblem> given_ = {};
+};
+
+namespace {
+
+io::LayoutFacts facts_of(const Packing::Data& data, const packing::Layout& placed, const PackLayout& layout) {
+  io::LayoutFacts facts;
+  const packing::Verdict verdict = packing::verify(data.problem, placed);
+  facts.proven = verdict.feasible();
+  facts.density = verdict.density;
+  if (facts.proven) facts.remnant = packing::largest_remnant(data.problem, placed);
+  facts.lower_bound = data.bound;
+  facts.seconds = layout.seconds;
+  facts.seed = layout.seed;
+  facts.threads = layout.threads;
+  return facts;
+}
+
+}  // namespace
+
+PackSheet PackSheet::rectangle(std::string name, const Number& width, const Number& height, int count) {
+  return {std::move(name), {{{0, 0}, {width, 0}, {width, height}, {0, height}}}, count};
+}
+
+PackPart PackPart::of(std::string name, Shape shape, int count) {
+  PackPart result{std::move(name), {}, count};
+  result.shape = std::move(shape);
+  return result;
+}
+
+Packing::Packing(const PackProblem& problem) : data_(std::make_shared<const Data>(problem)) {}
+
+Packing Packing::json(std::string_view text, const PackReading& reading) {
+  return Packing(std::make_shared<const Data>(
+      io::read_unscaled(std::string(text), reading.name, io::nesting_options(reading)), reading.name));
+}
+
+std::pair<Packing, PackLayout> Packing::sparrow(std::string_view svg, const std::string& name) {
+  io::ProblemAndLayout read = io::read_sparrow_svg(std::string(svg), name);
+  PackLayout layout = public_layout(read.problem, read.layout);
+  return {Packing(std::make_shared<const Data>(std::move(read.problem))), std::move(layout)};
+}
+
+const PackProblem& Packing::problem() const { return data_->values(); }
+const std::vector<std::string>& Packing::notes() const { return data_->notes; }
+std::size_t Packing::copies() const { return data_->problem.items(); }
+Number Packing::lower_bound() const { return data_->bound.text(); }
+
+std::optional<PackLayout> Packing::search(const Options& options, const PackSearch<PackLayout>& how) const {
+  const packing::Problem& inner = data_->problem;
+  std::optional<packing::Layout> start;
+  if (how.start) {
+    start = layout_of(inner, *how.start);
+    io::check_copies(inner, *start);
+  }
+  const auto search = inner.box ? packing::search_box : packing::search_refined;
+  const auto shown = [&](const packing::Layout& layout) { return public_layout(inner, layout); };
+  return io::searched<packing::Layout, PackLayout>(options, how, start ? &*start : nullptr, shown,
+                                                   [&](const auto&... asked) { return search(inner, asked...); });
+}
+
+void Packing::check_copies(const PackLayout& layout) const {
+  io::check_copies(data_->problem, layout_of(data_->problem, layout));
+}
+
+PackVerdict Packing::verdict(const PackLayout& layout) const {
+  const packing::Layout placed = layout_of(data_->problem, layout);
+  const packing::Verdict found = packing::verify(data_->problem, placed);
+  PackVerdict result{{}, found.used.text(), found.density};
+  for (const packing::Fault& fault : found.faults) result.faults.push_back(public_fault(data_->problem, placed, fault));
+  return result;
+}
+
+std::optional<PackLayout> Packing::moved(const PackLayout& layout, std::size_t item, const Position& at) const {
+  const packing::Problem& inner = data_->problem;
+  if (inner.on_sheets() || inner.box || !inner.fixed.empty())
+    throw Error(ErrorCode::kUnsupported, "parts are moved by hand in strips without fixed parts");
+  if (item >= layout.items.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
+  const auto made = packing::with_room(inner, layout_of(inner, layout), item, at);
+  return made ? std::optional(public_layout(inner, *made)) : std::nullopt;
+}
+
+PackLayout Packing::layout(std::string_view json, const std::string& name) const {
+  return public_layout(data_->problem, io::read_layout(std::string(json), name, data_->problem));
+}
+
+std::string Packing::json(const PackLayout& layout) const {
+  const packing::Layout placed = layout_of(data_->problem, layout);
+  return io::layout_json(data_->problem, placed, facts_of(*data_, placed, layout));
+}
+
+std::string Packing::svg(const PackLayout& layout) const {
+  const packing::Layout placed = layout_of(data_->problem, layout);
+  return io::layout_svg(data_->problem, placed, facts_of(*data_, placed, layout));
+}
+
+std::string Packing::dxf(const PackLayout& layout, DxfVersion version) const {
+  return io::layout_dxf(data_->problem, layout_of(data_->problem, layout), version);
+}
+
+std::string Packing::outline(std::size_t part) const {
+  if (part >= data_->problem.parts.size()) throw Error(ErrorCode::kBadValue, fmt::format("there is no part {}", part));
+  return io::outline_path(data_->problem, part);
+}
+
+std::optional<PackLayout> pack(const PackProblem& problem, const Options& options,
+                               const std::function<void(const PackLayout&)>& better) {
+  PackSearch<PackLayout> how;
+  if (better) how.better = [&](const PackLayout& layout, const PackProgress&) { better(layout); };
+  return Packing(problem).search(options, how);
+}
+
+std::vector<std::string> layout_faults(const PackProblem& problem, const PackLayout& layout) {
+  return io::texts_of(Packing(problem).verdict(layout));
+}
+
+PackProblem pack_problem(std::string_view json) { return Packing::json(json).problem(); }
+std::string layout_json(const PackProblem& problem, const PackLayout& layout) { return Packing(problem).json(layout); }
+std::string layout_svg(const PackProblem& problem, const PackLayout& layout) { return Packing(problem).svg(layout); }
 
 }  // namespace findspace

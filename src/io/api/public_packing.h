@@ -87,4 +87,11 @@ void show_stated(const StatedConditions& stated, const std::vector<std::string>&
   }
 }
 
+/// The faults in words.
+inline std::vector<std::string> texts_of(const PackVerdict& verdict) {
+  std::vector<std::string> result;
+  for (const PackFault& fault : verdict.faults) result.push_back(fault.text);
+  return result;
+}
+
 }  // namespace findspace::io

@@ -33,9 +33,14 @@ findspace::Motion public_motion(const Scene& scene) {
   return out;
 }
 
+Shape shape_of(const Scene& scene, const plane::ShapePtr& shape) {
+  return api::make_shape(shape, scene.grid, scene.dimension, {}, scene.work_limit,
+                         scene.unit ? std::string(formula::name(*scene.unit)) : "");
+}
+
 std::map<std::string, Shape> shapes_of(const Scene& scene) {
   std::map<std::string, Shape> out;
-  for (const plane::ShapePtr& s : scene.shapes) out.emplace(s->name, api::make_shape(s, scene.grid, scene.dimension));
+  for (const plane::ShapePtr& s : scene.shapes) out.emplace(s->name, shape_of(scene, s));
   return out;
 }
 
@@ -71,6 +76,8 @@ formula::Motion motion_of(const Scene& scene) {
   return out;
 }
 
+Shape public_shape(const Scene& scene, std::string_view name) { return shape_of(scene, scene.shape(name)); }
+
 World public_world(const Scene& scene, formula::World built) {
   auto data = std::make_shared<World::Data>(data_of(scene));
   data->planar = std::make_shared<const formula::Solver>(std::move(built));
@@ -91,8 +98,8 @@ struct Scene::Data {
   std::map<std::string, Shape> shapes;
   Formula where;
 
-  Data(std::string from, std::string beside, const std::string& name)
-      : read(io::read_scene_text(from, beside, name)),
+  Data(std::string from, std::string beside, const std::string& name, const ReadOptions& reading)
+      : read(io::read_scene_text(from, beside, name, reading)),
         text(std::move(from)),
         folder(std::move(beside)),
         shapes(io::shapes_of(read)),
@@ -112,14 +119,14 @@ struct Scene::Data {
   mutable std::optional<World> world_{};
 };
 
-Scene Scene::file(const std::string& path) {
-  std::string text = io::read_text(path);  // refuses what is no path
+Scene Scene::file(const std::string& path, const ReadOptions& reading) {
+  std::string text = io::read_text(path, reading.input_limit);  // refuses what is no path
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  return Scene(std::make_shared<const Data>(std::move(text), folder.string(), path));
+  return Scene(std::make_shared<const Data>(std::move(text), folder.string(), path, reading));
 }
 
-Scene Scene::json(std::string_view text, const std::string& folder) {
-  return Scene(std::make_shared<const Data>(std::string(text), folder, "scene"));
+Scene Scene::json(std::string_view text, const std::string& folder, const ReadOptions& reading) {
+  return Scene(std::make_shared<const Data>(std::string(text), folder, "scene", reading));
 }
 
 const std::map<std::string, Shape>& Scene::shapes() const { return data_->shapes; }

@@ -6,6 +6,8 @@
 
 #include <findspace/world.h>
 
+#include <string_view>
+
 #include "formula/language/parse.h"
 #include "formula/planar/world.h"
 #include "io/scene/scene.h"
@@ -16,6 +18,8 @@ namespace findspace::io {
 formula::Context context_of(const Scene& scene);
 /// The motion of its shapes, in grid steps.
 formula::Motion motion_of(const Scene& scene);
+/// A shape of the scene. Throws Error(kUnknownName).
+Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the sets that were built of its shapes.
 World public_world(const Scene& scene, formula::World built);
 /// Of the plane or of space.

@@ -6,30 +6,36 @@
 #pragma once
 
 #include <findspace/options.h>
+#include <findspace/pack_search.h>
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
+#include <filesystem>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "api/values/limits.h"
+#include "io/nesting/read_nesting.h"
 #include "packing/search/search_options.h"
 
 namespace findspace::io {
 
 /// search(options, events, stop) gives a Layout or nothing, shown(layout) is what users see of it.
 template <class Layout, class Shown, class Show, class Search>
-std::optional<Shown> searched(const Options& options, const std::function<void(const Shown&)>& better,
+std::optional<Shown> searched(const Options& options, const PackSearch<Shown>& how, const Layout* start,
                               const Show& shown, const Search& search) {
   packing::SearchOptionsOf<Layout> asked;
   asked.seed = options.seed;
   asked.threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   asked.seconds = options.seconds;
   asked.work = options.work * 1000000;
+  asked.start = start;
+  asked.peers = how.peers;
   api::Watch watch(options);
   std::atomic<bool> stop = false;
   std::optional<Limit> met;
+  double seconds = 0;  // of the last better layout
   const auto look = [&] {
     try {
       watch.poll();
@@ -38,19 +44,48 @@ std::optional<Shown> searched(const Options& options, const std::function<void(c
       stop = true;
     }
   };
+  const auto found = [&](const Layout& layout) {
+    Shown result = shown(layout);
+    result.seconds = seconds;
+    result.seed = asked.seed;
+    result.threads = asked.threads;
+    return result;
+  };
   packing::SearchEventsOf<Layout> events;
-  events.better = [&](const Layout& layout, const packing::SearchState&) {
-    if (better) better(shown(layout));
+  events.better = [&](const Layout& layout, const PackProgress& state) {
+    seconds = state.seconds;
+    if (how.better) how.better(found(layout), state);
     look();
   };
-  events.progress = [&](const packing::SearchState&) { look(); };
+  events.progress = [&](const PackProgress& state) {
+    if (how.progress) how.progress(state);
+    look();
+  };
   std::optional<Layout> best;
-  plane::with_threads(options.threads, [&] { best = search(asked, events, stop); });
+  plane::with_threads(options.threads, [&] { best = search(asked, events, packing::StopWish(stop, options.cancel)); });
   if (!met) look();
   if (!best) return std::nullopt;
-  Shown result = shown(*best);
+  Shown result = found(*best);
   result.met = met;
   return result;
+}
+
+/// Whether a layout has as many copies of each part as are wanted. Throws Error.
+template <class Problem, class Layout>
+void check_copies(const Problem& problem, const Layout& layout) {
+  std::vector<int> missing;
+  for (const auto& part : problem.parts) missing.push_back(part.demand);
+  for (const auto& item : layout.items) --missing[item.part];
+  for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
+  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
+    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem");
+}
+
+/// What JSON of a problem is read by.
+inline NestingOptions nesting_options(const PackReading& reading) {
+  const auto height = reading.height ? std::optional(packing::Fraction::parse(reading.height->text())) : std::nullopt;
+  return {height, packing::Fraction::parse(reading.gap.text()), packing::Fraction::parse(reading.edge.text()),
+          reading.read, std::filesystem::path(reading.folder.value_or(""))};
 }
 
 }  // namespace findspace::io

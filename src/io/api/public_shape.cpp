@@ -10,10 +10,13 @@
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
+#include "io/export/write_drawing.h"
 #include "io/export/write_wkt.h"
 #include "io/scene/scene.h"
 #include "io/write/write_cells.h"
+#include "io/write/write_constructive.h"
 #include "io/write/write_json.h"
+#include "io/write/write_summary.h"
 #include "io/write/write_svg.h"
 
 namespace findspace {
@@ -43,8 +46,14 @@ Shape Shape::json(std::string_view text, const Grid& grid) { return scene_shape(
 Shape Shape::path(std::string_view data, const Grid& grid) { return made_shape("path", data, grid, "path"); }
 Shape Shape::file(const std::string& path, const Grid& grid) { return made_shape("file", path, grid, path); }
 
-std::string Region::json() const {
-  return io::region_json(data_->cells, data_->summary(), data_->grid.step(), data_->unit);
+std::string Region::json(bool exact) const {
+  return io::region_json(data_->cells, data_->summary(), data_->grid.step(), data_->unit, nullptr, exact);
+}
+std::string Region::text(std::string_view title) const {
+  return io::summary_text(title, data_->summary(), data_->unit);
+}
+std::string Region::scene_json(std::string_view name) const {
+  return io::constructive_scene(data_->cells, name, data_->grid, data_->unit);
 }
 std::string Region::exact_json() const {
   return fmt::format("{{\"cells\": {}}}", io::cells_json(data_->cells, data_->grid.step(), data_->unit));
@@ -52,6 +61,30 @@ std::string Region::exact_json() const {
 std::string Region::wkt() const { return io::region_wkt(data_->cells, data_->grid.step()).text; }
 std::string Region::svg() const {
   return io::shape_svg(data_->cells, data_->grid.step(), "region", formula::find_unit(data_->unit)).text;
+}
+
+Region::Drawn Region::drawn(std::string_view ending, std::string_view name, DxfVersion dxf) const {
+  const exact::Real& step = data_->grid.step();
+  const auto unit = formula::find_unit(data_->unit);
+  const io::NamedRegion named{std::string(name), &data_->cells};
+  const auto plain = [](auto drawn) { return Drawn{std::move(drawn.text), std::move(drawn.lost)}; };
+  if (ending == ".svg") return plain(io::shape_svg(data_->cells, step, name, unit));
+  if (ending == ".dxf") return plain(io::shapes_dxf({&named, 1}, step, unit, dxf));
+  if (ending == ".geojson") return plain(io::shapes_geojson({&named, 1}, step));
+  if (ending == ".wkt") return plain(io::region_wkt(data_->cells, step));
+  throw Error(ErrorCode::kUnsupported, fmt::format("a region is not written as '{}'", ending));
+}
+
+std::string Region::picture(std::string_view title, std::string_view subtitle) const {
+  io::Picture picture;
+  picture.title = title;
+  picture.subtitle = subtitle;
+  picture.step = data_->grid.step();
+  picture.unit = data_->unit;
+  picture.region = &data_->cells;
+  picture.summary = &data_->summary();
+  picture.of_positions = false;
+  return io::picture_svg(picture);
 }
 
 }  // namespace findspace

@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <utility>
 
 #include "api/values/shape_data.h"
 #include "io/api/public_packing.h"
@@ -126,7 +129,6 @@ SolidPackLayout public_layout(const SolidProblem& problem, const SolidLayout& la
   for (const std::size_t kind : layout.containers) result.containers.push_back(problem.containers[kind].name);
   const double room = packing::container_volume(problem, layout);
   result.density = room > 0 ? packing::volume(problem, layout) / room : 0;
-  if (!problem.in_containers()) result.lower_bound = packing::lower_bound(problem).text();
   return result;
 }
 
@@ -159,12 +161,108 @@ SolidLayout layout_of(const SolidProblem& problem, const SolidPackLayout& layout
   return result;
 }
 
-io::LayoutFacts facts_of(const SolidProblem& problem, const SolidLayout& layout) {
+PackFault::Kind kind_of(packing::SolidFault::Kind kind) {
+  using From = packing::SolidFault::Kind;
+  using To = PackFault::Kind;
+  switch (kind) {
+    case From::kOverlap:
+      return To::kOverlap;
+    case From::kGap:
+      return To::kGap;
+    case From::kOutside:
+      return To::kOutside;
+    case From::kCount:
+      return To::kCount;
+    case From::kContainers:
+      return To::kContainers;
+    case From::kCondition:
+      break;
+  }
+  return To::kCondition;
+}
+
+PackFault public_fault(const SolidProblem& problem, const SolidLayout& layout, const packing::SolidFault& fault) {
+  using Kind = packing::SolidFault::Kind;
+  PackFault result{kind_of(fault.kind),
+                   {},
+                   fault.depth,
+                   {fault.at[0], fault.at[1], fault.at[2]},
+                   io::fault_text(problem, layout, fault)};
+  result.of.push_back(fault.kind == Kind::kCount        ? problem.parts[fault.first].name
+                      : fault.kind == Kind::kContainers ? problem.containers[fault.first].name
+                                                        : io::item_name(problem, layout, fault.first));
+  if (fault.kind <= Kind::kGap || fault.kind == Kind::kCondition)
+    result.of.push_back(io::item_name(problem, layout, fault.second));
+  return result;
+}
+
+SolidPackProblem public_problem(const io::SolidProblemRead& read) {
+  const SolidProblem& inner = read.problem;
+  SolidPackProblem result;
+  result.name = inner.name;
+  result.width = inner.width.text();
+  result.depth = inner.depth.text();
+  result.gap = inner.gap.text();
+  result.edge = inner.edge.text();
+  for (const packing::SolidContainer& c : inner.containers)
+    result.containers.push_back(
+        {c.name, c.width.text(), c.depth.text(), c.height.text(), c.count, io::public_amount(c.cost)});
+  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(inner.digits)));
+  for (std::size_t k = 0; k < inner.parts.size(); ++k) {
+    const packing::SolidPart& part = inner.parts[k];
+    PackSolid& out = result.parts.emplace_back(
+        PackSolid{part.name, api::make_shape(read.shapes[k], grid, 3), part.demand, {}, io::public_amount(part.value)});
+    for (const packing::SolidForm& form : part.forms) out.orientations.push_back(shown(form.rotation));
+  }
+  io::show_stated(read.stated, io::names_of(inner.parts), result);
+  return result;
+}
+
+}  // namespace
+
+struct SolidPacking::Data {
+  io::SolidProblemRead read;  // of values the problem alone
+  Fraction bound;
+
+  explicit Data(const SolidPackProblem& values) : given_(values) {
+    read.problem = on_grid(values);
+    find_bound();
+  }
+  explicit Data(io::SolidProblemRead stated) : read(std::move(stated)) { find_bound(); }
+
+  const SolidProblem& problem() const { return read.problem; }
+  const SolidPackProblem& values() const {
+    std::call_once(made_, [&] {
+      if (!given_) given_ = public_problem(read);
+    });
+    return *given_;
+  }
+  SolidPackLayout shown(const SolidLayout& layout) const {
+    SolidPackLayout result = public_layout(problem(), layout);
+    if (!problem().in_containers()) result.lower_bound = bound.text();
+    return result;
+  }
+
+ private:
+  void find_bound() {
+    if (!problem().in_containers()) bound = packing::lower_bound(problem());
+  }
+
+  mutable std::once_flag made_{};
+  mutable std::optional<SolidPackProblem> given_ = {};
+};
+
+namespace {
+
+io::LayoutFacts facts_of(const SolidPacking::Data& data, const SolidLayout& placed, const SolidPackLayout& layout) {
   io::LayoutFacts facts;
-  const packing::SolidVerdict verdict = packing::verify(problem, layout);
+  const packing::SolidVerdict verdict = packing::verify(data.problem(), placed);
   facts.proven = verdict.is_feasible();
   facts.density = verdict.density;
-  if (!problem.in_containers()) facts.lower_bound = packing::lower_bound(problem);
+  facts.lower_bound = data.bound;
+  facts.seconds = layout.seconds;
+  facts.seed = layout.seed;
+  facts.threads = layout.threads;
   return facts;
 }
 
@@ -182,66 +280,103 @@ Orientation Orientation::about(Shape::Axis axis, const Number& degrees) {
 std::vector<Orientation> Orientation::right_angles() { return all_shown(packing::axis_rotations(false)); }
 std::vector<Orientation> Orientation::upright() { return all_shown(packing::axis_rotations(true)); }
 
-std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options,
-                                    const std::function<void(const SolidPackLayout&)>& better) {
-  const SolidProblem inner = on_grid(problem);
-  const auto shown = [&](const SolidLayout& layout) { return public_layout(inner, layout); };
-  return io::searched<SolidLayout, SolidPackLayout>(
-      options, better, shown, [&](const auto&... how) { return packing::search_solids(inner, how...); });
+SolidPacking::SolidPacking(const SolidPackProblem& problem) : data_(std::make_shared<const Data>(problem)) {}
+
+SolidPacking SolidPacking::json(std::string_view text, const PackReading& reading) {
+  const std::string name =
+      reading.folder ? (std::filesystem::path(*reading.folder) / reading.name).string() : reading.name;
+  return SolidPacking(std::make_shared<const Data>(
+      io::read_solids(std::string(text), name, io::nesting_options(reading), reading.read)));
 }
 
-std::vector<std::string> layout_faults(const SolidPackProblem& problem, const SolidPackLayout& layout) {
-  const SolidProblem inner = on_grid(problem);
-  const SolidLayout placed = layout_of(inner, layout);
-  std::vector<std::string> result;
-  for (const packing::SolidFault& fault : packing::verify(inner, placed).faults)
-    result.push_back(io::fault_text(inner, placed, fault));
-  return result;
+bool SolidPacking::is_stated_in(std::string_view json, const std::string& name) {
+  return io::is_solid_problem(std::string(json), name);
 }
 
-SolidPackProblem solid_pack_problem(std::string_view json, const std::string& folder) {
-  const std::string name = folder.empty() ? "problem" : folder + "/problem";
-  const io::SolidProblemRead read = io::read_solids(std::string(json), name, {}, {});
-  const SolidProblem& inner = read.problem;
-  SolidPackProblem result;
-  result.name = inner.name;
-  result.width = inner.width.text();
-  result.depth = inner.depth.text();
-  for (const packing::SolidContainer& c : inner.containers)
-    result.containers.push_back(
-        {c.name, c.width.text(), c.depth.text(), c.height.text(), c.count, io::public_amount(c.cost)});
-  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(inner.digits)));
-  for (std::size_t k = 0; k < inner.parts.size(); ++k) {
-    const packing::SolidPart& part = inner.parts[k];
-    PackSolid& out = result.parts.emplace_back(
-        PackSolid{part.name, api::make_shape(read.shapes[k], grid, 3), part.demand, {}, io::public_amount(part.value)});
-    for (const packing::SolidForm& form : part.forms) out.orientations.push_back(shown(form.rotation));
+const SolidPackProblem& SolidPacking::problem() const { return data_->values(); }
+const std::vector<std::string>& SolidPacking::notes() const { return data_->read.notes; }
+std::size_t SolidPacking::copies() const { return data_->problem().items(); }
+Number SolidPacking::lower_bound() const { return data_->bound.text(); }
+
+std::optional<SolidPackLayout> SolidPacking::search(const Options& options,
+                                                    const PackSearch<SolidPackLayout>& how) const {
+  const SolidProblem& inner = data_->problem();
+  std::optional<SolidLayout> start;
+  if (how.start) {
+    start = layout_of(inner, *how.start);
+    const packing::SolidVerdict verdict = packing::verify(inner, *start);
+    if (!verdict.is_feasible())
+      throw Error(ErrorCode::kBadValue,
+                  "the layout to start with is not feasible: " + io::fault_text(inner, *start, verdict.faults[0]));
   }
-  io::show_stated(read.stated, io::names_of(inner.parts), result);
+  const auto shown = [&](const SolidLayout& layout) { return data_->shown(layout); };
+  return io::searched<SolidLayout, SolidPackLayout>(
+      options, how, start ? &*start : nullptr, shown,
+      [&](const auto&... asked) { return packing::search_solids(inner, asked...); });
+}
+
+PackVerdict SolidPacking::verdict(const SolidPackLayout& layout) const {
+  const SolidLayout placed = layout_of(data_->problem(), layout);
+  const packing::SolidVerdict found = packing::verify(data_->problem(), placed);
+  PackVerdict result{{}, found.used.text(), found.density};
+  for (const packing::SolidFault& fault : found.faults)
+    result.faults.push_back(public_fault(data_->problem(), placed, fault));
   return result;
 }
 
-std::string layout_json(const SolidPackProblem& problem, const SolidPackLayout& layout) {
-  const SolidProblem inner = on_grid(problem);
-  const SolidLayout placed = layout_of(inner, layout);
-  return io::layout_json(inner, placed, facts_of(inner, placed));
+SolidPackLayout SolidPacking::layout(std::string_view json, const std::string& name) const {
+  return data_->shown(io::read_solid_layout(std::string(json), name, data_->problem()));
 }
 
-std::string layout_svg(const SolidPackProblem& problem, const SolidPackLayout& layout) {
-  const SolidProblem inner = on_grid(problem);
-  const SolidLayout placed = layout_of(inner, layout);
-  return io::layout_svg(inner, placed, facts_of(inner, placed));
+std::string SolidPacking::json(const SolidPackLayout& layout) const {
+  const SolidLayout placed = layout_of(data_->problem(), layout);
+  return io::layout_json(data_->problem(), placed, facts_of(*data_, placed, layout));
 }
 
-std::string layout_file(const SolidPackProblem& problem, const SolidPackLayout& layout, std::string_view ending) {
-  const SolidProblem inner = on_grid(problem);
+std::string SolidPacking::svg(const SolidPackLayout& layout) const {
+  const SolidLayout placed = layout_of(data_->problem(), layout);
+  return io::layout_svg(data_->problem(), placed, facts_of(*data_, placed, layout));
+}
+
+std::string SolidPacking::file(const SolidPackLayout& layout, std::string_view ending) const {
+  const SolidProblem& inner = data_->problem();
   return io::assembly_text(io::layout_assembly(inner, layout_of(inner, layout)), inner.name, ending, "");
 }
 
-Surface layout_surface(const SolidPackProblem& problem, const SolidPackLayout& layout) {
-  const SolidProblem inner = on_grid(problem);
+Surface SolidPacking::surface(const SolidPackLayout& layout) const {
+  const SolidProblem& inner = data_->problem();
   io::Surface all = io::united(io::layout_assembly(inner, layout_of(inner, layout)));
   return {std::move(all.vertices), std::move(all.faces)};
+}
+
+std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options,
+                                    const std::function<void(const SolidPackLayout&)>& better) {
+  PackSearch<SolidPackLayout> how;
+  if (better) how.better = [&](const SolidPackLayout& layout, const PackProgress&) { better(layout); };
+  return SolidPacking(problem).search(options, how);
+}
+
+std::vector<std::string> layout_faults(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  return io::texts_of(SolidPacking(problem).verdict(layout));
+}
+
+SolidPackProblem solid_pack_problem(std::string_view json, const std::string& folder) {
+  PackReading reading;
+  if (!folder.empty()) reading.folder = folder;
+  return SolidPacking::json(json, reading).problem();
+}
+
+std::string layout_json(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  return SolidPacking(problem).json(layout);
+}
+std::string layout_svg(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  return SolidPacking(problem).svg(layout);
+}
+std::string layout_file(const SolidPackProblem& problem, const SolidPackLayout& layout, std::string_view ending) {
+  return SolidPacking(problem).file(layout, ending);
+}
+Surface layout_surface(const SolidPackProblem& problem, const SolidPackLayout& layout) {
+  return SolidPacking(problem).surface(layout);
 }
 
 }  // namespace findspace

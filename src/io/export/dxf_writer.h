@@ -16,11 +16,10 @@
 #include <string_view>
 #include <vector>
 
+#include "findspace/files.h"
 #include "formula/language/units.h"
 
 namespace findspace::io {
-
-enum class DxfVersion { kR12, k2000 };
 
 /// A corner, and the side to the next one: 0 of a segment, of an arc tan(angle / 4), positive counter-clockwise.
 struct DrawnCorner {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "findspace/files.h"
 #include "io/nesting/unscaled_problem.h"
-#include "io/text/read_limits.h"
 #include "packing/problem/problem.h"
 
 namespace findspace::io {

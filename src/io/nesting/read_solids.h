@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "findspace/files.h"
 #include "io/nesting/read_nesting.h"
 #include "io/nesting/stated_conditions.h"
-#include "io/text/read_limits.h"
 #include "packing/solid_problem/solid_problem.h"
 
 namespace findspace::io {

@@ -16,9 +16,10 @@
 #include <vector>
 
 #include "exact/number/real.h"
+#include "findspace/files.h"
 #include "io/text/formula_text.h"
-#include "io/text/read_limits.h"
 #include "io/text/units.h"
+#include "plane/base/work_budget.h"
 #include "plane/contour/shape.h"
 #include "planning/order/orientation.h"
 #include "space/shape/rotation.h"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/text/drawing_rules.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/read_transform.h"
 

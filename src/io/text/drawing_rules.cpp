@@ -16,12 +16,6 @@ constexpr std::array<std::string_view, 3> kCurveRules{"near", "inside", "outside
 
 }  // namespace
 
-DrawingRules DrawingRules::over(const DrawingRules& those) const {
-  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance,
-          join ? join : those.join,       open_lines ? open_lines : those.open_lines,
-          repair ? repair : those.repair, close_holes ? close_holes : those.close_holes};
-}
-
 CurveRule parse_curve_rule(std::string_view text) {
   for (std::size_t i = 0; i < kCurveRules.size(); ++i)
     if (text == kCurveRules[i]) return static_cast<CurveRule>(i);
@@ -46,3 +40,13 @@ exact::Real parse_length(std::string_view text, std::optional<formula::Unit> uni
 }
 
 }  // namespace findspace::io
+
+namespace findspace {
+
+DrawingRules DrawingRules::over(const DrawingRules& those) const {
+  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance,
+          join ? join : those.join,       open_lines ? open_lines : those.open_lines,
+          repair ? repair : those.repair, close_holes ? close_holes : those.close_holes};
+}
+
+}  // namespace findspace

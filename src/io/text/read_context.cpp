@@ -6,6 +6,7 @@
 
 #include "exact/number/decimal.h"
 #include "findspace/error.h"
+#include "io/text/drawing_rules.h"
 #include "io/text/read_text.h"
 #include "plane/curve/curve_arcs.h"
 

@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "io/text/read_limits.h"
+#include "findspace/files.h"
 #include "io/text/units.h"
+#include "plane/base/work_budget.h"
 #include "space/mesh/mesh_repair.h"
 
 namespace findspace::io {

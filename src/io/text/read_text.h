@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "io/text/read_limits.h"
+#include "findspace/files.h"
 
 namespace findspace::io {
 

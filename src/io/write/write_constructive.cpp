@@ -261,12 +261,12 @@ std::string constructive_json(const Region& region, const Real& step) {
   return fmt::format("{{\"complement\": {}}}", Constructive(rest, step).text());
 }
 
-std::string constructive_scene(const Region& region, std::string_view name, const Scene& like) {
+std::string constructive_scene(const Region& region, std::string_view name, const plane::Grid& grid,
+                               std::string_view unit) {
   std::string out = "{\n  \"findspace\": 1,\n";
-  if (like.unit) out += fmt::format("  \"unit\": {},\n", json_string(formula::name(*like.unit)));
-  out += fmt::format("  \"grid\": {},\n", json_number(like.grid.step().to_double()));
-  return out +
-         fmt::format("  \"shapes\": {{{}: {}}}\n}}\n", json_string(name), constructive_json(region, like.grid.step()));
+  if (!unit.empty()) out += fmt::format("  \"unit\": {},\n", json_string(unit));
+  out += fmt::format("  \"grid\": {},\n", json_number(grid.step().to_double()));
+  return out + fmt::format("  \"shapes\": {{{}: {}}}\n}}\n", json_string(name), constructive_json(region, grid.step()));
 }
 
 }  // namespace findspace::io

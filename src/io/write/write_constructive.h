@@ -12,15 +12,16 @@
 #include <string>
 #include <string_view>
 
-#include "io/scene/scene.h"
 #include "plane/complex/cell_complex.h"
+#include "plane/contour/decimal_grid.h"
 
 namespace findspace::io {
 
 /// The shape as the value of a scene's shape.
 std::string constructive_json(const plane::Region& region, const exact::Real& step);
 
-/// A scene with this one shape, on the grid and in the unit of `like`.
-std::string constructive_scene(const plane::Region& region, std::string_view name, const Scene& like);
+/// A scene with this one shape; `unit` may be empty.
+std::string constructive_scene(const plane::Region& region, std::string_view name, const plane::Grid& grid,
+                               std::string_view unit);
 
 }  // namespace findspace::io

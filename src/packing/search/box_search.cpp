@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "packing/search/island_peers.h"
 #include "packing/search/refined_search.h"
 
 namespace findspace::packing {
@@ -20,8 +21,7 @@ constexpr double kBesides[] = {0.94, 0.97, 1.03, 1.06};
 
 class BoxSearch {
  public:
-  BoxSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-            const std::atomic<bool>& stop)
+  BoxSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events, const StopWish& stop)
       : problem_(problem), options_(options), events_(events), stop_(stop) {
     if (options_.seconds <= 0 && options_.work <= 0) options_.seconds = kUsualSeconds;
     options_.start = nullptr;
@@ -68,19 +68,19 @@ class BoxSearch {
     options.work *= share;
     SearchEvents events;
     events.progress = events_.progress;
-    events.better = [&](const Layout& layout, const SearchState& state) { offer(layout, state); };
+    events.better = [&](const Layout& layout, const PackProgress& state) { offer(layout, state); };
     search_refined(strip, options, events, stop_);
   }
 
   /// The box ends where its parts end.
-  void offer(Layout layout, const SearchState& state) {
+  void offer(Layout layout, const PackProgress& state) {
     for (const Placed& item : layout.items) {
       const LatticeBox box = box_of(problem_.parts[item.part], item.angle, item.mirrored);
       layout.height = std::max(layout.height, item.y + Fraction(box.high.y, problem_.steps()) + problem_.edge);
     }
     if (best_ && container_area(problem_, layout) >= container_area(problem_, *best_)) return;
     best_ = std::move(layout);
-    SearchState of_box = state;
+    PackProgress of_box = state;
     of_box.density = area(problem_) / container_area(problem_, *best_);
     if (events_.better) events_.better(*best_, of_box);
   }
@@ -88,14 +88,14 @@ class BoxSearch {
   const Problem& problem_;
   SearchOptions options_;
   const SearchEvents& events_;
-  const std::atomic<bool>& stop_;
+  const StopWish stop_;
   std::optional<Layout> best_;
 };
 
 }  // namespace
 
 std::optional<Layout> search_box(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                 const std::atomic<bool>& stop) {
+                                 const StopWish& stop) {
   if (problem.items() == 0) return std::nullopt;
   return BoxSearch(problem, options, events, stop).run();
 }

@@ -11,6 +11,6 @@ namespace findspace::packing {
 
 /// The problem has a box. Nothing where there are no parts.
 std::optional<Layout> search_box(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                 const std::atomic<bool>& stop);
+                                 const StopWish& stop);
 
 }  // namespace findspace::packing

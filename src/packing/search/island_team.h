@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <chrono>
 #include <cstdint>
@@ -18,6 +17,7 @@
 
 #include "packing/search/island.h"
 #include "packing/search/island_peers.h"
+#include "packing/search/stop_wish.h"
 #include "plane/base/bytes.h"
 #include "plane/base/parallel.h"
 
@@ -27,7 +27,7 @@ namespace findspace::packing {
 class SearchLimits {
  public:
   /// 0: no limit. `stop` must live as long.
-  SearchLimits(double seconds, double work, const std::atomic<bool>& stop)
+  SearchLimits(double seconds, double work, const StopWish& stop)
       : most_seconds_(seconds), most_work_(work), stop_(stop) {}
 
   bool is_limited() const { return most_seconds_ > 0 || most_work_ > 0; }
@@ -50,7 +50,7 @@ class SearchLimits {
   static constexpr double kWaiting = 0.5;  // of the time so far
 
   double most_seconds_, most_work_;
-  const std::atomic<bool>& stop_;
+  const StopWish stop_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -85,7 +85,7 @@ class IslandTeam {
 
   /// The table and the row must live as long; so must the other processes, which have as many islands each.
   void settle(const typename Kit::Table& table, const typename Kit::Row& row, const Found& start, std::uint64_t seed,
-              std::size_t count, IslandPeers* peers) {
+              std::size_t count, PackPeers* peers) {
     peers_ = peers;
     const std::uint64_t first = seed * 1000003 + number_of(peers) * count;
     for (std::size_t k = 0; k < count; ++k)
@@ -125,7 +125,7 @@ class IslandTeam {
     best_ = take_layout<typename Kit::Pose>(in);
   }
 
-  IslandPeers* peers_ = nullptr;
+  PackPeers* peers_ = nullptr;
   std::vector<std::unique_ptr<IslandOf<Kit>>> islands_;
   Found best_;
 };

@@ -111,7 +111,7 @@ class OnItsSide {
 }  // namespace
 
 std::optional<Layout> with_larger_remnant(const Problem& problem, const Layout& layout, const SearchOptions& options,
-                                          const std::atomic<bool>& stop) {
+                                          const StopWish& stop) {
   const OnItsSide on_its_side(problem, layout);
   const Problem last = on_its_side.problem();
   SearchOptions own = options;

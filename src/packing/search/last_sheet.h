@@ -13,6 +13,6 @@ namespace findspace::packing {
 
 /// A layout of the problem on sheets, or nothing where none leaves so large a rectangle.
 std::optional<Layout> with_larger_remnant(const Problem& problem, const Layout& layout, const SearchOptions& options,
-                                          const std::atomic<bool>& stop);
+                                          const StopWish& stop);
 
 }  // namespace findspace::packing

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <utility>
 
+#include "packing/search/island_peers.h"
 #include "packing/search/island_team.h"
 #include "packing/search/last_sheet.h"
 #include "packing/search/tilting.h"
@@ -18,8 +19,7 @@ constexpr double kShare = 0.1;  // of the limits, for each refinement
 
 class RefinedSearch {
  public:
-  RefinedSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                const std::atomic<bool>& stop)
+  RefinedSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events, const StopWish& stop)
       : problem_(problem),
         options_(options),
         events_(events),
@@ -61,7 +61,7 @@ class RefinedSearch {
   void offer(Layout better) {
     layout_ = std::move(better);
     if (!events_.better) return;
-    SearchState state;
+    PackProgress state;
     state.seconds = limits_.seconds();
     state.processor = double(std::clock()) / CLOCKS_PER_SEC;
     state.length = layout_->length.to_double();
@@ -72,7 +72,7 @@ class RefinedSearch {
   const Problem& problem_;
   const SearchOptions& options_;
   const SearchEvents& events_;
-  const std::atomic<bool>& stop_;
+  const StopWish stop_;
   const SearchLimits limits_;
   const bool tilts_;
   std::optional<Layout> layout_;
@@ -81,7 +81,7 @@ class RefinedSearch {
 }  // namespace
 
 std::optional<Layout> search_refined(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                     const std::atomic<bool>& stop) {
+                                     const StopWish& stop) {
   if (!may_tilt(problem) && !problem.on_sheets()) return search_strip(problem, options, events, stop);
   return RefinedSearch(problem, options, events, stop).run();
 }

@@ -12,6 +12,6 @@ namespace findspace::packing {
 
 /// As search_strip().
 std::optional<Layout> search_refined(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                     const std::atomic<bool>& stop);
+                                     const StopWish& stop);
 
 }  // namespace findspace::packing

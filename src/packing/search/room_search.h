@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <ctime>
 #include <optional>
 #include <utility>
@@ -45,7 +44,7 @@ class RoomSearch {
 
   /// All must live as long.
   RoomSearch(const Problem& problem, const SearchOptionsOf<Layout>& options, const SearchEventsOf<Layout>& events,
-             const std::atomic<bool>& stop)
+             const StopWish& stop)
       : problem_(problem),
         options_(options),
         events_(events),
@@ -203,8 +202,8 @@ class RoomSearch {
     return sum;
   }
 
-  SearchState state() const {
-    SearchState s;
+  PackProgress state() const {
+    PackProgress s;
     s.seconds = limits_.seconds();
     s.processor = double(std::clock()) / CLOCKS_PER_SEC;
     s.since_better = s.seconds - better_at_;

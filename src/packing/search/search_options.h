@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "packing/search/island_peers.h"
+#include "findspace/pack_search.h"
+#include "packing/search/stop_wish.h"
 
 namespace findspace::packing {
 
@@ -18,20 +19,13 @@ struct SearchOptionsOf {
   double seconds = 0;  // 0: until no better layout comes for a while
   double work = 0;     // pairs of parts looked at by a thread; 0: no limit
   const Layout* start = nullptr;
-  IslandPeers* peers = nullptr;  // other processes that search with this one
-};
-
-struct SearchState {
-  double seconds = 0, processor = 0;  // since the beginning
-  double length = 0, density = 0;
-  double overlap = 0;       // left in the separation under way
-  double since_better = 0;  // seconds
+  PackPeers* peers = nullptr;  // other processes that search with this one
 };
 
 template <class Layout>
 struct SearchEventsOf {
-  std::function<void(const Layout&, const SearchState&)> better;  // a proved layout
-  std::function<void(const SearchState&)> progress;
+  std::function<void(const Layout&, const PackProgress&)> better;  // a proved layout
+  std::function<void(const PackProgress&)> progress;
 };
 
 }  // namespace findspace::packing

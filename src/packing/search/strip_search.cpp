@@ -49,7 +49,7 @@ struct StripKit {
 }  // namespace
 
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                   const std::atomic<bool>& stop) {
+                                   const StopWish& stop) {
   if (problem.items() == 0) return std::nullopt;
   return RoomSearch<StripKit>(problem, options, events, stop).run();
 }

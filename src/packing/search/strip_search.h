@@ -6,7 +6,6 @@
 // only. Cost: as long as allowed.
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "packing/problem/problem.h"
@@ -20,6 +19,6 @@ using SearchEvents = SearchEventsOf<Layout>;
 /// Nothing where there are no parts, no part that fits a sheet, or no layout was found in which all conditions hold.
 /// `stop`: ends the search when it becomes true.
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
-                                   const std::atomic<bool>& stop);
+                                   const StopWish& stop);
 
 }  // namespace findspace::packing

@@ -58,7 +58,7 @@ struct ColumnKit {
 }  // namespace
 
 std::optional<SolidLayout> search_solids(const SolidProblem& problem, const SolidSearchOptions& options,
-                                         const SolidSearchEvents& events, const std::atomic<bool>& stop) {
+                                         const SolidSearchEvents& events, const StopWish& stop) {
   if (problem.items() == 0) return std::nullopt;
   return RoomSearch<ColumnKit>(problem, options, events, stop).run();
 }

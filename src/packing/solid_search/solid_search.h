@@ -7,7 +7,6 @@
 // open dimension, container loading.
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "packing/search/search_options.h"
@@ -20,6 +19,6 @@ using SolidSearchEvents = SearchEventsOf<SolidLayout>;
 
 /// Nothing where there are no parts, or none that fits a container. `stop`: ends the search when it becomes true.
 std::optional<SolidLayout> search_solids(const SolidProblem& problem, const SolidSearchOptions& options,
-                                         const SolidSearchEvents& events, const std::atomic<bool>& stop);
+                                         const SolidSearchEvents& events, const StopWish& stop);
 
 }  // namespace findspace::packing

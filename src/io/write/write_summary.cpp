@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "report/report.h"
+#include "io/write/write_summary.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "io/draw/draw_layout.h"
+#include "io/text/put.h"
 #include "plane/query/measure_cells_twofold.h"
-#include "report/report_text.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
 
-using io::shown;
 using plane::Place;
 using plane::Twofold;
 
@@ -22,6 +23,15 @@ std::string box(const plane::Bounds& b) { return fmt::format("{} to {}", point(b
 
 std::string count(std::size_t n, const char* one, const char* many) {
   return n == 0 ? fmt::format("no {}", many) : n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", n, many);
+}
+
+/// A line for each of the first components.
+template <class Components, class Text>
+void put_components(std::string& out, const Components& components, const Text& text) {
+  constexpr std::size_t kMostListed = 20;
+  const std::size_t n = std::min(components.size(), kMostListed);
+  for (std::size_t i = 0; i < n; ++i) put(out, "  {:>3}  {}\n", i + 1, text(components[i]));
+  if (n < components.size()) put(out, "  and {} more (--json lists all)\n", components.size() - n);
 }
 
 std::string component_text(const plane::Component& c, std::string_view unit) {
@@ -102,4 +112,52 @@ std::string bounded_json(std::string inner, const std::string& outer) {
   return inner + ",\n  \"side\": \"inner\",\n  \"outer\": " + outer + "}\n";
 }
 
-}  // namespace findspace::app
+// ---- of space
+
+namespace {
+
+std::string point(const space::Place3& p) { return fmt::format("({}, {}, {})", shown(p[0]), shown(p[1]), shown(p[2])); }
+
+std::string component_text(const space::SpaceComponent& c, std::string_view unit) {
+  if (c.dimension == 0) return "point " + point(c.sample);
+  std::string out;
+  if (!c.volume)
+    out += "unbounded";
+  else if (c.dimension == 3)
+    put(out, "volume {}", size_text(*c.volume, unit, "³"));
+  else
+    put(out, "no volume");
+  if (c.dangling_area > 0) put(out, ", sheets of area {}", size_text(c.dangling_area, unit, "²"));
+  if (c.dangling_length > 0) put(out, ", lines of length {}", size_text(c.dangling_length, unit));
+  if (c.holes > 0) put(out, ", {} {}", c.holes, c.holes == 1 ? "cavity" : "cavities");
+  if (c.bbox) put(out, ", {} to {}", point(c.bbox->low), point(c.bbox->high));
+  put(out, ", e.g. {}", point(c.sample));
+  return out;
+}
+
+}  // namespace
+
+std::string summary_text(std::string_view title, const space::SpaceSummary& s, std::string_view unit,
+                         const distance::OptimalValue* best) {
+  std::string out = fmt::format("{}\n", title);
+  if (best != nullptr) out += optimum_text(*best, unit);
+  if (s.empty) return out + "empty: there is none\n";
+  if (s.whole) return out + "everywhere\n";
+  put(out, "set     {}{}\n",
+      s.closed ? "closed"
+      : s.open ? "open"
+               : "neither open nor closed",
+      s.bounded ? "" : ", unbounded");
+  if (s.volume) put(out, "volume  {}\n", size_text(*s.volume, unit, "³"));
+  if (s.dangling_area > 0) put(out, "sheets  {} of area without volume\n", size_text(s.dangling_area, unit, "²"));
+  if (s.dangling_length > 0) put(out, "lines   {} of length without area\n", size_text(s.dangling_length, unit));
+  if (s.crack_area > 0) put(out, "slits   {} of area missing inside\n", size_text(s.crack_area, unit, "²"));
+  if (s.crack_length > 0) put(out, "cracks  {} of length missing inside\n", size_text(s.crack_length, unit));
+  if (s.holes > 0) put(out, "cavities {}\n", s.holes);
+  if (!s.isolated.empty()) put(out, "points  {}\n", s.isolated.size());
+  if (s.bbox) put(out, "box     {} to {}\n", point(s.bbox->low), point(s.bbox->high));
+  put_components(out, s.components, [&](const space::SpaceComponent& c) { return component_text(c, unit); });
+  return out;
+}
+
+}  // namespace findspace::io

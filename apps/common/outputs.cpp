@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "common/outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "findspace/error.h"
+#include "io/write/write_file.h"
+
+namespace findspace::app {
+
+void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+  for (const auto& path : options.outputs) {
+    if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
+    throw Error(ErrorCode::kUsage,
+                fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));
+  }
+}
+
+void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
+  std::vector<io::FileText> files;
+  for (const auto& path : options.outputs) {
+    const auto stream = streams.find(path.extension().string());
+    if (stream != streams.end())
+      files.push_back({path, {}, stream->second});
+    else
+      files.push_back({path, writers.at(path.extension().string())(), {}});
+  }
+  io::write_files(files);
+}
+
+}  // namespace findspace::app
