@@ -9,6 +9,7 @@
 
 #include "distance/csg/csg_part.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/name_place.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
@@ -24,11 +25,6 @@ using space::Vector;
 
 namespace {
 
-struct Sphere {
-  RealVector center;
-  Real radius;
-};
-
 class Names {
  public:
   Names(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place, double size)
@@ -36,10 +32,7 @@ class Names {
 
   std::vector<Answer> all() {
     for (const BodyPart& set : a_.within) on_set(set);
-    for (const BodyPart& set : a_.without) {
-      if (set.point()) on_sphere_from_inside(set);
-    }
-    on_circles();
+    on_spheres();
     return std::move(found_);
   }
 
@@ -97,20 +90,10 @@ class Names {
     return {region.vertices().begin(), region.vertices().end()};
   }
 
-  void on_sphere_from_inside(const BodyPart& set) {
-    const RealVector center = space::real(set.center);
-    for (const space::Point& v : s_.vertices()) {
-      const RealVector b = space::plus(space::real(v), p_), off = space::minus(b, center);
-      if (space::is_zero(off)) continue;
-      const RealVector place = space::along(center, set.radius / sqrt(dot(off, off)), off);
-      if (near(place)) offer(b, place);
-    }
-  }
-
   bool near(const RealVector& x) const { return space::length(space::rounded(x) - place_) < blur_; }
 
   /// The planes of facets and the spheres that come near the place.
-  void surfaces(std::vector<HalfSpace>& planes, std::vector<Sphere>& spheres) const {
+  void surfaces(std::vector<HalfSpace>& planes, std::vector<space::Ball>& spheres) const {
     for (const std::vector<BodyPart>* sets : {&a_.within, &a_.without}) {
       for (const BodyPart& set : *sets) {
         if (set.point()) {
@@ -126,34 +109,23 @@ class Names {
     }
   }
 
-  void on_circles() {
+  /// Where a corner of s is nearest to a sphere, from inside, or to what one has in common with another or a plane.
+  void on_spheres() {
     std::vector<HalfSpace> planes;
-    std::vector<Sphere> spheres;
+    std::vector<space::Ball> spheres;
     surfaces(planes, spheres);
-    for (std::size_t k = 1; k < spheres.size(); ++k) {
-      // Two spheres meet where their equations differ by nothing.
-      const RealVector n = space::minus(spheres[k].center, spheres[0].center);
-      if (space::is_zero(n)) continue;
-      const auto power = [](const Sphere& s) { return dot(s.center, s.center) - s.radius * s.radius; };
-      planes.emplace_back(space::scaled(Real(2), n), power(spheres[0]) - power(spheres[k]));
-    }
+    for (const space::Ball& sphere : spheres) from_corners({}, {sphere});
+    for (std::size_t k = 1; k < spheres.size(); ++k) from_corners({}, {spheres[0], spheres[k]});
     if (spheres.empty()) return;
-    for (const HalfSpace& h : planes) on_circle(spheres[0], h);
+    for (const HalfSpace& h : planes) from_corners({h}, {spheres[0]});
   }
 
-  void on_circle(const Sphere& sphere, const HalfSpace& plane) {
-    const Real square = dot(plane.normal, plane.normal);
-    const auto on_plane = [&](const RealVector& x) {
-      return space::along(x, -(plane.value(x) / square), plane.normal);
-    };
-    const RealVector middle = on_plane(sphere.center), off = space::minus(middle, sphere.center);
-    const Real radius = sphere.radius * sphere.radius - dot(off, off);
-    if (radius.sign() <= 0) return;
+  void from_corners(const std::vector<HalfSpace>& planes, const std::vector<space::Ball>& spheres) {
     for (const space::Point& v : s_.vertices()) {
-      const RealVector b = space::plus(space::real(v), p_), way = space::minus(on_plane(b), middle);
-      if (space::is_zero(way)) continue;
-      const RealVector place = space::along(middle, sqrt(radius / dot(way, way)), way);
-      if (near(place)) offer(b, place);
+      const RealVector b = space::plus(space::real(v), p_);
+      for (const RealVector& place : space::name_places(planes, spheres, b)) {
+        if (near(place)) offer(b, place);
+      }
     }
   }
 

@@ -23,19 +23,6 @@ using space::RealVector;
 
 namespace {
 
-Real length(const RealVector& v) { return sqrt(space::dot(v, v)); }
-
-/// The value of a convex core with radius r around it; q is the nearest point of the core's frontier (or of the core).
-Answer with_radius(const RealVector& p, const RealVector& q, bool inside, const Real& r) {
-  const RealVector w = space::minus(p, q);
-  const Real d = length(w);
-  Answer out;
-  out.value = (inside ? -d : d) - r;
-  // The frontier lies r further out from q, on the line through p; at d = 0 the line is not known.
-  if (out.value.sign() != 0 && d.sign() != 0) out.nearest = space::along(q, (inside ? -r : r) / d, w);
-  return out;
-}
-
 TriedAnswer defined(Tried<Answer> v) {
   if (!v) return v.refusal();
   return std::optional(*std::move(v));
@@ -67,17 +54,7 @@ Tried<Answer> SolidPair::round_gap(const RealVector& p, Depth depth) const {
   std::optional<Answer> best;
   for (const BodyPart& t : a_->parts) {
     for (const BodyPart& s : b_->parts) {
-      const std::vector<space::HalfSpace> planes = space::difference_planes(t, s);
-      const Real r = t.radius + s.radius;
-      Answer v;
-      if (planes.empty()) {
-        v = with_radius(p, real(t.center - s.center), false, r);
-      } else {
-        space::OpenUnion core;
-        core.add(space::everywhere(), planes);
-        const bool inside = core.covers(p);
-        v = with_radius(p, *(inside ? core.nearest_in_complement(p) : nearest_in(planes, p)), inside, r);
-      }
+      Answer v = difference(t, s).to_boundary(p);
       if (!best || v.value < best->value) best = std::move(v);
     }
   }

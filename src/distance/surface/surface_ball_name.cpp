@@ -74,19 +74,6 @@ HalfSpace too_near(const SurfaceBall& ball, int face) {
   return HalfSpace(normal, -space::dot(normal, space::real(body.corner(face, 0))) - ball.radius * size);
 }
 
-/// At the radius from `from` on the way to x.
-std::optional<RealVector> on_sphere(const RealVector& from, const RealVector& x, const Real& radius) {
-  const RealVector way = space::minus(x, from);
-  const Real square = space::dot(way, way);
-  if (square.sign() == 0) return std::nullopt;
-  return space::along(from, radius / sqrt(square), way);
-}
-
-RealVector projection_on_line(const Point& a, const Point& b, const RealVector& x) {
-  const RealVector e = space::real(b - a), from = space::real(a);
-  return space::along(from, space::dot(space::minus(x, from), e) / space::dot(e, e), e);
-}
-
 /// Each once.
 std::vector<HalfSpace> planes_of(const SurfaceBall& ball, const std::vector<int>& faces) {
   std::vector<HalfSpace> planes;
@@ -110,24 +97,23 @@ std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const 
   return found;
 }
 
-/// Of the circle in which the plane meets the sphere about a corner, or the cylinder about an edge that is normal to
-/// it.
-std::optional<RealVector> on_circle(const HalfSpace& plane, const Touched& at, const RealVector& x,
-                                    const Real& radius) {
-  const Real square = space::dot(plane.normal, plane.normal);
-  const auto projection = [&](const RealVector& y) {
-    return space::along(y, -(plane.value(y) / square), plane.normal);
-  };
-  const RealVector from = projection(x);
-  if (at.corners.empty()) {
+/// Of the sphere about a corner, or of the cylinder about an edge, within at most one plane, to which the edge is
+/// normal.
+std::optional<RealVector> on_round(std::vector<HalfSpace> planes, const Touched& at, const RealVector& x,
+                                   const Real& radius) {
+  RealVector center;
+  if (at.edges.empty()) {
+    center = space::real(at.corners[0]);
+  } else {
     const auto& [a, b] = at.edges[0];
-    if (!space::is_zero(space::cross(space::real(b - a), plane.normal))) return std::nullopt;
-    return on_sphere(projection(space::real(a)), from, radius);
+    const RealVector along = space::real(b - a);
+    if (planes.empty()) planes.emplace_back(along, -space::dot(along, x));
+    if (!space::is_zero(space::cross(along, planes[0].normal))) return std::nullopt;
+    center = space::name_places(planes, {}, space::real(a))[0];
   }
-  const RealVector middle = projection(space::real(at.corners[0])),
-                   way = space::minus(middle, space::real(at.corners[0]));
-  const Real rest = radius * radius - space::dot(way, way);
-  return rest.sign() > 0 ? on_sphere(middle, from, sqrt(rest)) : std::nullopt;
+  const std::array<space::Ball, 1> sphere{{{center, radius}}};
+  const auto places = space::name_places(planes, sphere, x);
+  return places.empty() ? std::nullopt : std::optional(places[0]);
 }
 
 std::optional<RealVector> candidate(const SurfaceBall& ball, const Touched& at, const RealVector& x, bool corner) {
@@ -135,10 +121,8 @@ std::optional<RealVector> candidate(const SurfaceBall& ball, const Touched& at, 
   const std::size_t edges = at.edges.size(), corners = at.corners.size();
   if (edges + corners == 0 && !planes.empty()) return on_planes(planes, x, corner ? 3 : 1);
   if (corner || planes.size() > 1) return std::nullopt;
-  if (planes.size() == 1) return edges + corners == 1 ? on_circle(planes[0], at, x, ball.radius) : std::nullopt;
-  if (edges == 1 && corners == 0)
-    return on_sphere(projection_on_line(at.edges[0].first, at.edges[0].second, x), x, ball.radius);
-  if (edges > 0 || corners == 0 || corners > space::BallMeet::kMostBalls) return std::nullopt;
+  if (edges + corners == 1) return on_round(planes, at, x, ball.radius);
+  if (!planes.empty() || edges > 0 || corners == 0 || corners > space::BallMeet::kMostBalls) return std::nullopt;
   std::vector<space::Ball> balls;
   for (const Point& v : at.corners) balls.push_back({space::real(v), ball.radius});
   return nearest_outside(balls, x);

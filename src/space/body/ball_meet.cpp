@@ -11,52 +11,6 @@ using exact::Real;
 
 namespace {
 
-/// Points of the spheres of the balls (one, two or three) where the distance to p is least or greatest among their
-/// common points.
-std::vector<RealVector> extreme_points(std::span<const Ball* const> on, const RealVector& p) {
-  std::vector<RealVector> out;
-  const RealVector& c = on[0]->center;
-  const Real& r = on[0]->radius;
-  if (on.size() == 1) {
-    const RealVector w = minus(p, c);
-    const Real square = dot(w, w);
-    if (square.sign() == 0) return {{c[0] + r, c[1], c[2]}};
-    const Real t = r / sqrt(square);
-    return {along(c, t, w), along(c, -t, w)};
-  }
-  const RealVector u = minus(on[1]->center, c);
-  const Real length = dot(u, u);
-  if (length.sign() == 0) return out;
-  // |x - c|^2 = r^2 and |x - c - u|^2 = s^2: the plane u . (x - c) = f.
-  const Real f = (length + r * r - on[1]->radius * on[1]->radius) / Real(2);
-  const RealVector m = along(c, f / length, u);
-  const Real rest = r * r - f * f / length;
-  if (rest.sign() < 0) return out;
-  if (on.size() == 2) {
-    const RealVector w = minus(p, m), flat = along(w, -(dot(w, u) / length), u);
-    const Real square = dot(flat, flat);
-    if (square.sign() == 0) {
-      // Every point of the circle is as far: one of them will do.
-      const RealVector a = cross(u, {Real(1), Real(0), Real(0)}), b = cross(u, {Real(0), Real(1), Real(0)});
-      const RealVector& side = is_zero(a) ? b : a;
-      return {along(m, sqrt(rest / dot(side, side)), side)};
-    }
-    const Real t = sqrt(rest / square);
-    return {along(m, t, flat), along(m, -t, flat)};
-  }
-  const RealVector v = minus(on[2]->center, c);
-  const Real g = (dot(v, v) + r * r - on[2]->radius * on[2]->radius) / Real(2);
-  const RealVector axis = cross(u, v);
-  const Real size = dot(axis, axis);
-  if (size.sign() == 0) return out;
-  const RealVector s = cross(v, axis), t = cross(axis, u);
-  const RealVector base = plus(scaled(f / size, s), scaled(g / size, t));
-  const Real height = r * r - dot(base, base);
-  if (height.sign() < 0) return out;
-  const Real h = sqrt(height / size);
-  return {plus(c, along(base, h, axis)), plus(c, along(base, -h, axis))};
-}
-
 double distance(const RealVector& a, const RealVector& b) {
   const RealVector off = minus(a, b);
   return std::sqrt(dot(off, off).to_double());
@@ -83,16 +37,15 @@ std::optional<RealVector> BallMeet::nearest_of(const std::vector<int>& few, cons
   double least = exact::kInfinity;
   const int n = static_cast<int>(few.size());
   for (int set = 0; set < (1 << n); ++set) {
-    std::vector<const Ball*> on;
+    std::vector<Ball> on;
     std::vector<int> ids;
     for (int i = 0; i < n; ++i) {
       if (set >> i & 1) {
-        on.push_back(&balls_[few[i]]);
+        on.push_back(balls_[few[i]]);
         ids.push_back(few[i]);
       }
     }
-    if (on.size() > 3) continue;
-    for (const RealVector& q : on.empty() ? std::vector<RealVector>{p} : extreme_points(on, p)) {
+    for (const RealVector& q : name_places({}, on, p)) {
       const double d = distance(q, p);
       if (d >= least) continue;
       const bool common = std::all_of(few.begin(), few.end(), [&](int i) {
@@ -145,9 +98,9 @@ std::vector<Candidate> candidates(const std::vector<Ball>& balls, const RealVect
   assert(balls.size() <= BallMeet::kMostBalls);
   std::vector<Candidate> found;
   const auto look = [&](const std::vector<int>& ids) {
-    std::vector<const Ball*> on;
-    for (const int i : ids) on.push_back(&balls[std::size_t(i)]);
-    for (RealVector& q : extreme_points(on, p)) found.push_back({distance(q, p), std::move(q), ids});
+    std::vector<Ball> on;
+    for (const int i : ids) on.push_back(balls[std::size_t(i)]);
+    for (RealVector& q : name_places({}, on, p)) found.push_back({distance(q, p), std::move(q), ids});
   };
   const int n = static_cast<int>(balls.size());
   for (int i = 0; i < n; ++i) {

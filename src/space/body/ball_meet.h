@@ -11,14 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "space/polytope/real_vector.h"
+#include "space/body/name_place.h"
 
 namespace findspace::space {
-
-struct Ball {
-  RealVector center;
-  exact::Real radius;
-};
 
 class BallMeet {
  public:
