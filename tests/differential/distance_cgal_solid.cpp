@@ -38,7 +38,7 @@ TEST(SolidCgal, DistanceOfConvexPolytopes) {
     space::Body of_a, of_b;
     of_a.parts.push_back({a, {}, exact::Real()});
     of_b.parts.push_back({b, {}, exact::Real()});
-    const SolidPair pair(shared(std::move(of_b)), shared(std::move(of_a)));
+    const PairDistances pair = solid_pair(shared(std::move(of_b)), shared(std::move(of_a)));
     for (int i = 0; i < 5; ++i) {
       const std::array<std::int64_t, 3> by{random.pick(-60, 60), random.pick(-60, 60), random.pick(-60, 60)};
       const auto p = halves(a, {0, 0, 0}), q = halves(b, by);

@@ -34,8 +34,10 @@ std::vector<Moving> moving() {
            }}};
 }
 
-CsgPair pair_of(const plane::Shape& fixed, const Body& body) {
-  return {space::shared(body), std::make_shared<const space::CsgSolid>(space::csg_solid(fixed)), false};
+PairDistances pair_of(const plane::Shape& fixed, const Body& body) {
+  return csg_pair(std::make_shared<const CsgSide>(space::shared(body),
+                                                  std::make_shared<const space::CsgSolid>(space::csg_solid(fixed))),
+                  false);
 }
 
 TEST(CsgDepth, IsThatOfSamples) {
@@ -48,7 +50,7 @@ TEST(CsgDepth, IsThatOfSamples) {
       if (c.level(x) < 0) solid.push_back(x);
     }
     for (const Moving& b : moving()) {
-      const CsgPair pair = pair_of(*c.shape, b.body);
+      const PairDistances pair = pair_of(*c.shape, b.body);
       for (int k = 0; k < 3; ++k) {
         const Vector at = solid[random() % solid.size()];
         const RealVector p{Real::from_double(at.x), Real::from_double(at.y), Real::from_double(at.z)};
@@ -102,9 +104,8 @@ TEST(CsgDepth, IsTheOneOfFormulas) {
 TEST(CsgDepth, HasLines) {
   // A ball of radius 4 in a dome of height 20: deeper than 3 between -1 and 21.
   const auto dome = space::node(Kind::kIntersection, {space::ball({0, 0, 0}, 20), box({-30, -30, 0}, {30, 30, 30})});
-  const auto pair =
-      std::make_shared<const CsgPair>(space::shared(space::body(*space::ball({0, 0, 0}, 4))),
-                                      std::make_shared<const space::CsgSolid>(space::csg_solid(*dome)), false);
+  const auto pair = std::make_shared<const CsgSide>(space::shared(space::body(*space::ball({0, 0, 0}, 4))),
+                                                    std::make_shared<const space::CsgSolid>(space::csg_solid(*dome)));
   const space::RayGrid grid{2, 1, 0, 0, 1, 1, 1, 1};
   const space::RayRow deep = cut_map(Which::kGamma1, Real(-3), pair, 1, grid)->row(0);
   const space::RayRow out = cut_map(Which::kPenetration, Real(3), pair, 1, grid)->row(0);

@@ -45,9 +45,9 @@ std::vector<Vector> of_cube() {
   return out;
 }
 
-std::shared_ptr<const CsgPair> pair_of(const Case& c) {
-  return std::make_shared<const CsgPair>(space::shared(space::body(*box({-3, -3, -3}, {3, 3, 3}))),
-                                         std::make_shared<const space::CsgSolid>(space::csg_solid(*c.shape)), false);
+std::shared_ptr<const CsgSide> side_of(const Case& c) {
+  return std::make_shared<const CsgSide>(space::shared(space::body(*box({-3, -3, -3}, {3, 3, 3}))),
+                                         std::make_shared<const space::CsgSolid>(space::csg_solid(*c.shape)));
 }
 
 TEST(CutUnion, HoldsWhatItsSamplesSay) {
@@ -64,7 +64,7 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
       if (fits(q, 0)) all.push_back(q);
     }
     ASSERT_GT(all.size(), 300u) << c.name;
-    const auto pair = pair_of(c);
+    const PairDistances pair = csg_pair(side_of(c), false);
     int in = 0;
     for (int k = 0; k < 10; ++k) {
       const Vector p = k < 3 ? all[static_cast<std::size_t>(k)] : any(random, 22);
@@ -74,7 +74,7 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
         least = std::min(least, space::length(q - p));
         most = std::max(most, space::length(q - p));
       }
-      const Answer v = *pair->value(Which::kEta1, at), far = *pair->value(Which::kEta2, at);
+      const Answer v = *pair.value(Which::kEta1, at), far = *pair.value(Which::kEta2, at);
       EXPECT_EQ(v.value.sign() <= 0, fits(p, 0)) << c.name;
       EXPECT_LE(v.value.to_double(), least + 1e-9) << c.name;
       EXPECT_GE(far.value.to_double(), most - 1e-9) << c.name;
@@ -83,13 +83,13 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
         EXPECT_GE(v.value.to_double(), least - 2) << c.name;
         ASSERT_TRUE(v.nearest);
         EXPECT_TRUE(fits(space::rounded(*v.nearest), 1e-9)) << c.name;
-        const Answer out = *pair->value(Which::kMu, at);
+        const Answer out = *pair.value(Which::kMu, at);
         EXPECT_GT(out.value.sign(), 0) << c.name;
         EXPECT_LE(out.bounds().lower->to_double(), v.value.to_double() + 1e-9) << c.name;  // no sign: test
         continue;
       }
       ++in;
-      EXPECT_EQ(pair->value(Which::kMu, at)->value, v.value) << c.name;
+      EXPECT_EQ(pair.value(Which::kMu, at)->value, v.value) << c.name;
       Vector way = any(random, 1);
       way = space::scaled(-0.99 * v.value.to_double() / space::length(way), way);
       EXPECT_TRUE(fits(space::plus(p, way), 1e-9)) << c.name;
@@ -100,25 +100,25 @@ TEST(CutUnion, HoldsWhatItsSamplesSay) {
 
 /// Of bowls: out of both pockets, and from outside to a face.
 TEST(CutUnion, HasPockets) {
-  const auto pair = pair_of(unions()[1]);
+  const PairDistances pair = csg_pair(side_of(unions()[1]), false);
   const auto eta = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-    return pair->value(Which::kEta1, space::place(x, y, z))->value.to_double();
+    return pair.value(Which::kEta1, space::place(x, y, z))->value.to_double();
   };
   EXPECT_NEAR(eta(0, 14, 3), 7, 1e-10);
   EXPECT_NEAR(eta(-15, 3, -4), 4, 1e-10);
   EXPECT_NEAR(eta(-15, 3, 0), 4, 1e-10);
   EXPECT_NEAR(eta(0, 0, -4), -3, 1e-10);
   // Below the place where both pockets meet, at (1/2, 0).
-  const double up = pair->value(Which::kEta1, space::place(0, 0, 5))->value.to_double();
+  const double up = pair.value(Which::kEta1, space::place(0, 0, 5))->value.to_double();
   EXPECT_GT(up, 1.5);
   EXPECT_LT(up, 2.5);
 }
 
 TEST(CutUnion, HasLines) {
-  const auto pair = pair_of(unions()[0]);
+  const auto side = side_of(unions()[0]);
   // Two above the ground; the upper corners reach |x| = 6 + sqrt(144 - 9 - 64).
   const space::RayGrid grid{0, 1, 0, 5, 1, 1, 1, 1};
-  const space::RayRow row = cut_map(Which::kEta1, Real(), pair, 1, grid)->row(0);
+  const space::RayRow row = cut_map(Which::kEta1, Real(), side, 1, grid)->row(0);
   const double end = 3 + std::sqrt(71.0);
   EXPECT_EQ(space::sign_at(row, 0, Real(0)), -1);
   for (const double off : {-0.01, 0.01}) {
@@ -129,10 +129,10 @@ TEST(CutUnion, HasLines) {
 
 /// Nothing as large as that fits, though the box about the domes would hold it.
 TEST(CutUnion, MayBeTooSmall) {
-  const CsgPair pair(space::shared(space::body(*box({-9, -9, -5}, {9, 9, 5}))),
-                     std::make_shared<const space::CsgSolid>(space::csg_solid(*unions()[0].shape)), false);
-  EXPECT_FALSE(pair.value(Which::kEta1, space::place(0, 0, 0)));
-  EXPECT_FALSE(pair.value(Which::kEta2, space::place(0, 0, 0)));
+  const CsgSide side(space::shared(space::body(*box({-9, -9, -5}, {9, 9, 5}))),
+                     std::make_shared<const space::CsgSolid>(space::csg_solid(*unions()[0].shape)));
+  EXPECT_FALSE(side.fit(space::place(0, 0, 0)));
+  EXPECT_FALSE(side.farthest_fit(space::place(0, 0, 0)));
 }
 
 }  // namespace distance_cut_union

@@ -35,15 +35,14 @@ RealVector on_grid(const Vector& v) {
 
 constexpr double kHalf = 3;  // of the cube that moves
 
-std::shared_ptr<const CsgPair> shared_pair(const Case& c, bool cut_moves = false) {
-  return std::make_shared<const CsgPair>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
-                                         std::make_shared<const CsgSolid>(space::csg_solid(*c.shape)), cut_moves);
+/// A cube against the solid, or against its mirror image.
+std::shared_ptr<const CsgSide> side_of(const Case& c, bool mirrored = false) {
+  const CsgSolid solid = space::csg_solid(*c.shape);
+  return std::make_shared<const CsgSide>(space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
+                                         std::make_shared<const CsgSolid>(mirrored ? space::mirrored(solid) : solid));
 }
 
-CsgPair pair_of(const Case& c, bool cut_moves = false) {
-  return {space::shared(space::box_body({{{{-3, -3, -3}, {3, 3, 3}}}})),
-          std::make_shared<const CsgSolid>(space::csg_solid(*c.shape)), cut_moves};
-}
+PairDistances pair_of(const Case& c, bool cut_moves = false) { return csg_pair(side_of(c), cut_moves); }
 
 double to_cube(const Vector& x, const Vector& p) {
   return to_box(x, p - Vector{kHalf, kHalf, kHalf}, space::plus(p, {kHalf, kHalf, kHalf}));
@@ -55,7 +54,8 @@ TEST(CutValues, AreThoseOfSamples) {
   std::mt19937 random(7);
   int apart = 0, meeting = 0;
   for (const Case& c : cases()) {
-    const CsgPair pair = pair_of(c);
+    const auto side = side_of(c);
+    const PairDistances pair = csg_pair(side, false);
     std::vector<Vector> solid;
     while (solid.size() < 60000) {
       const Vector x = any(random, 30);
@@ -79,7 +79,7 @@ TEST(CutValues, AreThoseOfSamples) {
       EXPECT_GE(d1.value.to_double(), least - 2) << c.name;
       if (least < 0) {
         ++meeting;
-        EXPECT_LT(pair.between(Which::kGamma1, Real(), p).or_throw()->high, 0) << c.name;
+        EXPECT_LT(between(side, Which::kGamma1, Real(), p).or_throw()->high, 0) << c.name;
         continue;
       }
       if (d1.witness.empty() || d1.value.sign() == 0) continue;
@@ -100,12 +100,16 @@ TEST(CutValues, ProtrusionIsThatOfSamples) {
   std::mt19937 random(11);
   int out = 0;
   for (const Case& c : cases()) {
-    const CsgPair pair = pair_of(c);
+    const auto side = side_of(c);
+    const PairDistances pair = csg_pair(side, false);
     const auto solid = std::make_shared<const CsgSolid>(space::csg_solid(*c.shape));
     const auto gap = [&](const RealVector& x) {
       Body point;
       point.parts.emplace_back();
-      return CsgPair(space::shared(std::move(point)), solid, false).value(Which::kD1, x)->value.to_double();
+      return CsgSide(space::shared(std::move(point)), solid)
+          .gap(x, PairSide::Depth::kSign)
+          .or_throw()
+          ->value.to_double();
     };
     for (int k = 0; k < 4; ++k) {
       const RealVector p = on_grid(any(random, 24));
@@ -119,7 +123,7 @@ TEST(CutValues, ProtrusionIsThatOfSamples) {
       EXPECT_GE(gap(v.witness[0].at), low - 0.001) << c.name;
       for (int i = 0; i < 40; ++i) EXPECT_LE(gap(space::plus(p, on_grid(any(random, kHalf)))), high + 1e-6) << c.name;
       for (const double level : {low / 2, high * 2}) {
-        const Between at = **pair.between(Which::kMu, Real::from_double(level), p);
+        const Between at = **between(side, Which::kMu, Real::from_double(level), p);
         EXPECT_TRUE(level < low ? at.low > 0 : at.high < 0) << c.name;
       }
     }
@@ -145,7 +149,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
   };
   for (const Case& c : cases()) {
     if (std::string(c.name).find("shell") != std::string::npos) continue;
-    const CsgPair pair = pair_of(c);
+    const PairDistances pair = pair_of(c);
     std::vector<Vector> all;
     for (int k = 0; k < 400000; ++k) {
       const Vector q = any(random, 20);
@@ -181,7 +185,7 @@ TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
 TEST(CutValues, AreTheSameWhicheverShapeMoves) {
   std::mt19937 random(9);
   for (const Case& c : cases()) {
-    const CsgPair forth = pair_of(c), back = pair_of(c, true);
+    const PairDistances forth = pair_of(c), back = pair_of(c, true);
     for (int k = 0; k < 4; ++k) {
       const RealVector p = on_grid(any(random, 30));
       for (const auto& [one, other] :
@@ -199,16 +203,17 @@ TEST(CutValues, AreThoseOfLines) {
   int certain = 0;
   const std::vector<Case> all = cases();
   for (const Case& c : {all[0], all[1], all[5]}) {
-    const auto pair = shared_pair(c);
+    const auto side = side_of(c);
+    const PairDistances pair = csg_pair(side, false);
     for (const std::int64_t level : {0, 4}) {
-      const auto map = cut_map(Which::kGamma1, Real(level), pair, 1, grid);
+      const auto map = cut_map(Which::kGamma1, Real(level), side, 1, grid);
       for (const int j : {1, 2}) {
         const space::RayRow row = map->row(j);
         for (int k = 0; k < 30; ++k) {
           const int i = static_cast<int>(random() % 4);
           const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(j)), on_grid(any(random, 30))[2]};
           const int sign = space::sign_at(row, i, p[2]);
-          const double over = pair->value(Which::kD1, p)->value.to_double() - static_cast<double>(level);
+          const double over = pair.value(Which::kD1, p)->value.to_double() - static_cast<double>(level);
           if (sign != 0) ++certain;
           if (over > 0.01) {
             EXPECT_EQ(sign, 1) << c.name;
@@ -229,15 +234,15 @@ TEST(CutValues, AreLevelsWhereLinesEnd) {
   const std::vector<Case> all = cases();
   for (const Case& c : {all[0], all[1]}) {
     for (const bool cut_moves : {false, true}) {
-      const auto pair = shared_pair(c, cut_moves);
+      const PairDistances pair = pair_of(c, cut_moves);
       for (const std::int64_t level : {-2, 0, 4}) {
-        const auto map = cut_map(Which::kGamma1, Real(level), pair, 1, grid);
+        const auto map = cut_map(Which::kGamma1, Real(level), side_of(c, cut_moves), 1, grid);
         const space::RayRow row = map->row(cut_moves ? 1 : 2);
         for (int i = 0; i < grid.nu; ++i) {
           for (int k = row.first[std::size_t(i)]; k < row.first[std::size_t(i) + 1]; ++k) {
             const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(cut_moves ? 1 : 2)),
                                row.events[std::size_t(k)].at.to_real()};
-            EXPECT_NEAR(pair->value(Which::kGamma1, p)->value.to_double(), static_cast<double>(level), 1e-6) << c.name;
+            EXPECT_NEAR(pair.value(Which::kGamma1, p)->value.to_double(), static_cast<double>(level), 1e-6) << c.name;
             ++ends;
           }
         }
@@ -252,7 +257,7 @@ TEST(CutValues, HaveLinesAlongFaces) {
   const Case bowl = cases()[0];
   for (const std::int64_t level : {0, 4}) {
     const space::RayGrid grid{2, 1, 23 + level, 1, 1, 1, 1, 1};
-    const space::RayRow row = cut_map(Which::kGamma1, Real(level), shared_pair(bowl), 1, grid)->row(0);
+    const space::RayRow row = cut_map(Which::kGamma1, Real(level), side_of(bowl), 1, grid)->row(0);
     for (const int z : {-22, 0, 22}) EXPECT_EQ(space::sign_at(row, 0, Real(z)), 0) << level;
     for (const int z : {-30, 30}) EXPECT_EQ(space::sign_at(row, 0, Real(z)), 1) << level;
   }
@@ -266,9 +271,9 @@ TEST(CutValues, AreNamed) {
   EXPECT_TRUE(in_bowl.proven);
   EXPECT_EQ(in_bowl.value, Real(15) - sqrt(Real(54)));
   // It touches the bowl with four corners at once: 9 + 9 + 207 = 225.
-  const CsgPair touching = {space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
-                            std::make_shared<const CsgSolid>(space::csg_solid(*all[0].shape)), false};
-  const Answer zero = *touching.value(Which::kGamma1, {Real(), Real(), Real(20) - sqrt(Real(207))});
+  const CsgSide touching(space::shared(space::box_body({{{{-3, -3, 0}, {3, 3, 3}}}})),
+                         std::make_shared<const CsgSolid>(space::csg_solid(*all[0].shape)));
+  const Answer zero = **touching.gap({Real(), Real(), Real(20) - sqrt(Real(207))}, PairSide::Depth::kValue);
   EXPECT_TRUE(zero.proven);
   EXPECT_EQ(zero.value.sign(), 0);
   // Outside the block: as the block's own.

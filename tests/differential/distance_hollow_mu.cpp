@@ -89,7 +89,7 @@ Vector sample(std::mt19937& random, double radius) {
 
 void expect_depths(const Body& b, double radius, const Body& a, const Depth& depth, const Vector& middle,
                    int count = 60) {
-  const SolidPair pair(space::shared(b), space::shared(outside(a)));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(outside(a)));
   std::mt19937 random(5);
   int positive = 0;
   for (int n = 0; n < count; ++n) {
@@ -132,14 +132,14 @@ TEST(HollowMu, BallInBall) {
   Body ball, hole;
   ball.parts.push_back({std::nullopt, {1, 0, 0}, Real(1)});
   hole.parts.push_back({std::nullopt, {0, 0, 0}, Real(5)});
-  const SolidPair pair(space::shared(ball), space::shared(outside(hole)));
+  const PairDistances pair = solid_pair(space::shared(ball), space::shared(outside(hole)));
   EXPECT_EQ(pair.value(Which::kMu, space::place(2, 4, 0))->value.text(), Real(1).text());  // the middle is 5 away
   EXPECT_EQ(pair.value(Which::kMu, space::place(-1, 0, 0))->value.text(), Real(5).text());
   EXPECT_EQ(pair.value(Which::kMu, space::place(5, 0, 0))->value.text(), Real(0).text());
   EXPECT_EQ(pair.value(Which::kMu, space::place(9, 0, 0))->value.text(), Real(-4).text());
   EXPECT_EQ(pair.value(Which::kH, space::place(9, 0, 0))->value.text(), Real(0).text());
   hole.parts.push_back({std::nullopt, {7, 0, 0}, Real(5)});
-  const SolidPair two(space::shared(ball), space::shared(outside(hole)));
+  const PairDistances two = solid_pair(space::shared(ball), space::shared(outside(hole)));
   EXPECT_EQ(two.value(Which::kMu, space::place(20, 0, 0))->value.text(), Real(-8).text());
   hole.outside = false;
   expect_depths(space::box_body({{{{-1, -1, 0}, {1, 2, 1}}}}), 0, hole, pair_depth, {3, 0, 0}, 12);
@@ -148,7 +148,7 @@ TEST(HollowMu, BallInBall) {
 TEST(HollowMu, SignsOnLines) {
   const Body b = space::box_body({{{{-2, -2, -1}, {2, 3, 2}}}});
   const Body a = outside(space::box_body({{{{0, 0, 0}, {8, 4, 4}}}, {{{0, 0, 0}, {4, 8, 4}}}}));
-  const SolidPair pair(space::shared(b), space::shared(a));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
   const space::RayGrid grid{2, 2, -7, -9, 7, 5, 4, 5};
   int negative = 0, positive = 0;
   for (const Which which : {Which::kMu, Which::kH}) {

@@ -9,7 +9,7 @@
 #include "distance/planar/translation_value.h"
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_signs.h"
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "space/rays/oblique_line.h"
 #include "unit/space_bodies.h"
 
@@ -126,7 +126,7 @@ const Boxes kRoom{{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {1, 6, 4}}}};  // the c
 TEST(RayDirectional, BoxesAlongAnAxis) {
   Counts counts;
   for (const auto& [name, boxes] : {std::pair{"channel", kChannel}, std::pair{"room", kRoom}}) {
-    const BoxPair pair(complex_of(kCube), complex_of(boxes));
+    const BoxMaps pair(complex_of(kCube), complex_of(boxes));
     for (const Which which : kAll) {
       for (const int axis : {0, 1, 2}) {
         for (const int way : {0, 1, -1}) {
@@ -213,7 +213,7 @@ TEST(RayDirectional, RoundSolids) {
 TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
   int attained = 0, infima = 0;
   for (const Boxes& boxes : {kChannel, kRoom}) {
-    const BoxPair pair(complex_of(kCube), complex_of(boxes));
+    const BoxMaps pair(complex_of(kCube), complex_of(boxes));
     const Body a = body_of(boxes), b = body_of(kCube);
     for (const Which which : kAll) {
       for (const int axis : {0, 1, 2}) {

@@ -53,7 +53,7 @@ struct Counts {
 void compare(const char* name, const Body& b, const Body& a, Which which, const Real& level, const RayGrid& grid,
              Counts& counts) {
   const auto rays = ray_sign_map(which, level, b, a, grid);
-  const SolidPair pair(space::shared(b), space::shared(a));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
   const auto ask = [&](int i, int j, const Real& z, int sign, bool event) {
     const RealVector p = place_of(grid, i, j, z);
     std::optional<Answer> v;
@@ -203,7 +203,7 @@ TEST(RaySigns, ProtrudesOfAUnion) {
   const auto check = [&](const char* name, const Body& b, const Body& a, Which which, const Real& level,
                          const RayGrid& grid) {
     const auto rays = ray_sign_map(which, level, b, a, grid);
-    const SolidPair pair(space::shared(b), space::shared(a));
+    const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
     for (int j = 0; j < grid.nv; ++j) {
       const RayRow row = rays->row(j);
       for (int i = 0; i < grid.nu; ++i) {

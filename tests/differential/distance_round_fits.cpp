@@ -93,7 +93,7 @@ double walked(const Level& set, const Vector& p, double size, int way, Samples& 
 }
 
 /// Where `set` (<= 0) is what the distance leads to: E for eta1 above 0, the complement of U for the depth.
-void expect_nearest(const SolidPair& pair, Which which, int side, const Level& set, double size, int count,
+void expect_nearest(const PairDistances& pair, Which which, int side, const Level& set, double size, int count,
                     unsigned seed) {
   Samples samples(seed);
   int tested = 0;
@@ -117,7 +117,7 @@ void expect_nearest(const SolidPair& pair, Which which, int side, const Level& s
   EXPECT_EQ(tested, count);
 }
 
-void expect_farthest(const SolidPair& pair, const Level& set, double size, int count, unsigned seed) {
+void expect_farthest(const PairDistances& pair, const Level& set, double size, int count, unsigned seed) {
   Samples samples(seed);
   for (int n = 0; n < count; ++n) {
     const Vector p = samples.place(size);
@@ -133,8 +133,8 @@ const Vector kHalf{1, 2, 1};
 /// The box [-1, 1] x [-2, 2] x [-1, 1] grown by 1 in [-4, 4] x [-3, 3] x [-5, 5] grown by 3: the room is the distance
 /// to the box of the differences.
 TEST(RoundFits, RoundedBoxInRoundedBox) {
-  const SolidPair pair(space::shared(rounded_box({}, {1, 2, 1}, Real(1))),
-                       space::shared(rounded_box({}, {4, 3, 5}, Real(3))));
+  const PairDistances pair = solid_pair(space::shared(rounded_box({}, {1, 2, 1}, Real(1))),
+                                        space::shared(rounded_box({}, {4, 3, 5}, Real(3))));
   const Level fits = [](const Vector& x) { return to_box(x, {3, 1, 4}) - 2; };
   expect_nearest(pair, Which::kEta1, 1, fits, 9, 60, 1);
   expect_farthest(pair, fits, 7, 6, 2);
@@ -143,8 +143,8 @@ TEST(RoundFits, RoundedBoxInRoundedBox) {
 /// Corner by corner, where it is as round as the room or rounder, and where it is less so.
 TEST(RoundFits, RoundedBoxInCapsule) {
   for (const auto& [radius, seed] : {std::pair{Real(1), 3U}, {Real::ratio(1, 4), 4U}, {Real(5), 5U}}) {
-    const SolidPair pair(space::shared(rounded_box({}, {1, 1, 1}, radius)),
-                         space::shared(capsule({-6, -1, 0}, {5, 2, 1}, Real(5))));
+    const PairDistances pair = solid_pair(space::shared(rounded_box({}, {1, 1, 1}, radius)),
+                                          space::shared(capsule({-6, -1, 0}, {5, 2, 1}, Real(5))));
     const double r = radius.to_double();
     const Level fits = [r](const Vector& x) {
       double most = -1e9;
@@ -177,7 +177,7 @@ TEST(RoundFits, RoundedBoxesInRoom) {
   Body plate;  // a flat core
   plate.parts.push_back(
       space::part_of(std::vector<Point>{{-1, 0, -2}, {1, 0, -2}, {1, 0, 2}, {-1, 0, 2}}, Real::ratio(1, 2)));
-  const SolidPair box(space::shared(plate), space::shared(room));
+  const PairDistances box = solid_pair(space::shared(plate), space::shared(room));
   expect_nearest(box, Which::kEta1, 1, fits({1, 0, 2}, 0.5), 9, 40, 6);
   // The farthest place is a corner of one of the two arms.
   double most = 0;
@@ -192,7 +192,7 @@ TEST(RoundFits, RoundedBoxesInRoom) {
   Body small;
   small.parts.push_back({std::nullopt, {1, 0, 0}, Real::ratio(1, 2)});
   small.parts.push_back({std::nullopt, {0, 1, 1}, Real(1)});
-  const SolidPair balls(space::shared(small), space::shared(room));
+  const PairDistances balls = solid_pair(space::shared(small), space::shared(room));
   const Level one = fits({}, 0.5), other = fits({}, 1);
   const Level both = [&](const Vector& x) {
     return std::max(one(space::plus(x, {1, 0, 0})), other(space::plus(x, {0, 1, 1})));
@@ -214,12 +214,12 @@ TEST(RoundFits, DepthInUnions) {
   Body balls;
   balls.parts.push_back({std::nullopt, {-3, 0, 0}, Real(3)});
   balls.parts.push_back({std::nullopt, {3, 1, 0}, Real(2)});
-  const SolidPair pair(space::shared(rounded_box({}, {1, 2, 1}, Real(1))), space::shared(balls));
+  const PairDistances pair = solid_pair(space::shared(rounded_box({}, {1, 2, 1}, Real(1))), space::shared(balls));
   const Level apart = [](const Vector& x) {
     return std::max(4 - to_box(x - Vector{-3, 0, 0}, kHalf), 3 - to_box(x - Vector{3, 1, 0}, kHalf));
   };
   expect_nearest(pair, Which::kGamma1, -1, apart, 7, 60, 10);
-  const SolidPair mixed(space::shared(balls), space::shared(capsule({0, -4, 0}, {0, 4, 1}, Real(1))));
+  const PairDistances mixed = solid_pair(space::shared(balls), space::shared(capsule({0, -4, 0}, {0, 4, 1}, Real(1))));
   const Level off = [](const Vector& x) {
     const auto one = [&](const Vector& c, double r) {
       return r + 1 - to_segment(space::plus(x, c), {0, -4, 0}, {0, 4, 1});
@@ -236,9 +236,9 @@ TEST(RoundFits, RoundedBoxAndUnions) {
   balls.parts.push_back({std::nullopt, {-3, 0, 0}, Real(6)});
   balls.parts.push_back({std::nullopt, {4, 1, 0}, Real(6)});
   const Body b = rounded_box({}, {1, 2, 1}, Real(1));
-  const SolidPair in_balls(space::shared(b), space::shared(balls));
+  const PairDistances in_balls = solid_pair(space::shared(b), space::shared(balls));
   const Body boxes = space::box_body({{{{-5, -5, -5}, {5, 0, 5}}}, {{{-5, -5, -5}, {0, 5, 5}}}});
-  const SolidPair in_boxes(space::shared(b), space::shared(boxes));
+  const PairDistances in_boxes = solid_pair(space::shared(b), space::shared(boxes));
   const auto to_boxes = [](const Vector& x) {
     return std::min(to_box(x - Vector{0, -2.5, 0}, {5, 2.5, 5}), to_box(x - Vector{-2.5, 0, 0}, {2.5, 5, 5}));
   };
@@ -286,7 +286,7 @@ TEST(RoundFits, SignsOnLines) {
   const Body b = rounded_box({}, {1, 2, 1}, Real(1));
   const space::RayGrid grid{2, 2, -13, -11, 5, 5, 6, 6};
   const Real level = Real::ratio(-1, 2);
-  const SolidPair pair(space::shared(b), space::shared(balls));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(balls));
   const auto rays = ray_sign_map(Which::kGamma1, level, b, balls, grid);
   ASSERT_TRUE(rays->searched());
   int negative = 0, ends = 0;

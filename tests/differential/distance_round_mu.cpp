@@ -69,7 +69,7 @@ TEST(RoundMu, BallsInUnions) {
     };
     const Vector center = space::plus(p, {1, 0, 0});
     const double samples = most_over_ball(center, radius, distance);
-    const SolidPair pair(space::shared(b), space::shared(a));
+    const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
     const auto value = pair.value(Which::kH, {Real::from_double(p.x), Real::from_double(p.y), Real::from_double(p.z)});
     ASSERT_TRUE(value);
     const double h = value->value.to_double();

@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_pair.h"
 #include "unit/space_bodies.h"
 
@@ -69,8 +69,8 @@ TEST(SolidLattice, SignsByTheDefinition) {
   int contacts = 0, fits = 0;
   for (int round = 0; round < 250; ++round) {
     const auto a = space::random_boxes(random, 4, 5), b = space::random_boxes(random, 2, 2);
-    const SolidPair bodies(shared(space::box_body(b)), shared(space::box_body(a)));
-    const BoxPair boxes(space::box_set(b), space::box_set(a));
+    const PairDistances bodies = solid_pair(shared(space::box_body(b)), shared(space::box_body(a)));
+    const BoxMaps boxes(space::box_set(b), space::box_set(a));
     const Cells fixed = cells_of(a, {0, 0, 0});
     for (int i = 0; i < 12; ++i) {
       const Cell by{pick(-4, 10), pick(-4, 10), pick(-4, 10)};
@@ -99,7 +99,7 @@ TEST(SolidLattice, DirectedHausdorffDistance) {
   constexpr int kFine = 6;
   for (int round = 0; round < 12; ++round) {
     const auto a = space::random_boxes(random, 4, 5), b = space::random_boxes(random, 2, 4);
-    const SolidPair bodies(shared(space::box_body(b)), shared(space::box_body(a)));
+    const PairDistances bodies = solid_pair(shared(space::box_body(b)), shared(space::box_body(a)));
     const Cell by{pick(-3, 5), pick(-3, 5), pick(-3, 5)};
     double most = 0;
     for (const space::Corners& c : b) {

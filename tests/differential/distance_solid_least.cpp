@@ -5,7 +5,7 @@
 // of which may be less.
 #include <gtest/gtest.h>
 
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_least.h"
 #include "findspace/error.h"
 #include "unit/space_bodies.h"
@@ -29,7 +29,7 @@ TEST(SolidLeast, BoxesHaveTheirExactLeastValues) {
   int defined = 0;
   for (int k = 0; k < 200; ++k) {
     const auto a = space::random_boxes(random, 3, 8), b = space::random_boxes(random, 2, 3);
-    const BoxPair boxes(space::box_set(b), space::box_set(a));
+    const BoxMaps boxes(space::box_set(b), space::box_set(a));
     for (const Which which : {Which::kGamma1, Which::kEta1, Which::kDelta1}) {
       const auto truth = boxes.least(which).or_throw();
       if (!truth) continue;  // the set is not made of separate boxes
@@ -50,7 +50,7 @@ TEST(SolidLeast, BoxesHaveTheirExactLeastValues) {
 void compare(const char* name, const Body& b, const Body& a, Which which, double room) {
   const auto found = solid_least(which, b, a).or_throw();
   ASSERT_TRUE(found) << name;
-  const SolidPair pair(space::shared(b), space::shared(a));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
   EXPECT_EQ(pair.value(which, found->at)->value, found->value) << name;
   EXPECT_LE(*found->bounds().lower, found->value) << name;
   EXPECT_LE((found->value - *found->bounds().lower).to_double(), room) << name << " " << static_cast<int>(which);

@@ -63,7 +63,7 @@ void expect_same(const SurfaceContact& found, const std::optional<Answer>& wante
 }
 
 void compare(const Both& a, const Both& b, const RealVector& p, Counts& counts) {
-  const SolidPair pair(b.body, a.body);
+  const PairDistances pair = solid_pair(b.body, a.body);
   const space::RealOverlap overlap(*a.surface.sheets()[0], *b.surface.sheets()[0], false),
       across(*a.surface.sheets()[0], *b.surface.sheets()[0], true);
   const auto depth = pair.value(Which::kGamma1, p);

@@ -104,7 +104,7 @@ struct Decided {
   int all = 0, depths = 0, fits = 0, proven = 0;  // of them gamma1 below 0; eta1 above 0 and eta2; compared exactly
 };
 
-void expect_same(const SolidPair& parts, std::int64_t scale, const SurfacePair& surfaces, const RealVector& p,
+void expect_same(const PairDistances& parts, std::int64_t scale, const PairDistances& surfaces, const RealVector& p,
                  const std::vector<Which>& all, double moved, Decided& decided) {
   for (const Which which : all) {
     const TriedAnswer told = surfaces.try_value(which, p);
@@ -141,8 +141,8 @@ void compare_all(std::mt19937& random, const Given& a, const Given& b, const std
                  Decided& decided) {
   const double moved = a.body->moved + b.body->moved;  // by which the parts are not the mesh
   const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
-  const SolidPair parts(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
-  const SurfacePair surfaces(b.surfaced, a.surfaced);
+  const PairDistances parts = solid_pair(shared(at_scale(*b.body, scale)), shared(at_scale(*a.body, scale)));
+  const PairDistances surfaces = surface_pair(b.surfaced, a.surfaced);
   for (int i = 0; i < 8; ++i) {
     const int far = i % 2 == 0 ? 4 : reach;
     const auto pick = [&] { return std::uniform_int_distribution<int>(-far, far)(random); };
@@ -150,7 +150,7 @@ void compare_all(std::mt19937& random, const Given& a, const Given& b, const std
   }
 }
 
-TEST(SurfacePair, Outside) {
+TEST(SurfacePairs, Outside) {
   std::mt19937 random(77);
   Decided decided;
   for (int round = 0; round < 12; ++round) {
@@ -162,7 +162,7 @@ TEST(SurfacePair, Outside) {
   EXPECT_GT(decided.depths, 12);
 }
 
-TEST(SurfacePair, Inside) {
+TEST(SurfacePairs, Inside) {
   std::mt19937 random(78);
   Decided decided;
   for (int round = 0; round < 12; ++round) {
@@ -176,7 +176,7 @@ TEST(SurfacePair, Inside) {
 }
 
 /// Out of a mesh with dents, in which the farthest place may be.
-TEST(SurfacePair, Protrudes) {
+TEST(SurfacePairs, Protrudes) {
   std::mt19937 random(79);
   const auto pick = [&] { return std::uniform_int_distribution<int>(-20, 20)(random); };
   int corners = 0, decided = 0;
@@ -185,7 +185,7 @@ TEST(SurfacePair, Protrudes) {
     const Given a = of_mesh(of_stars ? star(random, 3, 9) : corner_room(14)),
                 b = drawn(random, of_stars ? 1 + round % 3 : 1);
     const std::int64_t scale = std::lcm(a.body->scale, b.body->scale);
-    const SurfacePair surfaces(b.surfaced, a.surfaced);
+    const PairDistances surfaces = surface_pair(b.surfaced, a.surfaced);
     const RealVector p = space::place(pick(), pick(), pick());
     const TriedAnswer told = surfaces.try_value(Which::kMu, p);
     if (!told || (*told)->value.sign() <= 0) continue;
@@ -205,23 +205,23 @@ TEST(SurfacePair, Protrudes) {
 }
 
 /// The room in a cup is deepest in the middle of it, on no face of what fills the cup.
-TEST(SurfacePair, DeepestInside) {
+TEST(SurfacePairs, DeepestInside) {
   const Given a = of_mesh(corner_room(20)), b = of_body(space::box_body({{{{5, 5, -7}, {16, 16, 7}}}}));
-  const SurfacePair pair(b.surfaced, a.surfaced);
+  const PairDistances pair = surface_pair(b.surfaced, a.surfaced);
   const auto found = pair.value(Which::kMu, {});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->value, Real(11));  // above both walls of the L, at a corner
   space::Body ball;
   ball.parts.push_back({std::nullopt, {8, 8, 0}, Real(2)});
-  const auto of_ball = SurfacePair(of_body(std::move(ball)).surfaced, a.surfaced).value(Which::kMu, {});
+  const auto of_ball = surface_pair(of_body(std::move(ball)).surfaced, a.surfaced).value(Which::kMu, {});
   EXPECT_NEAR(of_ball->value.to_double(), 3.5 + std::sqrt(7) / 2, 0x1p-30);  // on the way between the walls
 }
 
 /// A dent that a corner fills exactly: they touch, and do not overlap.
-TEST(SurfacePair, Contact) {
+TEST(SurfacePairs, Contact) {
   space::Body room = space::box_body({{{{-9, -9, -9}, {9, 9, 0}}}});
   const Given a = of_body(room), b = of_body(space::box_body({{{{-1, -1, 0}, {1, 1, 2}}}}));
-  const SurfacePair pair(b.surfaced, a.surfaced);
+  const PairDistances pair = surface_pair(b.surfaced, a.surfaced);
   const auto value = [&](Which which, const RealVector& p) { return pair.value(which, p)->value; };
   EXPECT_EQ(value(Which::kGamma1, {}).sign(), 0);
   EXPECT_EQ(value(Which::kD1, space::place(0, 0, -1, 1 << 20)).sign(), 0);

@@ -37,14 +37,14 @@ Body both(Body a, const Body& b) {
   return a;
 }
 
-SolidPair pair_of(const Body& b, const Body& a) { return {space::shared(b), space::shared(a)}; }
+PairDistances pair_of(const Body& b, const Body& a) { return solid_pair(space::shared(b), space::shared(a)); }
 
 /// Two balls of radius 50 that meet in a circle of radius 40.
 Body two_balls() { return both(ball({}, Real(50)), ball({60, 0, 0}, Real(50))); }
 
 /// The nearest place is where the ball touches the circle in which the two balls meet.
 TEST(UnionFits, BallInTheWaistOfTwoBalls) {
-  const SolidPair pair = pair_of(ball({}, Real(30)), two_balls());
+  const PairDistances pair = pair_of(ball({}, Real(30)), two_balls());
   const auto v = pair.value(Which::kEta1, space::place(30, 20, 0));
   ASSERT_TRUE(v);
   EXPECT_NEAR(v->value.to_double(), 10, 1e-8);
@@ -56,7 +56,7 @@ TEST(UnionFits, BallInTheWaistOfTwoBalls) {
 
 /// In one ball alone, which no place of both betters: an exact number.
 TEST(UnionFits, InOnePart) {
-  const SolidPair pair = pair_of(ball({}, Real(20)), two_balls());
+  const PairDistances pair = pair_of(ball({}, Real(20)), two_balls());
   const auto v = pair.value(Which::kEta1, space::place(-60, 80, 0));
   ASSERT_TRUE(v);
   EXPECT_TRUE(v->proven);
@@ -69,7 +69,7 @@ TEST(UnionFits, InOnePart) {
 /// A ball as round as a bent tube has zero clearance in it: it fits along the two segments only.
 TEST(UnionFits, ZeroClearanceInATube) {
   const Body tube = both(capsule({}, {80, 0, 0}, Real(30)), capsule({80, 0, 0}, {80, 70, 0}, Real(30)));
-  const SolidPair pair = pair_of(ball({}, Real(30)), tube);
+  const PairDistances pair = pair_of(ball({}, Real(30)), tube);
   const auto v = pair.value(Which::kEta1, space::place(90, 90, 30));
   ASSERT_TRUE(v);
   EXPECT_EQ(v->value, sqrt(Real(100 + 400 + 900)));
@@ -91,7 +91,7 @@ bool box_fits(const Vector& x) {
 }
 
 TEST(UnionFits, BoxInTwoBalls) {
-  const SolidPair pair = pair_of(space::box_body({{{{-40, -12, -20}, {40, 12, 20}}}}), two_balls());
+  const PairDistances pair = pair_of(space::box_body({{{{-40, -12, -20}, {40, 12, 20}}}}), two_balls());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> some(-1, 1);
   for (int n = 0; n < 8; ++n) {
@@ -122,7 +122,7 @@ TEST(UnionFits, BoxInTwoBalls) {
 /// Where a line passes the level, the value is that, and between the ends of a stretch it has the stretch's sign.
 TEST(UnionFits, OnLines) {
   const Body box = space::box_body({{{{-10, -4, -4}, {10, 4, 4}}}});
-  const SolidPair pair = pair_of(box, two_balls());
+  const PairDistances pair = pair_of(box, two_balls());
   const space::RayGrid grid{2, 1, 20, 50, 1, 1, 1, 1};
   for (const auto& [which, level] : {std::pair{Which::kEta1, 12}, {Which::kEta2, 115}}) {
     const auto value = [&, which = which](const Real& z) {
@@ -144,7 +144,7 @@ TEST(UnionFits, OnALineThroughTheInside) {
   const space::RayGrid grid{0, 1, 50, 10, 1, 1, 1, 1};  // y = 50, z = 10
   const space::RayRow row = ray_sign_map(Which::kEta1, Real(5), box, room, grid)->row(0);
   ASSERT_EQ(row.events.size(), 4U);
-  const SolidPair pair = pair_of(box, room);
+  const PairDistances pair = pair_of(box, room);
   for (const space::RayEvent& e : row.events)
     EXPECT_NEAR(pair.value(Which::kEta1, {e.at.to_real(), Real(50), Real(10)})->value.to_double(), 5, 1e-5);
 }

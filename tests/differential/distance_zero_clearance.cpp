@@ -42,7 +42,7 @@ double to_places_in_l(double x, double y) {
 /// The ball has zero clearance across the arms, and some where they meet.
 TEST(ZeroClearance, BallInL) {
   const Body room = space::box_body({{{{0, 0, 0}, {6, 2, 4}}}, {{{0, 0, 0}, {2, 6, 4}}}});
-  const SolidPair pair(space::shared(ball(1)), space::shared(room));
+  const PairDistances pair = solid_pair(space::shared(ball(1)), space::shared(room));
   std::mt19937 random(1);
   std::uniform_int_distribution<std::int64_t> pick(-7, 57);
   int exact = 0;
@@ -107,7 +107,7 @@ TEST(ZeroClearance, BallBetweenSlantedPlanes) {
     const bool has_clearance = p * p - 2 * q * q > 0;
     Body far = slanted_slot(2 * p, 2 * q);
     far.parts[1] = {space::box_polytope({{{20 * q, 20 * q, 20 * q}, {21 * q, 21 * q, 21 * q}}}), {}, Real()};
-    const SolidPair pair(space::shared(ball(q)), space::shared(far));
+    const PairDistances pair = solid_pair(space::shared(ball(q)), space::shared(far));
     const auto from = space::place(7, -3, 6 * q, 3);
     try {
       const auto v = pair.value(Which::kEta1, from);

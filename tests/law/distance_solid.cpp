@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "differential/space_oracle.h"
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_pair.h"
 #include "space/box/box_topology.h"
 #include "space/phi/phi_function.h"
@@ -53,8 +53,9 @@ TEST(SolidLaws, ConvexPairs) {
   for (int round = 0; round < 12; ++round) {
     const auto [a, b] = random.pair();
     const space::Point shift{random.pick(-9, 9), random.pick(-9, 9), random.pick(-9, 9)};
-    const SolidPair pair(shared(body_of(b)), shared(body_of(a))), back(shared(body_of(a)), shared(body_of(b))),
-        moved(shared(body_of(b.translated(shift))), shared(body_of(a)));
+    const PairDistances pair = solid_pair(shared(body_of(b)), shared(body_of(a))),
+                        back = solid_pair(shared(body_of(a)), shared(body_of(b))),
+                        moved = solid_pair(shared(body_of(b.translated(shift))), shared(body_of(a)));
     for (int i = 0; i < 3; ++i) {
       const RealVector p = draw(random, 12), q = space::negated(p), r = space::plus(p, space::place(1, -1, 1, 4));
       const auto at = [&](Which w, const RealVector& x) { return number(pair.value(w, x)); };
@@ -91,7 +92,7 @@ TEST(SolidLaws, GammaIsThePhiFunction) {
   for (int round = 0; round < 25; ++round) {
     const auto [a, b] = random.pair();
     const space::PhiFunction phi(a, b);
-    const SolidPair pair(shared(body_of(b)), shared(body_of(a)));
+    const PairDistances pair = solid_pair(shared(body_of(b)), shared(body_of(a)));
     for (int i = 0; i < 4; ++i) {
       const RealVector p = draw(random, 12);
       expect_near(number(pair.value(Which::kGamma1, p)), phi.normalised(space::rounded(p)));
@@ -105,20 +106,20 @@ TEST(SolidLaws, BoxUnionsTwoWays) {
   const auto pick = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(random); };
   for (int round = 0; round < 25; ++round) {
     const auto a = space::random_boxes(random, 4, 5), b = space::random_boxes(random, 2, 3);
-    const SolidPair bodies(shared(space::box_body(b)), shared(space::box_body(a)));
-    const BoxPair boxes(space::box_set(b), space::box_set(a));
-    const BoxPair dual(space::box_set(b), closure(complement(space::box_set(a))));
+    const PairDistances bodies = solid_pair(shared(space::box_body(b)), shared(space::box_body(a)));
+    const BoxMaps boxes(space::box_set(b), space::box_set(a));
+    const BoxMaps dual(space::box_set(b), closure(complement(space::box_set(a))));
     for (int i = 0; i < 4; ++i) {
       const RealVector p = space::place(pick(-8, 12), pick(-8, 12), pick(-8, 12), 2);
       for (const Which w : {Which::kGamma1, Which::kEta1, Which::kDelta1, Which::kEta2, Which::kDelta2,
                             Which::kPenetration, Which::kDstar, Which::kDstarBack}) {
-        const auto x = bodies.value(w, p), y = boxes.value(w, p);
+        const auto x = bodies.value(w, p), y = boxes.distances().value(w, p);
         ASSERT_EQ(x.has_value(), y.has_value());
         if (!x) continue;
         ASSERT_EQ(x->value, y->value) << number(x) << ' ' << number(y);
       }
-      const double eta1 = number(boxes.value(Which::kEta1, p));
-      expect_near(number(dual.value(Which::kGamma1, p)), -eta1);
+      const double eta1 = number(boxes.distances().value(Which::kEta1, p));
+      expect_near(number(dual.distances().value(Which::kGamma1, p)), -eta1);
     }
   }
 }

@@ -39,7 +39,8 @@ TEST(SolidMesh, CellsAndSubtractedParts) {
     parts.around.clear();
     for (const Body& small : {octahedron(20000), ball(15000)}) {
       const Body b = space::at_scale(small, a.scale);
-      const SolidPair one(space::shared(b), space::shared(a)), other(space::shared(b), space::shared(parts));
+      const PairDistances one = solid_pair(space::shared(b), space::shared(a)),
+                          other = solid_pair(space::shared(b), space::shared(parts));
       std::mt19937 engine(seed);
       for (int i = 0; i < 4; ++i) {
         RealVector p;
@@ -54,7 +55,7 @@ TEST(SolidMesh, CellsAndSubtractedParts) {
 TEST(SolidMesh, OfHundredsOfFaces) {
   const space::Mesh mesh = space::knobbly_ball(7, 1000000, 11);
   const Body a = space::body_of(mesh), b = octahedron(150000);
-  const SolidPair pair(space::shared(b), space::shared(a));
+  const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
   std::mt19937 engine(2);
   for (int i = 0; i < 12; ++i) {
     RealVector p;

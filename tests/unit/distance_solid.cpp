@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_pair.h"
 #include "findspace/error.h"
 #include "space/box/box_topology.h"
@@ -29,7 +29,7 @@ Body ball(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t r) {
   return b;
 }
 
-double value(const SolidPair& pair, Which which, const RealVector& p) {
+double value(const PairDistances& pair, Which which, const RealVector& p) {
   const auto v = pair.value(which, p);
   return v ? v->value.to_double() : INFINITY;
 }
@@ -45,8 +45,8 @@ double box_distance(const std::array<double, 3>& c, const std::array<double, 3>&
   return std::sqrt(out) + std::min(most, 0.0);
 }
 
-TEST(SolidPair, Balls) {
-  const SolidPair pair(shared(ball(0, 0, 0, 1)), shared(ball(0, 0, 0, 3)));
+TEST(SolidPairs, Balls) {
+  const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 1)), shared(ball(0, 0, 0, 3)));
   for (const auto& [p, d] :
        {std::pair{place(2, 3, 6), 7.0}, {place(0, 0, 0), 0.0}, {place(1, 0, 0), 1.0}, {place(0, 4, 0), 4.0}}) {
     EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, p), d - 4);
@@ -61,10 +61,10 @@ TEST(SolidPair, Balls) {
   }
 }
 
-TEST(SolidPair, ParallelBoxes) {
+TEST(SolidPairs, ParallelBoxes) {
   // Half sizes (1, 1, 1) in (3, 1, 2): an exact fit along y; in doubled coordinates.
-  const SolidPair pair(shared(box_body({{{{-1, -1, -1}, {1, 1, 1}}}})),
-                       shared(box_body({{{{-3, -1, -2}, {3, 1, 2}}}})));
+  const PairDistances pair =
+      solid_pair(shared(box_body({{{{-1, -1, -1}, {1, 1, 1}}}})), shared(box_body({{{{-3, -1, -2}, {3, 1, 2}}}})));
   for (std::int64_t x = -6; x <= 6; x += 2) {
     for (std::int64_t y = -4; y <= 4; ++y) {
       const std::int64_t z = (x * 3 + y) % 5;
@@ -82,9 +82,9 @@ TEST(SolidPair, ParallelBoxes) {
   }
 }
 
-TEST(SolidPair, BallInBox) {
+TEST(SolidPairs, BallInBox) {
   // Box of half size 3, ball of radius 1: E is the box of half size 2; mu is the box's signed distance plus 1.
-  const SolidPair pair(shared(ball(0, 0, 0, 1)), shared(box_body({{{{-3, -3, -3}, {3, 3, 3}}}})));
+  const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 1)), shared(box_body({{{{-3, -3, -3}, {3, 3, 3}}}})));
   for (const std::array<std::int64_t, 3>& q :
        {std::array<std::int64_t, 3>{0, 0, 0}, {5, 5, 1}, {4, 1, 1}, {6, 6, 6}, {2, 2, 2}, {3, 0, 1}}) {
     const RealVector p = place(q[0], q[1], q[2]);
@@ -98,9 +98,9 @@ TEST(SolidPair, BallInBox) {
   }
 }
 
-TEST(SolidPair, BallCoversBox) {
+TEST(SolidPairs, BallCoversBox) {
   // delta1 of a ball about a box: |p| + a to the far corner, less the radius, where it covers.
-  const SolidPair pair(shared(ball(0, 0, 0, 9)), shared(box_body({{{{-4, -4, -4}, {4, 4, 4}}}})));
+  const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 9)), shared(box_body({{{{-4, -4, -4}, {4, 4, 4}}}})));
   EXPECT_NEAR(value(pair, Which::kDelta1, place(1, 0, 0)), std::hypot(5, 4, 4) - 9, 1e-12);  // no sign: test
   EXPECT_NEAR(value(pair, Which::kDelta1, place(0, 0, 0)), std::sqrt(48) - 9, 1e-12);        // no sign: test
   // Outside: the projection on one sphere would leave the octant, so the nearest point of the lens lies on four at
@@ -108,17 +108,17 @@ TEST(SolidPair, BallCoversBox) {
   const double reach = std::sqrt(81 - 32) - 4;
   EXPECT_NEAR(value(pair, Which::kDelta1, place(20, 0, 0)), 20 - reach, 1e-12);  // no sign: test
   EXPECT_NEAR(value(pair, Which::kDelta2, place(20, 0, 0)), 20 + reach, 1e-12);  // no sign: test
-  const SolidPair exact(shared(ball(0, 0, 0, 7)), shared(box_body({{{{-6, -3, -2}, {6, 3, 2}}}})));
+  const PairDistances exact = solid_pair(shared(ball(0, 0, 0, 7)), shared(box_body({{{{-6, -3, -2}, {6, 3, 2}}}})));
   EXPECT_EQ(exact.value(Which::kDelta1, place(0, 0, 0))->value.sign(), 0);
   EXPECT_NEAR(value(exact, Which::kDelta1, place(3, 4, 12)), 13, 1e-12);  // no sign: test
 }
 
-TEST(SolidPair, DepthInAUnionOfBalls) {
+TEST(SolidPairs, DepthInAUnionOfBalls) {
   // Positions: two balls of radius 5 with centres 6 apart; from the middle the nearest free position is on the circle
   // of radius 4.
   Body two = ball(-3, 0, 0, 4);
   two.parts.push_back({std::nullopt, {3, 0, 0}, Real(4)});
-  const SolidPair pair(shared(ball(0, 0, 0, 1)), shared(std::move(two)));
+  const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 1)), shared(std::move(two)));
   EXPECT_NEAR(value(pair, Which::kGamma1, place(0, 0, 0)), -4, 1e-12);              // no sign: test
   EXPECT_NEAR(value(pair, Which::kGamma1, place(0, 3, 0)), -1, 1e-12);              // no sign: test
   EXPECT_NEAR(value(pair, Which::kGamma1, place(-3, 0, 0)), -5, 1e-12);             // no sign: test
@@ -127,20 +127,20 @@ TEST(SolidPair, DepthInAUnionOfBalls) {
   EXPECT_EQ(pair.value(Which::kGamma1, place(0, 0, 4))->value.sign(), 0);
 }
 
-TEST(SolidPair, ChannelOfExactWidth) {
+TEST(SolidPairs, ChannelOfExactWidth) {
   const std::vector<space::Corners> channel{
       {{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}};
-  const SolidPair pair(shared(box_body({{{{0, 0, 0}, {1, 2, 2}}}})), shared(box_body(channel)));
+  const PairDistances pair = solid_pair(shared(box_body({{{{0, 0, 0}, {1, 2, 2}}}})), shared(box_body(channel)));
   EXPECT_EQ(pair.value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
   EXPECT_EQ(pair.value(Which::kGamma1, place(1, 2, 0))->value.sign(), 0);
   EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, place(3, 4, 4, 2)), -0.5);
   EXPECT_DOUBLE_EQ(value(pair, Which::kGamma1, place(1, 2, 6)), 2);
 }
 
-TEST(SolidPair, RoomsWithSheetsLinesAndPoints) {
+TEST(SolidPairs, RoomsWithSheetsLinesAndPoints) {
   const std::vector<space::Corners> rooms{
       {{{0, 0, 0}, {4, 4, 4}}}, {{{4, 1, 1}, {7, 3, 2}}}, {{{-3, 1, 1}, {0, 2, 2}}}, {{{10, 0, 0}, {11, 1, 1}}}};
-  const SolidPair pair(shared(box_body({{{{0, 0, 0}, {1, 1, 1}}}})), shared(box_body(rooms)));
+  const PairDistances pair = solid_pair(shared(box_body({{{{0, 0, 0}, {1, 1, 1}}}})), shared(box_body(rooms)));
   EXPECT_DOUBLE_EQ(value(pair, Which::kEta1, place(-20, 13, 14, 10)), 0.5);
   EXPECT_EQ(pair.value(Which::kEta1, place(10, 0, 0))->value.sign(), 0);
   EXPECT_EQ(pair.value(Which::kEta1, place(-5, 2, 2, 2))->value.sign(), 0);
@@ -149,33 +149,33 @@ TEST(SolidPair, RoomsWithSheetsLinesAndPoints) {
   EXPECT_DOUBLE_EQ(value(pair, Which::kEta2, place(0, 0, 0)), 10);  // the single point is the farthest
 }
 
-TEST(SolidPair, DirectedHausdorffInsideAHole) {
+TEST(SolidPairs, DirectedHausdorffInsideAHole) {
   // A square tube of inner width 4 and a bar that fills it: the axis is 2 away from the wall, at no vertex of the bar.
   const std::vector<space::Corners> tube{{{{-4, -4, 0}, {-2, 4, 20}}},
                                          {{{2, -4, 0}, {4, 4, 20}}},
                                          {{{-2, -4, 0}, {2, -2, 20}}},
                                          {{{-2, 2, 0}, {2, 4, 20}}}};
-  const SolidPair pair(shared(box_body({{{{-3, -3, 5}, {3, 3, 9}}}})), shared(box_body(tube)));
+  const PairDistances pair = solid_pair(shared(box_body({{{{-3, -3, 5}, {3, 3, 9}}}})), shared(box_body(tube)));
   EXPECT_NEAR(value(pair, Which::kMu, place(0, 0, 0)), 2, 1e-11);  // no sign: test
   EXPECT_NEAR(value(pair, Which::kMu, place(0, 0, 14)), std::sqrt(13),
               1e-11);  // no sign: test (on the axis, 3 above the tube)
 }
 
-TEST(BoxPair, AgreesOnSlitsAndUnboundedShapes) {
-  const BoxPair channel(box_set({{{{0, 0, 0}, {1, 2, 2}}}}),
+TEST(BoxMaps, AgreesOnSlitsAndUnboundedShapes) {
+  const BoxMaps channel(box_set({{{{0, 0, 0}, {1, 2, 2}}}}),
                         box_set({{{{0, 0, 0}, {1, 6, 4}}}, {{{2, 0, 0}, {3, 6, 4}}}, {{{0, 0, -1}, {3, 6, 0}}}}));
-  EXPECT_EQ(channel.value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
-  EXPECT_DOUBLE_EQ(channel.value(Which::kGamma1, place(3, 4, 4, 2))->value.to_double(), -0.5);
+  EXPECT_EQ(channel.distances().value(Which::kGamma1, place(1, 2, 1))->value.sign(), 0);
+  EXPECT_DOUBLE_EQ(channel.distances().value(Which::kGamma1, place(3, 4, 4, 2))->value.to_double(), -0.5);
   // Everything outside a room of 4: gamma1 is minus eta1 of the room, and minus infinity for what does not fit in.
   const space::BoxComplex walls = closure(complement(box_set({{{{0, 0, 0}, {4, 4, 4}}}})));
-  const BoxPair fits(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), walls), large(box_set({{{{0, 0, 0}, {5, 1, 1}}}}), walls);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(1, 1, 1))->value.to_double(), 1);
-  EXPECT_DOUBLE_EQ(fits.value(Which::kGamma1, place(-2, 1, 1))->value.to_double(), -2);
-  EXPECT_TRUE(large.value(Which::kGamma1, place(1, 1, 1))->minus_infinity);
+  const BoxMaps fits(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), walls), large(box_set({{{{0, 0, 0}, {5, 1, 1}}}}), walls);
+  EXPECT_DOUBLE_EQ(fits.distances().value(Which::kGamma1, place(1, 1, 1))->value.to_double(), 1);
+  EXPECT_DOUBLE_EQ(fits.distances().value(Which::kGamma1, place(-2, 1, 1))->value.to_double(), -2);
+  EXPECT_TRUE(large.distances().value(Which::kGamma1, place(1, 1, 1))->minus_infinity);
 }
 
-TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
-  const BoxPair pair(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), box_set({{{{0, 0, 0}, {5, 3, 9}}}}));
+TEST(BoxMaps, LeastValuesAndLevelsOfBoxes) {
+  const BoxMaps pair(box_set({{{{0, 0, 0}, {1, 1, 1}}}}), box_set({{{{0, 0, 0}, {5, 3, 9}}}}));
   const auto least = pair.least(Which::kEta1).or_throw();
   ASSERT_TRUE(least);
   EXPECT_EQ(least->value, Real(-1));  // E is 4 x 2 x 8
@@ -190,7 +190,7 @@ TEST(BoxPair, LeastValuesAndLevelsOfBoxes) {
 }
 
 /// The sum has 4000 coordinates on each of two axes.
-TEST(BoxPair, RefusesWhatIsTooFine) {
+TEST(BoxMaps, RefusesWhatIsTooFine) {
   const auto squares = [](int count, int apart, int side) {
     std::vector<space::IntervalBox> boxes;
     for (int k = 0; k < count; ++k) {
@@ -199,20 +199,20 @@ TEST(BoxPair, RefusesWhatIsTooFine) {
     }
     return space::BoxComplex::of_boxes(boxes);
   };
-  const BoxPair pair(squares(20, 7, 3), squares(100, 1000, 500));
+  const BoxMaps pair(squares(20, 7, 3), squares(100, 1000, 500));
   EXPECT_FALSE(pair.sign_map(Which::kGamma1, Real()));
-  EXPECT_FALSE(pair.try_value(Which::kGamma1, place(0, 0, 0)));
-  EXPECT_FALSE(pair.try_value(Which::kGamma2, place(0, 0, 0)));
+  EXPECT_FALSE(pair.distances().try_value(Which::kGamma1, place(0, 0, 0)));
+  EXPECT_FALSE(pair.distances().try_value(Which::kGamma2, place(0, 0, 0)));
   EXPECT_FALSE(pair.least(Which::kGamma1));
   EXPECT_FALSE(pair.directional_map(Which::kGamma1, Real(1), 0, 0));
   EXPECT_FALSE(pair.directional_least(Which::kGamma1, 0, 0));
 }
 
 /// Rooms joined by a door that is too low: separate boxes of positions, which levels shrink one by one.
-TEST(BoxPair, LevelsOfSeparateBoxes) {
+TEST(BoxMaps, LevelsOfSeparateBoxes) {
   const auto cube = box_set({{{{0, 0, 0}, {1, 1, 1}}}});
   const auto rooms = box_set({{{{0, 0, 0}, {4, 4, 4}}}, {{{4, 1, 1}, {6, 3, 2}}}, {{{6, 0, 0}, {12, 6, 3}}}});
-  const BoxPair pair(cube, rooms);
+  const BoxMaps pair(cube, rooms);
   const space::BoxComplex map = *pair.sign_map(Which::kEta1, Real(-1));
   // The rooms' positions are [0, 3]^3 and [6, 11] x [0, 5] x [0, 2].
   EXPECT_EQ(map.mark(place(3, 3, 3, 2)), -1);
@@ -226,10 +226,10 @@ TEST(BoxPair, LevelsOfSeparateBoxes) {
   EXPECT_EQ(least->at.mark(place(3, 3, 3, 2)), 1);
   EXPECT_EQ(least->at.mark(place(8, 3, 1)), 0);
   // Where a slit parts them they are separate, too; where they are one L they are not boxes.
-  const BoxPair slit(cube, box_set({{{{0, 0, 0}, {2, 4, 4}}}, {{{3, 0, 0}, {7, 4, 4}}}}));
+  const BoxMaps slit(cube, box_set({{{{0, 0, 0}, {2, 4, 4}}}, {{{3, 0, 0}, {7, 4, 4}}}}));
   EXPECT_EQ(slit.sign_map(Which::kGamma1, Real(-1))->mark(place(2, 2, 2)), 1);
   EXPECT_EQ(slit.sign_map(Which::kGamma1, Real(-1))->mark(place(1, 3, 3, 2)), -1);
-  const BoxPair bent(cube, box_set({{{{0, 0, 0}, {6, 3, 3}}}, {{{0, 0, 0}, {3, 6, 3}}}}));
+  const BoxMaps bent(cube, box_set({{{{0, 0, 0}, {6, 3, 3}}}, {{{0, 0, 0}, {3, 6, 3}}}}));
   EXPECT_FALSE(bent.sign_map(Which::kEta1, Real(-1)));
   EXPECT_FALSE(bent.least(Which::kEta1).or_throw());
 }

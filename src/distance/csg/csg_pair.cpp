@@ -2,10 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/csg/csg_pair.h"
 
+#include <findspace/error.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
+#include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
@@ -19,44 +23,31 @@ using space::CsgPart;
 using space::CsgSolid;
 using space::RealVector;
 
-namespace {
-
-TriedAnswer defined(exact::Tried<Answer> v) {
-  if (!v) return v.refusal();
-  return std::optional(*std::move(v));
-}
-
-}  // namespace
-
-CsgPair::CsgPair(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> a, bool cut_moves)
-    : b_(std::move(b)), a_(std::move(a)), cut_moves_(cut_moves) {
+CsgSide::CsgSide(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> a)
+    : b_(std::move(b)), a_(std::move(a)) {
   size_ = cut_size(*b_, *a_);
   for (const CsgPart& part : a_->parts) {
     CsgPartSearch search = csg_part_search(part, size_);
     if (!search.empty) parts_.push_back(std::move(search));
   }
-  const auto pairs = [&](const std::vector<Body>& all, std::vector<std::unique_ptr<const SolidPair>>& out) {
-    for (const Body& body : all)
-      out.push_back(std::make_unique<const SolidPair>(b_, std::make_shared<const Body>(body)));
-  };
-  pairs(a_->containers, containers_);
-  pairs(a_->obstacles, obstacles_);
+  for (const Body& body : a_->containers) containers_.push_back(solid_pair(b_, std::make_shared<const Body>(body)));
+  for (const Body& body : a_->obstacles) obstacles_.push_back(solid_pair(b_, std::make_shared<const Body>(body)));
 }
 
 /// How B + p fits, by each container and obstacle alone: the worst of them, which is no more than what it is by all
 /// together; nothing where one container is too small.
-TriedAnswer CsgPair::worst_fit(const RealVector& p) const {
+TriedAnswer CsgSide::worst_fit(const RealVector& p) const {
   std::optional<Answer> worst;
   const auto take = [&](Answer v) {
     if (!worst || worst->value < v.value) worst = std::move(v);
   };
   for (const auto& container : containers_) {
-    TriedAnswer v = container->try_value(Which::kEta1, p);
+    TriedAnswer v = container.try_value(Which::kEta1, p);
     if (!v || !*v) return v;
     take(**std::move(v));
   }
   for (const auto& obstacle : obstacles_) {
-    TriedAnswer v = obstacle->try_value(Which::kGamma1, p);
+    TriedAnswer v = obstacle.try_value(Which::kGamma1, p);
     if (!v) return v;
     take(minus(**std::move(v)));
   }
@@ -64,7 +55,7 @@ TriedAnswer CsgPair::worst_fit(const RealVector& p) const {
 }
 
 /// Whether the worst fit is the true one: B fits already, or where it next fits by that alone.
-Tried<bool> CsgPair::is_whole(const Answer& worst) const {
+Tried<bool> CsgSide::is_whole(const Answer& worst) const {
   if (worst.value.sign() <= 0) return true;
   if (!worst.proven || !worst.nearest) return false;
   const TriedAnswer there = worst_fit(*worst.nearest);
@@ -72,7 +63,7 @@ Tried<bool> CsgPair::is_whole(const Answer& worst) const {
   return *there && (*there)->proven && (*there)->value.sign() <= 0;
 }
 
-TriedAnswer CsgPair::contained(const RealVector& p) const {
+TriedAnswer CsgSide::fit(const RealVector& p) const {
   if (containers_.empty()) return contained_in_union(p);
   TriedAnswer worst = worst_fit(p);
   if (!worst || !*worst) return worst;
@@ -86,7 +77,7 @@ TriedAnswer CsgPair::contained(const RealVector& p) const {
 }
 
 /// Null: nothing fits.
-Tried<const PositionSet*> CsgPair::fits() const {
+Tried<const PositionSet*> CsgSide::fits() const {
   std::call_once(fits_made_, [&] {
     std::optional<space::Bounds3> box;
     std::vector<PositionSet> all;
@@ -123,11 +114,7 @@ Tried<const PositionSet*> CsgPair::fits() const {
   return fits_ ? &*fits_ : nullptr;
 }
 
-TriedAnswer CsgPair::farthest_fit(Inner inner, const RealVector& p) const {
-  if (inner == Inner::kA) {
-    if (too_large()) return std::nullopt;
-    return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
-  }
+TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
   const Tried<const PositionSet*> fits = this->fits();
   if (!fits) return fits.refusal();
@@ -137,83 +124,36 @@ TriedAnswer CsgPair::farthest_fit(Inner inner, const RealVector& p) const {
   return v;
 }
 
-TriedAnswer CsgPair::protrusion(Inner inner, const RealVector& p, Depth /*depth*/) const {
-  if (inner == Inner::kA) return defined(protrusion_back(p));
+TriedAnswer CsgSide::protrusion(const RealVector& p, Depth /*depth*/) const {
   TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere protrudes everywhere.
   if (worst && (!*worst || (*worst)->value.sign() > 0)) return std::optional(protrusion_out(p));
   return worst;
 }
 
-TriedAnswer CsgPair::hausdorff(const RealVector& p) const {
-  TriedAnswer back = defined(protrusion_back(p));
-  if (!back) return back;
-  // No point of B is farther from A than the gap and B's own width.
-  const double most = apart(p).value.to_double() + distance::diameter(*b_).to_double();
-  if (most < (*back)->value.to_double() - (*back)->error) return back;
-  TriedAnswer forth = protrusion(Inner::kB, p, Depth::kValue);
-  return forth && (*forth)->value < (*back)->value ? back : forth;
+/// The gap and B's own width.
+double CsgSide::protrudes_at_most(const RealVector& p) const {
+  return apart(p).value.to_double() + distance::diameter(*b_).to_double();
 }
 
-/// Whether A is wider than B along an axis, and so never in it.
-bool CsgPair::too_large() const {
-  std::call_once(extents_made_, [&] {
-    const space::Bounds3 box = bounds(*b_);
-    for (std::size_t k = 0; k < 3; ++k) {
-      double wide = 0;
-      for (const double sense : {1.0, -1.0}) {
-        const ConvexDistance ahead = [k, sense](const space::Vector& x) {
-          return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
-        };
-        double most = -exact::kInfinity;
-        for (const CsgPartSearch& part : parts_) most = std::max(most, part.places.farthest_from(ahead).value);
-        wide += most;
-      }
-      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * size_) too_large_ = true;
-    }
-  });
-  return too_large_;
-}
-
-TriedAnswer CsgPair::clearance(Inner inner, const RealVector& p) const {
-  TriedAnswer v = inner == Inner::kA    ? defined(protrusion_back(p))
-                  : containers_.empty() ? contained_in_union(p)
-                                        : worst_fit(p);
+TriedAnswer CsgSide::clearance(const RealVector& p) const {
+  TriedAnswer v = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   if (!v) return v;
   return cut_off(*std::move(v), true);
 }
 
-TriedAnswer CsgPair::covered(const RealVector& p) const {
-  if (too_large()) return std::nullopt;
-  Tried<Answer> v = protrusion_back(p);
-  if (v && v->value.to_double() > v->error)
-    return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
-  return defined(std::move(v));
-}
-
-TriedAnswer CsgPair::gap(const RealVector& p, Depth depth) const {
+TriedAnswer CsgSide::gap(const RealVector& p, Depth depth) const {
   Gap found = gap_at(p);
-  if (found.depth > 0 && depth == Depth::kValue) return defined(overlapping(p));
+  if (found.depth > 0 && depth == Depth::kValue) return overlapping(p);
   return std::optional(std::move(found.value));
 }
 
-TriedAnswer CsgPair::reach(const RealVector& p) const { return std::optional(reach_of_parts(p)); }
-
-TriedAnswer CsgPair::diameter(const RealVector& /*p*/) const {
+TriedAnswer CsgSide::diameter(const RealVector& /*p*/) const {
   return Refusal("this distance to a shape that round ones are cut out of is not computed");
 }
 
-TriedAnswer CsgPair::fit(Inner inner, const RealVector& p) const {
-  return inner == Inner::kB ? contained(p) : covered(p);
-}
-
-TriedAnswer CsgPair::try_value(Which which, const RealVector& p) const {
-  if (!cut_moves_) return PairDistances::try_value(which, p);
-  return exchanged_back(PairDistances::try_value(exchanged(which), space::negated(p)), p);
-}
-
 /// How far B + p is from fitting, less a level above 0.
-TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
+TriedBetween CsgSide::nearly_fits(const RealVector& p, double level) const {
   const exact::Tried<const PositionSet*> made = this->fits();
   if (!made) return made.refusal();
   const PositionSet* fits = *made;
@@ -235,20 +175,114 @@ TriedBetween CsgPair::nearly_fits(const RealVector& p, double level) const {
   return Between{std::max(least, found.bound) - error - level, found.value + error - level};
 }
 
-TriedBetween CsgPair::between(Which which, const Real& level, const RealVector& p) const {
+std::optional<TriedBetween> CsgSide::nearly(Which which, double level, const RealVector& p) const {
+  const bool fit = which == Which::kEta1, out = which == Which::kMu;
+  if ((fit || (out && level <= 0)) && containers_.empty()) return nearly_in_union(p, level);
+  if (out && level > 0) return nearly_protrudes(p, level);
+  if (fit && level > 0) return nearly_fits(p, level);
+  return std::nullopt;
+}
+
+TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const Real& level, const RealVector& p) {
   const double at = level.to_double();
-  const bool fit = which == (cut_moves_ ? Which::kDelta1 : Which::kEta1);
-  const bool out = which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at <= 0;
-  if ((fit || out) && containers_.empty()) return nearly_in_union(cut_moves_ ? space::negated(p) : p, at);
-  if (which == (cut_moves_ ? Which::kMuBack : Which::kMu) && at > 0)
-    return nearly_protrudes(cut_moves_ ? space::negated(p) : p, at);
-  if (fit && at > 0) return nearly_fits(cut_moves_ ? space::negated(p) : p, at);
-  const TriedAnswer found = try_value(which, p);
+  if (const auto nearly = side->nearly(which, at, p)) return *nearly;
+  const TriedAnswer found = csg_pair(side, false).try_value(which, p);
   if (!found) return found.refusal();
   const std::optional<Answer>& v = *found;
   if (!v) return std::nullopt;
   const double d = v->value.to_double();
   return Between{d - v->error - at, d + v->error - at};
+}
+
+/// "A in B", at positions of A.
+class CsgBackSide : public PairSide {
+ public:
+  explicit CsgBackSide(std::shared_ptr<const CsgSide> side) : side_(std::move(side)) {}
+
+  TriedAnswer gap(const RealVector& p, Depth depth) const override {
+    return exchanged_back(side_->gap(space::negated(p), depth), p);
+  }
+  TriedAnswer reach(const RealVector& p) const override { return exchanged_back(side_->reach(space::negated(p)), p); }
+  TriedAnswer diameter(const RealVector& p) const override { return side_->diameter(p); }
+  TriedAnswer protrusion(const RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(const RealVector& p) const override {
+    TriedAnswer v = protrusion(p, Depth::kValue);
+    if (!v) return v;
+    return cut_off(*std::move(v), true);
+  }
+  TriedAnswer fit(const RealVector& p) const override {
+    if (too_large()) return std::nullopt;
+    TriedAnswer v = protrusion(p, Depth::kValue);
+    if (v && (*v)->value.to_double() > (*v)->error)
+      return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
+    return v;
+  }
+  TriedAnswer farthest_fit(const RealVector& /*p*/) const override {
+    if (too_large()) return std::nullopt;
+    return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
+  }
+
+ private:
+  bool too_large() const;
+
+  std::shared_ptr<const CsgSide> side_;
+  mutable std::once_flag extents_made_;
+  mutable bool too_large_ = false;
+};
+
+TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth /*depth*/) const {
+  const Body& b = *side_->b_;
+  if (!b.convex())
+    return Refusal(
+        "the protrusion of a shape that round ones are cut out of is computed "
+        "where that is convex");
+  const RealVector by = space::negated(p);  // of B
+  const ConvexDistance beyond = reverse_convex_constraint(b.parts[0], space::rounded(by));
+  std::optional<Answer> best;
+  for (const CsgPartSearch& part : side_->parts_) {
+    const BoundaryPlace found = part.places.farthest_from(beyond);
+    if (!found.found || (best && found.value <= best->value.to_double())) continue;
+    Answer v = searched_answer(found, side_->size_);
+    // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
+    for (const BodyPart& set : part.sets->within) {
+      Answer complete = protrusion_of_convex(space::body_of_part(set), b.parts[0], p);
+      const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
+      if (!same || complete.witness.empty()) continue;
+      if (!holds(*part.sets, space::plus(complete.witness[0].at, by))) continue;
+      v = std::move(complete);
+      v.nearest.reset();
+      break;
+    }
+    best = std::move(v);
+  }
+  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+  return best;
+}
+
+/// Whether A is wider than B along an axis, and so never in it.
+bool CsgBackSide::too_large() const {
+  std::call_once(extents_made_, [&] {
+    const space::Bounds3 box = bounds(*side_->b_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double wide = 0;
+      for (const double sense : {1.0, -1.0}) {
+        const ConvexDistance ahead = [k, sense](const space::Vector& x) {
+          return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
+        };
+        double most = -exact::kInfinity;
+        for (const CsgPartSearch& part : side_->parts_) most = std::max(most, part.places.farthest_from(ahead).value);
+        wide += most;
+      }
+      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * side_->size_) too_large_ = true;
+    }
+  });
+  return too_large_;
+}
+
+PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves) {
+  auto back = std::make_shared<const CsgBackSide>(side);
+  if (cut_moves) return {std::move(back), std::move(side)};
+  return {std::move(side), std::move(back)};
 }
 
 }  // namespace findspace::distance

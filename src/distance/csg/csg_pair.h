@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of B:
+// T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of either:
 //   gamma1, d1, penetration
 //                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
 //   gamma2
@@ -29,26 +29,33 @@
 
 namespace findspace::distance {
 
-class CsgPair : public PairDistances {
+/// "B in A": a provider of pair_distances.h.
+class CsgSide : public PairSide {
  public:
-  /// Both of one scale, B bounded. With `cut_moves` it is A that is moved, by -p in its own words: then the distances
-  /// are those of A + p to B.
-  CsgPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a, bool cut_moves);
+  /// Both of one scale, B bounded.
+  CsgSide(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::CsgSolid> a);
 
-  TriedAnswer try_value(Which which, const space::RealVector& p) const;
-  std::optional<Answer> value(Which which, const space::RealVector& p) const { return try_value(which, p).or_throw(); }
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override;
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(const space::RealVector& p) const override;
+  TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(const space::RealVector& p) const override;
+  double protrudes_at_most(const space::RealVector& p) const override;
+
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
-  bool cut_moves() const { return cut_moves_; }
   /// What the distance less the level is between, or another function of the same sign that no step changes by more
-  /// than its length; nothing where it is undefined. Not of gamma1.
-  TriedBetween between(Which which, const exact::Real& level, const space::RealVector& p) const;
+  /// than its length; an empty one where the value is to tell. Not of gamma1.
+  std::optional<TriedBetween> nearly(Which which, double level, const space::RealVector& p) const;
   /// The distance less the level, or another function of the same sign, along lines of that direction; null where
   /// `between` is to tell. What is said of gamma1 at levels below 0 has the opposite sign.
-  static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CsgPair> pair, Which which, double level,
+  static std::unique_ptr<const NearRule> nearness(std::shared_ptr<const CsgSide> side, Which which, double level,
                                                   const space::Vector& unit, const NearRange& range);
 
  private:
+  friend class CsgBackSide;
   class GapNear;
   class FreeNear;
   /// B + p and A are apart by `value`, or, if `depth` is more than 0, their interiors meet.
@@ -64,14 +71,12 @@ class CsgPair : public PairDistances {
   Between nearly_apart(const space::RealVector& p, double level) const;
   /// The positions at which B is free of A.
   exact::Tried<const PositionSet*> free() const;
-  exact::Tried<Answer> overlapping(const space::RealVector& p) const;
+  TriedAnswer overlapping(const space::RealVector& p) const;
   TriedAnswer free_of_sets(const space::RealVector& p) const;
-  Answer reach_of_parts(const space::RealVector& p) const;
   /// Of A.
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
   TriedAnswer worst_fit(const space::RealVector& p) const;
   exact::Tried<bool> is_whole(const Answer& worst) const;
-  TriedAnswer contained(const space::RealVector& p) const;
   /// Without containers: by what A leaves of a box.
   struct Among;
   exact::Tried<const Among*> among() const;
@@ -81,40 +86,27 @@ class CsgPair : public PairDistances {
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
   exact::Tried<const PositionSet*> fits() const;
-  bool too_large() const;
   std::vector<NearSet> near_sets() const;
   /// Of B + p out of A, where it is not in A.
   Answer protrusion_out(const space::RealVector& p) const;
   /// Less the level; as near as tells about how far it is from that.
   TriedBetween nearly_protrudes(const space::RealVector& p, double level) const;
-  /// Of A out of B + p.
-  exact::Tried<Answer> protrusion_back(const space::RealVector& p) const;
-  TriedAnswer covered(const space::RealVector& p) const;
-
-  // Of A that does not move.
-  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
-  TriedAnswer reach(const space::RealVector& p) const override;
-  TriedAnswer diameter(const space::RealVector& p) const override;
-  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
-  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer hausdorff(const space::RealVector& p) const override;
 
   std::shared_ptr<const space::Body> b_;
   std::shared_ptr<const space::CsgSolid> a_;
-  bool cut_moves_ = false;
   std::vector<CsgPartSearch> parts_;
-  std::vector<std::unique_ptr<const SolidPair>> containers_, obstacles_;
+  std::vector<PairDistances> containers_, obstacles_;
   double size_ = 1;
-  mutable std::once_flag fits_made_;
+  mutable std::once_flag fits_made_, among_made_, free_made_;
   mutable std::optional<PositionSet> fits_, free_;
   mutable std::optional<exact::Refusal> no_fits_, no_among_, no_free_;
-  mutable std::once_flag among_made_;
   mutable std::shared_ptr<const Among> among_;
-  mutable std::once_flag free_made_;
-  mutable std::once_flag extents_made_;
-  mutable bool too_large_ = false;
 };
+
+/// B moves, or with `cut_moves` A.
+PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves);
+/// As CsgSide::nearly, or by the value.
+TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const exact::Real& level,
+                     const space::RealVector& p);
 
 }  // namespace findspace::distance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Where B of a CsgPair fits into a union of solids that balls are cut out of: it is in the union where it is free of
+// Where B of a CsgSide fits into a union of solids that balls are cut out of: it is in the union where it is free of
 // what that leaves of a box about both.
 
 #include <algorithm>
@@ -28,9 +28,9 @@ bool inside(const RealVector& p, const space::Bounds3& box) {
 
 }  // namespace
 
-struct CsgPair::Among {
+struct CsgSide::Among {
   space::Bounds3 places;  // beyond this B protrudes from the box about A
-  std::unique_ptr<const CsgPair> left;
+  std::unique_ptr<const CsgSide> left;
 
   /// Of B in A.
   exact::Tried<PositionSet> fits() const {
@@ -41,7 +41,7 @@ struct CsgPair::Among {
 };
 
 /// Null: B is larger than the box about A.
-exact::Tried<const CsgPair::Among*> CsgPair::among() const {
+exact::Tried<const CsgSide::Among*> CsgSide::among() const {
   std::call_once(among_made_, [this] {
     const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
     auto out = std::make_shared<Among>();
@@ -59,7 +59,7 @@ exact::Tried<const CsgPair::Among*> CsgPair::among() const {
       no_among_ = left.refusal();
       return;
     }
-    out->left = std::make_unique<const CsgPair>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)), false);
+    out->left = std::make_unique<const CsgSide>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)));
     among_ = std::move(out);
   });
   if (no_among_) return *no_among_;
@@ -67,7 +67,7 @@ exact::Tried<const CsgPair::Among*> CsgPair::among() const {
 }
 
 /// Whether B + p is in A, and how deep.
-bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) const {
+bool CsgSide::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
   Gap gap = all.left->gap_at(p);
   if (gap.depth > 0) return false;
@@ -76,7 +76,7 @@ bool CsgPair::in_union(const Among& all, const RealVector& p, Answer& depth) con
   return true;
 }
 
-TriedAnswer CsgPair::contained_in_union(const RealVector& p) const {
+TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
   const exact::Tried<const Among*> made = among();
   if (!made) return made.refusal();
   const Among* all = *made;
@@ -88,7 +88,7 @@ TriedAnswer CsgPair::contained_in_union(const RealVector& p) const {
   return fits->nearest(p, false);
 }
 
-TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
+TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
   const exact::Tried<const Among*> made = among();
   if (!made) return made.refusal();
   const Among* all = *made;
@@ -101,7 +101,7 @@ TriedAnswer CsgPair::farthest_in_union(const RealVector& p) const {
 }
 
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
-TriedBetween CsgPair::nearly_in_union(const RealVector& p, double level) const {
+TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
   const exact::Tried<const Among*> made = among();
   if (!made) return made.refusal();
   const Among* all = *made;

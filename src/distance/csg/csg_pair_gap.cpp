@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The distances of CsgPair between places: the nearest and the farthest of B and A, and how far A protrudes from B.
+// The distances of CsgSide between places: the nearest and the farthest of B and A, and how far B protrudes from A.
 
 #include <findspace/error.h>
 
@@ -31,7 +31,7 @@ space::Extent box_of(const BodyPart& part, const Vector& p) {
 }  // namespace
 
 /// Not negative: 0 where they meet.
-Answer CsgPair::apart(const RealVector& p) const {
+Answer CsgSide::apart(const RealVector& p) const {
   std::optional<Answer> best;
   const Vector by = space::rounded(p);
   for (const BodyPart& s : b_->parts) {
@@ -60,7 +60,7 @@ Answer CsgPair::apart(const RealVector& p) const {
 }
 
 /// What the gap less the level is between; where B + p is not surely nearer than the level, or farther.
-Between CsgPair::nearly_apart(const RealVector& p, double level) const {
+Between CsgSide::nearly_apart(const RealVector& p, double level) const {
   Between out{exact::kInfinity, exact::kInfinity};
   const Vector by = space::rounded(p);
   const Until until{level, margin::kRoughShare};
@@ -83,7 +83,7 @@ Between CsgPair::nearly_apart(const RealVector& p, double level) const {
   return {out.low - error - level, out.high + error - level};
 }
 
-double CsgPair::common_depth(const RealVector& p, double enough) const {
+double CsgSide::common_depth(const RealVector& p, double enough) const {
   const Vector by = space::rounded(p);
   double most = 0;
   for (const BodyPart& s : b_->parts) {
@@ -96,7 +96,7 @@ double CsgPair::common_depth(const RealVector& p, double enough) const {
   return most > enough * size_ ? most : 0;
 }
 
-CsgPair::Gap CsgPair::gap_at(const RealVector& p) const {
+CsgSide::Gap CsgSide::gap_at(const RealVector& p) const {
   Gap out;
   out.value = apart(p);
   const double v = out.value.value.to_double();
@@ -106,7 +106,7 @@ CsgPair::Gap CsgPair::gap_at(const RealVector& p) const {
   return out;
 }
 
-Answer CsgPair::reach_of_parts(const RealVector& p) const {
+TriedAnswer CsgSide::reach(const RealVector& p) const {
   std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {
@@ -124,11 +124,11 @@ Answer CsgPair::reach_of_parts(const RealVector& p) const {
     }
   }
   if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
-  return *std::move(best);
+  return best;
 }
 
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
-Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
+Answer CsgSide::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
   Answer out = searched_answer(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
@@ -145,44 +145,14 @@ Answer CsgPair::named_reach(const space::CsgPart& part, const RealVector& from, 
   return out;
 }
 
-exact::Tried<Answer> CsgPair::protrusion_back(const RealVector& p) const {
-  if (!b_->convex())
-    return exact::Refusal(
-        "the protrusion of a shape that round ones are cut out of is computed "
-        "where that is convex");
-  const Vector by = space::rounded(p);
-  const ConvexDistance beyond = reverse_convex_constraint(b_->parts[0], by);
-  std::optional<Answer> best;
-  for (const CsgPartSearch& part : parts_) {
-    const BoundaryPlace found = part.places.farthest_from(beyond);
-    if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    Answer v = searched_answer(found, size_);
-    // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
-    for (const BodyPart& set : part.sets->within) {
-      const Answer complete = protrusion_of_convex(space::body_of_part(set), b_->parts[0], space::negated(p));
-      const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
-      if (!same || complete.witness.empty()) continue;
-      const RealVector place = space::plus(complete.witness[0].at, p);
-      if (!holds(*part.sets, place)) continue;
-      v = complete;
-      v.witness = point_pair(space::plus(complete.witness[1].at, p), place);
-      v.nearest.reset();
-      break;
-    }
-    best = std::move(v);
-  }
-  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
-  return *std::move(best);
-}
-
-std::vector<NearSet> CsgPair::near_sets() const {
+std::vector<NearSet> CsgSide::near_sets() const {
   std::vector<NearSet> out;
   for (const CsgPartSearch& part : parts_) out.push_back(part.near_set());
   return out;
 }
 
 /// At a corner of B, and to a place that square roots name, exactly.
-Answer CsgPair::protrusion_out(const RealVector& p) const {
+Answer CsgSide::protrusion_out(const RealVector& p) const {
   const SetProtrusion out = set_protrusion(solids_of(*b_, p), near_sets(), size_, margin::kProtrudesTo * size_);
   Answer v = out.answer(size_);
   const auto at = corner_at(sharp_corners(*b_), p, out.found.place, size_);
@@ -195,7 +165,7 @@ Answer CsgPair::protrusion_out(const RealVector& p) const {
   return v;
 }
 
-TriedBetween CsgPair::nearly_protrudes(const RealVector& p, double level) const {
+TriedBetween CsgSide::nearly_protrudes(const RealVector& p, double level) const {
   const Solids solids = solids_of(*b_, p);
   const std::vector<NearSet> sets = near_sets();
   const double error = margin::kFoundError * size_;

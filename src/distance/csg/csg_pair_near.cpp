@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The functions of a CsgPair along lines whose least values on stretches are searched for (near_rays.h).
+// The functions of a CsgSide along lines whose least values on stretches are searched for (near_rays.h).
 
 #include <algorithm>
 #include <cmath>
@@ -17,25 +17,23 @@ using space::RealVector;
 using space::Vector;
 
 /// gamma1 less a level from 0 on, inside minus how deep a place of A is in a part of B.
-class CsgPair::GapNear : public NearRule {
+class CsgSide::GapNear : public NearRule {
  public:
-  GapNear(std::shared_ptr<const CsgPair> pair, double level, const Vector& unit)
-      : pair_(std::move(pair)), level_(level) {
-    for (const BodyPart& s : pair_->b_->parts) {
-      parts_.push_back({SweptPart(s, pair_->cut_moves_ ? space::scaled(-1, unit) : unit),
-                        space::rounded(bounds(space::body_of_part(s)))});
+  GapNear(std::shared_ptr<const CsgSide> side, double level, const Vector& unit)
+      : side_(std::move(side)), level_(level) {
+    for (const BodyPart& s : side_->b_->parts) {
+      parts_.push_back({SweptPart(s, unit), space::rounded(bounds(space::body_of_part(s)))});
     }
   }
 
   exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const override {
     Least out{exact::kInfinity, exact::kInfinity, {}};
-    const double error = margin::kFoundError * pair_->size_;
+    const double error = margin::kFoundError * side_->size_;
     const Until wanted{level_, until.share, until.blur};
-    const double sense = pair_->cut_moves_ ? -1 : 1;
-    const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
+    const Vector &start = line.start, &unit = line.unit;
     for (const Moving& s : parts_) {
       const TouchingConstraint gap = s.swept.gap(start, from, to);
-      for (const CsgPartSearch& part : pair_->parts_) {
+      for (const CsgPartSearch& part : side_->parts_) {
         const double boxes = distance(s, start, unit, from, to, part) - error - level_;
         if (boxes > 0 || boxes > out.low) {
           out.low = std::min(out.low, boxes);
@@ -74,23 +72,23 @@ class CsgPair::GapNear : public NearRule {
     };
   }
 
-  std::shared_ptr<const CsgPair> pair_;
+  std::shared_ptr<const CsgSide> side_;
   double level_;
   std::vector<Moving> parts_;
 };
 
 /// How far the nearest position is at which B is free of A, less how far that is to be.
-class CsgPair::FreeNear : public NearRule {
+class CsgSide::FreeNear : public NearRule {
  public:
-  FreeNear(std::shared_ptr<const CsgPair> pair, double depth, const Vector& unit, const NearRange& range)
-      : pair_(pair), depth_(depth), range_(range), free_(std::move(pair), 0, unit) {}
+  FreeNear(std::shared_ptr<const CsgSide> side, double depth, const Vector& unit, const NearRange& range)
+      : side_(side), depth_(depth), range_(range), free_(std::move(side), 0, unit) {}
 
   /// Where B is free, and up to the depth from there.
   exact::Tried<Known> known(const NearLine& line) const override {
     Known out;
     const exact::Tried<std::vector<SignStretch>> stretches = near_stretches(free_, line, range_);
     if (!stretches) return stretches.refusal();
-    const double reach = depth_ - 2 * margin::kFoundError * pair_->size_;
+    const double reach = depth_ - 2 * margin::kFoundError * side_->size_;
     for (const SignStretch& s : *stretches) {
       if (s.sign <= 0) continue;
       if (!out.empty() && s.from - reach <= out.back().second)
@@ -102,8 +100,8 @@ class CsgPair::FreeNear : public NearRule {
   }
 
   exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const override {
-    const double error = margin::kFoundError * pair_->size_, sense = pair_->cut_moves_ ? -1 : 1;
-    const Vector start = space::scaled(sense, line.start), unit = space::scaled(sense, line.unit);
+    const double error = margin::kFoundError * side_->size_;
+    const Vector &start = line.start, &unit = line.unit;
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
     const double reach = depth_ * margin::kNearReach + error;
     const Vector tolerance{reach, reach, reach};
@@ -112,7 +110,7 @@ class CsgPair::FreeNear : public NearRule {
     std::optional<Vector> out_of_one;
     std::optional<exact::Refusal> refused;
     const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
-    const exact::Tried<const PositionSet*> free = pair_->free();
+    const exact::Tried<const PositionSet*> free = side_->free();
     if (!free) return free.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
@@ -136,7 +134,7 @@ class CsgPair::FreeNear : public NearRule {
     std::optional<double> best;
     for (const Vector& from : {p, q}) {
       const RealVector at = space::real(from);
-      const TriedAnswer found = pair_->free_of_sets(at);
+      const TriedAnswer found = side_->free_of_sets(at);
       if (!found) {
         refused = found.refusal();
         return best;
@@ -153,17 +151,17 @@ class CsgPair::FreeNear : public NearRule {
     return best;
   }
 
-  std::shared_ptr<const CsgPair> pair_;
+  std::shared_ptr<const CsgSide> side_;
   double depth_;
   NearRange range_;
   GapNear free_;
 };
 
-std::unique_ptr<const NearRule> CsgPair::nearness(std::shared_ptr<const CsgPair> pair, Which which, double level,
+std::unique_ptr<const NearRule> CsgSide::nearness(std::shared_ptr<const CsgSide> side, Which which, double level,
                                                   const Vector& unit, const NearRange& range) {
   if (which != Which::kGamma1) return nullptr;
-  if (level >= 0) return std::make_unique<GapNear>(std::move(pair), level, unit);
-  return std::make_unique<FreeNear>(std::move(pair), -level, unit, range);
+  if (level >= 0) return std::make_unique<GapNear>(std::move(side), level, unit);
+  return std::make_unique<FreeNear>(std::move(side), -level, unit, range);
 }
 
 }  // namespace findspace::distance

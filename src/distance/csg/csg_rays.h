@@ -14,8 +14,8 @@
 
 namespace findspace::distance {
 
-/// The level in steps of the scale of the pair. Rows are refused where values do not say the sign.
-std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CsgPair> pair,
+/// With B moving; the level in steps of the scale of both. Rows are refused where values do not say the sign.
+std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CsgSide> side,
                                           std::int64_t scale, const space::RayGrid& grid);
 
 }  // namespace findspace::distance

@@ -60,7 +60,7 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
                                                 const space::RayGrid& grid) {
   // Where mu is below 0 it is eta1; of a union of round parts only that is known.
   if (which == Which::kEta1 && level.sign() <= 0) which = Which::kMu;
-  const auto pair = std::make_shared<const SolidPair>(std::make_shared<const Body>(b), std::make_shared<const Body>(a));
+  const PairDistances pair = solid_pair(std::make_shared<const Body>(b), std::make_shared<const Body>(a));
   const space::Bounds3 of_a = bounds(a), of_b = bounds(b);
   const space::Vector low = space::rounded(space::minus(of_a.low, of_b.high)),
                       high = space::rounded(space::minus(of_a.high, of_b.low));
@@ -71,11 +71,11 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
   const bool not_deep = which == Which::kEta1 && a.round() && !a.convex() && !outside;
   const RayRule rule = [pair, which, level, outside, not_deep](const RealVector& p) -> TriedBetween {
     if (not_deep) {
-      const TriedAnswer inside = pair->try_value(Which::kH, p);
+      const TriedAnswer inside = pair.try_value(Which::kH, p);
       if (!inside) return inside.refusal();
       if ((*inside)->value.sign() == 0) return Between{-level.to_double(), -level.to_double()};
     }
-    const TriedAnswer found = pair->try_value(which, p);
+    const TriedAnswer found = pair.try_value(which, p);
     if (!found) return found.refusal();
     const std::optional<Answer>& v = *found;
     if (!v) return std::nullopt;

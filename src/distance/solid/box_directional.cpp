@@ -5,7 +5,7 @@
 // without their ends, are such sets again.
 #include <algorithm>
 
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "space/box/box_operations.h"
 
 namespace findspace::distance {
@@ -85,7 +85,7 @@ Which nearest_one(Which which) {
 
 }  // namespace
 
-Tried<BoxComplex> BoxPair::directional_map(Which which, const Real& level, int axis, int way) const {
+Tried<BoxComplex> BoxMaps::directional_map(Which which, const Real& level, int axis, int way) const {
   const bool farthest = is_farthest(which);
   const Tried<const Signs*> found = signs(nearest_one(which));
   if (!found) return found.refusal();
@@ -112,7 +112,7 @@ Tried<BoxComplex> BoxPair::directional_map(Which which, const Real& level, int a
 
 /// The least value is set by two places of one line: half their distance (both ways) or all of it. Below the greatest
 /// of these levels below which there is nothing there is none.
-Tried<std::optional<BoxPair::Least>> BoxPair::directional_least(Which which, int axis, int way) const {
+Tried<std::optional<BoxMaps::Least>> BoxMaps::directional_least(Which which, int axis, int way) const {
   const Tried<const Signs*> found = signs(nearest_one(which));
   if (!found) return found.refusal();
   const Signs& s = **found;

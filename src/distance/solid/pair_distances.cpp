@@ -62,57 +62,58 @@ std::optional<CutOff> cut_off_of(Which which) {
   }
 }
 
-TriedAnswer PairDistances::clearance(Inner inner, const SpacePosition& p) const { return cut(fit(inner, p), true); }
-
-TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {
-  TriedAnswer back = protrusion(Inner::kA, p, Depth::kSign);
-  if (!back || !*back) return back;
-  TriedAnswer forth = protrusion(Inner::kB, p, Depth::kSign);
-  if (!forth || !*forth) return forth;
-  return (*forth)->value < (*back)->value ? back : forth;
-}
-
-TriedAnswer PairDistances::exchanged_back(TriedAnswer v, const SpacePosition& p) {
+TriedAnswer exchanged_back(TriedAnswer v, const SpacePosition& p) {
   if (!v || !*v) return v;
   if ((*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
   exchange_roles(**v, p);
   return v;
 }
 
+TriedAnswer PairSide::clearance(const SpacePosition& p) const { return cut(fit(p), true); }
+
+TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {
+  const double most = forth_->protrudes_at_most(p);
+  if (back_->protrudes_at_most(space::negated(p)) < most)
+    return exchanged_back(PairDistances(back_, forth_).hausdorff(space::negated(p)), p);
+  TriedAnswer back = exchanged_back(back_->protrusion(space::negated(p), PairSide::Depth::kSign), p);
+  if (!back || !*back) return back;
+  if (most < (*back)->value.to_double() - (*back)->error) return back;
+  TriedAnswer forth = forth_->protrusion(p, PairSide::Depth::kSign);
+  if (!forth || !*forth) return forth;
+  return (*forth)->value < (*back)->value ? back : forth;
+}
+
 TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const {
+  using Depth = PairSide::Depth;
   switch (which) {
     case Which::kGamma1:
-      return gap(p, Depth::kValue);
+      return forth_->gap(p, Depth::kValue);
     case Which::kD1:
-      return cut(gap(p, Depth::kSign), false);
+      return cut(forth_->gap(p, Depth::kSign), false);
     case Which::kPenetration:
-      return cut(gap(p, Depth::kValue), true);
+      return cut(forth_->gap(p, Depth::kValue), true);
     case Which::kGamma2:
-      return reach(p);
+      return forth_->reach(p);
     case Which::kDiameter:
-      return diameter(p);
+      return forth_->diameter(p);
     case Which::kEta1:
-      return fit(Inner::kB, p);
-    case Which::kDelta1:
-      return fit(Inner::kA, p);
+      return forth_->fit(p);
     case Which::kDstarBack:
-      return clearance(Inner::kB, p);
-    case Which::kDstar:
-      return clearance(Inner::kA, p);
+      return forth_->clearance(p);
     case Which::kEta2:
-      return farthest_fit(Inner::kB, p);
-    case Which::kDelta2:
-      return farthest_fit(Inner::kA, p);
+      return forth_->farthest_fit(p);
     case Which::kMu:
-      return protrusion(Inner::kB, p, Depth::kValue);
-    case Which::kMuBack:
-      return protrusion(Inner::kA, p, Depth::kValue);
+      return forth_->protrusion(p, Depth::kValue);
     case Which::kH:
-      return cut(protrusion(Inner::kB, p, Depth::kSign), false);
-    case Which::kHBack:
-      return cut(protrusion(Inner::kA, p, Depth::kSign), false);
+      return cut(forth_->protrusion(p, Depth::kSign), false);
     case Which::kHausdorff:
       return hausdorff(p);
+    case Which::kDelta1:
+    case Which::kDstar:
+    case Which::kDelta2:
+    case Which::kMuBack:
+    case Which::kHBack:
+      return exchanged_back(PairDistances(back_, forth_).try_value(exchanged(which), space::negated(p)), p);
   }
   return std::nullopt;
 }

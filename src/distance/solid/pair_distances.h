@@ -2,21 +2,25 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // All T-distances of a moving solid B and a fixed solid A at a position p (distances.md 3.1 to 3.4), whatever holds the
-// two: six questions, which a provider answers of the sets of positions it knows, and the one table that says how every
-// distance follows from them. Providers are box_pair.h, solid_pair.h, surface_pair.h and csg_pair.h.
+// two. A provider answers questions of a solid that moves and one that is fixed; one of B in A and one of A in B make a
+// pair, and one table says how every distance follows from them.
 //   gap        gamma1;  d1, penetration from it
 //   reach      gamma2;  diameter
-//   fit        eta1, delta1;  dstar from it
+//   fit        eta1, and of A in B delta1;  dstar from it
 //   farthest   eta2, delta2
 //   protrusion mu;  h, hausdorff from it
-// Guarantee: that of the provider. What it does not answer is refused, so that the next one can be asked. Keywords:
-// signed distance, Hausdorff distance.
+// Providers are solid_pair.h (and complements), surface_pair.h, csg_pair.h and box_maps.h. Guarantee: that of the
+// provider. What it does not answer is refused, so that the next one can be asked. Keywords: signed distance,
+// Hausdorff distance.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "distance/answer/answer.h"
 #include "distance/planar/shape_pair.h"
+#include "exact/number/interval.h"
 
 namespace findspace::distance {
 
@@ -30,31 +34,43 @@ struct CutOff {
 };
 std::optional<CutOff> cut_off_of(Which which);
 
+/// What a solid that moves tells against one that is fixed, at a position of it. A provider says what it knows or
+/// refuses; this one is of solids for which no distance is defined.
+class PairSide {
+ public:
+  /// Where a value below 0 need only be known to be so, it may be any up to 0.
+  enum class Depth { kValue, kSign };
+
+  virtual ~PairSide() = default;
+  virtual TriedAnswer gap(const SpacePosition& /*p*/, Depth /*depth*/) const { return std::nullopt; }
+  virtual TriedAnswer reach(const SpacePosition& /*p*/) const { return std::nullopt; }
+  virtual TriedAnswer diameter(const SpacePosition& /*p*/) const { return std::nullopt; }
+  virtual TriedAnswer fit(const SpacePosition& /*p*/) const { return std::nullopt; }
+  virtual TriedAnswer farthest_fit(const SpacePosition& /*p*/) const { return std::nullopt; }
+  virtual TriedAnswer protrusion(const SpacePosition& /*p*/, Depth /*depth*/) const { return std::nullopt; }
+  /// max(0, -fit), also where the fit itself is not decided.
+  virtual TriedAnswer clearance(const SpacePosition& p) const;
+  /// No point of the moving one is farther from the fixed one; a number that is quickly known.
+  virtual double protrudes_at_most(const SpacePosition& /*p*/) const { return exact::kInfinity; }
+};
+
 class PairDistances {
  public:
-  virtual ~PairDistances() = default;
+  using SidePointer = std::shared_ptr<const PairSide>;
+  /// Of B in A, and of A in B: gap, reach and diameter are asked of the first.
+  PairDistances(SidePointer forth, SidePointer back) : forth_(std::move(forth)), back_(std::move(back)) {}
+
   TriedAnswer try_value(Which which, const SpacePosition& p) const;
   /// The same; Error(kUnsupported) instead of a refusal.
   std::optional<Answer> value(Which which, const SpacePosition& p) const { return try_value(which, p).or_throw(); }
 
- protected:
-  /// Which one is to lie in the other.
-  enum class Inner { kB, kA };
-  /// Where a value below 0 need only be known to be so, it may be any up to 0.
-  enum class Depth { kValue, kSign };
+ private:
+  TriedAnswer hausdorff(const SpacePosition& p) const;
 
-  virtual TriedAnswer gap(const SpacePosition& p, Depth depth) const = 0;
-  virtual TriedAnswer reach(const SpacePosition& p) const = 0;
-  virtual TriedAnswer diameter(const SpacePosition& p) const = 0;
-  virtual TriedAnswer fit(Inner inner, const SpacePosition& p) const = 0;
-  virtual TriedAnswer farthest_fit(Inner inner, const SpacePosition& p) const = 0;
-  virtual TriedAnswer protrusion(Inner inner, const SpacePosition& p, Depth depth) const = 0;
-  /// max(0, -fit), also where the fit itself is not decided.
-  virtual TriedAnswer clearance(Inner inner, const SpacePosition& p) const;
-  virtual TriedAnswer hausdorff(const SpacePosition& p) const;
-
-  /// What was said of A moved by -p against B, said of B moved by p.
-  static TriedAnswer exchanged_back(TriedAnswer v, const SpacePosition& p);
+  SidePointer forth_, back_;
 };
+
+/// What was said of A moved by -p against B, said of B moved by p.
+TriedAnswer exchanged_back(TriedAnswer v, const SpacePosition& p);
 
 }  // namespace findspace::distance

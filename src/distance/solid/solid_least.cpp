@@ -96,7 +96,7 @@ TriedAnswer deepest_place(const Obstacles& all, const Real& radius, const RealVe
 class Least {
  public:
   Least(const Body& b, const Body& a)
-      : b_(b), a_(a), pair_(std::make_shared<const Body>(b), std::make_shared<const Body>(a)) {
+      : b_(b), a_(a), pair_(solid_pair(std::make_shared<const Body>(b), std::make_shared<const Body>(a))) {
     const space::Bounds3 box = space::meeting(bounds(b), bounds(a));
     low_ = box.low;
     high_ = box.high;
@@ -288,7 +288,7 @@ class Least {
   }
 
   const Body &b_, &a_;
-  SolidPair pair_;
+  PairDistances pair_;
   RealVector low_, high_;  // beyond this box the bodies' boxes do not meet: every distance grows
 };
 

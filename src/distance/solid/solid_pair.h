@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a moving body B and a fixed body A of space tell at a position p by their convex parts, with witnesses: all that
-// pair_distances.h asks.
+// What a moving body B and a fixed body A of space tell at a position p by their convex parts, with witnesses: a
+// provider of pair_distances.h.
 //   gamma1   sd(p; U, X): from the cover of the overlap set by differences of convex parts;
 //   eta1     sd(p; iE, E): from the cover of the complement of E by differences of cells outside A and parts of B;
 //   where A is
@@ -31,13 +31,27 @@ namespace findspace::distance {
 class PositionSet;
 struct UnionContainers;
 
-class SolidPair : public PairDistances {
+/// Of one scale; B is not `outside`.
+PairDistances solid_pair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
+
+/// "B in A" of two bodies that are not `outside`.
+class SolidSide : public PairSide {
  public:
-  /// Both of one scale; B is not `outside`.
-  SolidPair(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
+  SolidSide(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a)
+      : b_(std::move(b)), a_(std::move(a)) {}
+
+  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer reach(const space::RealVector& p) const override;
+  TriedAnswer diameter(const space::RealVector& p) const override;
+  TriedAnswer fit(const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(const space::RealVector& p) const override;
+  TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(const space::RealVector& p) const override;
+  /// The depth of the deepest point of B + p, which lies in the interior of A.
+  TriedAnswer reach_into_parts(const space::RealVector& p) const;
 
  private:
-  /// "moving in fixed": E of a body in another, made when first needed.
+  /// E, made when first needed.
   struct Fit {
     /// What moves without its radius, where that is taken apart from the cover.
     struct Group {
@@ -54,54 +68,27 @@ class SolidPair : public PairDistances {
     mutable std::shared_ptr<const PositionSet> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
-  struct Side {  // one of the two as moving, the other as fixed
-    const space::Body* moving = nullptr;
-    const space::Body* fixed = nullptr;
-    mutable std::once_flag made;
-    mutable std::unique_ptr<Fit> fit;
-  };
 
-  const Fit& fit_of(const Side& side) const;
-  static std::unique_ptr<Fit> made_fit(const Side& side);
-  static const PositionSet& boundary_of(const Side& side, const Fit& fit);
-  TriedAnswer contained(const Side& side, const space::RealVector& p) const;
+  const Fit& positions() const;
+  std::unique_ptr<Fit> made_fit() const;
+  const PositionSet& boundary_of(const Fit& fit) const;
+  TriedAnswer to_fit(const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
-  std::optional<Answer> inside_polyhedra(const Side& side, const space::RealVector& p) const;
-  TriedAnswer farthest_in(const Side& side, const space::RealVector& p) const;
+  std::optional<Answer> inside_polyhedra(const space::RealVector& p) const;
   /// The box holds E.
-  static std::shared_ptr<const UnionContainers> union_containers(const space::Body& b, const space::Body& a,
-                                                                 const space::Bounds3& box);
-  /// `outside`: the protrusion of the moving body at p.
-  TriedAnswer into_union(const Side& side, const Fit& fit, const space::RealVector& p, const Answer& outside) const;
+  std::shared_ptr<const UnionContainers> union_containers(const space::Bounds3& box) const;
+  /// `outside`: the protrusion of B at p.
+  TriedAnswer into_union(const Fit& fit, const space::RealVector& p, const Answer& outside) const;
   static TriedAnswer farthest_in_union(const Fit& fit, const space::RealVector& p);
-  /// max(0, -eta1), also where eta1 is not computed.
-  TriedAnswer clearance_inside(const Side& side, const space::RealVector& p) const;
-  /// Minus the distance of the moving body, which lies in the fixed one, to what is outside that.
-  static exact::Tried<Answer> depth_inside(const Side& side, const space::RealVector& p);
-  exact::Tried<Answer> gap_of_parts(const space::RealVector& p, Depth depth) const;
-  exact::Tried<Answer> round_gap(const space::RealVector& p, Depth depth) const;
-  Answer reach_of_parts(const space::RealVector& p) const;
-  exact::Tried<Answer> protrusion_of(const Side& side, const space::RealVector& p, Depth depth) const;
-  exact::Tried<Answer> reach_into_parts(const space::RealVector& p) const;
+  /// Minus the distance of B, which lies in A, to what is outside that.
+  TriedAnswer depth_inside(const space::RealVector& p) const;
+  TriedAnswer round_gap(const space::RealVector& p, Depth depth) const;
   Answer reach_into_round_parts(const space::RealVector& p) const;
-  /// What `ask` says of the side and the position as seen from it; undefined of what lies in A's complement.
-  template <class Ask>
-  TriedAnswer seen(Inner inner, const space::RealVector& p, const Ask& ask) const;
 
-  TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
-  TriedAnswer reach(const space::RealVector& p) const override;
-  TriedAnswer diameter(const space::RealVector& p) const override;
-  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
-  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
-
-  std::shared_ptr<const space::Body> b_, a_;  // a_ without its `outside`
-  bool outside_ = false;
-  Side forth_, back_;
-  mutable std::once_flag overlap_made_;
+  std::shared_ptr<const space::Body> b_, a_;
+  mutable std::once_flag fit_made_, overlap_made_, round_overlap_made_;
+  mutable std::unique_ptr<Fit> fit_;
   mutable std::unique_ptr<space::OpenUnion> overlap_;
-  mutable std::once_flag round_overlap_made_;
   mutable std::shared_ptr<const PositionSet> round_overlap_;
 };
 

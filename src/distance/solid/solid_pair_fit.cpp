@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The distances of SolidPair that say how a body fits into another: eta1 and eta2, and with the roles exchanged delta1
+// The distances of SolidSide that say how a body fits into another: eta1 and eta2, and with the roles exchanged delta1
 // and delta2. E, the positions at which it does:
 //   in a ball             an intersection of balls;
 //   in an offset polytope A = P (+) r, of parts no rounder than that: part by part and vertex by vertex an intersection
@@ -34,9 +34,9 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) { return spa
 
 }  // namespace
 
-const PositionSet& SolidPair::boundary_of(const Side& side, const Fit& fit) {
+const PositionSet& SolidSide::boundary_of(const Fit& fit) const {
   std::call_once(fit.level_made, [&] {
-    const Body &b = *side.moving, &a = *side.fixed;
+    const Body &b = *b_, &a = *a_;
     const space::Bounds3 box = *fit_box(b, a);
     std::vector<GrownSet> sets;
     for (const Fit::Group& group : fit.groups) {
@@ -49,9 +49,9 @@ const PositionSet& SolidPair::boundary_of(const Side& side, const Fit& fit) {
   return *fit.boundary;
 }
 
-std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
+std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
   auto made = std::make_unique<Fit>();
-  const Body &b = *side.moving, &a = *side.fixed;
+  const Body &b = *b_, &a = *a_;
   if (a.convex() && a.parts[0].point()) {
     std::vector<space::Ball> balls;
     for (const BodyPart& part : b.parts) {
@@ -64,7 +64,7 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   if (a.round() && !a.convex()) {
     const auto box = fit_box(b, a);
     made->none = !box;
-    if (box) made->in_union = union_containers(b, a, *box);
+    if (box) made->in_union = union_containers(*box);
     return made;
   }
   if (a.convex()) {
@@ -102,51 +102,44 @@ std::unique_ptr<SolidPair::Fit> SolidPair::made_fit(const Side& side) {
   return made;
 }
 
-const SolidPair::Fit& SolidPair::fit_of(const Side& side) const {
-  std::call_once(side.made, [&] { side.fit = made_fit(side); });
-  return *side.fit;
+const SolidSide::Fit& SolidSide::positions() const {
+  std::call_once(fit_made_, [&] { fit_ = made_fit(); });
+  return *fit_;
 }
 
-TriedAnswer SolidPair::contained(const Side& side, const RealVector& p) const {
-  const bool in_round = side.fixed->round() && !(side.fixed->convex() && side.fixed->parts[0].point());
-  if (in_round) {
-    const exact::Tried<Answer> tried = protrusion_of(side, p, Depth::kValue);
-    if (!tried) return tried.refusal();
-    const Answer& v = *tried;
-    if (v.value.sign() <= 0) return std::optional(v);  // inside both distances agree
-    const Fit& f = fit_of(side);
-    if (f.none) return std::nullopt;
-    if (f.in_union) return into_union(side, f, p, v);
-    if (!f.round) {
-      const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p);
-      return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
-    }
-    // Moved by as much, the way that B protrudes by, it often fits.
-    if (!v.witness.empty()) {
-      const RealVector q = space::minus(p, space::minus(v.witness[0].at, v.witness[1].at));
-      if (boundary_of(side, f).holds(q)) return std::optional(signed_value(p, q, 1));
-    }
-    return boundary_of(side, f).nearest(p, false);
-  }
-  const Fit& f = fit_of(side);
-  if (f.balls) {
-    const auto q = f.balls->nearest(p);
-    if (!q) return std::nullopt;
-    if (*q != p) return std::optional(signed_value(p, *q, 1));
-    exact::Tried<Answer> inside = protrusion_of(side, p, Depth::kValue);  // inside E both distances agree
-    if (!inside) return inside.refusal();
-    return std::optional(*std::move(inside));
-  }
-  if (auto v = inside_polyhedra(side, p)) return v;
+/// The nearest position of E, which does not hold p.
+TriedAnswer SolidSide::to_fit(const RealVector& p) const {
+  const Fit& f = positions();
   if (f.none) return std::nullopt;
-  if (f.round) return boundary_of(side, f).nearest(p, false);
-  const auto q = f.groups[0].cover.nearest_in_complement(p);
+  if (f.round) return boundary_of(f).nearest(p, false);
+  const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p);
   return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
 }
 
-std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVector& p) const {
+TriedAnswer SolidSide::fit(const RealVector& p) const {
+  const bool in_round = a_->round() && !(a_->convex() && a_->parts[0].point());
+  if (!in_round) {
+    const Fit& f = positions();
+    if (f.balls && f.balls->holds(p)) return protrusion(p, Depth::kValue);  // inside E both distances agree
+    if (auto v = inside_polyhedra(p)) return v;
+    return to_fit(p);
+  }
+  TriedAnswer tried = protrusion(p, Depth::kValue);
+  if (!tried || (*tried)->value.sign() <= 0) return tried;
+  const Answer& v = **tried;
+  const Fit& f = positions();
+  if (f.in_union) return into_union(f, p, v);
+  // Moved by as much, the way that B protrudes by, it often fits.
+  if (f.round && !f.none && !v.witness.empty()) {
+    const RealVector q = space::minus(p, space::minus(v.witness[0].at, v.witness[1].at));
+    if (boundary_of(f).holds(q)) return signed_value(p, q, 1);
+  }
+  return to_fit(p);
+}
+
+std::optional<Answer> SolidSide::inside_polyhedra(const RealVector& p) const {
   std::optional<Answer> least;
-  for (const Fit::Group& group : fit_of(side).groups) {
+  for (const Fit::Group& group : positions().groups) {
     if (group.cover.covers(p)) return std::nullopt;
     const RealVector q = *group.cover.nearest_touching(p);
     Answer v = signed_value(p, q, -1);
@@ -163,12 +156,12 @@ std::optional<Answer> SolidPair::inside_polyhedra(const Side& side, const RealVe
   return least;
 }
 
-TriedAnswer SolidPair::farthest_in(const Side& side, const RealVector& p) const {
-  const Fit& f = fit_of(side);
+TriedAnswer SolidSide::farthest_fit(const RealVector& p) const {
+  const Fit& f = positions();
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
   if (f.round) {
-    TriedAnswer v = boundary_of(side, f).farthest(p);
+    TriedAnswer v = boundary_of(f).farthest(p);
     if (v && *v) (*v)->nearest.reset();
     return v;
   }
@@ -179,7 +172,7 @@ TriedAnswer SolidPair::farthest_in(const Side& side, const RealVector& p) const 
                             " balls (or vertices of a polytope in a ball) are not computed");
     q = f.balls->farthest(p);
   } else {
-    const auto box = fit_box(*side.moving, *side.fixed);
+    const auto box = fit_box(*b_, *a_);
     if (!box) return std::nullopt;
     q = farthest_in_complement(f.groups[0].cover, box->low, box->high, p);
   }
@@ -189,27 +182,24 @@ TriedAnswer SolidPair::farthest_in(const Side& side, const RealVector& p) const 
   return std::optional(std::move(out));
 }
 
-TriedAnswer SolidPair::clearance_inside(const Side& side, const RealVector& p) const {
-  const bool in_rounds = side.fixed->round() && !side.fixed->convex();
-  if (in_rounds) {
-    const exact::Tried<Answer> out = protrusion_of(side, p, Depth::kSign);
-    if (!out) return out.refusal();
-    if (out->value.sign() > 0) return std::optional(Answer{});
+TriedAnswer SolidSide::clearance(const RealVector& p) const {
+  if (a_->round() && !a_->convex()) {
+    const TriedAnswer out = protrusion(p, Depth::kSign);
+    if (!out) return out;
+    if ((*out)->value.sign() > 0) return Answer{};
   }
-  TriedAnswer inside = contained(side, p);
-  if (!inside) return inside;
-  return cut_off(*std::move(inside), true);
+  return PairSide::clearance(p);
 }
 
-exact::Tried<Answer> SolidPair::depth_inside(const Side& side, const RealVector& p) {
-  const space::Bounds3 box = bounds(*side.fixed);
+TriedAnswer SolidSide::depth_inside(const RealVector& p) const {
+  const space::Bounds3 box = bounds(*a_);
   std::vector<GrownSet> sets;
-  for (const BodyPart& part : side.fixed->parts) sets.push_back({part.planes(), real(part.center), part.radius});
+  for (const BodyPart& part : a_->parts) sets.push_back({part.planes(), real(part.center), part.radius});
   const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
   std::optional<Answer> least;
-  for (const BodyPart& part : side.moving->parts) {
+  for (const BodyPart& part : b_->parts) {
     exact::Tried<Answer> v = free.least(touching_distance(part, space::rounded(p), part.radius.to_double()));
-    if (!v) return v;
+    if (!v) return v.refusal();
     if (!least || v->value < least->value) least = *std::move(v);
   }
   return minus(*std::move(least));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The distances of SolidPair between farthest points: those of two bodies, and within one. Two such points are
+// The distances of SolidSide between farthest points: those of two bodies, and within one. Two such points are
 // vertices, or lie a radius beyond. Guarantee: exact; numbers choose the pairs that are compared.
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void visit_farthest(const Body& a, const Body& b, const space::Vector& p, Visit&
 
 }  // namespace
 
-Answer SolidPair::reach_of_parts(const RealVector& p) const {
+TriedAnswer SolidSide::reach(const RealVector& p) const {
   std::optional<Answer> best;
   visit_farthest(*a_, *b_, space::rounded(p), [&](const BodyPart& t, const BodyPart& s, const auto& v, const auto& w) {
     const RealVector a = real(v), b = space::plus(real(w), p), e = space::minus(a, b);
@@ -73,7 +73,7 @@ Answer SolidPair::reach_of_parts(const RealVector& p) const {
     if (core.sign() == 0) return;
     best->witness = point_pair(space::along(b, -(s.radius / core), e), space::along(a, t.radius / core, e));
   });
-  return *best;
+  return best;
 }
 
 Real diameter(const Body& body) {

@@ -22,7 +22,7 @@ using space::RealVector;
 /// What is kept from position to position.
 struct UnionContainers {
   UnionProtrusion protrusion;
-  std::vector<std::unique_ptr<SolidPair>> alone;  // with each part of A
+  std::vector<std::unique_ptr<SolidSide>> alone;  // with each part of A
   space::Vector low, high;                        // of the box that E lies in
 };
 
@@ -32,7 +32,7 @@ namespace {
 std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
   std::optional<Answer> best;
   for (const auto& pair : containers.alone) {
-    TriedAnswer tried = pair->try_value(farthest ? Which::kEta2 : Which::kEta1, p);
+    TriedAnswer tried = farthest ? pair->farthest_fit(p) : pair->fit(p);
     if (!tried || !*tried) continue;  // the search will tell
     Answer& v = **tried;
     if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
@@ -63,27 +63,25 @@ TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& kno
 
 }  // namespace
 
-std::shared_ptr<const UnionContainers> SolidPair::union_containers(const space::Body& b, const space::Body& a,
-                                                                   const space::Bounds3& box) {
+std::shared_ptr<const UnionContainers> SolidSide::union_containers(const space::Bounds3& box) const {
   auto out = std::make_shared<UnionContainers>(
-      UnionContainers{UnionProtrusion(b, a), {}, space::rounded(box.low), space::rounded(box.high)});
-  const auto moving = std::make_shared<const space::Body>(b);
-  for (const space::BodyPart& part : a.parts) {
+      UnionContainers{UnionProtrusion(*b_, *a_), {}, space::rounded(box.low), space::rounded(box.high)});
+  for (const space::BodyPart& part : a_->parts) {
     auto one = std::make_shared<space::Body>();
-    one->scale = a.scale;
+    one->scale = a_->scale;
     one->parts.push_back(part);
-    out->alone.push_back(std::make_unique<SolidPair>(moving, std::move(one)));
+    out->alone.push_back(std::make_unique<SolidSide>(b_, std::move(one)));
   }
   return out;
 }
 
-TriedAnswer SolidPair::into_union(const Side& side, const Fit& fit, const RealVector& p, const Answer& outside) const {
+TriedAnswer SolidSide::into_union(const Fit& fit, const RealVector& p, const Answer& outside) const {
   // Moved by as much, the way that B protrudes by, it often fits, and no shorter way leads to where it does.
   if (!outside.witness.empty() && outside.proven) {
     const RealVector q = space::minus(p, space::minus(outside.witness[0].at, outside.witness[1].at));
-    const exact::Tried<Answer> there = protrusion_of(side, q, Depth::kSign);
-    if (!there) return there.refusal();
-    if (there->value.sign() <= 0) return std::optional(signed_value(p, q, 1));
+    const TriedAnswer there = protrusion(q, Depth::kSign);
+    if (!there) return there;
+    if ((*there)->value.sign() <= 0) return std::optional(signed_value(p, q, 1));
   }
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, false);
@@ -94,7 +92,7 @@ TriedAnswer SolidPair::into_union(const Side& side, const Fit& fit, const RealVe
                  containers.protrusion.size(), 1);
 }
 
-TriedAnswer SolidPair::farthest_in_union(const Fit& fit, const RealVector& p) {
+TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
   FitQuery query{space::rounded(p), true};

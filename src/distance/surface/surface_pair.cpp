@@ -30,98 +30,77 @@ exact::Refusal untold() { return exact::Refusal("the surfaces do not tell"); }
 
 }  // namespace
 
-SurfacePair::SurfacePair(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::move(a)) {
-  forth_ = side(b_, a_);
-  back_ = side(a_, b_);
+SurfaceSide::SurfaceSide(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::move(a)) {
+  if (b_.surface && a_.surface) gaps_ = std::make_unique<const space::SurfaceGaps>(a_.surface, b_.surface);
 }
 
-SurfacePair::Side SurfacePair::side(const Surfaced& moving, const Surfaced& fixed) {
-  Side out;
-  out.moving = &moving;
-  out.fixed = &fixed;
-  if (moving.surface && fixed.surface)
-    out.gaps = std::make_unique<const space::SurfaceGaps>(fixed.surface, moving.surface);
-  return out;
+PairDistances surface_pair(const Surfaced& b, const Surfaced& a) {
+  return {std::make_shared<const SurfaceSide>(b, a), std::make_shared<const SurfaceSide>(a, b)};
 }
 
-/// How the two lie, and their distance where that is one.
-std::optional<Relation> SurfacePair::relation(const Side& side, const RealVector& p, std::optional<Answer>& gap) {
-  if (!side.gaps) return std::nullopt;
-  const Relation found = side.gaps->relation(p);
-  if (found != Relation::kOther)
-    gap = of_gap(side.gaps->gap(p, side.gaps->near(p)), p, found == Relation::kInside ? -1 : 1);
+std::optional<Relation> SurfaceSide::relation(const RealVector& p, std::optional<Answer>& gap) const {
+  if (!gaps_) return std::nullopt;
+  const Relation found = gaps_->relation(p);
+  if (found != Relation::kOther) gap = of_gap(gaps_->gap(p, gaps_->near(p)), p, found == Relation::kInside ? -1 : 1);
   return found;
 }
 
-TriedAnswer SurfacePair::gap(const RealVector& p, Depth depth) const {
+TriedAnswer SurfaceSide::gap(const RealVector& p, Depth depth) const {
   std::optional<Answer> gap;
-  const auto found = relation(forth_, p, gap);
+  const auto found = relation(p, gap);
   if (!found) return untold();
   if (*found == Relation::kApart) return gap;
   if (depth == Depth::kSign) return std::optional(Answer{});
   return this->depth(p);
 }
 
-TriedAnswer SurfacePair::of_outlines(Which which, const RealVector& p) const {
+TriedAnswer SurfaceSide::of_outlines(Which which, const RealVector& p) const {
   if (!a_.outline || !b_.outline) return untold();
-  return SolidPair(b_.outline, a_.outline).try_value(which, p);
+  return solid_pair(b_.outline, a_.outline).try_value(which, p);
 }
 
-bool SurfacePair::too_large(const Side& side) {
-  const auto &b = side.moving->outline, &a = side.fixed->outline;
-  return b && a && !space::fitting(bounds(*b), bounds(*a));
+bool SurfaceSide::too_large() const {
+  return b_.outline && a_.outline && !space::fitting(bounds(*b_.outline), bounds(*a_.outline));
 }
 
-TriedAnswer SurfacePair::fit(Inner inner, const RealVector& p) const {
-  const Side& of = side(inner);
-  const RealVector q = seen(inner, p);
-  if (too_large(of)) return std::nullopt;
-  if (of.fixed->convex && of.moving->outline)
-    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta1, q), p);
-  if (!of.gaps || !of.fixed->surface->one_sheet()) return untold();
+TriedAnswer SurfaceSide::fit(const RealVector& p) const {
+  if (too_large()) return std::nullopt;
+  if (by_outlines()) return of_outlines(Which::kEta1, p);
+  if (!gaps_ || !a_.surface->one_sheet()) return untold();
   std::optional<Answer> gap;
-  const auto found = relation(of, q, gap);
+  const auto found = relation(p, gap);
   if (!found) return untold();
-  return decided(inner, *found == Relation::kInside ? TriedAnswer(gap) : to_fit(of, false, q), p);
+  return *found == Relation::kInside ? TriedAnswer(gap) : to_fit(false, p);
 }
 
-TriedAnswer SurfacePair::farthest_fit(Inner inner, const RealVector& p) const {
-  const Side& of = side(inner);
-  const RealVector q = seen(inner, p);
-  if (too_large(of)) return std::nullopt;
-  if (of.fixed->convex && of.moving->outline)
-    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kEta2, q), p);
-  return decided(inner, to_fit(of, true, q), p);
+TriedAnswer SurfaceSide::farthest_fit(const RealVector& p) const {
+  if (too_large()) return std::nullopt;
+  return by_outlines() ? of_outlines(Which::kEta2, p) : to_fit(true, p);
 }
 
 /// Where the one lies in the other it is the fit.
-TriedAnswer SurfacePair::protrusion(Inner inner, const RealVector& p, Depth /*depth*/) const {
-  const Side& of = side(inner);
-  const RealVector q = seen(inner, p);
-  if (of.fixed->convex && of.moving->outline)
-    return decided(inner, SolidPair(of.moving->outline, of.fixed->outline).try_value(Which::kMu, q), p);
+TriedAnswer SurfaceSide::protrusion(const RealVector& p, Depth /*depth*/) const {
+  if (by_outlines()) return of_outlines(Which::kMu, p);
   std::optional<Answer> gap;
-  const auto found = relation(of, q, gap);
+  const auto found = relation(p, gap);
   if (!found) return untold();
-  if (*found == Relation::kInside) return decided(inner, gap, p);
-  Answer out = protrusion(of, q);
+  if (*found == Relation::kInside) return gap;
+  Answer out = protrusion_out(p);
   // Whether it lies inside a union of several, and how deep, is not known.
   const bool is_known =
-      of.fixed->surface->one_sheet() || *found == Relation::kApart || out.value > Real::from_double(out.error);
+      a_.surface->one_sheet() || *found == Relation::kApart || out.value > Real::from_double(out.error);
   if (!is_known) return untold();
-  return decided(inner, std::optional(std::move(out)), p);
+  return std::optional(std::move(out));
 }
 
-TriedAnswer SurfacePair::clearance(Inner inner, const RealVector& p) const {
-  const Side& of = side(inner);
-  if (of.fixed->convex && of.moving->outline) return PairDistances::clearance(inner, p);
-  if (!of.fixed->surface || !of.fixed->surface->one_sheet()) return untold();
+TriedAnswer SurfaceSide::clearance(const RealVector& p) const {
+  if (by_outlines()) return PairSide::clearance(p);
+  if (!a_.surface || !a_.surface->one_sheet()) return untold();
   std::optional<Answer> gap;
-  const auto found = relation(of, seen(inner, p), gap);
+  const auto found = relation(p, gap);
   if (!found) return untold();
   if (*found != Relation::kInside) return std::optional(Answer{});
-  TriedAnswer v = decided(inner, gap, p);
-  return cut_off(*std::move(v), true);
+  return cut_off(std::move(gap), true);
 }
 
 }  // namespace findspace::distance

@@ -35,52 +35,42 @@ struct Surfaced {
   std::shared_ptr<const space::Body> parts{};  // the body, where it is known
 };
 
-class SurfacePair : public PairDistances {
- public:
-  SurfacePair(Surfaced b, Surfaced a);
+PairDistances surface_pair(const Surfaced& b, const Surfaced& a);
 
- private:
-  /// Positions at which the moving one touches the fixed one from one side, made when first needed.
-  struct Contacts {
-    std::once_flag made;
-    std::unique_ptr<const SurfaceContacts> contacts;
-  };
-  struct Side {
-    const Surfaced *moving = nullptr, *fixed = nullptr;
-    std::unique_ptr<const space::SurfaceGaps> gaps;
-    std::unique_ptr<Contacts> outside = std::make_unique<Contacts>(), inside = std::make_unique<Contacts>();
-  };
-  static Side side(const Surfaced& moving, const Surfaced& fixed);
-  static std::optional<space::SurfaceGaps::Relation> relation(const Side& side, const space::RealVector& p,
-                                                              std::optional<Answer>& gap);
-  static const SurfaceContacts& contacts(const Side& side, space::TouchSide from);
-  const Side& side(Inner inner) const { return inner == Inner::kB ? forth_ : back_; }
-  /// As seen by the one that is to lie in the other.
-  static space::RealVector seen(Inner inner, const space::RealVector& p) {
-    return inner == Inner::kB ? p : space::negated(p);
-  }
-  static TriedAnswer decided(Inner inner, TriedAnswer v, const space::RealVector& p) {
-    return inner == Inner::kB ? v : exchanged_back(std::move(v), p);
-  }
-  /// How deep they overlap; how far the moving one, which does not lie in the fixed one, is from it, and the farthest
-  /// position at which it does.
-  TriedAnswer depth(const space::RealVector& p) const;
-  static TriedAnswer to_fit(const Side& side, bool farthest, const space::RealVector& p);
-  static Answer protrusion(const Side& side, const space::RealVector& p);
-  /// Whether boxes tell that it fits nowhere.
-  static bool too_large(const Side& side);
+/// "B in A": a provider of pair_distances.h.
+class SurfaceSide : public PairSide {
+ public:
+  SurfaceSide(Surfaced b, Surfaced a);
 
   TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
   TriedAnswer reach(const space::RealVector& p) const override { return of_outlines(Which::kGamma2, p); }
   TriedAnswer diameter(const space::RealVector& p) const override { return of_outlines(Which::kDiameter, p); }
+  TriedAnswer fit(const space::RealVector& p) const override;
+  TriedAnswer farthest_fit(const space::RealVector& p) const override;
+  TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
+  TriedAnswer clearance(const space::RealVector& p) const override;
+
+ private:
+  /// Positions at which the one touches the other from one side, made when first needed.
+  struct Contacts {
+    std::once_flag made;
+    std::unique_ptr<const SurfaceContacts> contacts;
+    const SurfaceContacts& of(const Surfaced& b, const Surfaced& a, space::TouchSide from);
+  };
+  /// How the two lie, and their distance where that is one.
+  std::optional<space::SurfaceGaps::Relation> relation(const space::RealVector& p, std::optional<Answer>& gap) const;
+  /// How deep they overlap; how far B, which does not lie in A, is from it, and the farthest position at which it does.
+  TriedAnswer depth(const space::RealVector& p) const;
+  TriedAnswer to_fit(bool farthest, const space::RealVector& p) const;
+  Answer protrusion_out(const space::RealVector& p) const;
   TriedAnswer of_outlines(Which which, const space::RealVector& p) const;
-  TriedAnswer fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override;
-  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth depth) const override;
-  TriedAnswer clearance(Inner inner, const space::RealVector& p) const override;
+  /// Whether the outlines tell how B fits, and whether boxes tell that it fits nowhere.
+  bool by_outlines() const { return a_.convex && b_.outline; }
+  bool too_large() const;
 
   Surfaced b_, a_;
-  Side forth_, back_;
+  std::unique_ptr<const space::SurfaceGaps> gaps_;
+  mutable Contacts outside_, inside_;
 };
 
 }  // namespace findspace::distance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SurfacePair: how far B + p, which does not lie in A, protrudes from it.
+// SurfaceSide: how far B + p, which does not lie in A, protrudes from it.
 #include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/surface/surface_field.h"
@@ -45,12 +45,12 @@ Answer exact_distance(const space::SurfaceSet& a, const RealVector& at) {
 
 }  // namespace
 
-Answer SurfacePair::protrusion(const Side& side, const RealVector& p) {
-  const space::SurfaceSet &b = *side.moving->surface, &a = *side.fixed->surface;
+Answer SurfaceSide::protrusion_out(const RealVector& p) const {
+  const space::SurfaceSet &b = *b_.surface, &a = *a_.surface;
   const SurfaceField of_a(a, {}), of_b(b, space::rounded(p));
   SolidOfSurface about{&of_b, {}};
-  if (side.moving->outline) about.hull = side.moving->outline->parts[0].planes();
-  const auto& parts = side.moving->parts;
+  if (b_.outline) about.hull = b_.outline->parts[0].planes();
+  const auto& parts = b_.parts;
   const SolidMaxMin found =
       parts ? surface_max_min(solids_of(*parts, p), nullptr, of_a) : surface_max_min(solids_about(of_b), &about, of_a);
   return protrusion_answer(found, corners_of(b), p, [&](const RealVector& at) { return exact_distance(a, at); });

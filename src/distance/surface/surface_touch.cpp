@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SurfacePair: what positions tell at which the surfaces touch.
+// SurfaceSide: what positions tell at which the surfaces touch.
 #include "distance/answer/answer.h"
 #include "distance/surface/surface_ball.h"
 #include "distance/surface/surface_contact.h"
@@ -58,35 +58,33 @@ TriedAnswer of_contact(const SurfaceContact& contact, const RealVector& p, int s
 
 }  // namespace
 
-const SurfaceContacts& SurfacePair::contacts(const Side& side, TouchSide from) {
-  Contacts& slot = from == TouchSide::kInside ? *side.inside : *side.outside;
-  std::call_once(slot.made, [&] {
-    slot.contacts = std::make_unique<const SurfaceContacts>(*side.moving->surface, *side.fixed->surface, from);
-  });
-  return *slot.contacts;
+const SurfaceContacts& SurfaceSide::Contacts::of(const Surfaced& b, const Surfaced& a, TouchSide from) {
+  std::call_once(made, [&] { contacts = std::make_unique<const SurfaceContacts>(*b.surface, *a.surface, from); });
+  return *contacts;
 }
 
-TriedAnswer SurfacePair::depth(const RealVector& p) const {
-  const Inner inner = faces(a_) < faces(b_) ? Inner::kA : Inner::kB;
-  const Side& of = side(inner);
-  const RealVector at = seen(inner, p);
+/// The one with fewer faces moves.
+TriedAnswer SurfaceSide::depth(const RealVector& p) const {
+  const bool back = faces(a_) < faces(b_);
+  const Surfaced &moving = back ? a_ : b_, &fixed = back ? b_ : a_;
+  const RealVector at = back ? space::negated(p) : p;
   TriedAnswer out = not_touching();
-  if (const auto* ball = only_ball(*of.moving)) {
-    out = of_ball(*ball, *of.fixed, TouchSide::kOutside, false, at);
+  if (const auto* ball = only_ball(moving)) {
+    out = of_ball(*ball, fixed, TouchSide::kOutside, false, at);
     if (out && *out) (*out)->value = -(*out)->value;
-  } else if (decided_by_contacts(*of.moving, *of.fixed)) {
-    out = of_contact(contacts(of, TouchSide::kOutside).nearest(at), at, -1);
+  } else if (decided_by_contacts(moving, fixed)) {
+    out = of_contact(outside_.of(moving, fixed, TouchSide::kOutside).nearest(at), at, -1);
   }
   if (!out || !*out) return not_touching();
-  return decided(inner, std::move(out), p);
+  return back ? exchanged_back(std::move(out), p) : out;
 }
 
-TriedAnswer SurfacePair::to_fit(const Side& side, bool farthest, const RealVector& p) {
+TriedAnswer SurfaceSide::to_fit(bool farthest, const RealVector& p) const {
   TriedAnswer out = not_touching();
-  if (const auto* ball = only_ball(*side.moving)) {
-    out = of_ball(*ball, *side.fixed, TouchSide::kInside, farthest, p);
-  } else if (decided_by_contacts(*side.moving, *side.fixed)) {
-    const SurfaceContacts& of = contacts(side, TouchSide::kInside);
+  if (const auto* ball = only_ball(b_)) {
+    out = of_ball(*ball, a_, TouchSide::kInside, farthest, p);
+  } else if (decided_by_contacts(b_, a_)) {
+    const SurfaceContacts& of = inside_.of(b_, a_, TouchSide::kInside);
     out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);
   }
   if (farthest && out && *out) (*out)->nearest.reset();

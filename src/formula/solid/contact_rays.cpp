@@ -9,7 +9,6 @@ namespace findspace::formula {
 
 using distance::Answer;
 using distance::Between;
-using distance::SurfacePair;
 using exact::Real;
 using space::RealVector;
 using space::SurfaceSet;
@@ -42,9 +41,9 @@ space::RaySourcePointer contact_rays(distance::Which which, const space::RaySoli
   const Vector low = exact::approx(body_a.low - body_b.high), high = exact::approx(body_a.high - body_b.low);
   // Beyond this the bodies are farther apart than the level, and every distance is more than that.
   const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
-  const auto pair = std::make_shared<const SurfacePair>(of_b, of_a);
+  const distance::PairDistances pair = surface_pair(of_b, of_a);
   const distance::RayRule rule = [pair, which, level](const RealVector& p) -> distance::TriedBetween {
-    const distance::TriedAnswer decided = pair->try_value(which, p);
+    const distance::TriedAnswer decided = pair.try_value(which, p);
     if (!decided) return exact::Refusal("where two surfaces touch was not found within the limit");
     const std::optional<Answer>& found = *decided;
     if (!found) return std::nullopt;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "distance/csg/csg_rays.h"
+
 namespace findspace::formula {
 
 namespace {
@@ -32,17 +34,33 @@ space::CsgSolid cut_of(std::span<const SpaceShape> shapes) {
 
 CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed) {
   CsgShapes out;
-  const bool cut_moves = any_cut(moving);
-  if (cut_moves == any_cut(fixed)) return out;
+  out.cut_moves = any_cut(moving);
+  if (out.cut_moves == any_cut(fixed)) return out;
   if (!std::all_of(moving.begin(), moving.end(), bounded) || !std::all_of(fixed.begin(), fixed.end(), bounded))
     return out;
-  const space::Body whole = whole_of(cut_moves ? fixed : moving);
-  const space::CsgSolid cut = cut_of(cut_moves ? moving : fixed);
+  const space::Body whole = whole_of(out.cut_moves ? fixed : moving);
+  const space::CsgSolid cut = cut_of(out.cut_moves ? moving : fixed);
   out.scale = std::lcm(whole.scale, cut.scale);
-  out.pair = std::make_unique<distance::CsgPair>(
-      std::make_shared<const space::Body>(space::at_scale(whole, out.scale)),
-      std::make_shared<const space::CsgSolid>(space::at_scale(cut, out.scale)), cut_moves);
+  out.complete = std::make_shared<const space::Body>(space::at_scale(whole, out.scale));
+  out.cut = std::make_shared<const space::CsgSolid>(space::at_scale(cut, out.scale));
   return out;
+}
+
+std::optional<distance::PairDistances> CsgShapes::pair() const {
+  if (!cut) return std::nullopt;
+  return csg_pair(std::make_shared<const distance::CsgSide>(complete, cut), cut_moves);
+}
+
+std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,
+                                          const space::RayGrid& grid) {
+  using distance::CsgSide;
+  if (!shapes.cut_moves)
+    return cut_map(which, level, std::make_shared<const CsgSide>(shapes.complete, shapes.cut), shapes.scale, grid);
+  // A + p in B is -B + p in -A.
+  auto complete = std::make_shared<const space::Body>(mirrored(*shapes.complete));
+  auto cut = std::make_shared<const space::CsgSolid>(mirrored(*shapes.cut));
+  return cut_map(distance::exchanged(which), level,
+                 std::make_shared<const CsgSide>(std::move(complete), std::move(cut)), shapes.scale, grid);
 }
 
 }  // namespace findspace::formula

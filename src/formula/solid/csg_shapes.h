@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Pairs of shapes of which one has no body, as balls are cut out of it (distance/cut/csg_pair.h); several shapes of one
+// Pairs of shapes of which one has no body, as balls are cut out of it (distance/csg/csg_pair.h); several shapes of one
 // side count as their union. Lengths in steps of the scale. Guarantee: as there. Keywords: bowl, dome, lens.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "distance/csg/csg_pair.h"
@@ -14,11 +15,19 @@
 
 namespace findspace::formula {
 
-/// Without a pair where none is cut, or some on both sides, or one is a complement.
+/// The shape that is cut, and the other one; without them where none is cut, or some on both sides, or one is a
+/// complement.
 struct CsgShapes {
   std::int64_t scale = 1;
-  std::unique_ptr<distance::CsgPair> pair;
+  std::shared_ptr<const space::Body> complete;
+  std::shared_ptr<const space::CsgSolid> cut;
+  bool cut_moves = false;
+
+  std::optional<distance::PairDistances> pair() const;
 };
 CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed);
+/// Their map on lines; the level in steps of the scale.
+std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,
+                                          const space::RayGrid& grid);
 
 }  // namespace findspace::formula

@@ -40,7 +40,7 @@ struct PreparedSpace {
 
 exact::Tried<std::optional<distance::Answer>> value_at(const PreparedSpace& prepared, const Distance& distance,
                                                        const space::RealVector& p);
-exact::Tried<distance::BoxPair::Least> least(const PreparedSpace& prepared, const Distance& distance);
+exact::Tried<distance::BoxMaps::Least> least(const PreparedSpace& prepared, const Distance& distance);
 /// As SpaceSolver::try_nearly_least.
 exact::Tried<std::optional<distance::Answer>> nearly_least(const PreparedSpace& prepared, const Distance& distance);
 exact::Tried<space::BoxComplex> sign_map(const PreparedSpace& prepared, const SignMap& map);
@@ -52,7 +52,7 @@ exact::Tried<std::optional<distance::Answer>> directional_value(const PreparedSp
                                                                 const space::RealVector& p);
 exact::Tried<space::BoxComplex> directional_map(const PreparedSpace& prepared, const SignMap& map);
 /// Nothing where it is undefined or -infinity; refused but of boxes along an axis.
-exact::Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedSpace& prepared,
+exact::Tried<std::optional<distance::BoxMaps::Least>> directional_least(const PreparedSpace& prepared,
                                                                         const Distance& distance);
 exact::Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSpace& prepared,
                                                                        const Distance& distance);

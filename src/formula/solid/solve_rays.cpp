@@ -119,10 +119,10 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   if (!b) return b.refusal();
   const Tried<std::vector<SpaceShape>> a = forms(second ? d.first : d.second);
   if (!a) return a.refusal();
-  CsgShapes cut = csg_shapes(*b, *a);
-  if (!cut.pair) return nullptr;
-  const Real level = map.level / world.step * Real(cut.scale);
-  return distance::cut_map(which(d.kind, second), level, std::move(cut.pair), cut.scale, grid);
+  const CsgShapes shapes = csg_shapes(*b, *a);
+  if (!shapes.cut) return nullptr;
+  const Real level = map.level / world.step * Real(shapes.scale);
+  return csg_map(which(d.kind, second), level, shapes, grid);
 }
 
 /// Whether the direction is that of the lines, or the opposite one.

@@ -22,7 +22,7 @@
 namespace findspace::formula {
 
 using distance::Answer;
-using distance::BoxPair;
+using distance::BoxMaps;
 using distance::Way;
 using exact::Real;
 using exact::Refusal;
@@ -76,11 +76,11 @@ Tried<std::optional<distance::Answer>> nearly_least(const PreparedSpace& prepare
   return distance::in_unit(**found, prepared.world.step);
 }
 
-Tried<BoxPair::Least> least(const PreparedSpace& prepared, const Distance& wanted) {
+Tried<BoxMaps::Least> least(const PreparedSpace& prepared, const Distance& wanted) {
   if (is_directional(wanted)) {
     auto found = directional_least(prepared, wanted);
     if (!found) return found.refusal();
-    return found->value_or(BoxPair::Least{Real(), BoxComplex()});
+    return found->value_or(BoxMaps::Least{Real(), BoxComplex()});
   }
   const Tried<PreparedSpace::Named> n = prepared.named(wanted);
   if (!n) return n.refusal();
@@ -99,7 +99,7 @@ Tried<BoxComplex> sign_map(const PreparedSpace& prepared, const SignMap& wanted)
   if (is_directional(wanted.distance)) return directional_map(prepared, wanted);
   const Tried<PreparedSpace::Named> n = prepared.named(wanted.distance);
   if (!n) return n.refusal();
-  const Tried<const BoxPair*> boxes = n->pair->boxes();
+  const Tried<const BoxMaps*> boxes = n->pair->boxes();
   if (!boxes) return boxes.refusal().within(written(wanted.distance));
   const Tried<BoxComplex> map = (*boxes)->sign_map(n->which, wanted.level / prepared.world.step);
   if (!map) return map.refusal().within(written(wanted.distance));
@@ -322,7 +322,7 @@ std::optional<distance::OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const For
       if (const auto infimum = directional_least(*space_, m.distance).or_throw())
         out.set_exact(infimum->value * space_->world.step, distance::Way::kBoxes);
     }
-    BoxPair::Least found = least(*space_, m.distance).or_throw();
+    BoxMaps::Least found = least(*space_, m.distance).or_throw();
     if (!found.at.empty()) {
       out.set_exact(found.value * space_->world.step, distance::Way::kBoxes);
       out.attained = true;

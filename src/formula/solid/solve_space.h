@@ -20,7 +20,7 @@
 
 #include "distance/answer/optimum.h"
 #include "distance/planar_least/extremum.h"
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_least.h"
 #include "formula/language/formula.h"
 #include "formula/language/position_answers.h"

@@ -142,7 +142,7 @@ Tried<space::BoxComplex> directional_map(const PreparedSpace& prepared, const Si
   return (*boxes)->directional_map(d->plain.which, map.level / prepared.world.step, d->axis, d->way);
 }
 
-Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedSpace& prepared,
+Tried<std::optional<distance::BoxMaps::Least>> directional_least(const PreparedSpace& prepared,
                                                                  const Distance& wanted) {
   const Tried<Axial> d = axial(prepared, wanted);
   if (!d) return d.refusal();
@@ -157,7 +157,7 @@ Tried<std::optional<distance::BoxPair::Least>> directional_least(const PreparedS
 Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSpace& prepared, const Distance& wanted) {
   const auto tried = directional_least(prepared, wanted);
   if (!tried) return convex_directional_least(prepared, wanted);
-  const std::optional<distance::BoxPair::Least>& found = *tried;
+  const std::optional<distance::BoxMaps::Least>& found = *tried;
   if (!found || found->at.empty()) return refused(wanted, kNotTaken);
   RealVector at;
   const space::IntervalBox box = found->at.boxes()[0];

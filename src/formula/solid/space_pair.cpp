@@ -16,7 +16,7 @@
 namespace findspace::formula {
 
 using distance::Answer;
-using distance::BoxPair;
+using distance::BoxMaps;
 using distance::Which;
 using exact::Real;
 using exact::Refusal;
@@ -70,8 +70,10 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
     refusal_ = BoxComplex(**boxes).checked().refusal();
     return;
   }
-  if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxPair>(*moving_boxes_, *fixed_boxes_);
-  cut_ = csg_shapes(moving_, fixed_);
+  if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxMaps>(*moving_boxes_, *fixed_boxes_);
+  const CsgShapes cut = csg_shapes(moving_, fixed_);
+  cut_ = cut.pair();
+  cut_scale_ = cut.scale;
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();
@@ -97,7 +99,7 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   out->a = std::make_shared<const Body>(space::at_scale(*out->a, out->scale));
   observe_body("the moving shape", *out->b);
   observe_body("the fixed shape", *out->a);
-  out->pair = std::make_unique<distance::SolidPair>(out->b, out->a);
+  out->pair = distance::solid_pair(out->b, out->a);
   return out;
 }
 
@@ -129,7 +131,7 @@ void SpacePair::make_surfaces() {
   }
   surfaced_b_ = surfaced(moving_, surface_scale_);
   surfaced_a_ = surfaced(fixed_, surface_scale_);
-  surfaces_ = std::make_unique<distance::SurfacePair>(surfaced_b_, surfaced_a_);
+  surfaces_ = distance::surface_pair(surfaced_b_, surfaced_a_);
 }
 
 const SpacePair::Bodies& SpacePair::all() const {
@@ -138,7 +140,7 @@ const SpacePair::Bodies& SpacePair::all() const {
   return *bodies_;
 }
 
-Tried<const BoxPair*> SpacePair::boxes() const {
+Tried<const BoxMaps*> SpacePair::boxes() const {
   if (boxes_) return boxes_.get();
   return Refusal(
       "an exact map needs shapes whose faces are all parallel to the axes; --resolution N gives one on N times "
@@ -166,13 +168,13 @@ Tried<std::optional<Answer>> SpacePair::value_of_bodies(Which which, const RealV
 
 // Boxes, then the ways of cut shapes and of surfaces, then bodies.
 Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) const {
-  if (boxes_ && !BoxPair::protrudes(which) && (!BoxPair::is_reach(which) || !all().pair)) {
-    auto v = asked(distance::Way::kBoxes, 1, p, [&](const RealVector& at) { return boxes_->try_value(which, at); });
+  if (boxes_ && !BoxMaps::protrudes(which) && (!BoxMaps::is_reach(which) || !all().pair)) {
+    auto v = asked(distance::Way::kBoxes, 1, p,
+                   [&](const RealVector& at) { return boxes_->distances().try_value(which, at); });
     if (v || !all().pair) return v;  // too many coordinates for the grid: the bodies need none
   }
-  if (cut_.pair)
-    return asked(distance::Way::kCut, cut_.scale, p,
-                 [&](const RealVector& at) { return cut_.pair->try_value(which, at); });
+  if (cut_)
+    return asked(distance::Way::kCut, cut_scale_, p, [&](const RealVector& at) { return cut_->try_value(which, at); });
   if (surfaces_) {
     auto v = asked(distance::Way::kSurfaces, surface_scale_, p,
                    [&](const RealVector& at) { return surfaces_->try_value(which, at); });
@@ -183,13 +185,13 @@ Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) 
 
 // They overlap, or are nearer than the level, where B grown by a ball of it overlaps A.
 std::optional<RealVector> SpacePair::nearest_apart(const Real& level, const RealVector& p) const {
-  if (surfaces_ || cut_.pair || level.sign() <= 0) return std::nullopt;
+  if (surfaces_ || cut_ || level.sign() <= 0) return std::nullopt;
   const Bodies& made = all();
   if (!made.pair || made.a->outside || made.a->parts.size() * made.b->parts.size() > kMostApart) return std::nullopt;
   auto grown = std::make_shared<Body>(*made.b);
   for (space::BodyPart& part : grown->parts) part.radius = part.radius + level * Real(made.scale);
   const auto v =
-      distance::SolidPair(std::move(grown), made.a).try_value(Which::kGamma1, space::scaled(Real(made.scale), p));
+      distance::solid_pair(std::move(grown), made.a).try_value(Which::kGamma1, space::scaled(Real(made.scale), p));
   if (!v || !*v || (*v)->value.sign() >= 0 || !(*v)->nearest) return std::nullopt;
   return space::scaled(Real::ratio(1, made.scale), *(*v)->nearest);
 }

@@ -4,7 +4,7 @@
 // One moving and one fixed shape of space (each perhaps several names) in the forms they have: as boxes, as bodies, or
 // both, large meshes as surfaces too. Lengths in grid steps. Distances that boxes answer exactly are asked of them,
 // then surfaces what they tell, the others the bodies, which are made for it where there are surfaces. Guarantee: as
-// box_pair.h, surface_pair.h and solid_pair.h.
+// box_maps.h, surface_pair.h and solid_pair.h.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 #include "distance/solid/solid_least.h"
 #include "distance/surface/surface_pair.h"
 #include "formula/solid/csg_shapes.h"
@@ -31,7 +31,7 @@ class SpacePair {
   /// Nothing where the distance is undefined.
   exact::Tried<std::optional<distance::Answer>> value(distance::Which which, const space::RealVector& p) const;
   /// The least value and its positions; nothing where this is not computed.
-  exact::Tried<std::optional<distance::BoxPair::Least>> least(distance::Which which) const;
+  exact::Tried<std::optional<distance::BoxMaps::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
   exact::Tried<std::optional<distance::Answer>> nearly_least(distance::Which which) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
@@ -48,7 +48,7 @@ class SpacePair {
   std::optional<space::RealVector> nearest_apart(const exact::Real& level, const space::RealVector& p) const;
   static constexpr std::size_t kMostApart = 256;
   /// Refused if one of the shapes has slanted or round faces.
-  exact::Tried<const distance::BoxPair*> boxes() const;
+  exact::Tried<const distance::BoxMaps*> boxes() const;
 
  private:
   using BodyPointer = std::shared_ptr<const space::Body>;
@@ -56,7 +56,7 @@ class SpacePair {
   /// Of one scale; without a pair `refused` says why.
   struct Bodies {
     BodyPointer b, a;
-    std::unique_ptr<distance::SolidPair> pair;
+    std::optional<distance::PairDistances> pair;
     std::int64_t scale = 1;
     std::optional<exact::Refusal> refused;
   };
@@ -73,14 +73,15 @@ class SpacePair {
                                                                 const space::RealVector& p) const;
   std::optional<Outlines> outlines(bool eta, bool delta) const;
   static Sublevel none(std::int64_t scale);
-  std::optional<distance::BoxPair::Least> deepest_fit(distance::Which which) const;
+  std::optional<distance::BoxMaps::Least> deepest_fit(distance::Which which) const;
 
   std::optional<exact::Refusal> refusal_;
   Shapes moving_, fixed_;
   std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
-  std::unique_ptr<distance::BoxPair> boxes_;
-  CsgShapes cut_;
-  std::unique_ptr<distance::SurfacePair> surfaces_;
+  std::unique_ptr<distance::BoxMaps> boxes_;
+  std::optional<distance::PairDistances> cut_;
+  std::int64_t cut_scale_ = 1;
+  std::optional<distance::PairDistances> surfaces_;
   distance::Surfaced surfaced_b_, surfaced_a_;
   std::int64_t surface_scale_ = 1;
   mutable std::mutex bodies_guard_, least_guard_;

@@ -9,7 +9,7 @@
 
 namespace findspace::formula {
 
-using distance::BoxPair;
+using distance::BoxMaps;
 using distance::Which;
 using exact::Real;
 using exact::Tried;
@@ -104,7 +104,7 @@ std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& 
 
 namespace {
 
-BoxPair::Least least_at(const RealVector& at, const Real& value, const Real& scale) {
+BoxMaps::Least least_at(const RealVector& at, const Real& value, const Real& scale) {
   space::IntervalBox box;
   for (std::size_t k = 0; k < 3; ++k) box[k] = {at[k] / scale, at[k] / scale, true, true};
   return {value / scale, BoxComplex::of_boxes(std::array<space::IntervalBox, 1>{box})};
@@ -113,7 +113,7 @@ BoxPair::Least least_at(const RealVector& at, const Real& value, const Real& sca
 }  // namespace
 
 /// gamma1, eta1 and delta1 of convex shapes.
-std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
+std::optional<BoxMaps::Least> SpacePair::deepest_fit(Which which) const {
   const auto pair = outlines(which == Which::kEta1, which == Which::kDelta1);
   if (!pair) return std::nullopt;
   const space::Body &a = *pair->a, &b = *pair->b;
@@ -136,11 +136,11 @@ std::optional<BoxPair::Least> SpacePair::deepest_fit(Which which) const {
   const auto found = space::deepest(planes, space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low));
   if (!found) return std::nullopt;
   // Where nothing fits there is no distance.
-  if (found->value.sign() > 0) return BoxPair::Least{Real(), BoxComplex()};
+  if (found->value.sign() > 0) return BoxMaps::Least{Real(), BoxComplex()};
   return least_at(found->at, found->value - grown, Real(scale));
 }
 
-Tried<std::optional<BoxPair::Least>> SpacePair::least(Which which) const {
+Tried<std::optional<BoxMaps::Least>> SpacePair::least(Which which) const {
   if (boxes_) {
     auto of_boxes = boxes_->least(which);
     if (!of_boxes || *of_boxes) return of_boxes;
@@ -150,7 +150,7 @@ Tried<std::optional<BoxPair::Least>> SpacePair::least(Which which) const {
   const auto tried = nearly_least(which);  // the others are taken by whole sets
   if (!tried) return tried.refusal();
   const std::optional<distance::Answer>& found = *tried;
-  if (!found) return BoxPair::Least{Real(), BoxComplex()};
+  if (!found) return BoxMaps::Least{Real(), BoxComplex()};
   if (!found->proven) return std::nullopt;
   const Real scale(all().scale);
   return least_at(space::scaled(scale, found->at), found->value * scale, scale);

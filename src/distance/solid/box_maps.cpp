@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "distance/solid/box_pair.h"
+#include "distance/solid/box_maps.h"
 
 #include <findspace/error.h>
 
@@ -67,11 +67,11 @@ std::size_t slot(Which base) { return base == Which::kGamma1 ? 0 : base == Which
 
 }  // namespace
 
-BoxPair::BoxPair(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)) {
+BoxMaps::BoxMaps(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)) {
   if (b_.empty() || a_.empty()) throw Error(ErrorCode::kGeometry, "a shape of the scene is empty");
 }
 
-Tried<const BoxPair::Signs*> BoxPair::signs(Which base) const {
+Tried<const BoxMaps::Signs*> BoxMaps::signs(Which base) const {
   const std::size_t k = slot(base);
   std::call_once(once_[k], [&] { signs_[k] = made(base); });
   const Tried<Signs>& found = *signs_[k];
@@ -79,7 +79,7 @@ Tried<const BoxPair::Signs*> BoxPair::signs(Which base) const {
   return &*found;
 }
 
-Tried<BoxPair::Signs> BoxPair::made(Which base) const {
+Tried<BoxMaps::Signs> BoxMaps::made(Which base) const {
   BoxComplex map = base == Which::kGamma1 ? gamma_map(b_, a_)
                    : base == Which::kEta1 ? eta_map(b_, a_)
                                           : mirrored(eta_map(a_, b_));
@@ -97,7 +97,7 @@ Tried<BoxPair::Signs> BoxPair::made(Which base) const {
   return s;
 }
 
-Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
+Tried<BoxComplex> BoxMaps::base_map(Which base, const Real& level) const {
   const Tried<const Signs*> found = signs(base);
   if (!found) return found.refusal();
   const Signs& s = **found;
@@ -122,7 +122,7 @@ Tried<BoxComplex> BoxPair::base_map(Which base, const Real& level) const {
   return map ? std::move(*map).checked() : BoxComplex({}, 1);
 }
 
-Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
+Tried<BoxComplex> BoxMaps::sign_map(Which which, const Real& level) const {
   if (const auto d = cut_off_of(which)) {  // at a level: the map of the base, perhaps with marks turned
     if (level.sign() < 0) return BoxComplex({}, 1);
     if (d->base != Which::kMu && d->base != Which::kMuBack) {
@@ -160,7 +160,7 @@ Tried<BoxComplex> BoxPair::sign_map(Which which, const Real& level) const {
   return exact::Refusal("the positions have round edges, which the exact map of boxes does not hold");
 }
 
-std::optional<Answer> BoxPair::signed_value(const Signs& s, const RealVector& p) {
+std::optional<Answer> BoxMaps::signed_value(const Signs& s, const RealVector& p) {
   if (!s.defined) return std::nullopt;
   Answer out;
   const Mark sign = s.map.mark(p);
@@ -177,7 +177,7 @@ std::optional<Answer> BoxPair::signed_value(const Signs& s, const RealVector& p)
   return out;
 }
 
-std::optional<Answer> BoxPair::farthest_value(const Signs& s, const RealVector& p) {
+std::optional<Answer> BoxMaps::farthest_value(const Signs& s, const RealVector& p) {
   const auto q = farthest(s.closed, p);
   if (!q) return std::nullopt;
   Answer out;
@@ -186,33 +186,57 @@ std::optional<Answer> BoxPair::farthest_value(const Signs& s, const RealVector& 
   return out;
 }
 
-TriedAnswer BoxPair::signed_value(Which base, const RealVector& p) const {
+TriedAnswer BoxMaps::signed_value(Which base, const RealVector& p) const {
   const Tried<const Signs*> s = signs(base);
   if (!s) return s.refusal();
   return signed_value(**s, p);
 }
 
-TriedAnswer BoxPair::farthest_value(Which base, const RealVector& p) const {
+TriedAnswer BoxMaps::farthest_value(Which base, const RealVector& p) const {
   const Tried<const Signs*> s = signs(base);
   if (!s) return s.refusal();
   return farthest_value(**s, p);
 }
 
-TriedAnswer BoxPair::diameter(const RealVector& p) const {
-  TriedAnswer most = reach(p);
+TriedAnswer BoxMaps::diameter(const RealVector& p) const {
+  TriedAnswer most = farthest_value(Which::kGamma1, p);
   for (const BoxComplex* own : {&a_, &b_}) {
     if (!most || !*most) continue;
-    TriedAnswer diameter = BoxPair(*own, *own).reach({});
+    TriedAnswer diameter = BoxMaps(*own, *own).farthest_value(Which::kGamma1, {});
     if (!diameter || !*diameter || (*most)->value < (*diameter)->value) most = std::move(diameter);
   }
   return most;
 }
 
-TriedAnswer BoxPair::protrusion(Inner, const RealVector&, Depth) const {
-  return exact::Refusal("how far a set of boxes protrudes from another is not read off the map of boxes");
+/// Of B in A, or of A in B: then positions are those of A.
+class BoxMaps::Side : public PairSide {
+ public:
+  Side(const BoxMaps& maps, bool back) : maps_(maps), back_(back) {}
+
+  TriedAnswer gap(const RealVector& p, Depth) const override { return maps_.signed_value(Which::kGamma1, p); }
+  TriedAnswer reach(const RealVector& p) const override { return maps_.farthest_value(Which::kGamma1, p); }
+  TriedAnswer diameter(const RealVector& p) const override { return maps_.diameter(p); }
+  TriedAnswer fit(const RealVector& p) const override {
+    if (!back_) return maps_.signed_value(Which::kEta1, p);
+    return exchanged_back(maps_.signed_value(Which::kDelta1, space::negated(p)), p);
+  }
+  TriedAnswer farthest_fit(const RealVector& p) const override {
+    return back_ ? maps_.farthest_value(Which::kDelta1, space::negated(p)) : maps_.farthest_value(Which::kEta1, p);
+  }
+  TriedAnswer protrusion(const RealVector&, Depth) const override {
+    return exact::Refusal("how far a set of boxes protrudes from another is not read off the map of boxes");
+  }
+
+ private:
+  const BoxMaps& maps_;
+  bool back_;
+};
+
+PairDistances BoxMaps::distances() const {
+  return {std::make_shared<const Side>(*this, false), std::make_shared<const Side>(*this, true)};
 }
 
-Tried<std::optional<BoxPair::Least>> BoxPair::least(Which which) const {
+Tried<std::optional<BoxMaps::Least>> BoxMaps::least(Which which) const {
   if (which != Which::kGamma1 && which != Which::kEta1 && which != Which::kDelta1) return std::nullopt;
   const Tried<const Signs*> s = signs(which);
   if (!s) return s.refusal();
@@ -224,7 +248,7 @@ Tried<std::optional<BoxPair::Least>> BoxPair::least(Which which) const {
   return found;
 }
 
-std::optional<BoxPair::Least> BoxPair::least(const Signs& s) {
+std::optional<BoxMaps::Least> BoxMaps::least(const Signs& s) {
   if (!s.defined) return Least{Real(), space::BoxComplex()};
   if (!s.has_negative) return Least{Real(), s.map.remarked([](Mark m) { return Mark(m <= 0); })};
   if (s.negative.empty()) return std::nullopt;

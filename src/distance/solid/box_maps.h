@@ -21,15 +21,17 @@
 
 namespace findspace::distance {
 
-class BoxPair : public PairDistances {
+class BoxMaps {
  public:
   /// Closed sets; B bounded.
-  BoxPair(space::BoxComplex b, space::BoxComplex a);
+  BoxMaps(space::BoxComplex b, space::BoxComplex a);
 
   /// The sign of distance - level at every position; refused where that has no axis-parallel form.
   exact::Tried<space::BoxComplex> sign_map(Which which, const exact::Real& level) const;
   /// The same of one of the six distances along an axis, both ways (`way` 0) or up or down it (1, -1), at any level.
   exact::Tried<space::BoxComplex> directional_map(Which which, const exact::Real& level, int axis, int way) const;
+  /// A provider of pair_distances.h, which keeps a reference.
+  PairDistances distances() const;
   /// What it does not answer.
   static bool protrudes(Which which) {
     return which == Which::kMu || which == Which::kMuBack || which == Which::kH || which == Which::kHBack ||
@@ -50,6 +52,7 @@ class BoxPair : public PairDistances {
   exact::Tried<std::optional<Least>> directional_least(Which which, int axis, int way) const;
 
  private:
+  class Side;
   struct Signs {  // of gamma1, eta1 or delta1 at level 0
     space::BoxComplex map;
     std::vector<space::IntervalBox> closed, rest;  // where it is <= 0, and where it is >= 0
@@ -63,15 +66,7 @@ class BoxPair : public PairDistances {
   static std::optional<Answer> farthest_value(const Signs& s, const space::RealVector& p);
   TriedAnswer signed_value(Which base, const space::RealVector& p) const;
   TriedAnswer farthest_value(Which base, const space::RealVector& p) const;
-  TriedAnswer gap(const space::RealVector& p, Depth) const override { return signed_value(Which::kGamma1, p); }
-  TriedAnswer reach(const space::RealVector& p) const override { return farthest_value(Which::kGamma1, p); }
-  TriedAnswer diameter(const space::RealVector& p) const override;
-  TriedAnswer fit(Inner inner, const space::RealVector& p) const override { return signed_value(base_of(inner), p); }
-  TriedAnswer farthest_fit(Inner inner, const space::RealVector& p) const override {
-    return farthest_value(base_of(inner), p);
-  }
-  TriedAnswer protrusion(Inner inner, const space::RealVector& p, Depth) const override;
-  static Which base_of(Inner inner) { return inner == Inner::kB ? Which::kEta1 : Which::kDelta1; }
+  TriedAnswer diameter(const space::RealVector& p) const;
   static std::optional<Least> least(const Signs& s);
 
   space::BoxComplex b_, a_;
