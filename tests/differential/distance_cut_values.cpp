@@ -196,6 +196,37 @@ TEST(CutValues, AreTheSameWhicheverShapeMoves) {
   }
 }
 
+/// A cube that is cut in two is the same set: how far the solid protrudes from it is the same, but for depths.
+TEST(CutValues, OfUnionsAreThoseOfTheirSets) {
+  std::mt19937 random(12);
+  int out = 0, inside = 0;
+  for (const Case& c : cases()) {
+    for (const std::int64_t half : {9, 40}) {
+      const auto solid = std::make_shared<const CsgSolid>(space::csg_solid(*c.shape));
+      const auto pair = [&](const std::vector<space::Corners>& boxes) {
+        return csg_pair(std::make_shared<const CsgSide>(space::shared(space::box_body(boxes)), solid), false);
+      };
+      const PairDistances whole = pair({{{{-half, -half, -half}, {half, half, half}}}}),
+                          cut = pair(
+                              {{{{-half, -half, -half}, {2, half, half}}}, {{{2, -half, -half}, {half, half, half}}}});
+      for (int k = 0; k < 3; ++k) {
+        const RealVector p = on_grid(any(random, 12));
+        const Answer one = *whole.value(Which::kMuBack, p), other = *cut.value(Which::kHBack, p);
+        EXPECT_NEAR(std::max(0.0, one.value.to_double()), other.value.to_double(), 1e-9) << c.name;
+        if (one.value.sign() > 0) {
+          ++out;
+          EXPECT_NEAR(cut.value(Which::kMuBack, p)->value.to_double(), one.value.to_double(), 1e-9) << c.name;
+        } else {
+          ++inside;
+          EXPECT_FALSE(cut.try_value(Which::kMuBack, p)) << c.name;
+        }
+      }
+    }
+  }
+  EXPECT_GT(out, 10);
+  EXPECT_GT(inside, 2);
+}
+
 /// Lines say the signs that values have.
 TEST(CutValues, AreThoseOfLines) {
   std::mt19937 random(10);

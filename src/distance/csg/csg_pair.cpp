@@ -186,6 +186,7 @@ std::optional<TriedBetween> CsgSide::nearly(Which which, double level, const Rea
 TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const Real& level, const RealVector& p) {
   const double at = level.to_double();
   if (const auto nearly = side->nearly(which, at, p)) return *nearly;
+  if (which == Which::kMuBack && at > 0) which = Which::kHBack;  // how deep does not matter
   const TriedAnswer found = csg_pair(side, false).try_value(which, p);
   if (!found) return found.refusal();
   const std::optional<Answer>& v = *found;
@@ -223,6 +224,7 @@ class CsgBackSide : public PairSide {
   }
 
  private:
+  Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
   bool too_large() const;
 
   std::shared_ptr<const CsgSide> side_;
@@ -230,33 +232,37 @@ class CsgBackSide : public PairSide {
   mutable bool too_large_ = false;
 };
 
-TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth /*depth*/) const {
+/// In a union that is told up to 0.
+TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
   const Body& b = *side_->b_;
-  if (!b.convex())
-    return Refusal(
-        "the protrusion of a shape that round ones are cut out of is computed "
-        "where that is convex");
   const RealVector by = space::negated(p);  // of B
-  const ConvexDistance beyond = reverse_convex_constraint(b.parts[0], space::rounded(by));
+  std::vector<ConvexDistance> beyond;
+  for (const BodyPart& part : b.parts) beyond.push_back(reverse_convex_constraint(part, space::rounded(by)));
   std::optional<Answer> best;
   for (const CsgPartSearch& part : side_->parts_) {
     const BoundaryPlace found = part.places.farthest_from(beyond);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
-    Answer v = searched_answer(found, side_->size_);
-    // A set of A protrudes by no less than A; where it does so at a place of A, by as much.
-    for (const BodyPart& set : part.sets->within) {
-      Answer complete = protrusion_of_convex(space::body_of_part(set), b.parts[0], p);
-      const bool same = std::fabs(complete.value.to_double() - found.value) <= v.error;  // no sign: the same value
-      if (!same || complete.witness.empty()) continue;
-      if (!holds(*part.sets, space::plus(complete.witness[0].at, by))) continue;
-      v = std::move(complete);
-      v.nearest.reset();
-      break;
-    }
-    best = std::move(v);
+    best = named_protrusion(*part.sets, p, found);
   }
   if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
-  return best;
+  if (b.convex() || depth == Depth::kSign || best->value.to_double() > best->error) return best;
+  return Refusal("how deep a shape that round ones are cut out of lies in a union is not computed");
+}
+
+/// A set of A protrudes from a convex B by no less than A; where it does so at a place of A, by as much.
+Answer CsgBackSide::named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const {
+  Answer out = searched_answer(found, side_->size_);
+  const Body& b = *side_->b_;
+  for (const BodyPart& set : part.within) {
+    if (!b.convex()) break;
+    Answer complete = protrusion_of_convex(space::body_of_part(set), b.parts[0], p);
+    const bool same = std::fabs(complete.value.to_double() - found.value) <= out.error;  // no sign: the same value
+    if (!same || complete.witness.empty()) continue;
+    if (!holds(part, space::minus(complete.witness[0].at, p))) continue;
+    complete.nearest.reset();
+    return complete;
+  }
+  return out;
 }
 
 /// Whether A is wider than B along an axis, and so never in it.

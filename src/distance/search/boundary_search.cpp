@@ -34,11 +34,11 @@ struct BoundaryCell : TetrahedralCell {
   }
 };
 
-/// The objective is minimised: the distance, or minus the one that is to be great.
+/// The objective is minimised: the distance, or minus the least of those that are to be great.
 class BoundarySearch {
  public:
-  BoundarySearch(const Constraints& constraints, const TouchingConstraint* distance, const ConvexDistance* far,
-                 double size, const Incumbent& known)
+  BoundarySearch(const Constraints& constraints, const TouchingConstraint* distance,
+                 std::span<const ConvexDistance> far, double size, const Incumbent& known)
       : constraints_(constraints), distance_(distance), far_(far), size_(size), known_(known) {
     best_.value = exact::kInfinity;
   }
@@ -101,7 +101,12 @@ class BoundarySearch {
     return std::min(better, until_->level + std::min(lower, -until_->blur));
   }
 
-  double objective(const Vector& x) const { return distance_ ? (*distance_)(x).value : -(*far_)(x); }
+  double objective(const Vector& x) const {
+    if (distance_) return (*distance_)(x).value;
+    double least = exact::kInfinity;
+    for (const ConvexDistance& f : far_) least = std::min(least, f(x));
+    return -least;
+  }
 
   /// By the functions that are not satisfied in all of the cell, or by all. In doubles: what this decides, and where an
   /// exact predicate follows, is said at margin::kAllowed.
@@ -210,13 +215,15 @@ class BoundarySearch {
   }
 
   /// What no place of the cell is better than, at the corners: linear, or concave.
-  Column floor_of(const Tetrahedron& corner) const {
+  std::vector<Column> floors_of(const Tetrahedron& corner) const {
     if (distance_) {
       const Vector middle = centre(corner);
-      return tangent((*distance_)(middle), middle, corner);
+      return {tangent((*distance_)(middle), middle, corner)};
     }
-    Column out;
-    for (std::size_t v = 0; v < 4; ++v) out[v] = -(*far_)(corner[v]);
+    std::vector<Column> out(far_.size());
+    for (std::size_t k = 0; k < far_.size(); ++k) {
+      for (std::size_t v = 0; v < 4; ++v) out[k][v] = -far_[k](corner[v]);
+    }
     return out;
   }
 
@@ -224,8 +231,9 @@ class BoundarySearch {
     BoundaryCell cell;
     cell.corner = corner;
     cell.depth = depth;
-    const Column objective = floor_of(corner);
-    cell.key = std::max(floor, least(objective));
+    const std::vector<Column> objectives = floors_of(corner);
+    cell.key = floor;
+    for (const Column& c : objectives) cell.key = std::max(cell.key, least(c));
     if (!(cell.key < wanted())) return;
     std::size_t a = 0, b = 1;
     std::vector<Column> columns;
@@ -237,7 +245,9 @@ class BoundarySearch {
     // cell is kept only where something clearly better may be.
     for (const double target : {best_.value, wanted()}) {
       std::vector<Column> all = columns;
-      if (std::isfinite(target)) all.push_back(less(target, objective));
+      for (const Column& c : objectives) {
+        if (std::isfinite(target)) all.push_back(less(target, c));
+      }
       if (!try_best(all, target, corner, cell)) return;
     }
     if (cell.key < wanted()) queue_.push(std::move(cell));
@@ -278,7 +288,7 @@ class BoundarySearch {
   const Constraints& constraints_;
   std::span<const Tetrahedron> domain_;
   const TouchingConstraint* distance_;
-  const ConvexDistance* far_;
+  std::span<const ConvexDistance> far_;
   double size_;
   const Incumbent& known_;
   BoundaryPlace best_;
@@ -292,12 +302,12 @@ class BoundarySearch {
 BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                               const TouchingConstraint& distance, double size, double floor, const Incumbent& known,
                               const Until* until) {
-  return BoundarySearch(constraints, &distance, nullptr, size, known).run(domain, floor, until);
+  return BoundarySearch(constraints, &distance, {}, size, known).run(domain, floor, until);
 }
 
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
-                               const ConvexDistance& distance, double size, const Incumbent& known) {
-  BoundaryPlace out = BoundarySearch(constraints, nullptr, &distance, size, known).run(domain, -exact::kInfinity);
+                               std::span<const ConvexDistance> distances, double size, const Incumbent& known) {
+  BoundaryPlace out = BoundarySearch(constraints, nullptr, distances, size, known).run(domain, -exact::kInfinity);
   out.value = -out.value;
   out.bound = -out.bound;
   return out;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The place of a domain nearest to a convex set, or farthest from one, among those that convex functions allow: each
-// of `reverse_convex` is to be at least 0 there (the place is outside a grown set), each of `convex` at most 0 (inside
-// one). So distances to and from round boundaries are found, of which planes alone are not enough. Branch and bound
-// over tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and at least what
-// its tangent is there; weights for which no place of the cell can be allowed and better than the best one known are a
-// linear program, whose other side is a place to try. Both bounds are off by the square of a cell's size, so smooth
-// boundaries cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding; no allowed
-// place is better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed ones, make
-// `bound` differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one. Cost: some
-// hundred to some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse convex
-// programming, penetration depth, global optimisation.
+// The place of a domain nearest to a convex set, or farthest from a union of such, among those that convex functions
+// allow: each of `reverse_convex` is to be at least 0 there (the place is outside a grown set), each of `convex` at
+// most 0 (inside one). So distances to and from round boundaries are found, of which planes alone are not enough.
+// Branch and bound over tetrahedra: over a cell a convex function is at most the mean of its values at the corners, and
+// at least what its tangent is there; weights for which no place of the cell can be allowed and better than the best
+// one known are a linear program, whose other side is a place to try. Both bounds are off by the square of a cell's
+// size, so smooth boundaries cost a few cells a halving. Guarantee: doubles; `place` is allowed, by more than rounding;
+// no allowed place is better than `bound`. Passages and places of zero clearance, which numbers cannot tell from closed
+// ones, make `bound` differ from `value` (or nothing is found), unless such a place is known: `unresolved` is one.
+// Cost: some hundred to some thousand cells, each as many values as functions are near 0 in it. Keywords: reverse
+// convex programming, penetration depth, global optimisation.
 #pragma once
 
 #include <functional>
@@ -83,8 +83,8 @@ struct Until {
 BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                               const TouchingConstraint& distance, double size, double floor,
                               const Incumbent& known = {}, const Until* until = nullptr);
-/// At which the distance is greatest.
+/// At which the least of the distances is greatest: farthest from a union.
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
-                               const ConvexDistance& distance, double size, const Incumbent& known = {});
+                               std::span<const ConvexDistance> distances, double size, const Incumbent& known = {});
 
 }  // namespace findspace::distance

@@ -174,7 +174,7 @@ BoundaryPlace PositionSet::nearest_to(const TouchingConstraint& to, const Query&
   return nearest_allowed(domain, lazy->constraints(), to, size_, query.floor, query.known, query.until);
 }
 
-BoundaryPlace PositionSet::farthest_from(const ConvexDistance& from, const Incumbent& known) const {
+BoundaryPlace PositionSet::farthest_from(std::span<const ConvexDistance> from, const Incumbent& known) const {
   if (!lazy_) return farthest_allowed(cells(box_), constraints_, from, size_, known);
   const std::unique_ptr<LazyConstraints> lazy = lazy_();
   return farthest_allowed(cells(box_), lazy->constraints(), from, size_, known);

@@ -5,7 +5,7 @@
 // constraints, and the questions that every one of them answers:
 //   holds      whether a place belongs, exactly;
 //   nearest    the place nearest to a position, or to a convex set;
-//   farthest   the place farthest from a position, or from a convex set;
+//   farthest   the place farthest from a position, or from a union of convex sets;
 //   deepest    the place with the most slack, where no functions are made lazily.
 // Providers say the constraints:
 //   outside    what a union of open convex sets, each grown by a ball, leaves: of parts with radii the complement of U,
@@ -82,7 +82,10 @@ class PositionSet {
     std::optional<Box> box{};  // instead of the set's own
   };
   BoundaryPlace nearest_to(const TouchingConstraint& to, const Query& query) const;
-  BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const;
+  BoundaryPlace farthest_from(std::span<const ConvexDistance> from, const Incumbent& known = {}) const;
+  BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const {
+    return farthest_from(std::span(&from, 1), known);
+  }
   Slack deepest(const SlackEnd& end, std::optional<Box> box = {}) const {
     return most_slack(cells(box.value_or(box_)), constraints_, end);
   }

@@ -134,8 +134,8 @@ class BallSearch {
     BoundaryPlace found;
     if (farthest_) {
       if (found_) constraints.reverse_convex.push_back([&](const Vector& y) { return away(y).value + most; });
-      found = farthest_allowed(
-          domain, constraints, [&](const Vector& y) { return away(y).value; }, size_);
+      const ConvexDistance distance = [&](const Vector& y) { return away(y).value; };
+      found = farthest_allowed(domain, constraints, {&distance, 1}, size_);
       found.value = -found.value;
       found.bound = -found.bound;
     } else {
