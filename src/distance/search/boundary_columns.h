@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What searches know of functions over a tetrahedron, by numbers at its corners: a linear function below or above each.
-// Whether some place of the tetrahedron can have all of them at least 0 is a linear program. Internal to
-// boundary_search and boundary_slack. Guarantee: doubles. Keywords: cutting planes.
+// Whether some place of the tetrahedron can have all of them at least 0 is a linear program. Internal to the searches.
+// Guarantee: doubles. Keywords: cutting planes.
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "distance/search/boundary_search.h"
@@ -41,11 +42,8 @@ inline HighestPlace highest_place(std::vector<Column> columns, const Tetrahedron
     lowest = std::min(lowest, least(c));
     highest = std::max(highest, most(c));
   }
-  for (Column& c : columns) {
-    for (double& entry : c) entry -= lowest;
-  }
-  const LpBound bound = lp_bound(columns);
-  return {bound.value + lowest, highest - lowest, mean(bound.rows, corner)};
+  const LpBound bound = bounding_lp(std::move(columns), {});
+  return {bound.value, highest - lowest, mean(bound.rows, corner)};
 }
 
 }  // namespace findspace::distance

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/boundary_cells.h"
-#include "distance/search/lp_bound.h"
+#include "distance/search/boundary_columns.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
 
@@ -66,7 +65,9 @@ class LeastSlack {
     offer(start);
     touch(start);
     for (int step = 0; step < kMostMeetSteps; ++step) {
-      const auto [bound, x] = highest();
+      const HighestPlace high = highest_place(columns_, about_);
+      const Vector& x = high.place;
+      const double bound = high.value;
       const double value = offer(x);
       if (bound - best_.value <= margin::kMeetEnough * size_ || !any_ball()) break;
       finish(x, bound, bound - value, start);
@@ -99,17 +100,6 @@ class LeastSlack {
     for (const MeetSet& set : sets_) {
       if (set.ball) add(set, x);
     }
-  }
-
-  std::pair<double, Vector> highest() const {
-    double lowest = 0;
-    for (const Column& c : columns_) lowest = std::min(lowest, *std::min_element(c.begin(), c.end()));
-    std::vector<Column> all = columns_;
-    for (Column& c : all) {
-      for (double& entry : c) entry -= lowest;
-    }
-    const LpBound lp = lp_bound(all);
-    return {lp.value + lowest, mean(lp.rows, about_)};
   }
 
   double offer(const Vector& x) {

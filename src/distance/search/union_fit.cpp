@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "distance/search/boundary_cells.h"
-#include "distance/search/lp_bound.h"
+#include "distance/search/boundary_columns.h"
+#include "distance/search/grown_set.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 
@@ -47,58 +47,41 @@ struct FitCell {
 /// A place where the columns, of which one of each witness is chosen, are all at most 0, and the objective allows it.
 class Choice {
  public:
-  Choice(std::vector<std::vector<Column>> witnesses, std::vector<Column> wanted, double noise)
-      : witnesses_(std::move(witnesses)), columns_(std::move(wanted)), noise_(noise) {
+  Choice(const Tetrahedron& cell, std::vector<std::vector<Column>> witnesses, std::vector<Column> wanted, double noise)
+      : cell_(cell), witnesses_(std::move(witnesses)), columns_(std::move(wanted)), noise_(noise) {
     std::sort(witnesses_.begin(), witnesses_.end(), [](const auto& x, const auto& y) { return x.size() < y.size(); });
   }
-  /// The weights of the corners.
-  std::optional<std::array<double, 4>> place() {
-    if (columns_.empty() && witnesses_.empty()) return std::array<double, 4>{0.25, 0.25, 0.25, 0.25};
-    if (!columns_.empty()) rows_ = lp_rows();
-    if (!columns_.empty() && !rows_) return std::nullopt;
-    return from(0) ? rows_ : std::nullopt;
+  std::optional<Vector> place() {
+    if (columns_.empty() && witnesses_.empty()) return centre(cell_);
+    if (!columns_.empty() && !better()) return std::nullopt;
+    return from(0) ? place_ : std::nullopt;
   }
 
  private:
   bool from(std::size_t k) {
     if (k == witnesses_.size()) return true;
     for (const Column& c : witnesses_[k]) {
-      Column opposite = c;
-      for (double& entry : opposite) entry = -entry;
-      columns_.push_back(opposite);
+      columns_.push_back(less(0, c));
       if (++tried_ > kMostChoices) return true;
-      const auto rows = lp_rows();
-      if (rows) {
-        rows_ = rows;
-        if (from(k + 1)) return true;
-      }
+      if (better() && from(k + 1)) return true;
       columns_.pop_back();
     }
     return false;
   }
 
-  /// Where the least of the columns is greatest, if that is not below 0.
-  std::optional<std::array<double, 4>> lp_rows() const {
-    double lowest = 0, highest = 0;
-    for (const Column& c : columns_) {
-      for (const double entry : c) {
-        lowest = std::min(lowest, entry);
-        highest = std::max(highest, entry);
-      }
-    }
-    std::vector<Column> raised = columns_;
-    for (Column& c : raised) {
-      for (double& entry : c) entry -= lowest;
-    }
-    const LpBound found = lp_bound(raised);
-    if (found.value + lowest < -noise_ - margin::kLpNoise * (highest - lowest)) return std::nullopt;
-    return found.rows;
+  /// Takes the place where the least of the columns is greatest, if that is not below 0.
+  bool better() {
+    const HighestPlace found = highest_place(columns_, cell_);
+    if (found.value < -noise_ - margin::kLpNoise * found.spread) return false;
+    place_ = found.place;
+    return true;
   }
 
+  const Tetrahedron& cell_;
   std::vector<std::vector<Column>> witnesses_;
   std::vector<Column> columns_;
   double noise_;
-  std::optional<std::array<double, 4>> rows_;
+  std::optional<Vector> place_;
   int tried_ = 0;
 };
 
@@ -153,11 +136,9 @@ class FitSearch {
 
   /// At the corners, what is nowhere more than the objective.
   Column objective_below(const Tetrahedron& t) const {
+    if (!query_.farthest) return tangent(distance_to_point(query_.from)(centre(t)), centre(t), t);
     Column out;
-    const Vector at = centre(t), off = at - query_.from;
-    const double d = space::length(off);
-    for (std::size_t v = 0; v < 4; ++v)
-      out[v] = query_.farthest ? objective(t[v]) : d > 0 ? d + space::dot(off, t[v] - at) / d : 0;
+    for (std::size_t v = 0; v < 4; ++v) out[v] = objective(t[v]);
     return out;
   }
 
@@ -225,7 +206,7 @@ class FitSearch {
   static bool add_columns(std::vector<Column> holders, std::vector<std::vector<Column>>& out) {
     if (holders.empty()) return false;
     double certain = exact::kInfinity;
-    for (const Column& c : holders) certain = std::min(certain, *std::max_element(c.begin(), c.end()));
+    for (const Column& c : holders) certain = std::min(certain, most(c));
     if (certain > 0) out.push_back(std::move(holders));
     return true;
   }
@@ -233,7 +214,7 @@ class FitSearch {
   void add(FitCell cell) {
     const Tetrahedron t = cell.corners();
     const Column objective = objective_below(t);
-    cell.key = std::max(cell.key, *std::min_element(objective.begin(), objective.end()));
+    cell.key = std::max(cell.key, least(objective));
     if (!(cell.key < wanted())) return;
     std::size_t a = 0, b = 1;
     const double edge = longest_edge(t, a, b);
@@ -246,13 +227,10 @@ class FitSearch {
     std::vector<std::vector<Column>> witnesses;
     if (!decided(cell, t, edge, witnesses)) return;
     std::vector<Column> better;
-    if (std::isfinite(wanted())) {
-      better.emplace_back();
-      for (std::size_t v = 0; v < 4; ++v) better.back()[v] = wanted() - objective[v];
-    }
-    const auto rows = Choice(std::move(witnesses), std::move(better), margin::kDistanceNoise * size_).place();
-    if (!rows) return;
-    offer(mean(*rows, t), cell, edge);
+    if (std::isfinite(wanted())) better.push_back(less(wanted(), objective));
+    const auto place = Choice(t, std::move(witnesses), std::move(better), margin::kDistanceNoise * size_).place();
+    if (!place) return;
+    offer(*place, cell, edge);
     if (cell.key < wanted()) queue_.push(std::move(cell));
   }
 

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/boundary_cells.h"
+#include "distance/search/boundary_columns.h"
 #include "distance/search/convex_distance.h"
 #include "distance/search/grown_set.h"
-#include "distance/search/lp_bound.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 
@@ -126,18 +125,8 @@ std::vector<Touching> UnionProtrusion::touching(const Vector& y) const {
 Vector UnionProtrusion::farthest_out(const Tetrahedron& among, const Vector& x, std::span<const Touching> touching,
                                      const Vector& at) const {
   std::vector<Column> columns;
-  double lowest = exact::kInfinity;
-  for (const Touching& t : touching) {
-    Column& c = columns.emplace_back();
-    for (std::size_t v = 0; v < 4; ++v) {
-      c[v] = t.value + space::dot(t.slope, plus(x, among[v]) - at);
-      lowest = std::min(lowest, c[v]);
-    }
-  }
-  for (Column& c : columns) {
-    for (double& entry : c) entry -= lowest;
-  }
-  return mean(lp_bound(columns).rows, among);
+  for (const Touching& t : touching) columns.push_back(tangent(t, at - x, among));
+  return highest_place(std::move(columns), among).place;
 }
 
 void UnionProtrusion::follow(Witness& witness, const Vector& to, double reach) const {
@@ -171,10 +160,8 @@ std::vector<Column> UnionProtrusion::holders(const Witness& witness, const Tetra
   at = centre(moved);
   std::vector<Column> out;
   for (const TouchingConstraint& part : parts_) {
-    const Touching t = part(at);
-    Column c{};
-    for (std::size_t v = 0; v < 4; ++v) c[v] = t.value + space::dot(t.slope, moved[v] - at);
-    if (*std::min_element(c.begin(), c.end()) <= margin::kDistanceNoise * size_) out.push_back(c);
+    const Column c = tangent(part(at), at, moved);
+    if (least(c) <= margin::kDistanceNoise * size_) out.push_back(c);
   }
   return out;
 }
