@@ -131,8 +131,8 @@ TEST(CutUnion, HasLines) {
 TEST(CutUnion, MayBeTooSmall) {
   const CsgSide side(space::shared(space::body(*box({-9, -9, -5}, {9, 9, 5}))),
                      std::make_shared<const space::CsgSolid>(space::csg_solid(*unions()[0].shape)));
-  EXPECT_FALSE(side.fit(space::place(0, 0, 0)));
-  EXPECT_FALSE(side.farthest_fit(space::place(0, 0, 0)));
+  EXPECT_FALSE(side.fit(space::place(0, 0, 0)).or_throw());
+  EXPECT_FALSE(side.farthest_fit(space::place(0, 0, 0)).or_throw());
 }
 
 }  // namespace distance_cut_union

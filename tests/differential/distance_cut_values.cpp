@@ -227,6 +227,24 @@ TEST(CutValues, OfUnionsAreThoseOfTheirSets) {
   EXPECT_GT(inside, 2);
 }
 
+/// A ball out of which a piece is cut that no plane along the axes touches fits where the ball does.
+TEST(CutValues, FitIntoPolyhedra) {
+  const auto solid = std::make_shared<const CsgSolid>(
+      space::csg_solid(*node(Kind::kDifference, {ball({0, 0, 0}, 5), ball({4, 4, 4}, 3)})));
+  const auto room = space::shared(space::box_body({{{{-8, -9, -10}, {8, 9, 10}}}}));
+  const PairDistances pair = csg_pair(std::make_shared<const CsgSide>(room, solid), true);
+  const RealVector p = space::place(6, 2, 9);
+  EXPECT_NEAR(pair.value(Which::kEta1, p)->value.to_double(), 5, 1e-9);
+  EXPECT_LE(*pair.value(Which::kEta1, p)->bounds().lower, Real(5));
+  EXPECT_NEAR(pair.value(Which::kEta2, p)->value.to_double(), std::sqrt(81.0 + 36 + 196), 1e-9);
+  EXPECT_NEAR(pair.value(Which::kEta1, space::place(1, 1, 1))->value.to_double(), -2, 1e-9);
+  // From where the room moves: A fits in B + p.
+  const PairDistances back = csg_pair(std::make_shared<const CsgSide>(room, solid), false);
+  EXPECT_NEAR(back.value(Which::kDelta1, space::negated(p))->value.to_double(), 5, 1e-9);
+  const auto small = space::shared(space::box_body({{{{-8, -9, -4}, {8, 9, 4}}}}));
+  EXPECT_FALSE(csg_pair(std::make_shared<const CsgSide>(small, solid), true).value(Which::kEta1, p));
+}
+
 /// Lines say the signs that values have.
 TEST(CutValues, AreThoseOfLines) {
   std::mt19937 random(10);

@@ -77,16 +77,12 @@ class Names {
       one.parts[0].radius = Real();
       return bounds(one);
     };
-    const space::Bounds3 of_set = box(set), of_s = box(s_);
+    const space::Bounds3 of_set = box(set);
     space::ConvexRegion region(of_set.low, of_set.high);
-    for (std::size_t k = 0; k < 3; ++k) {
-      RealVector n;
-      n[k] = Real(1);
-      region.cut(HalfSpace(n, -(of_s.high[k] + q[k])));
-      region.cut(HalfSpace(space::negated(n), of_s.low[k] + q[k]));
-    }
     for (const HalfSpace& h : set.planes()) region.cut(h);
-    for (const HalfSpace& h : s_.planes()) region.cut(HalfSpace(h.normal, h.offset - dot(h.normal, q)));
+    for (const std::vector<HalfSpace>& planes : {space::walls(box(s_)), s_.planes()}) {
+      for (const HalfSpace& h : planes) region.cut(HalfSpace(h.normal, h.offset - dot(h.normal, q)));
+    }
     return {region.vertices().begin(), region.vertices().end()};
   }
 

@@ -11,6 +11,8 @@
 #include "distance/csg/csg_part.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/body_boxes.h"
+#include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
 
@@ -211,25 +213,25 @@ class CsgBackSide : public PairSide {
     if (!v) return v;
     return cut_off(*std::move(v), true);
   }
-  TriedAnswer fit(const RealVector& p) const override {
-    if (too_large()) return std::nullopt;
-    TriedAnswer v = protrusion(p, Depth::kValue);
-    if (v && (*v)->value.to_double() > (*v)->error)
-      return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
-    return v;
-  }
-  TriedAnswer farthest_fit(const RealVector& /*p*/) const override {
-    if (too_large()) return std::nullopt;
-    return Refusal("the farthest fit of a shape that round ones are cut out of is not computed");
-  }
+  TriedAnswer fit(const RealVector& p) const override;
+  TriedAnswer farthest_fit(const RealVector& p) const override;
 
  private:
+  /// What holds the positions at which A fits between the planes of B, or of the box about it, and what they hold.
+  struct Fits {
+    std::vector<space::HalfSpace> holding, held;
+    bool exact = true;  // the planes are B
+  };
+  Fits made_fits() const;
+  const Fits& fits() const {
+    std::call_once(fits_made_, [this] { fits_ = made_fits(); });
+    return fits_;
+  }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
-  bool too_large() const;
 
   std::shared_ptr<const CsgSide> side_;
-  mutable std::once_flag extents_made_;
-  mutable bool too_large_ = false;
+  mutable std::once_flag fits_made_;
+  mutable Fits fits_;
 };
 
 /// In a union that is told up to 0.
@@ -265,24 +267,74 @@ Answer CsgBackSide::named_protrusion(const CsgPart& part, const RealVector& p, c
   return out;
 }
 
-/// Whether A is wider than B along an axis, and so never in it.
-bool CsgBackSide::too_large() const {
-  std::call_once(extents_made_, [&] {
-    const space::Bounds3 box = bounds(*side_->b_);
-    for (std::size_t k = 0; k < 3; ++k) {
-      double wide = 0;
-      for (const double sense : {1.0, -1.0}) {
-        const ConvexDistance ahead = [k, sense](const space::Vector& x) {
-          return sense * (k == 0 ? x.x : k == 1 ? x.y : x.z);
-        };
-        double most = -exact::kInfinity;
-        for (const CsgPartSearch& part : side_->parts_) most = std::max(most, part.places.farthest_from(ahead).value);
-        wide += most;
-      }
-      if (wide > (box.high[k] - box.low[k]).to_double() + 4 * margin::kFoundError * side_->size_) too_large_ = true;
+/// As far as A reaches along the normal of each plane, from below and from above.
+CsgBackSide::Fits CsgBackSide::made_fits() const {
+  const Body& b = *side_->b_;
+  Fits out;
+  out.exact = b.convex() && b.parts[0].core && !b.round();
+  const double error = margin::kFoundError * side_->size_;
+  for (const space::HalfSpace& h : out.exact ? b.parts[0].planes() : space::walls(bounds(b))) {
+    const ConvexDistance ahead = [n = h.unit](const space::Vector& x) { return space::dot(n, x); };
+    double least = -exact::kInfinity, most = least;
+    for (const CsgPartSearch& part : side_->parts_) {
+      const BoundaryPlace found = part.places.farthest_from(ahead);
+      least = std::max(least, found.value);
+      most = std::max(most, found.bound);
     }
-  });
-  return too_large_;
+    const double size = space::length(space::rounded(h.normal));
+    out.holding.emplace_back(h.normal, h.offset + Real::from_double(size * (least - error)));
+    out.held.emplace_back(h.normal, h.offset + Real::from_double(size * (most + error)));
+  }
+  return out;
+}
+
+namespace {
+
+/// A value between two, of which the second is taken.
+Answer between_two(const Real& one, const Real& taken) {
+  Answer out;
+  out.value = taken;
+  out.set_unproven();
+  out.error = abs(taken - one).to_double();
+  out.enclosed = one < taken ? Enclosure{one, taken} : Enclosure{taken, one};
+  return out;
+}
+
+Refusal not_fitting() {
+  return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
+}
+
+}  // namespace
+
+TriedAnswer CsgBackSide::fit(const RealVector& p) const {
+  const auto outer = nearest_in(fits().holding, p);
+  if (!outer) return std::nullopt;
+  TriedAnswer v = protrusion(p, Depth::kValue);
+  if (!v || (*v)->value.to_double() <= (*v)->error) return v;
+  const auto inner = fits().exact ? nearest_in(fits().held, p) : std::nullopt;
+  if (!inner) return not_fitting();
+  Answer out = between_two(signed_value(p, *outer, 1).value, signed_value(p, *inner, 1).value);
+  out.nearest = inner;
+  return out;
+}
+
+TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
+  const space::Bounds3 box = space::meeting(bounds(*side_->a_), bounds(*side_->b_));
+  const auto farthest = [&](const std::vector<space::HalfSpace>& planes) -> std::optional<Real> {
+    space::ConvexRegion region(box.low, box.high);
+    for (const space::HalfSpace& h : planes) region.cut(h);
+    std::optional<Real> most;
+    for (const space::ConvexRegion::Vertex& v : region.vertices()) {
+      const Real d = signed_value(p, v.at, 1).value;
+      if (!most || *most < d) most = d;
+    }
+    return most;
+  };
+  const auto outer = farthest(fits().holding);
+  if (!outer) return std::nullopt;
+  const auto inner = fits().exact ? farthest(fits().held) : std::nullopt;
+  if (!inner) return not_fitting();
+  return between_two(*outer, *inner);
 }
 
 PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves) {

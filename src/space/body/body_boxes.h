@@ -35,4 +35,16 @@ inline std::optional<Bounds3> fitting(const Bounds3& b, const Bounds3& a) {
   return out;
 }
 
+/// The half spaces that it is made of.
+inline std::vector<HalfSpace> walls(const Bounds3& box) {
+  std::vector<HalfSpace> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    RealVector n;
+    n[k] = exact::Real(1);
+    out.emplace_back(n, -box.high[k]);
+    out.emplace_back(negated(n), box.low[k]);
+  }
+  return out;
+}
+
 }  // namespace findspace::space
