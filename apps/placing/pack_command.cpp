@@ -50,6 +50,7 @@ struct Plane {
                           left->height.text(), left->x.text(), left->y.text());
     return text;
   }
+  static Number bound(const Packing& packing, const PackLayout&) { return packing.lower_bound(); }
   static PackLayout start(const Packing& packing, const Options& options) {
     return start_layout(packing, *options.start, options.input_limit);
   }
@@ -71,7 +72,7 @@ struct Space {
   }
   static std::string summary(const SolidPacking& packing, const SolidPackLayout& layout) {
     const bool contained = !packing.problem().containers.empty();
-    const std::string height = layout.height.text(), bound = packing.lower_bound().text();
+    const std::string height = layout.height.text(), bound = layout.lower_bound.text();
     std::string text = fmt::format("height {}", height);
     if (contained)
       text = fmt::format("{} container{}, of the last {} used", layout.containers.size(),
@@ -81,6 +82,7 @@ struct Space {
     if (contained) return text;
     return text + (height == bound ? "no layout is lower\n" : fmt::format("no layout is lower than {}\n", bound));
   }
+  static Number bound(const SolidPacking&, const SolidPackLayout& layout) { return layout.lower_bound; }
   static SolidPackLayout start(const SolidPacking& packing, const Options& options) {
     const std::string name = options.start->string();
     SolidPackLayout layout = packing.layout(io::read_text(*options.start, options.input_limit), name);
@@ -112,6 +114,7 @@ class PackRun {
       best = packing_.search(search_options(options_), search);
     }
     if (!best) return empty();
+    if (Kind::bound(packing_, *best).text() != bound_) write(*best);
     return {answer(*best), was_stopped() ? kInterrupted : kDone};
   }
 
@@ -120,6 +123,7 @@ class PackRun {
 
   /// Every better layout is in its files at once.
   void keep(const Layout& layout, const PackProgress& state) {
+    bound_ = Kind::bound(packing_, layout).text();
     write(layout);
     answer_at_the_end(is_printed(options_) ? answer(layout) : "");
     if (!options_.quiet) reporter_.note(better_text(state, Kind::kSize));
@@ -155,6 +159,7 @@ class PackRun {
   const Options& options_;
   Reporter& reporter_;
   typename Kind::Problem packing_;
+  std::string bound_;  // of what was written last
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ struct SolidPackLayout {
   std::vector<std::string> containers = {};
   /// Volume of the solids over that of the containers, the last one up to the height.
   double density = 0;
-  /// No layout is lower; 0 in containers.
+  /// No layout is lower, as far as the search proved it; 0 in containers.
   Number lower_bound = 0;
   /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
   std::optional<Limit> met = {};
@@ -146,7 +146,7 @@ class SolidPacking {
   const std::vector<std::string>& notes() const;
   /// How many copies of all solids are wanted.
   std::size_t copies() const;
-  /// No layout upon the floor is lower; 0 in containers.
+  /// No layout upon the floor is lower, by volumes and the tallest solid; 0 in containers.
   Number lower_bound() const;
 
   /// As pack() below.
@@ -172,9 +172,11 @@ class SolidPacking {
 
 /// The best layout found. Nothing where no solid is wanted, none fits a container, or no layout was found in which all
 /// conditions hold. The search ends by itself where no layout can be lower; else after the options' seconds or work,
-/// and without both where no better layout comes for long. With a limit of work alone the result depends on the seed
-/// only. `better` hears of each better layout at once; what it throws ends the search. Error where a shape is none that
-/// is packed, stands on the floor in no orientation, has too many digits, or a name is unknown.
+/// and without both where no better layout comes for long. Of up to ten solids of flat faces, each with one
+/// orientation, branch and bound proves that within a ten millionth of the height, as far as the options allow. With a
+/// limit of work alone the result depends on the seed only. `better` hears of each better layout at once; what it
+/// throws ends the search. Error where a shape is none that is packed, stands on the floor in no orientation, has too
+/// many digits, or a name is unknown.
 std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options = {.seconds = 10},
                                     const std::function<void(const SolidPackLayout&)>& better = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The margins of searches in doubles whose results are proved exactly afterwards (src/packing). All but the last are
-// relative to the size of the strip. They search: too large or too small, they cost density or time, never a proof.
+// The margins of searches in doubles whose results are proved exactly afterwards (src/packing). Most are relative
+// to the size of the strip. They search: too large or too small, they cost density or time, never a proof.
 #pragma once
 
 namespace findspace::margin {
@@ -46,5 +46,13 @@ inline constexpr double kSolidTie = 1e-7;
 /// A plane whose unit normal has less than this along a line does not end what lies on the line: 2^12 roundings.
 /// Searches.
 inline constexpr double kAlongPlane = 0x1p-40;
+
+/// No layout is lower than the best by more than this, of its height, where that is proved: a hundred times what the
+/// shaken goal below leaves. Decides what is called proved, and is stated with it.
+inline constexpr double kHeightProof = 1e-7;
+/// The goal of such a proof is shaken by this, so that no two exchanges of rows are equally good; a row that lacks less
+/// of the floor holds at a vertex; a row with a smaller part in another one does not take its place. The bound that
+/// follows is right for any of them. Searches.
+inline constexpr double kHeightShake = 1e-9, kHeightRow = 1e-9, kHeightPivot = 1e-9;
 
 }  // namespace findspace::margin

@@ -19,7 +19,7 @@
 #include "io/nesting/write_solids.h"
 #include "packing/problem/pair_formula.h"
 #include "packing/solid_proof/solid_bound.h"
-#include "packing/solid_search/solid_search.h"
+#include "packing/solid_search/proved_search.h"
 #include "space/shape/rotation.h"
 
 namespace findspace {
@@ -239,7 +239,7 @@ struct SolidPacking::Data {
   }
   SolidPackLayout shown(const SolidLayout& layout) const {
     SolidPackLayout result = public_layout(problem(), layout);
-    if (!problem().in_containers()) result.lower_bound = bound.text();
+    if (!problem().in_containers()) result.lower_bound = std::max(bound, layout.lower_bound).text();
     return result;
   }
 
@@ -259,7 +259,7 @@ io::LayoutFacts facts_of(const SolidPacking::Data& data, const SolidLayout& plac
   const packing::SolidVerdict verdict = packing::verify(data.problem(), placed);
   facts.proven = verdict.is_feasible();
   facts.density = verdict.density;
-  facts.lower_bound = data.bound;
+  facts.lower_bound = std::max(data.bound, io::fraction(layout.lower_bound));
   facts.seconds = layout.seconds;
   facts.seed = layout.seed;
   facts.threads = layout.threads;
@@ -312,7 +312,7 @@ std::optional<SolidPackLayout> SolidPacking::search(const Options& options,
   const auto shown = [&](const SolidLayout& layout) { return data_->shown(layout); };
   return io::searched<SolidLayout, SolidPackLayout>(
       options, how, start ? &*start : nullptr, shown,
-      [&](const auto&... asked) { return packing::search_solids(inner, asked...); });
+      [&](const auto&... asked) { return packing::search_solids_to_proof(inner, asked...); });
 }
 
 PackVerdict SolidPacking::verdict(const SolidPackLayout& layout) const {

@@ -100,6 +100,7 @@ struct SolidLayout {
   std::vector<SolidPlaced> items;
   std::vector<LeftOut> left_out = {};
   std::vector<std::size_t> containers = {};  // the kind of each that is used
+  Fraction lower_bound = 0;                  // no layout is lower: what a search has proved
 };
 
 /// The scale at which two bodies have whole coordinates both, where that is in range.

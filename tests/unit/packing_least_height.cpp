@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Proofs that no layout of a few solids is lower: programs that grow against CLP, boxes against all places on a
+// lattice, parts that interlock, and the same for any number of threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+
+#include "packing/compaction/linear_program.h"
+#include "packing/solid_proof/growing_program.h"
+#include "packing/solid_proof/least_height.h"
+#include "packing/solid_search/proved_search.h"
+#include "packing_solid_parts.h"
+#include "plane/base/parallel.h"
+
+namespace findspace::packing {
+namespace packing_least_height {
+
+SolidProblem problem_of(int width, int depth, std::vector<SolidPart> parts) {
+  SolidProblem problem;
+  problem.width = width;
+  problem.depth = depth;
+  problem.parts = std::move(parts);
+  return problem;
+}
+
+std::optional<SolidLayout> packed(const SolidProblem& problem, double work = 2e7) {
+  SolidSearchOptions options;
+  options.work = work;
+  const std::atomic<bool> stop = false;
+  return search_solids_to_proof(problem, options, {}, stop);
+}
+
+/// The height that a proof comes down to from a greater one, finding layouts itself; below it by a ten millionth.
+double least_height(const SolidProblem& problem, double from) {
+  const SolidTable table(problem);
+  LeastHeight proof(problem, table, from);
+  while (!proof.is_over()) {
+    const auto found = proof.search();
+    if (!found) continue;
+    double top = 0;
+    for (const SolidPose& pose : *found) top = std::max(top, pose.at.z + table.variants()[pose.variant].high.z);
+    proof.set_height(top);
+  }
+  return proof.bound();
+}
+
+/// A program of a few columns from 0 to 10, the last of which is sought, and rows of six whole factors.
+struct RandomProgram {
+  CertainRows rows;
+  std::vector<std::size_t> added;
+  double least = 0;
+  bool has_solution;
+
+  explicit RandomProgram(std::mt19937& random, std::size_t columns, int count)
+      : rows(std::vector<exact::Interval>(columns, {0, 10}), 10) {
+    std::uniform_int_distribution<int> factor(-5, 5), right(-20, 20);
+    LinearProgram program(1);
+    for (std::size_t k = 0; k < columns; ++k) program.add_column(0, 10, k + 1 == columns ? 1 : 0);
+    for (int r = 0; r < count; ++r) {
+      CertainRow row;
+      const int least_of_row = right(random);
+      program.begin_row(least_of_row);
+      for (std::size_t k = 0; k < columns; ++k) {
+        const double by = factor(random);
+        row.add(k, {by, by});
+        program.add(int(k), by);
+      }
+      row.set_right({double(least_of_row), double(least_of_row)});
+      added.push_back(rows.add(row));
+    }
+    has_solution = program.solve();
+    if (has_solution) least = program.value(int(columns) - 1);
+  }
+};
+
+TEST(PackingLeastHeight, GrowingProgramsAgreeWithClp) {
+  std::mt19937 random(7);
+  int solved = 0, empty = 0;
+  for (int k = 0; k < 300; ++k) {
+    const RandomProgram sought(random, 2 + std::size_t(k) % 5, 1 + k % 12);
+    GrowingProgram program(sought.rows);
+    bool has_solution = true;
+    for (const std::size_t row : sought.added) {  // one after another, as branches add them
+      program.add(row);
+      has_solution = has_solution && program.solve(100);
+    }
+    ASSERT_EQ(has_solution, sought.has_solution) << k;
+    ++(has_solution ? solved : empty);
+    if (!has_solution) {
+      EXPECT_GE(program.bound(), 100) << k;
+      continue;
+    }
+    EXPECT_NEAR(program.bound(), sought.least, 1e-6) << k;
+    EXPECT_LE(program.bound(), sought.least + 1e-8) << k;
+    EXPECT_NEAR(program.vertex().back(), sought.least, 1e-6) << k;
+  }
+  EXPECT_GT(solved, 50);
+  EXPECT_GT(empty, 50);
+}
+
+TEST(PackingLeastHeight, ABoundThatIsEnoughEndsTheProgram) {
+  CertainRows rows({{0, 10}, {0, 10}}, 10);
+  CertainRow row;
+  row.add(0, {-1, -1});
+  row.add(1, {1, 1});
+  row.set_right({3, 3});
+  const std::size_t added = rows.add(row);
+  GrowingProgram program(rows);
+  EXPECT_TRUE(program.solve(3));
+  program.add(added);
+  EXPECT_FALSE(program.solve(3 - 1e-7));
+  EXPECT_GE(program.bound(), 3 - 1e-7);
+  EXPECT_LE(program.bound(), 3);
+}
+
+struct Brick {
+  int w, d, h;
+};
+
+/// Whether the bricks from `next` on have places on the lattice beside those that stand.
+bool has_places(const std::vector<Brick>& bricks, std::vector<std::array<int, 3>>& places, int width, int depth,
+                int height) {
+  if (places.size() == bricks.size()) return true;
+  const Brick& mine = bricks[places.size()];
+  for (int x = 0; x + mine.w <= width; ++x)
+    for (int y = 0; y + mine.d <= depth; ++y)
+      for (int z = 0; z + mine.h <= height; ++z) {
+        bool is_free = true;
+        for (std::size_t k = 0; k < places.size() && is_free; ++k) {
+          const auto& [u, v, w] = places[k];
+          const Brick& other = bricks[k];
+          is_free = x + mine.w <= u || u + other.w <= x || y + mine.d <= v || v + other.d <= y || z + mine.h <= w ||
+                    w + other.h <= z;
+        }
+        if (!is_free) continue;
+        places.push_back({x, y, z});
+        if (has_places(bricks, places, width, depth, height)) return true;
+        places.pop_back();
+      }
+  return false;
+}
+
+TEST(PackingLeastHeight, BricksAgainstAllPlacesOfALattice) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> side(1, 3), count(3, 5);
+  for (int k = 0; k < 40; ++k) {
+    std::vector<Brick> bricks;
+    std::vector<SolidPart> parts;
+    for (int i = count(random); i > 0; --i) bricks.push_back({side(random), side(random), side(random)});
+    for (const Brick& b : bricks)
+      parts.push_back(box(("brick" + std::to_string(parts.size())).c_str(), 1, b.w, b.d, b.h));
+    int least = 1;
+    std::vector<std::array<int, 3>> places;
+    while (!has_places(bricks, places, 4, 3, least)) ++least;
+    const double bound = least_height(problem_of(4, 3, parts), least + 2);
+    EXPECT_GT(bound, least - 1e-6) << k;
+    EXPECT_LE(bound, least) << k;
+  }
+}
+
+TEST(PackingLeastHeight, EqualPartsThatCannotStandSideBySide) {
+  const auto layout = packed(problem_of(3, 3, {box("slab", 4, 2, 2, 1)}));
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->height, Fraction(4));
+  EXPECT_GT(layout->lower_bound.to_double(), 4 - 1e-6);
+}
+
+/// Unions of convex parts: two angles lie in one another, 3 wide and 4 high; boxes of 3 x 3 would be 6 high.
+TEST(PackingLeastHeight, PartsThatInterlock) {
+  SolidPart angle = part_of("angle", 1, {block({0, 0, 0}, {3, 1, 1}), block({0, 0, 1}, {1, 1, 3})});
+  SolidPart turned = part_of("turned", 1, {block({0, 0, 2}, {3, 1, 3}), block({2, 0, 0}, {3, 1, 2})});
+  const auto layout = packed(problem_of(3, 1, {angle, turned}));
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->height, Fraction(4));
+  EXPECT_GT(layout->lower_bound.to_double(), 4 - 1e-6);
+}
+
+TEST(PackingLeastHeight, WhatIsNotTriedKeepsTheBoundOfVolumes) {
+  const SolidProblem turns = problem_of(3, 3, {with_turns(box("brick", 2, 3, 2, 1))});
+  EXPECT_FALSE(is_provable(turns, SolidTable(turns)));
+  const SolidProblem many = problem_of(3, 3, {box("brick", 11, 3, 2, 1)});
+  EXPECT_FALSE(is_provable(many, SolidTable(many)));
+  const SolidProblem few = problem_of(3, 3, {box("brick", 10, 3, 2, 1)});
+  EXPECT_TRUE(is_provable(few, SolidTable(few)));
+}
+
+/// With a gap the bound is that without it; it stays below the layout.
+TEST(PackingLeastHeight, GapsAreAboveTheBound) {
+  SolidProblem problem = problem_of(3, 3, {box("slab", 3, 2, 2, 1)});
+  problem.gap = 1;
+  const auto layout = packed(problem);
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->height, Fraction(5));
+  EXPECT_GT(layout->lower_bound.to_double(), 3 - 1e-6);
+  EXPECT_LE(layout->lower_bound, Fraction(3));
+}
+
+TEST(PackingLeastHeight, TheSameForAnyNumberOfThreads) {
+  const SolidProblem problem =
+      problem_of(4, 3, {box("a", 2, 3, 2, 1), box("b", 2, 1, 3, 2), box("c", 1, 2, 2, 3), box("d", 2, 2, 1, 1)});
+  std::vector<SolidLayout> found;
+  for (const unsigned threads : {1U, 2U}) {
+    const plane::ThreadLimit limit(threads);
+    found.push_back(*packed(problem));
+  }
+  EXPECT_EQ(found[0].height, found[1].height);
+  EXPECT_EQ(found[0].lower_bound, found[1].lower_bound);
+  for (std::size_t i = 0; i < found[0].items.size(); ++i) EXPECT_EQ(found[0].items[i].at, found[1].items[i].at);
+}
+
+}  // namespace packing_least_height
+}  // namespace findspace::packing
