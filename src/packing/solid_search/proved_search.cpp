@@ -31,7 +31,7 @@ Fraction rounded_down(double value) {
 class ProvedSearch {
  public:
   ProvedSearch(const SolidProblem& problem, const SolidSearchOptions& options, const SolidSearchEvents& events,
-               const std::atomic<bool>& stop)
+               const StopWish& stop)
       : problem_(problem),
         options_(options),
         events_(events),
@@ -68,20 +68,20 @@ class ProvedSearch {
   /// Times count from the beginning of the whole.
   void search(const SolidSearchOptions& options) {
     const double before = limits_.seconds();
-    const auto since_begin = [&](SearchState state) {
+    const auto since_begin = [&](PackProgress state) {
       state.seconds += before;
       return state;
     };
     SolidSearchEvents events;
-    events.better = [&](const SolidLayout& layout, const SearchState& state) {
+    events.better = [&](const SolidLayout& layout, const PackProgress& state) {
       if (!layout_ || layout.height < layout_->height) take(layout, since_begin(state));
     };
-    if (events_.progress) events.progress = [&](const SearchState& state) { events_.progress(since_begin(state)); };
+    if (events_.progress) events.progress = [&](const PackProgress& state) { events_.progress(since_begin(state)); };
     std::optional<SolidLayout> found = search_solids(problem_, options, events, stop_);
     if (!layout_) layout_ = std::move(found);
   }
 
-  void take(SolidLayout layout, const SearchState& state) {
+  void take(SolidLayout layout, const PackProgress& state) {
     layout.lower_bound = bound_;
     layout_ = std::move(layout);
     if (events_.better) events_.better(*layout_, state);
@@ -121,9 +121,9 @@ class ProvedSearch {
     if (better && better->height < layout_->height) take(*std::move(better), state(better->height));
   }
 
-  SearchState state() const { return state(layout_->height); }
-  SearchState state(const Fraction& height) const {
-    SearchState result;
+  PackProgress state() const { return state(layout_->height); }
+  PackProgress state(const Fraction& height) const {
+    PackProgress result;
     result.seconds = limits_.seconds();
     result.processor = double(std::clock()) / CLOCKS_PER_SEC;
     result.length = height.to_double();
@@ -134,7 +134,7 @@ class ProvedSearch {
   const SolidProblem& problem_;
   const SolidSearchOptions& options_;
   const SolidSearchEvents& events_;
-  const std::atomic<bool>& stop_;
+  const StopWish stop_;
   const SearchLimits limits_;
   Fraction bound_;
   std::optional<SolidLayout> layout_;
@@ -143,7 +143,7 @@ class ProvedSearch {
 }  // namespace
 
 std::optional<SolidLayout> search_solids_to_proof(const SolidProblem& problem, const SolidSearchOptions& options,
-                                                  const SolidSearchEvents& events, const std::atomic<bool>& stop) {
+                                                  const SolidSearchEvents& events, const StopWish& stop) {
   if (options.peers != nullptr || problem.items() == 0 || !is_provable(problem, SolidTable(problem)))
     return search_solids(problem, options, events, stop);
   return ProvedSearch(problem, options, events, stop).run();

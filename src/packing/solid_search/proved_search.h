@@ -13,6 +13,6 @@ namespace findspace::packing {
 
 /// As search_solids().
 std::optional<SolidLayout> search_solids_to_proof(const SolidProblem& problem, const SolidSearchOptions& options,
-                                                  const SolidSearchEvents& events, const std::atomic<bool>& stop);
+                                                  const SolidSearchEvents& events, const StopWish& stop);
 
 }  // namespace findspace::packing
