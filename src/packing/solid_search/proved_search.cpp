@@ -18,7 +18,7 @@ namespace findspace::packing {
 namespace {
 
 constexpr double kFirstShare = 0.1, kProofShare = 0.6;  // of the limits
-constexpr double kFirstWork = 4e7;                      // without limits: about a second
+constexpr double kFirstWork = 4e7;                      // of the first search at most: about a second
 constexpr std::uint64_t kMostPrograms = 20'000'000;     // without limits: some minutes
 constexpr double kWorkOfProgram = 500;                  // planes and boxes that take as long
 
@@ -41,11 +41,11 @@ class ProvedSearch {
 
   std::optional<SolidLayout> run() {
     SolidSearchOptions first = of_share(kFirstShare);
-    if (is_unlimited()) first.work = kFirstWork;
+    first.work = options_.work > 0 ? std::min(first.work, kFirstWork) : kFirstWork;
     search(first);
     if (!layout_ || is_done()) return layout_;
     const bool is_proved = prove();
-    if (is_proved || is_done() || is_unlimited()) return layout_;
+    if (is_proved || is_done()) return layout_;
     SolidSearchOptions rest = of_share(1 - kFirstShare - kProofShare);
     if (options_.seconds > 0) rest.seconds = std::max(0.001, options_.seconds - limits_.seconds());
     const SolidLayout start = *layout_;
