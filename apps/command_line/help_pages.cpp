@@ -2,22 +2,16 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "command_line/help_pages.h"
 
+#include <findspace/vocabulary.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
 #include "command_line/support_table.h"
-#include "formula/language/names.h"
-#include "formula/language/units.h"
 
 namespace findspace::app {
 namespace {
-
-using formula::DistanceName;
-using formula::Kind;
-using formula::PredicateName;
-using formula::Relation;
 
 constexpr std::size_t kTextColumn = 30, kColumns = 100;
 
@@ -51,8 +45,8 @@ std::size_t width(std::string_view text) {
   return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// What a distance is, in the order of Kind.
-constexpr std::array<std::string_view, formula::kKindCount> kMeanings{
+/// What a distance is, in the order of their words.
+constexpr std::array<std::string_view, 14> kMeanings{
     "the gap between B and A; 0 where they touch; below 0 minus the depth of the overlap",
     "the largest distance between a point of B and a point of A",
     "how far B is from lying in A; below 0 minus the margin",
@@ -73,33 +67,43 @@ bool is_plain(std::string_view name) {
   return name.size() > 2 && std::all_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
-/// All names with this value, plain ones first: of these the later rows, which are the plain English ones.
-std::vector<std::string> names_of(Kind kind, bool exchanged, bool negated) {
+/// All words with this value, plain ones first: of these the later rows, which are the plain English ones.
+std::vector<std::string> words_of(const std::string& distance, bool exchanged, bool negated) {
   std::vector<std::string> plain, others;
-  for (const DistanceName& row : formula::distance_names()) {
-    if (row.kind != kind || row.exchanged != exchanged || row.negated != negated) continue;
-    if (is_plain(row.name)) {
-      plain.emplace(plain.begin(), row.name);
+  std::string symbol;
+  for (const DistanceWord& row : distance_words()) {
+    if (row.distance != distance) continue;
+    symbol = row.symbol;
+    if (row.exchanged != exchanged || row.negated != negated) continue;
+    if (is_plain(row.word)) {
+      plain.insert(plain.begin(), row.word);
     } else {
-      others.emplace_back(row.name);
+      others.push_back(row.word);
     }
   }
   plain.insert(plain.end(), others.begin(), others.end());
-  const std::string symbol(formula::symbol(kind));
   if (!exchanged && !negated && std::find(plain.begin(), plain.end(), symbol) == plain.end()) plain.push_back(symbol);
   return plain;
 }
 
+/// One word a distance.
+std::vector<DistanceWord> distances() {
+  std::vector<DistanceWord> words = distance_words();
+  words.resize(kMeanings.size());
+  return words;
+}
+
 std::string distance_list() {
   std::string out;
-  for (std::size_t i = 0; i < formula::kKindCount; ++i) {
-    const Kind kind = Kind(i);
-    const std::vector<std::string> straight = names_of(kind, false, false);
+  const std::vector<DistanceWord> all = distances();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& distance = all[i].distance;
+    const std::vector<std::string> straight = words_of(distance, false, false);
     out += help_entry(fmt::format("{}", fmt::join(straight, " ")), kMeanings[i]);
-    const std::vector<std::string> negated = names_of(kind, false, true);
+    const std::vector<std::string> negated = words_of(distance, false, true);
     if (!negated.empty())
-      out += help_entry(fmt::format("{}", fmt::join(negated, " ")), fmt::format("minus {}", formula::name(kind)));
-    const std::vector<std::string> exchanged = names_of(kind, true, false);
+      out += help_entry(fmt::format("{}", fmt::join(negated, " ")), fmt::format("minus {}", distance));
+    const std::vector<std::string> exchanged = words_of(distance, true, false);
     if (!exchanged.empty())
       out += help_entry(fmt::format("{}", fmt::join(exchanged, " ")),
                         fmt::format("{} with the shapes exchanged", straight.front()));
@@ -107,38 +111,39 @@ std::string distance_list() {
   return out;
 }
 
-std::string_view sign(Relation relation) {
-  constexpr std::array<std::string_view, 6> kSigns{"<", "<=", "=", "!=", ">=", ">"};
-  return kSigns[std::size_t(relation)];
+/// "<=" of ">=".
+std::string mirrored_sign(std::string sign) {
+  if (sign[0] == '<' || sign[0] == '>') sign[0] = sign[0] == '<' ? '>' : '<';
+  return sign;
 }
 
 /// "clear(B, A, c)" and "gap(B, A) >= c".
-std::string predicate_entry(const PredicateName& row) {
-  const std::vector<std::string> negated = names_of(row.kind, false, true);
+std::string predicate_entry(const PredicateWord& row) {
+  const std::vector<std::string> negated = words_of(row.distance, false, true);
   const bool mirrored = row.negated && !negated.empty();
-  const std::string distance = mirrored ? negated.front() : names_of(row.kind, false, false).front();
-  const Relation relation = mirrored ? formula::mirrored(row.relation) : row.relation;
-  const bool level = row.level != PredicateName::Level::kNone;
-  const std::string call = fmt::format("{}(B, A{})", row.name, level ? ", c" : "");
+  const std::string distance = mirrored ? negated.front() : words_of(row.distance, false, false).front();
+  const std::string sign = mirrored ? mirrored_sign(row.relation) : row.relation;
+  const bool level = row.level != PredicateWord::Level::kNone;
+  const std::string call = fmt::format("{}(B, A{})", row.word, level ? ", c" : "");
   const std::string number = !level ? "0" : row.negated && !mirrored ? "-c" : "c";
-  const std::string_view without = row.level == PredicateName::Level::kOptional ? "; c is 0 where left out" : "";
-  return help_entry(call, fmt::format("{}(B, A) {} {}{}", distance, sign(relation), number, without));
+  const std::string_view without = row.level == PredicateWord::Level::kOptional ? "; c is 0 where left out" : "";
+  return help_entry(call, fmt::format("{}(B, A) {} {}{}", distance, sign, number, without));
 }
 
-/// The names of distances that take along=, toward= and rotating=.
+/// The words of distances that take along=, toward= and rotating=.
 std::string directional_names() {
   std::vector<std::string> all;
-  for (std::size_t i = 0; i < formula::kKindCount; ++i) {
-    if (!formula::is_directional(Kind(i))) continue;
-    const std::vector<std::string> negated = names_of(Kind(i), false, true);
-    all.push_back(negated.empty() ? names_of(Kind(i), false, false).front() : negated.front());
+  for (const DistanceWord& row : distances()) {
+    if (!row.directional) continue;
+    const std::vector<std::string> negated = words_of(row.distance, false, true);
+    all.push_back(negated.empty() ? words_of(row.distance, false, false).front() : negated.front());
   }
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
 std::string formula_page() {
   std::string predicates;
-  for (const PredicateName& row : formula::predicate_names()) predicates += predicate_entry(row);
+  for (const PredicateWord& row : predicate_words()) predicates += predicate_entry(row);
   return fmt::format(R"(The formula says where the moving shape may be. It stands in the scene under "where".
 
   inside(chip, board, 1mm) and gap(chip, screws) >= 0.5 and gap(chip, key) <= 12.5
@@ -337,7 +342,7 @@ std::string help_examples(std::string_view verb) {
 }
 
 std::string unit_list() {
-  const auto& names = formula::kUnitNames;
+  const std::vector<std::string> names = unit_words();
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What `findspace help` and the ends of `--help` say: short pages for a terminal of 100 columns. The words of formulas
-// come from formula/language/names.h and the units from formula/language/units.h.
+// and units come from findspace/vocabulary.h.
 #pragma once
 
 #include <span>

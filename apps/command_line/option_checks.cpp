@@ -11,7 +11,7 @@
 #include "common/options.h"
 #include "findspace/error.h"
 #include "findspace/number.h"
-#include "formula/language/names.h"
+#include "findspace/vocabulary.h"
 #include "io/mesh/write_mesh.h"
 #include "io/text/units.h"
 
@@ -65,7 +65,7 @@ std::string size_text(const std::string& text) {
 
 /// "; did you mean 'map'?", or "" where no name is near.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
-  const std::string near = formula::nearest(word, names);
+  const std::string near = nearest_word(word, names);
   return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 

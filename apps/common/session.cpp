@@ -7,19 +7,18 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 #include "common/asked_numbers.h"
+#include "common/board_groups.h"
 #include "io/api/public_scene.h"
 #include "io/board/board_scene.h"
 #include "io/board/read_board.h"
 #include "io/cad/read_cad.h"
+#include "io/scene/scene_regions.h"
 #include "io/text/file_kind.h"
 #include "io/text/read_text.h"
 #include "io/write/write_json.h"
-#include "plane/base/parallel.h"
-#include "plane/build/build.h"
 
 namespace findspace::app {
 namespace {
@@ -44,25 +43,10 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   return text + fmt::format("}}}}, \"unit\": {}}}", io::json_string(o.unit.value_or("mm")));
 }
 
-/// "power=U3,C7,C8".
-io::PartGroup group_of(const std::string& text) {
-  const std::size_t is = text.find('=');
-  io::PartGroup out{text.substr(0, is), {}};
-  for (std::size_t at = is; at != text.npos;) {
-    const std::size_t end = text.find(',', at + 1);
-    out.parts.push_back(text.substr(at + 1, end == text.npos ? end : end - at - 1));
-    at = end;
-  }
-  const bool has_empty = std::find(out.parts.begin(), out.parts.end(), "") != out.parts.end();
-  if (out.name.empty() || out.parts.empty() || has_empty)
-    throw Error(ErrorCode::kUsage, fmt::format("--group {}: NAME=PART,PART is meant, such as power=U3,C7", text));
-  return out;
-}
-
 /// What the command line asks of a board.
 io::BoardQuestion question_of_board(const Options& o) {
   io::BoardQuestion question{o.move, o.where, o.minimize, o.maximize, o.place, {}, o.fixed, {}};
-  for (const std::string& text : o.groups) question.groups.push_back(group_of(text));
+  for (BoardGroup& group : asked_groups(o)) question.groups.push_back({std::move(group.name), std::move(group.parts)});
   for (const std::string& angle : o.free) {
     try {
       question.angles.push_back(Real::parse_decimal(angle));
@@ -118,17 +102,6 @@ io::Scene read(const Options& o) {
   return asked(io::read_scene_text(scene_around(path, o), path.parent_path(), path.filename().string(), limits), o);
 }
 
-/// "LINE:COLUMN" within the formula, as a place in the scene file.
-Error placed(const Error& e, const io::FormulaText& formula) {
-  int line = 1, column = 1;
-  const char* end = e.place().data() + e.place().size();
-  const char* colon = std::from_chars(e.place().data(), end, line).ptr;
-  if (colon != end) std::from_chars(colon + 1, end, column);
-  if (line != 1)
-    return Error(e.code(), e.message(), fmt::format("{}:{}: formula {}", formula.file, formula.line, e.place()));
-  return Error(e.code(), e.message(), fmt::format("{}:{}:{}", formula.file, formula.line, formula.column + column - 1));
-}
-
 void add_names(const formula::Distance& distance, std::set<std::string>& names) {
   names.insert(distance.first.begin(), distance.first.end());
   names.insert(distance.second.begin(), distance.second.end());
@@ -155,28 +128,14 @@ Region Session::shape_region(const std::string& name) const {
   reporter_.stage(fmt::format("shape {}", name));
   const Shape made = shape(name);
   const Shape::Rounded moved = made.rotated_points();
-  if (moved.points > 0) note_rotated(name, moved.points, moved.largest);
+  if (moved.points > 0) reporter_.note(io::rotated_note(scene_, name, moved.points, moved.largest));
   return made.region();
 }
 
-void Session::note_rotated(const std::string& name, std::size_t points, double largest) const {
-  reporter_.note(fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}", name,
-                             points, largest, unit()));
-}
-
 std::vector<plane::Region> Session::regions(const std::vector<plane::ShapePtr>& shapes) const {
-  if (scene_.dimension != 2) throw Error(ErrorCode::kUnsupported, "the scene has 3D shapes", scene_.file);
-  std::vector<plane::BuildResult> built(shapes.size());
-  plane::parallel_for(shapes.size(), [&](std::size_t k) {
-    built[k] = plane::build(*shapes[k], scene_.grid.step_size(), scene_.work_limit);
-  });
-  std::vector<plane::Region> out;
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    const plane::Rounding& moved = built[k].rounding;
-    if (moved.points > 0)
-      note_rotated(shapes[k]->name, std::size_t(moved.points), moved.largest * scene_.grid.step_size());
-    out.push_back(std::move(built[k].region));
-  }
+  std::vector<std::string> notes;
+  std::vector<plane::Region> out = io::regions_of(scene_, shapes, notes);
+  for (const std::string& note : notes) reporter_.note(note);
   return out;
 }
 
@@ -210,20 +169,11 @@ void Session::require_positions_in_space(bool line, bool poses) const {
 formula::Context Session::context() const { return io::context_of(scene_); }
 
 formula::Formula Session::formula(const io::FormulaText& text, const formula::Context& context) const {
-  if (text.empty()) return {};
-  try {
-    return formula::parse_formula(text.text, context);
-  } catch (const Error& e) {
-    throw placed(e, text);
-  }
+  return io::read_formula(text, context);
 }
 
 formula::Goal Session::goal(const io::FormulaText& text, const formula::Context& context) const {
-  try {
-    return formula::parse_goal(text.text, context);
-  } catch (const Error& e) {
-    throw placed(e, text);
-  }
+  return io::read_goal(text, context);
 }
 
 formula::Formula Session::where() const {
@@ -245,7 +195,7 @@ std::optional<Session::Goal> Session::goal() const {
     return Goal{formula::parse_objective(text.text, context()),
                 least ? distance::Sense::kMinimum : distance::Sense::kMaximum, text.text};
   } catch (const Error& e) {
-    throw placed(e, text);
+    throw io::placed(e, text);
   }
 }
 

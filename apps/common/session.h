@@ -73,7 +73,6 @@ class Session {
   void forget_shapes();
 
  private:
-  void note_rotated(const std::string& name, std::size_t points, double largest) const;
   formula::World world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const;
 
   const Options& options_;

@@ -10,6 +10,7 @@
 #include "common/asked_numbers.h"
 #include "formula/planar/rotation_bounds.h"
 #include "io/draw/draw_layout.h"
+#include "io/report/position_report.h"
 #include "io/write/draw_rotations.h"
 #include "io/write/write_json.h"
 #include "io/write/write_position.h"
@@ -18,7 +19,6 @@
 #include "io/write/write_witness.h"
 #include "plane/query/measure_cells_twofold.h"
 #include "report/position_picture.h"
-#include "report/position_report.h"
 #include "report/scenery.h"
 
 namespace findspace::app {
@@ -150,9 +150,10 @@ Outcome measure_at_angle(const Session& session) {
   };
   const auto svg = [&] { return measure_picture(session, shown_world(solver, rotated, pose), pose.at, distances); };
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
-  return {session.options().json ? json()
-                                 : measure_text(distances, io::shown_point(distance::coordinates(pose.at)),
-                                                distance::coordinates(pose.at), session.unit(), session.options().all),
+  return {session.options().json
+              ? json()
+              : io::measure_text(distances, io::shown_point(distance::coordinates(pose.at)),
+                                 distance::coordinates(pose.at), session.unit(), session.options().all),
           kDone};
 }
 
@@ -175,8 +176,8 @@ Outcome check_at_angle(const Session& session) {
   write_outputs(session.options(), {{".json", json}, {".svg", svg}});
   return {session.options().json
               ? json()
-              : check_text(check, io::shown_point(distance::coordinates(pose.at)), distance::coordinates(pose.at),
-                           session.unit(), {}, session.options().explain),
+              : io::check_text(check, io::shown_point(distance::coordinates(pose.at)), distance::coordinates(pose.at),
+                               session.unit(), {}, session.options().explain),
           check.holds ? kDone : kEmpty};
 }
 

@@ -11,9 +11,9 @@
 #include "in_space/space_commands.h"
 #include "in_space/space_outcome.h"
 #include "io/draw/draw_bodies.h"
+#include "io/report/position_report.h"
 #include "io/write/write_position.h"
 #include "report/measured_rows.h"
-#include "report/position_report.h"
 
 namespace findspace::app {
 
@@ -100,9 +100,9 @@ Outcome check_space(const Session& session) {
                       std::move(lines), distances);
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json
-              ? json()
-              : check_text(check, where_text(at), distance::coordinates(at), session.unit(), nearest, options.explain),
+  return {options.json ? json()
+                       : io::check_text(check, where_text(at), distance::coordinates(at), session.unit(), nearest,
+                                        options.explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -139,9 +139,9 @@ Outcome measure_space(const Session& session) {
                       fmt::format("{} at {}", fmt::join(session.scene().moving, ", "), where_text(at)), {}, {});
   };
   write_outputs(options, {{".json", json}, {".svg", svg}});
-  return {options.json
-              ? json()
-              : measure_text(distances, where_text(at), distance::coordinates(at), session.unit(), shows_all(options)),
+  return {options.json ? json()
+                       : io::measure_text(distances, where_text(at), distance::coordinates(at), session.unit(),
+                                          shows_all(options)),
           kDone};
 }
 

@@ -69,10 +69,10 @@ std::string picture(const Session& session, const Problem& problem, const Answer
         shapes.push_back(session.scene().shape(part.name));
     parts = session.regions(shapes);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      out.parts.push_back({shapes[k]->name, &parts[k], is_behind(board, shapes[k]->name)});
+      out.parts.push_back({shapes[k]->name, &parts[k], io::is_behind(board, shapes[k]->name)});
     std::erase_if(out.fixed, [&](const std::string& name) { return name != "board" && name.find('.') == name.npos; });
     out.is_board = true;
-    out.copper = copper_of(*board, moved, session.scene().grid.step_size());
+    out.copper = io::copper_of(*board, moved, session.scene().grid.step_size());
     const io::Placement& place = session.scene().place;
     out.subtitle = place.each.text;
     for (const auto* texts : {&place.constraints, &place.minimize})

@@ -6,50 +6,9 @@
 #include <cctype>
 #include <set>
 
-#include "io/board/read_part.h"
-#include "plane/base/parallel.h"
-#include "plane/build/build.h"
 #include "report/motion_arrows.h"
 
 namespace findspace::app {
-
-namespace {
-
-/// The layers of a picture, from below.
-enum Layer { kBack, kInner, kFront, kThrough, kHole };
-
-Layer layer_of(const io::Sides& sides) {
-  return sides.front && sides.back ? kThrough : sides.back ? kBack : sides.front ? kFront : kInner;
-}
-
-}  // namespace
-
-std::vector<io::CopperLayer> copper_of(const io::Board& board, const std::vector<std::string>& moving, double step) {
-  std::vector<io::CopperLayer> out{{"copper-back", "copper: back", {}},
-                                   {"copper-inner", "inner", {}},
-                                   {"copper-front", "front", {}},
-                                   {"copper-through", "through", {}},
-                                   {"hole", "", {}}};
-  std::vector<std::pair<Layer, plane::ShapePtr>> shapes;
-  for (const io::Part& part : board.parts) {
-    if (std::find(moving.begin(), moving.end(), part.name) != moving.end()) continue;
-    for (const io::Pad& pad : part.pads) shapes.emplace_back(layer_of(pad.sides), pad.copper);
-  }
-  for (const io::Copper& c : board.tracks) shapes.emplace_back(layer_of(io::sides_of(c.layers)), c.shape);
-  for (const io::Copper& c : board.vias) shapes.emplace_back(kThrough, c.shape);
-  for (const io::Hole& hole : board.holes)
-    if (std::find(moving.begin(), moving.end(), hole.part) == moving.end()) shapes.emplace_back(kHole, hole.shape);
-  std::vector<plane::Region> built(shapes.size());
-  plane::parallel_for(shapes.size(), [&](std::size_t k) { built[k] = plane::build(*shapes[k].second, step).region; });
-  for (std::size_t k = 0; k < built.size(); ++k) out[shapes[k].first].regions.push_back(std::move(built[k]));
-  std::erase_if(out, [](const io::CopperLayer& layer) { return layer.regions.empty(); });
-  return out;
-}
-
-bool is_behind(const io::Board* board, std::string_view part) {
-  const io::Part* found = board == nullptr ? nullptr : board->find(part);
-  return found != nullptr && found->courtyard.back && !found->courtyard.front;
-}
 
 namespace {
 
@@ -71,7 +30,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   for (int c : {0, 1})
     picture.home[c] = static_cast<double>(session.scene().drawn_at[c]) * session.scene().grid.step_size();
   picture.arrows = motion_arrows(session.scene(), world, formula);
-  if (board != nullptr) picture.copper = copper_of(*board, world.moving, session.scene().grid.step_size());
+  if (board != nullptr) picture.copper = io::copper_of(*board, world.moving, session.scene().grid.step_size());
   const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
   const bool named_only = session.scene().named_only;
   // The parts of a collection carry their own names; one whose parts have none carries its own.
@@ -85,7 +44,7 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
       return picture.fixed.push_back({name, &*world.shapes.at(name)});
     for (const auto& [part, region] : parts->second) {
       if (named_only && named.count(part) > 0) continue;  // it is drawn itself
-      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, is_behind(board, part)});
+      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, io::is_behind(board, part)});
     }
   };
   // The names of a board's pads are said where the formula speaks of them.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/session.h"
-#include "io/board/board.h"
+#include "io/report/board_picture.h"
 
 namespace findspace::app {
 
@@ -16,11 +16,5 @@ namespace findspace::app {
 /// those of `world`.
 void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
                  const formula::Formula* formula);
-
-/// Pads of the parts that stand still, tracks, vias and holes, layer by layer; `moving`: names of shapes.
-std::vector<io::CopperLayer> copper_of(const io::Board& board, const std::vector<std::string>& moving, double step);
-
-/// Whether it is a part whose body is on the back alone; `board` may be null.
-bool is_behind(const io::Board* board, std::string_view part);
 
 }  // namespace findspace::app

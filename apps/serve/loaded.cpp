@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
-#include "formula/language/names.h"
+#include "findspace/vocabulary.h"
 #include "in_space/space_commands.h"
 #include "io/write/json_text.h"
 #include "io/write/write_position.h"
@@ -32,8 +32,8 @@ std::string numbers(const std::vector<exact::Real>& values) {
 /// What formulas are written with.
 std::string words() {
   std::vector<std::string> all;
-  for (const formula::PredicateName& name : formula::predicate_names()) all.emplace_back(name.name);
-  for (const formula::DistanceName& name : formula::distance_names()) all.emplace_back(name.name);
+  for (PredicateWord& row : predicate_words()) all.push_back(std::move(row.word));
+  for (DistanceWord& row : distance_words()) all.push_back(std::move(row.word));
   return io::list(all, io::json_string);
 }
 

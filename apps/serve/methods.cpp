@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "formula/language/names.h"
 #include "io/write/json_text.h"
 
 namespace findspace::app {

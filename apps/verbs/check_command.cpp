@@ -10,16 +10,16 @@
 #include "in_plane/orientation_command.h"
 #include "in_plane/rotation_command.h"
 #include "in_space/space_commands.h"
+#include "io/report/position_report.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "report/measured_rows.h"
 #include "report/position_picture.h"
-#include "report/position_report.h"
 
 namespace findspace::app {
 Outcome run_check(const Options& options, Reporter& reporter) {
   if (is_board(options.scene)) refuse_orientation(options);
-  if (is_board(options.scene) && options.move.empty()) return check_board(Session(options, reporter));
+  if (is_board(options.scene) && options.move.empty()) return check_board(options, reporter);
   if (!options.at && !options.angle && !options.orientation)
     throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
   const Session session(options, reporter);
@@ -49,8 +49,8 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   const auto svg = [&] { return check_picture(session, solver.world(), formula, at, check, formula::found(nearest)); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json()
-                       : check_text(check, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
-                                    session.unit(), nearest, options.explain),
+                       : io::check_text(check, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
+                                        session.unit(), nearest, options.explain),
           check.holds ? kDone : kEmpty};
 }
 
@@ -73,8 +73,8 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const auto svg = [&] { return measure_picture(session, solver.world(), at, distances); };
   write_outputs(options, {{".json", json}, {".svg", svg}});
   return {options.json ? json()
-                       : measure_text(distances, io::shown_point(distance::coordinates(at)), distance::coordinates(at),
-                                      session.unit(), shows_all(options)),
+                       : io::measure_text(distances, io::shown_point(distance::coordinates(at)),
+                                          distance::coordinates(at), session.unit(), shows_all(options)),
           kDone};
 }
 

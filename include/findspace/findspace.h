@@ -16,9 +16,12 @@
 //   packing.h   many parts on a strip or on sheets; solid_packing.h: solids upon a floor or in containers
 //   space_region.h, surface.h   exact sets of space, and surfaces
 //   phi.h       Phi-functions with gradients
+//   board.h     circuit boards: rules of their parts
+//   vocabulary.h   the words that formulas are written with
 //   error.h     what is thrown for bad input
 #pragma once
 
+#include "findspace/board.h"
 #include "findspace/contour.h"
 #include "findspace/error.h"
 #include "findspace/explanation.h"
@@ -39,4 +42,5 @@
 #include "findspace/space_region.h"
 #include "findspace/surface.h"
 #include "findspace/values.h"
+#include "findspace/vocabulary.h"
 #include "findspace/world.h"

@@ -52,20 +52,6 @@ World::Data data_of(const Scene& scene) {
 
 }  // namespace
 
-formula::Context context_of(const Scene& scene) {
-  formula::Context context;
-  for (const plane::ShapePtr& s : scene.shapes) context.shapes.push_back(s->name);
-  context.moving = scene.moving;
-  context.motion = scene.motion.given();
-  context.unit = scene.unit;
-  context.dimension = scene.dimension;
-  context.empty = scene.empty_lists;
-  context.groups = scene.groups;
-  context.all = scene.all_shapes;
-  context.work_limit = scene.work_limit;
-  return context;
-}
-
 formula::Motion motion_of(const Scene& scene) {
   formula::Motion out{scene.motion.start, scene.motion.end, {}};
   for (const Movement& m : scene.motion.movements) {

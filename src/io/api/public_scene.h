@@ -8,14 +8,12 @@
 
 #include <string_view>
 
-#include "formula/language/parse.h"
 #include "formula/planar/world.h"
 #include "io/scene/scene.h"
+#include "io/scene/scene_formulas.h"
 
 namespace findspace::io {
 
-/// What formulas of the scene may speak of.
-formula::Context context_of(const Scene& scene);
 /// The motion of its shapes, in grid steps.
 formula::Motion motion_of(const Scene& scene);
 /// A shape of the scene. Throws Error(kUnknownName).

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "report/position_report.h"
+#include "io/report/position_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "formula/language/text.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_witness.h"
-#include "report/measured_rows.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
+
+struct Ranked {
+  MeasuredRow row;
+  std::size_t pair = 0, rank = 0;
+};
 
 /// A length, or a number of degrees.
 std::string amount_text(const formula::DistanceAt& d, double amount, std::string_view unit) {
-  const std::string number = io::shown(amount);
+  const std::string number = shown(amount);
   return d.in_degrees ? number + "°" : unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
@@ -26,8 +31,8 @@ std::string within_text(const formula::DistanceAt& d) {
   if (!d.answer || d.answer->proven || d.answer->minus_infinity) return "";
   const distance::Enclosure between = d.answer->bounds();
   if (!between.lower && !between.upper) return " (not certain)";
-  if (!between.lower) return fmt::format(" (at most {})", io::shown(between.upper->to_double()));
-  if (!between.upper) return fmt::format(" (at least {})", io::shown(between.lower->to_double()));
+  if (!between.lower) return fmt::format(" (at most {})", shown(between.upper->to_double()));
+  if (!between.upper) return fmt::format(" (at least {})", shown(between.lower->to_double()));
   const exact::Real below = d.answer->value - *between.lower, above = *between.upper - d.answer->value;
   constexpr double kRoundedUp = 1.1;  // to two digits
   return fmt::format(" (within {:.1e})", std::max(below, above).to_double() * kRoundedUp);
@@ -50,6 +55,46 @@ std::size_t widest(const std::vector<std::string>& texts) {
 
 }  // namespace
 
+/// "gap" of "inf gap(B, A)".
+std::string_view distance_word(std::string_view text) {
+  const std::string_view before = text.substr(0, text.find('('));
+  const std::size_t blank = before.rfind(' ');
+  return blank == std::string_view::npos ? before : before.substr(blank + 1);
+}
+
+std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& distances, bool all) {
+  std::vector<Ranked> rows;
+  std::size_t pair = 0;
+  bool in_gap = false;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    const formula::PlainText plain = formula::plain(distances[k].text);
+    const std::string_view word = distance_word(plain.text);
+    const bool directional = plain.text.find('=') != std::string::npos;
+    if (word == kUsualDistances[0] && !directional && !in_gap) ++pair;
+    in_gap = word == kUsualDistances[0];
+    const auto rank =
+        std::size_t(std::find(kUsualDistances.begin(), kUsualDistances.end(), word) - kUsualDistances.begin());
+    if (rank == kUsualDistances.size() && !all && !directional) continue;
+    rows.push_back(
+        {{k, plain.text, plain.negated}, directional ? distances.size() : pair, all || directional ? 0 : rank});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Ranked& a, const Ranked& b) {
+    return a.pair != b.pair ? a.pair < b.pair : a.rank < b.rank;
+  });
+  std::vector<MeasuredRow> out;
+  for (Ranked& r : rows) out.push_back(std::move(r.row));
+  return out;
+}
+
+std::string said_distance(const formula::Atom& atom) {
+  return atom.predicate == nullptr ? "" : std::string(atom.distance.spelled->name) + " ";
+}
+
+std::string explained(distance::Way way, double milliseconds) {
+  const std::string by = way == distance::Way::kNone ? "" : fmt::format(" by {}", distance::name(way));
+  return fmt::format(",{} in {:.3f} ms", by, milliseconds);
+}
+
 std::string check_text(const formula::Check& check, std::string_view at, const distance::Coordinates& place,
                        std::string_view unit, const formula::AskedNearest& nearest, bool explain) {
   std::vector<std::string> texts;
@@ -65,13 +110,13 @@ std::string check_text(const formula::Check& check, std::string_view at, const d
       out += fmt::format(", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by",
                          amount_text(a.distance, *a.lacks, unit));
     if (explain) out += explained(a.way, a.milliseconds);
-    const std::string where = io::witness_words(a.distance);
-    const std::string way = a.holds ? "" : io::way_words(a.distance, place);
+    const std::string where = witness_words(a.distance);
+    const std::string way = a.holds ? "" : way_words(a.distance, place);
     out += "\n";
     if (!where.empty()) out += fmt::format("       {:<{}}  between {}\n", "", width, where);
     if (!way.empty()) out += fmt::format("       {:<{}}  {}\n", "", width, way);
   }
-  return out + io::nearest_words(nearest, unit);
+  return out + nearest_words(nearest, unit);
 }
 
 std::string measure_text(const std::vector<formula::DistanceAt>& distances, std::string_view at,
@@ -86,11 +131,11 @@ std::string measure_text(const std::vector<formula::DistanceAt>& distances, std:
   std::string out = fmt::format("at {}\n", at);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const formula::DistanceAt& d = distances[rows[i].of];
-    const std::string points = io::witness_words(d), where = points.empty() ? io::way_words(d, place) : points;
+    const std::string points = witness_words(d), where = points.empty() ? way_words(d, place) : points;
     out += fmt::format("  {:<{}}  {:<{}}{}\n", texts[i], width, values[i], where.empty() ? 0 : columns,
                        where.empty() ? "" : "  " + where);
   }
   return out;
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

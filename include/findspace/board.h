@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Circuit boards of KiCad: whether every part keeps the rules where it stands, and a world in which some of them move.
+// Names are those of docs/boards.md: every part, pad "U3.14", `board`, `holes`, `keepouts`, copper by layer and net,
+// and lists of parts. Lengths are in millimetres, y runs downwards. Guarantee: as of World::check. Cost: that of the
+// pairs of parts that are near each other. Source: docs/boards.md. Keywords: PCB, design rule check, DRC, courtyard,
+// clearance.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "findspace/files.h"
+#include "findspace/formula.h"
+#include "findspace/number.h"
+#include "findspace/values.h"
+#include "findspace/world.h"
+
+namespace findspace {
+
+/// A list of parts by a name of its own.
+struct BoardGroup {
+  /// Its name in formulas.
+  std::string name;
+  /// References of its parts.
+  std::vector<std::string> parts;
+};
+
+struct BoardOptions {
+  std::string name = "board";               // of the file, as messages call it
+  std::vector<BoardGroup> groups = {};      // beside those of the board
+  std::vector<std::string> fixed = {};      // parts and groups that must not move, beside those that are locked
+  std::uint64_t input_limit = kUsualInput;  // bytes
+};
+
+/// What a check of a board says.
+class BoardVerdict {
+ public:
+  /// Whether every part keeps the rules.
+  bool holds() const { return broken().empty(); }
+  /// How many were asked: those with a body.
+  std::size_t parts() const;
+  /// The rules, also where none were given.
+  const std::string& rules() const;
+  /// What had to be rounded.
+  const std::vector<std::string>& notes() const;
+  /// A part that breaks the rules.
+  struct Broken {
+    /// Its reference.
+    std::string part;
+    /// Where its anchor is.
+    Position at{};
+    /// What it breaks: of rules about pairs those that do not hold.
+    Check check;
+  };
+  /// In the order of the file.
+  const std::vector<Broken>& broken() const;
+
+  /// In words, as `findspace check --json` writes it, and as a picture of the board. `explain`: also which way decided
+  /// each condition, and how long it took.
+  std::string text(bool explain = false) const;
+  std::string json(bool explain = false) const;
+  std::string svg() const;
+
+  struct Data;
+  explicit BoardVerdict(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Immutable and cheap to copy.
+class Board {
+ public:
+  /// A file ".kicad_pcb", and its text. Error(kFile), Error(kSyntax) with its line, Error(kUnknownName) for a part of a
+  /// group that is none.
+  static Board file(const std::string& path, const BoardOptions& options = {});
+  static Board text(std::string_view kicad_pcb, const BoardOptions& options = {});
+
+  /// References of the parts that have a body, in the order of the file.
+  std::vector<std::string> parts() const;
+  /// What was found odd on the way.
+  const std::vector<std::string>& notes() const;
+
+  /// Whether the rules hold for each part, `self`; `others` are the parts on the same side of the board. Without rules
+  /// every body is on the board and overlaps no other. Errors in the rules have `place` and line and column.
+  BoardVerdict check(const std::optional<Formula>& rules = {}, const std::string& place = "rules") const;
+  /// The world in which these parts or groups move together; a position is that of the first one's anchor.
+  World world(const std::vector<std::string>& moving) const;
+
+  struct Data;
+  explicit Board(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace findspace

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Boards through the public headers.
+
+#include <gtest/gtest.h>
+
+#include "findspace/board.h"
+#include "findspace/error.h"
+
+namespace io_public_board {
+
+using namespace findspace;
+
+/// A part with a square courtyard of two millimetres.
+std::string part(const std::string& name, const std::string& at) {
+  return "(footprint \"F\" (layer \"F.Cu\") (at " + at + ")\n (fp_text reference \"" + name + "\" (at 0 0))\n" +
+         " (fp_rect (start -1 -1) (end 1 1) (layer \"F.CrtYd\")))\n";
+}
+
+/// Ten by ten, with U1 and U2 on it.
+std::string board(const std::string& second) {
+  return "(kicad_pcb (version 20211014)\n (layers (0 \"F.Cu\" signal))\n"
+         "(gr_rect (start 0 0) (end 10 10) (layer \"Edge.Cuts\"))\n" +
+         part("U1", "2 2") + part("U2", second) + ")\n";
+}
+
+TEST(PublicBoard, ItsOwnRulesHold) {
+  const Board apart = Board::text(board("5 5"));
+  EXPECT_EQ(apart.parts(), (std::vector<std::string>{"U1", "U2"}));
+  const BoardVerdict verdict = apart.check();
+  EXPECT_TRUE(verdict.holds());
+  EXPECT_EQ(verdict.parts(), 2u);
+  EXPECT_EQ(verdict.rules(), "inside(self, board) and clear(self, others)");
+  EXPECT_EQ(verdict.text(), "all 2 parts keep the rules: inside(self, board) and clear(self, others)\n");
+}
+
+TEST(PublicBoard, SaysWhichPartsBreakARule) {
+  const Board close = Board::text(board("3.5 2"));
+  const BoardVerdict verdict = close.check();
+  ASSERT_EQ(verdict.broken().size(), 2u);
+  const BoardVerdict::Broken& first = verdict.broken()[0];
+  EXPECT_EQ(first.part, "U1");
+  EXPECT_DOUBLE_EQ(first.at[0], 2);
+  EXPECT_FALSE(first.check.holds);
+  ASSERT_FALSE(first.check.atoms.empty());
+  EXPECT_DOUBLE_EQ(*first.check.atoms.back().distance.value, -0.5);
+  EXPECT_NE(verdict.json().find("\"part\": \"U2\""), std::string::npos);
+  EXPECT_NE(verdict.svg().find("parts that break the rules"), std::string::npos);
+  EXPECT_NE(verdict.text(true).find(" ms"), std::string::npos);
+  EXPECT_TRUE(Board::text(board("5 2")).check("clear(self, others, 1)").holds());
+  EXPECT_FALSE(Board::text(board("5 2")).check("clear(self, others, 1.5)").holds());
+}
+
+TEST(PublicBoard, MistakesHaveAPlace) {
+  const auto place_of = [](const auto& ask) -> std::string {
+    try {
+      ask();
+    } catch (const Error& e) {
+      return e.place();
+    }
+    return "nothing was thrown";
+  };
+  const Board good = Board::text(board("5 5"));
+  EXPECT_EQ(place_of([&] { good.check("clear(self,)"); }).rfind("rules:1:", 0), 0u);
+  EXPECT_EQ(place_of([&] { good.check("clear(self,)", "--where"); }).rfind("--where:1:", 0), 0u);
+  EXPECT_EQ(place_of([&] { Board::text("(", {.name = "b.kicad_pcb"}); }), "b.kicad_pcb:1:1");
+  EXPECT_NE(place_of([&] { Board::file("no such file.kicad_pcb"); }), "nothing was thrown");
+  EXPECT_THROW(Board::text(board("5 5"), {.groups = {{"power", {"U7"}}}}), Error);
+  EXPECT_THROW(good.world({}), Error);
+  EXPECT_THROW(good.world({"U7"}), Error);
+}
+
+TEST(PublicBoard, PartsMoveInAWorld) {
+  const Board both = Board::text(board("5 5"), {.groups = {{"pair", {"U1", "U2"}}}});
+  const World world = both.world({"U2"});
+  EXPECT_EQ(world.unit(), "mm");
+  EXPECT_TRUE(world.holds("inside(U2, board) and clear(U2, others, 1)", Point{5, 5}));  // where its anchor is
+  EXPECT_FALSE(world.holds("clear(U2, others, 1)", Point{3, 2}));
+  EXPECT_EQ(world.solve("inside(U2, board)").area(), 64);
+  EXPECT_TRUE(both.check("inside(self, board) and gap(self, pair) >= 1").holds());
+}
+
+}  // namespace io_public_board
