@@ -105,6 +105,12 @@ void add_drawings(CLI::App& command, Options& o) {
       ->type_name("LENGTH")
       ->group(kDrawing);
   command
+      .add_option(
+          "--mend", o.drawings.mend,
+          "mend outlines that cross by this width at most; 0: refuse them (default: what rounding does, --join)")
+      ->type_name("LENGTH")
+      ->group(kDrawing);
+  command
       .add_flag_function(
           "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
           "outlines that stay open are lines (default: an error)")

@@ -25,6 +25,7 @@ struct DrawingRules {
   std::optional<CurveRule> curves = {};         // on which side arcs lie that stand for curves
   std::optional<std::string> tolerance = {};    // a length as text: "0.001mm", or a number in the scene's unit
   std::optional<std::string> join = {};         // the widest gap that is closed
+  std::optional<std::string> mend = {};         // the widest crossing of outlines that is mended; 0: none
   std::optional<bool> open_lines = {};          // open outlines are lines, not errors
   std::optional<std::string> repair = {};       // of meshes: the width within which open edges are joined
   std::optional<std::string> close_holes = {};  // of meshes: how wide holes may be that are closed

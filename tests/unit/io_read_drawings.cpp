@@ -226,7 +226,7 @@ TEST(ReadDxf, Refuses) {
   expect_refused([] { dxf("0 LINE|10 x|20 0|11 5|21 0|"); }, "'x' is not a number");
   expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 -1|"); }, "radius");
   expect_refused([] { dxf("0 SPLINE|8 0|"); }, "a curve of degree 0");
-  expect_refused([] { dxf("0 SPLINE|71 3|11 0|21 0|11 5|21 5|"); }, "fit points alone");
+  expect_refused([] { dxf("0 SPLINE|71 3|11 0|21 0|11 5|21 5|"); }, "leaves open how it runs between them");
   expect_refused([] { dxf("0 REGION|8 0|"); }, "REGION is not read");
   expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|220 1|230 0|"); }, "plane is slanted");
   expect_refused([] { dxf("0 INSERT|2 none|10 0|20 0|"); }, "unknown block");
@@ -338,6 +338,16 @@ TEST(ReadDxf, CrossingsUpToTheJoinAreMended) {
   EXPECT_EQ(context.notes.at(0),
             "f.dxf: outlines cross in 1 place, the longest 40 mm at (10010, -10): overlaps are joined, loops and "
             "spikes are left out");
+  // A width of their own for crossings, 0 for none.
+  for (const auto& [mend, hint] : {std::pair{0, "--mend 50mm mends it"}, {39, "--mend 50mm mends it"}}) {
+    Context strict;
+    strict.drawing.join = 50;
+    strict.drawing.mend = mend;
+    expect_refused([&] { read_dxf(dxf_text(loop, "4"), "f.dxf", {}, strict); }, hint);
+  }
+  Context wide;
+  wide.drawing.mend = 50;
+  EXPECT_EQ(read_dxf(dxf_text(loop, "4"), "f.dxf", {}, wide)->kind, Shape::Kind::kCells);
   // A spike of 700 and parts that overlap by 3; beside them what is sound stays as it is.
   Context more;
   const std::string spike =

@@ -17,6 +17,8 @@ using plane::Place;
 namespace {
 
 constexpr double kMostAngle = 3;  // of one arc command, in radians: safely less than half a circle
+/// Of one that is read again: where its ends are rounded the arc moves by less than twice as much.
+constexpr double kMostExactAngle = 2;
 
 }  // namespace
 
@@ -67,7 +69,7 @@ void PathWriter::arc_to(const Place& p, double radius, bool ccw) {
 void PathWriter::travel(const Curve& curve, bool forward) {
   const Place from = net_.at(curve.from), to = net_.at(curve.to), end = forward ? to : from;
   if (!curve.arc) return put('L', end);
-  if (curve.angle > kMostAngle) {
+  if (curve.angle > (digits_ == Digits::kPixels ? kMostAngle : kMostExactAngle)) {
     std::vector<Place> stops = net_.extremes(curve);
     if (!forward) std::reverse(stops.begin(), stops.end());
     for (const Place& p : stops) arc_to(p, curve.radius, forward);

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "findspace/error.h"
+#include "io/export/arc_places.h"
 #include "io/export/face_rings.h"
 #include "io/write/write_json.h"
 #include "plane/query/topology.h"
@@ -33,18 +35,26 @@ std::string lost_of(std::span<const NamedRegion> regions) {
   return closed ? "" : "a drawing knows closed sets only: which edges and points do not belong is lost";
 }
 
+/// All corners of a side but its last.
+void add_corners(const CurveNet& net, const CurveNet::Side& side, std::vector<DrawnCorner>& corners) {
+  const CurveNet::Curve& k = net.curves()[side.curve];
+  if (!k.arc) {
+    const Place at = net.at(side.forward ? k.from : k.to);
+    return corners.push_back({at[0], at[1], 0});
+  }
+  std::vector<ArcPlace> places = divided_arc(net, k);
+  if (!side.forward) std::reverse(places.begin(), places.end());
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    corners.push_back({places[i].at[0], places[i].at[1], std::tan((places[i + 1].angle - places[i].angle) / 4)});
+}
+
 void draw_sides(DxfWriter& writer, const std::string& layer, const CurveNet& net, const CurveNet::Ring& ring,
                 bool closed) {
   const CurveNet::Curve& first = net.curves()[ring.front().curve];
   if (ring.size() == 1 && first.from == first.to)
     return writer.circle(layer, first.center[0], first.center[1], first.radius);
   std::vector<DrawnCorner> corners;
-  for (const CurveNet::Side& side : ring) {
-    const CurveNet::Curve& k = net.curves()[side.curve];
-    const double bulge = k.arc ? std::tan(k.angle / 4) : 0;
-    const Place at = net.at(side.forward ? k.from : k.to);
-    corners.push_back({at[0], at[1], side.forward ? bulge : -bulge});
-  }
+  for (const CurveNet::Side& side : ring) add_corners(net, side, corners);
   if (!closed) {
     const Place last = net.at(ring.back().forward ? first.to : first.from);
     corners.push_back({last[0], last[1], 0});
@@ -52,7 +62,24 @@ void draw_sides(DxfWriter& writer, const std::string& layer, const CurveNet& net
   writer.polyline(layer, corners, closed);
 }
 
-void draw_region(DxfWriter& writer, const std::string& layer, const plane::Region& region, const exact::Real& step) {
+/// Whether curves that bound no face of the set go round something.
+bool free_curves_close(const CurveNet& net, const FaceRings& rings) {
+  std::map<Index, Index> joined;  // of a vertex: one that it hangs together with, or itself
+  const auto first = [&](Index v) {
+    while (joined.try_emplace(v, v).first->second != v) v = joined[v];
+    return v;
+  };
+  for (const CurveNet::Curve& k : net.curves()) {
+    if (!rings.is_free(k)) continue;
+    const Index a = first(k.from), b = first(k.to);
+    if (a == b) return true;
+    joined[a] = b;
+  }
+  return false;
+}
+
+/// Whether what is drawn has the inside of the region, and no more.
+bool draw_region(DxfWriter& writer, const std::string& layer, const plane::Region& region, const exact::Real& step) {
   const CurveNet net(region, step);
   const FaceRings rings(net);
   for (const plane::Face& f : region.faces) {
@@ -65,6 +92,7 @@ void draw_region(DxfWriter& writer, const std::string& layer, const plane::Regio
     if (region.vertices[v].mark == 0 || region.vertices[v].out != plane::kNone) continue;
     writer.point(layer, net.at(v)[0], net.at(v)[1]);
   }
+  return !free_curves_close(net, rings);
 }
 
 std::string ring_json(const CurveNet& net, const CurveNet::Ring& ring) {
@@ -118,8 +146,12 @@ DrawingText shapes_dxf(std::span<const NamedRegion> regions, const exact::Real& 
     if (std::find(layers.begin(), layers.end(), r.name) == layers.end()) layers.emplace_back(r.name);
   }
   DxfWriter writer(version, unit, layers);
-  for (const NamedRegion& r : regions) draw_region(writer, std::string(r.name), *r.region, step);
-  return {writer.take(), lost_of(regions)};
+  std::string lost = lost_of(regions);
+  for (const NamedRegion& r : regions)
+    if (!draw_region(writer, std::string(r.name), *r.region, step))
+      lost += fmt::format("{}a drawing cannot say that lines which go round have no inside, as those of '{}': lost",
+                          lost.empty() ? "" : "; ", r.name);
+  return {writer.take(), lost};
 }
 
 DrawingText shapes_geojson(std::span<const NamedRegion> regions, const exact::Real& step) {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "findspace/error.h"
+#include "io/export/arc_places.h"
 #include "io/export/face_rings.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/topology.h"
@@ -50,35 +50,21 @@ class WktWriter {
   }
 
  private:
-  /// The points of a side after its first. An arc goes through its leftmost, rightmost, highest and lowest points,
-  /// which may be decimals; a further point makes the number odd.
-  void add_points(const Side& side, std::vector<std::string>& out) const {
-    const Curve& k = net_.curves()[side.curve];
-    std::vector<Place> all;
-    if (k.arc) {
-      all = net_.extremes(k);
-      if (all.size() % 2 == 0) all.push_back(middle(k, all.empty() ? net_.at(k.from) : all.back(), net_.at(k.to)));
-    }
-    all.push_back(net_.at(k.to));
-    if (!side.forward) {
-      all.pop_back();
-      std::reverse(all.begin(), all.end());
-      all.push_back(net_.at(k.from));
-    }
-    for (const Place& p : all) out.push_back(text(p));
-  }
-
-  /// Of the counter-clockwise arc from a to b, less than a half circle.
-  static Place middle(const Curve& k, const Place& a, const Place& b) {
-    const double x = a[0] + b[0] - 2 * k.center[0], y = a[1] + b[1] - 2 * k.center[1], length = std::hypot(x, y);
-    return {k.center[0] + x / length * k.radius, k.center[1] + y / length * k.radius};
-  }
-
   std::vector<std::string> points(const Side& side) const {
     const Curve& k = net_.curves()[side.curve];
-    std::vector<std::string> out{text(net_.at(side.forward ? k.from : k.to))};
-    add_points(side, out);
+    std::vector<std::string> out;
+    if (k.arc)
+      for (const ArcPlace& p : three_point_arcs(net_, k)) out.push_back(text(p.at));
+    else
+      out = {text(net_.at(k.from)), text(net_.at(k.to))};
+    if (!side.forward) std::reverse(out.begin(), out.end());
     return out;
+  }
+
+  /// The points of a side after its first.
+  void add_points(const Side& side, std::vector<std::string>& out) const {
+    const std::vector<std::string> all = points(side);
+    out.insert(out.end(), all.begin() + 1, all.end());
   }
 
   std::string string(const Curve& k, const char* kind) const {

@@ -69,7 +69,9 @@ class StepWriter {
       if (solids.count(label) == 0) labels.push_back(label);
       solids[label].push_back(solid(piece));
     }
-    for (const std::string& label : labels) product(label, solids[label], context, application);
+    std::vector<Part> parts;
+    for (const std::string& label : labels) parts.push_back(part(label, solids[label], context, application));
+    if (parts.size() > 1) assembly(title, parts, context, application);
     return fmt::format(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME({},'',(''),(''),'findspace','findspace','');"
         "\n"
@@ -78,6 +80,12 @@ class StepWriter {
   }
 
  private:
+  /// A product by the entities that an assembly names.
+  struct Part {
+    std::string label;
+    int definition = 0, held = 0, place = 0;
+  };
+
   int put(const std::string& entity) {
     data_ += fmt::format("#{}={};\n", ++count_, entity);
     return count_;
@@ -167,20 +175,56 @@ class StepWriter {
     return put(fmt::format("FACETED_BREP('',#{})", put(fmt::format("CLOSED_SHELL('',({}))", fmt::join(faces, ",")))));
   }
 
-  void product(const std::string& label, const std::vector<int>& solids, int context, int application) {
+  int axes() {
+    const int origin = place({0, 0, 0}), up = direction({0, 0, 1}), across = direction({1, 0, 0});
+    return put(fmt::format("AXIS2_PLACEMENT_3D('',#{},#{},#{})", origin, up, across));
+  }
+
+  /// The solids where they are placed.
+  Part part(const std::string& label, const std::vector<int>& solids, int context, int application) {
+    const int origin = axes();
+    std::string items = fmt::format("#{}", origin);
+    for (const int s : solids) items += fmt::format(",#{}", s);
+    const int held =
+        put(fmt::format("FACETED_BREP_SHAPE_REPRESENTATION({},({}),#{})", step_text(label), items, context));
+    return {label, product(label, held, "part", application), held, origin};
+  }
+
+  /// The parts together, none of them moved.
+  void assembly(std::string_view title, const std::vector<Part>& parts, int context, int application) {
+    std::vector<int> places;
+    std::string items;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      places.push_back(axes());
+      items += fmt::format("{}#{}", k == 0 ? "" : ",", places[k]);
+    }
+    const int held = put(fmt::format("SHAPE_REPRESENTATION({},({}),#{})", step_text(title), items, context));
+    const int whole = product(std::string(title), held, "assembly", application);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Part& p = parts[k];
+      const int use = put(fmt::format("NEXT_ASSEMBLY_USAGE_OCCURRENCE('{}',{},'',#{},#{},$)", k + 1, step_text(p.label),
+                                      whole, p.definition));
+      const int shape = put(fmt::format("PRODUCT_DEFINITION_SHAPE('','',#{})", use));
+      const int move = put(fmt::format("ITEM_DEFINED_TRANSFORMATION('','',#{},#{})", p.place, places[k]));
+      const int relation = put(
+          fmt::format("(REPRESENTATION_RELATIONSHIP('','',#{},#{})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{})"
+                      "SHAPE_REPRESENTATION_RELATIONSHIP())",
+                      p.held, held, move));
+      put(fmt::format("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{},#{})", relation, shape));
+    }
+  }
+
+  /// Its definition.
+  int product(const std::string& label, int held, std::string_view category, int application) {
     const int kind = put(fmt::format("PRODUCT_CONTEXT('',#{},'mechanical')", application));
     const int made = put(fmt::format("PRODUCT({0},{0},'',(#{1}))", step_text(label), kind));
     const int version = put(fmt::format("PRODUCT_DEFINITION_FORMATION('','',#{})", made));
     const int stage = put(fmt::format("PRODUCT_DEFINITION_CONTEXT('part definition',#{},'design')", application));
     const int definition = put(fmt::format("PRODUCT_DEFINITION('design','',#{},#{})", version, stage));
     const int shape = put(fmt::format("PRODUCT_DEFINITION_SHAPE('','',#{})", definition));
-    const int origin = place({0, 0, 0}), up = direction({0, 0, 1}), across = direction({1, 0, 0});
-    std::string items = fmt::format("#{}", put(fmt::format("AXIS2_PLACEMENT_3D('',#{},#{},#{})", origin, up, across)));
-    for (const int s : solids) items += fmt::format(",#{}", s);
-    const int held =
-        put(fmt::format("FACETED_BREP_SHAPE_REPRESENTATION({},({}),#{})", step_text(label), items, context));
     put(fmt::format("SHAPE_DEFINITION_REPRESENTATION(#{},#{})", shape, held));
-    put(fmt::format("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',(#{}))", made));
+    put(fmt::format("PRODUCT_RELATED_PRODUCT_CATEGORY('{}','',(#{}))", category, made));
+    return definition;
   }
 
   const Surface& s_;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Surfaces as STEP (ISO 10303-21, AP214): each connected piece is a faceted solid of flat faces, each label a product
-// of its own with the pieces that bear it, where they stand. Guarantee: vertices keep every bit; the unit is the
-// scene's. Cost: linear. Keywords: CAD export, faceted B-rep, product.
+// of its own with the pieces that bear it, where they stand; several are an assembly of the title. Guarantee: vertices
+// keep every bit; the unit is the scene's. Cost: linear. Keywords: CAD export, faceted B-rep, product.
 #pragma once
 
 #include <string>

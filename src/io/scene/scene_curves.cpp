@@ -241,6 +241,7 @@ DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object
   }
   length("tolerance", rules.tolerance);
   length("join", rules.join);
+  length("mend", rules.mend);
   length("repair", rules.repair);
   length("close_holes", rules.close_holes);
   if (const JsonValue* lines = object.find("open_lines"))

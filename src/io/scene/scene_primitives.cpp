@@ -190,7 +190,7 @@ std::span<const ShapeKind> primitive_kinds() {
        {"path", {"curves", "tolerance"}, build_path},
        {"cells", {}, build_cells},
        {"file",
-        {"id", "layer", "index", "unit", "curves", "tolerance", "join", "open_lines", "repair", "close_holes"},
+        {"id", "layer", "index", "unit", "curves", "tolerance", "join", "mend", "open_lines", "repair", "close_holes"},
         build_file}}};
   return kinds;
 }

@@ -44,9 +44,13 @@ exact::Real parse_length(std::string_view text, std::optional<formula::Unit> uni
 namespace findspace {
 
 DrawingRules DrawingRules::over(const DrawingRules& those) const {
-  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance,
-          join ? join : those.join,       open_lines ? open_lines : those.open_lines,
-          repair ? repair : those.repair, close_holes ? close_holes : those.close_holes};
+  return {curves ? curves : those.curves,
+          tolerance ? tolerance : those.tolerance,
+          join ? join : those.join,
+          mend ? mend : those.mend,
+          open_lines ? open_lines : those.open_lines,
+          repair ? repair : those.repair,
+          close_holes ? close_holes : those.close_holes};
 }
 
 }  // namespace findspace

@@ -15,10 +15,11 @@ using plane::RingMender;
 
 constexpr double kRounded = 4;  // grid steps: two points, each rounded by up to one
 
-bool mends(const RingMender& mender, bool curved, double join, const ReadContext& context) {
-  const double tolerance = context.drawing.tolerance;
-  return mender.width() <= std::max({kRounded, join, curved ? 2 * tolerance : 0}) &&
-         mender.spike() <= std::max(join, tolerance);
+bool mends(const RingMender& mender, bool curved, const ReadContext& context) {
+  const DrawingUse& rules = context.drawing;
+  if (rules.mend) return mender.width() <= *rules.mend && mender.spike() <= *rules.mend;
+  return mender.width() <= std::max({kRounded, rules.join, curved ? 2 * rules.tolerance : 0}) &&
+         mender.spike() <= std::max(rules.join, rules.tolerance);
 }
 
 /// Curves lie on the side that they were made for, and holes are those that were stated.
@@ -39,7 +40,7 @@ double round_up(double steps) {
   return 10 * decade;
 }
 
-/// The --join that would do, if it is not far from what is allowed.
+/// The width that would do, if it is not far from what is allowed.
 std::optional<double> enough(const RingMender& mender, const ReadContext& context) {
   const double least = std::max(mender.width(), mender.spike());
   if (least > 100 * std::max(context.drawing.join, context.drawing.tolerance)) return std::nullopt;
@@ -48,11 +49,13 @@ std::optional<double> enough(const RingMender& mender, const ReadContext& contex
 
 [[noreturn]] void refuse(const RingMender& mender, const Outlines& outlines, const Error& fault,
                          const ReadContext& context) {
-  const auto join = keeps_order(mender, outlines) ? enough(mender, context) : std::nullopt;
-  if (!join) throw fault;
+  const auto least = keeps_order(mender, outlines) ? enough(mender, context) : std::nullopt;
+  if (!least) throw fault;
   const std::string width =
-      fmt::format("{:.10g}{}", *join * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
-  Error named(fault.code(), fmt::format("{}; --join {} mends it", fault.message(), width), fault.place());
+      fmt::format("{:.10g}{}", *least * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
+  Error named(fault.code(),
+              fmt::format("{}; --{} {} mends it", fault.message(), context.drawing.mend ? "mend" : "join", width),
+              fault.place());
   for (const auto& [x, y] : fault.geometry()) named.at(x, y);
   throw named;
 }
@@ -76,7 +79,7 @@ plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault,
   for (const plane::Contour& ring : outlines.contours) edges += ring.size();
   context.work.charge(edges, "outlines that cross");
   const RingMender mender(outlines.contours);
-  if (!keeps_order(mender, outlines) || !mends(mender, outlines.curved, context.drawing.join, context))
+  if (!keeps_order(mender, outlines) || !mends(mender, outlines.curved, context))
     refuse(mender, outlines, fault, context);
   plane::MendedRings mended = mender.mended();
   if (mended.parts.empty()) throw fault;

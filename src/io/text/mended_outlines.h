@@ -3,8 +3,8 @@
 //
 // Outlines of drawings that touch, or cross themselves and each other by a little (plane/build/mended_rings.h): how
 // little that is, by the rules of the drawing, and what is said of it. Where nothing is asked for it is what rounding
-// does: four grid steps, with curves twice their tolerance. --join allows its width. Never silent: a note counts the
-// places. Keywords: self-intersection, polygon repair.
+// does: four grid steps, with curves twice their tolerance. --join allows its width, and --mend states the width alone:
+// 0 refuses every crossing. Never silent: a note counts the places. Keywords: self-intersection, polygon repair.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct Outlines {
 };
 
 /// Throws `fault`, which says why the outlines are not valid as they are, where they are not mended; it then names the
-/// --join that would do.
+/// --join (--mend) that would do.
 plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault, ReadContext& context,
                                    const std::string& name);
 

@@ -60,6 +60,7 @@ void ReadContext::use(const DrawingRules& rules) {
   drawing.tolerance = std::max((usual / grid.step()).to_double(), plane::kLeastBound);
   if (rules.tolerance) drawing.tolerance = steps_of("tolerance", *rules.tolerance, *this).to_double();
   if (rules.join) drawing.join = steps_of("join", *rules.join, *this).to_double();
+  if (rules.mend) drawing.mend = steps_of("mend", *rules.mend, *this).to_double();
   if (rules.open_lines) drawing.open_lines = *rules.open_lines;
   if (rules.repair) drawing.repair.width = whole_steps_of("repair", *rules.repair, *this);
   if (rules.close_holes) drawing.repair.hole = whole_steps_of("close_holes", *rules.close_holes, *this);

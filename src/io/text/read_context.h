@@ -21,6 +21,7 @@ namespace findspace::io {
 struct DrawingUse {
   CurveRule curves = CurveRule::kNear;
   double tolerance = 1000, join = 0;
+  std::optional<double> mend{};  // the widest crossing that is mended, where it is stated
   bool open_lines = false;
   space::MeshRepair repair{};
 };

@@ -109,8 +109,9 @@ void Outline::through_to(const Real& mx, const Real& my, const Real& x, const Re
   begin();
   GridPoint through = grid_point(mx, my), to = grid_point(x, y);
   if (to == at_) {
+    if (mx == x && my == y) throw Error(ErrorCode::kGeometry, "an arc whose three points are one");
+    if (std::abs(through.x - at_.x) <= 1 && std::abs(through.y - at_.y) <= 1) return;  // less than the grid shows
     bool moved = false;  // a full circle: the point given is opposite
-    if (through == at_) throw Error(ErrorCode::kGeometry, "an arc whose three points are one");
     add(plane::bulge_arc(at_, through, Real(1), &moved), through);
     add(plane::bulge_arc(at_, to, Real(1), &moved), to);
     return;
