@@ -50,7 +50,7 @@ def some(rng, low, high, digits=1):
 def simple(rng, x=0.0, y=0.0):
     """A shape about a place."""
     kind = rng.randrange(6)
-    w, h = some(rng, 1, 6), some(rng, 1, 6)
+    w, h = some(rng, 1.2, 6), some(rng, 1.2, 6)
     at = lambda corners: [[round(x + a, 6), round(y + b, 6)] for a, b in corners]
     if kind == 0:
         return disc(x, y, some(rng, 0.2, 4, rng.choice([0, 1, 3]) or 1))

@@ -6,6 +6,8 @@
 
 #include "findspace/error.h"
 #include "io/read/read_file.h"
+#include "plane/build/build.h"
+#include "plane/query/summary.h"
 
 namespace findspace::io {
 namespace io_read_drawings {
@@ -318,6 +320,17 @@ TEST(ReadDxf, ALineOutAndBackByTheSameCornersIsALine) {
   Context context;
   context.drawing.open_lines = true;
   EXPECT_EQ(read_dxf(dxf_text(back, "4"), "f.dxf", {}, context)->kind, Shape::Kind::kPolyline);
+  // A square with a long spike: a square and a line.
+  Context spiked;
+  spiked.drawing.open_lines = true;
+  const std::string spike =
+      "0 LWPOLYLINE|70 1|10 0|20 0|10 9000|20 0|10 9000|20 4000|10 19700|20 4000|10 9000|20 4000|10 9000|20 9000|10 "
+      "0|20 9000|";
+  const plane::Summary both =
+      plane::summarize(plane::build(*read_dxf(dxf_text(spike, "4"), "f.dxf", {}, spiked)).region, Real(1));
+  EXPECT_EQ(both.area, 81e6);
+  EXPECT_EQ(both.dangling_length, 10700);
+  EXPECT_NE(spiked.notes.at(0).find("spikes are lines"), std::string::npos) << spiked.notes.at(0);
   // A bow tie of no area is none.
   Context again;
   again.drawing.open_lines = true;
@@ -339,7 +352,7 @@ TEST(ReadDxf, CrossingsUpToTheJoinAreMended) {
             "f.dxf: outlines cross in 1 place, the longest 40 mm at (10010, -10): overlaps are joined, loops and "
             "spikes are left out");
   // A width of their own for crossings, 0 for none.
-  for (const auto& [mend, hint] : {std::pair{0, "--mend 50mm mends it"}, {39, "--mend 50mm mends it"}}) {
+  for (const auto& [mend, hint] : {std::pair{0, "--mend 50mm mends it"}, {10, "--mend 50mm mends it"}}) {
     Context strict;
     strict.drawing.join = 50;
     strict.drawing.mend = mend;

@@ -10,6 +10,7 @@
 #include "io/export/write_drawing.h"
 #include "io/read/read_file.h"
 #include "plane/build/build.h"
+#include "plane/query/summary.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
@@ -69,6 +70,30 @@ TEST(WriteDrawing, PartsReadBack) {
   const Region with_segment = box + plane::segment({30, 10}, {40, 17});
   for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::k2000})
     EXPECT_TRUE(same_set(from_dxf(dxf(with_segment, version)), with_segment));
+}
+
+TEST(WriteDrawing, LinesThatGoRoundHaveNoInside) {
+  const auto lost = [](const Region& s) {
+    const NamedRegion named{"a", &s};
+    return shapes_dxf({&named, 1}, Real(1), {}).lost;
+  };
+  const Region open = plane::segment({0, 0}, {9, 0}) + plane::segment({9, 0}, {9, 5}) + plane::segment({9, 5}, {4, 0});
+  EXPECT_NE(lost(boundary(plane::disc(0, 0, Real(5)))).find("no inside, as those of 'a': lost"), std::string::npos);
+  EXPECT_NE(lost(open).find("no inside"), std::string::npos);
+  EXPECT_EQ(lost(open - plane::segment({4, 0}, {9, 0})), lost(interior(plane::box(0, 0, 1, 1))));
+}
+
+/// By bulges of their own these arcs would be off by hundreds of steps.
+TEST(WriteDrawing, ArcsOfNearlyAFullCircleAreDivided) {
+  for (const int y : {123, -77, 3}) {
+    const Region s = plane::disc(0, 0, Real(100003)) - interior(plane::box(90000, y, 110000, y + 50));
+    const plane::Summary was = plane::summarize(s, Real(1)), is = plane::summarize(from_dxf(dxf(s)), Real(1));
+    EXPECT_NEAR(*was.area, *is.area, 3 * 2 * 3.15 * 100003 + 3 * 20000) << dxf(s);
+    for (const int k : {0, 1}) {
+      EXPECT_NEAR(was.bbox->low[k], is.bbox->low[k], 3);
+      EXPECT_NEAR(was.bbox->high[k], is.bbox->high[k], 3);
+    }
+  }
 }
 
 TEST(WriteDrawing, LayersAreShapes) {

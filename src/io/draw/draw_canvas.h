@@ -54,6 +54,7 @@ class PathWriter {
   void add_face(const plane::Face& face);
   /// All faces with a mark other than 0.
   void add_faces();
+  void add_ring(const Ring& ring);
   /// Open: a whole circle is two arcs, so that no reader takes it for a disc.
   void add_curve(const Curve& curve);
   /// Those that meet at their ends as lines that go on, each from a curve that none has.
@@ -61,7 +62,6 @@ class PathWriter {
   const std::string& data() const { return data_; }
 
  private:
-  void add_ring(const Ring& ring);
   void add_frame();
   std::string number(double value) const;
   void put(char command, const plane::Place& p);

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "findspace/error.h"
+#include "io/draw/face_rings.h"
 #include "io/export/arc_places.h"
-#include "io/export/face_rings.h"
 #include "io/write/write_json.h"
 #include "plane/query/topology.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "findspace/error.h"
+#include "io/draw/face_rings.h"
 #include "io/export/arc_places.h"
-#include "io/export/face_rings.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/topology.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "io/draw/draw_canvas.h"
-#include "io/export/face_rings.h"
+#include "io/draw/face_rings.h"
 #include "packing/problem/round_part.h"
 
 namespace findspace::io {

@@ -112,7 +112,8 @@ class EntityDrawer {
       fitted = fitted || g.code == 11;
     }
     if (s.points.empty() && fitted)
-      throw Error(ErrorCode::kUnsupported, "a SPLINE that states only the points it goes through leaves open how it runs between them; "
+      throw Error(ErrorCode::kUnsupported,
+                  "a SPLINE that states only the points it goes through leaves open how it runs between them; "
                   "save it with control points, or as arcs");
     if (std::all_of(s.weights.begin(), s.weights.end(), [](const Real& w) { return w == Real(1); })) s.weights.clear();
     out().spline(std::move(s), (document_.flags(e_, 70) & kClosed) != 0);

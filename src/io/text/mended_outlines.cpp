@@ -15,11 +15,12 @@ using plane::RingMender;
 
 constexpr double kRounded = 4;  // grid steps: two points, each rounded by up to one
 
-bool mends(const RingMender& mender, bool curved, const ReadContext& context) {
-  const DrawingUse& rules = context.drawing;
-  if (rules.mend) return mender.width() <= *rules.mend && mender.spike() <= *rules.mend;
-  return mender.width() <= std::max({kRounded, rules.join, curved ? 2 * rules.tolerance : 0}) &&
-         mender.spike() <= std::max(rules.join, rules.tolerance);
+bool narrow(const RingMender& mender, bool curved, const DrawingUse& rules) {
+  return mender.width() <= rules.mend.value_or(std::max({kRounded, rules.join, curved ? 2 * rules.tolerance : 0}));
+}
+
+bool has_long_spikes(const RingMender& mender, const DrawingUse& rules) {
+  return mender.spike() > rules.mend.value_or(std::max(rules.join, rules.tolerance));
 }
 
 /// Curves lie on the side that they were made for, and holes are those that were stated.
@@ -60,15 +61,16 @@ std::optional<double> enough(const RingMender& mender, const ReadContext& contex
   throw named;
 }
 
-void note(const plane::MendedRings& mended, ReadContext& context, const std::string& name) {
+void note(const plane::MendedRings& mended, bool lines, ReadContext& context, const std::string& name) {
   if (mended.places == 0) {
     context.notes.push_back(fmt::format("{}: outlines touch, and are taken as they are drawn", name));
     return;
   }
   context.notes.push_back(
-      fmt::format("{}: outlines cross in {}, the longest {} at {}: overlaps are joined, loops and spikes are left out",
-                  name, mended.places == 1 ? "1 place" : fmt::format("{} places", mended.places),
-                  context.length_text(mended.longest), context.point_text(mended.place[0], mended.place[1])));
+      fmt::format("{}: outlines cross in {}, the longest {} at {}: overlaps are joined, {}", name,
+                  mended.places == 1 ? "1 place" : fmt::format("{} places", mended.places),
+                  context.length_text(mended.longest), context.point_text(mended.place[0], mended.place[1]),
+                  lines ? "loops are left out, spikes are lines" : "loops and spikes are left out"));
 }
 
 }  // namespace
@@ -79,11 +81,14 @@ plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault,
   for (const plane::Contour& ring : outlines.contours) edges += ring.size();
   context.work.charge(edges, "outlines that cross");
   const RingMender mender(outlines.contours);
-  if (!keeps_order(mender, outlines) || !mends(mender, outlines.curved, context))
+  const bool lines = has_long_spikes(mender, context.drawing);
+  if (!keeps_order(mender, outlines) || !narrow(mender, outlines.curved, context.drawing) ||
+      (lines && !context.drawing.open_lines))
     refuse(mender, outlines, fault, context);
   plane::MendedRings mended = mender.mended();
+  if (lines) mended.parts.push_back({{}, mender.spikes()});
   if (mended.parts.empty()) throw fault;
-  note(mended, context, name);
+  note(mended, lines, context, name);
   return mended;
 }
 

@@ -13,6 +13,7 @@
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
 #include "io/draw/draw_region.h"
+#include "io/draw/face_rings.h"
 #include "io/text/put.h"
 #include "plane/query/topology.h"
 
@@ -246,14 +247,14 @@ DrawingText shape_svg(const plane::Region& region, const exact::Real& step, std:
     draw(path);
     paths += fmt::format("<path{} d=\"{}\"/>\n", attributes, path.data());
   };
+  const FaceRings rings(shape.net);
+  const auto add_rings = [&](PathWriter& path, const plane::Face& f) {
+    for (const CurveNet::Ring& ring : rings.of(f)) path.add_ring(ring);
+  };
   for (const plane::Face& f : region.faces)
-    if (f.mark != 0) add([&](PathWriter& path) { path.add_face(f); }, "");
-  for (const Curve& k : shape.net.curves()) {
-    const plane::Index h = k.half_edges.front();
-    const auto mark = [&](plane::Index side) { return region.faces[region.face(side)].mark; };
-    if (k.mark != 0 && mark(h) == 0 && mark(plane::CellComplex::twin(h)) == 0)
-      add([&](PathWriter& path) { path.add_curve(k); }, " fill=\"none\"");
-  }
+    if (f.mark != 0) add([&](PathWriter& path) { add_rings(path, f); }, "");
+  for (const Curve& k : shape.net.curves())
+    if (rings.is_free(k)) add([&](PathWriter& path) { path.add_curve(k); }, " fill=\"none\"");
   // SVG knows few units: the size is always in millimetres, where the scene has a unit at all.
   const double size = unit ? formula::factor(*unit, formula::Unit::kMillimetre).to_double() : 1;
   const char* size_unit = unit ? "mm" : "";

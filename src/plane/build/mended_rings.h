@@ -43,6 +43,8 @@ class RingMender {
   double width() const { return width_; }
   double spike() const { return spike_; }
   MendedRings mended() const;
+  /// What runs out and back, or along another ring: lines.
+  const Region& spikes() const { return spikes_; }
 
   /// Whether the set lies to the left of the ring, as it was given; nothing where it lies on either side of parts of
   /// it.

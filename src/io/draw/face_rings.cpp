@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "io/export/face_rings.h"
+#include "io/draw/face_rings.h"
 
 #include <algorithm>
 #include <map>
