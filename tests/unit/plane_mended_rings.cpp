@@ -111,6 +111,31 @@ TEST(MendedRings, ArcsThatCrossAreOneSet) {
   EXPECT_TRUE(same_set(a.set, disc(0, 0, exact::Real(101)) + disc(120, 160, exact::Real(100))));
 }
 
+TEST(MendedRings, ArcsThatBarelyCrossAreNarrow) {
+  // Circles of hundreds of millions of steps that touch but for the rounding of an arc's end: doubles alone place where
+  // they cross to tens of steps.
+  const GridPoint from{322403264, -18938090}, touch{229320000, 227409000}, to{0, 322959000};
+  const Contour arcs{bulge_arc(from, touch, exact::Real::parse_decimal("0.213112923025143")),
+                     bulge_arc(touch, to, exact::Real::ratio(1, 5)), ContourEdge{.start = to}};
+  const Answer a = mended({arcs, circle_ring({360000000, 357000000}, 184041000)});
+  EXPECT_EQ(a.parts, 2u);
+  EXPECT_LT(a.width, 4);
+}
+
+TEST(MendedRings, AnOverlapAlongAnArcIsNarrow) {
+  // A disc, and a part around three quarters of it that overlaps it by 2 all the way.
+  const GridPoint o{0, 0}, a{0, -9998}, b{-9998, 0}, far{-20000, 0}, low{0, -20000};
+  const Contour around{center_arc(b, a, o, false), ContourEdge{.start = a}, center_arc(low, far, o, true),
+                       ContourEdge{.start = far}};
+  const Answer overlap = mended({circle_ring(o, 10000), around});
+  EXPECT_EQ(overlap.parts, 2u);
+  EXPECT_GE(overlap.width, 2);
+  EXPECT_LT(overlap.width, 2.1);
+  // Discs one on the other are not, nor is a wedge.
+  EXPECT_GT(mended({circle_ring(o, 10000), circle_ring({5000, 0}, 10000)}).width, 9000);
+  EXPECT_GT(mended({circle_ring(o, 10000), box_ring(9000, -500, 12000, 500)}).width, 900);
+}
+
 TEST(MendedRings, SaysOnWhichSideTheSetIs) {
   const Contour outer = box_ring(0, 0, 100, 100), hole = box_ring(20, 20, 40, 40);
   const std::vector<Contour> rings{reversed(outer), hole};

@@ -9,23 +9,30 @@
 
 #include "exact/margins/rounding.h"
 #include "plane/contour/contour.h"
+#include "plane/query/measure_cells.h"
 #include "plane/query/summary.h"
 #include "plane/query/topology.h"
 
 namespace findspace::plane {
 namespace {
 
+using Spot = std::array<double, 2>;
+
+/// Where a vertex is, but for the last digits: what doubles alone find is far off where circles nearly touch.
+Spot spot(const CellComplex& c, Index vertex) {
+  const exact::RealPoint p = c.geometry.exact(c.vertices[vertex].point);
+  return {p.x.to_double(), p.y.to_double()};
+}
+
 /// From a chord to the tangent of its arc, half of a circle at most; nothing for a segment.
-std::array<double, 2> rise(const CellComplex& c, Index edge) {
+Spot rise(const CellComplex& c, Index edge, const Spot& p, const Spot& q) {
   if (!c.is_arc(edge)) return {};
-  const exact::Point &p = c.point(c.edges[edge].v0), &q = c.point(c.edges[edge].v1);
-  const double r = c.supporting_curve(edge).z().value, dx = (q.x - p.x) / 2, dy = (q.y - p.y) / 2,
+  const double r = c.supporting_curve(edge).z().value, dx = (q[0] - p[0]) / 2, dy = (q[1] - p[1]) / 2,
                half2 = dx * dx + dy * dy;
   const double share = c.edges[edge].half * std::sqrt(half2) / (r + std::sqrt(std::max(r * r - half2, 0.0)));
   return {-dy * share, dx * share};
 }
 
-using Spot = std::array<double, 2>;
 double apart(const Spot& p, const Spot& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 
 /// Of the strip along p -> q that holds the points.
@@ -40,18 +47,64 @@ double strip_along(const Spot& p, const Spot& q, const std::vector<Spot>& points
   return high - low;
 }
 
-/// Of a strip that holds a bounded face, along its longest chord or diagonal, with what doubles lose.
-double strip(const CellComplex& c, const Face& face) {
+/// An edge of a face, as a circle sees it.
+struct FaceEdge {
+  Spot p, q;
+  Index edge = 0;
+};
+
+Spot center_of(const CellComplex& c, Index arc) {
+  const exact::SupportingCurve& circle = c.supporting_curve(arc);
+  return {circle.center_x().to_double(), circle.center_y().to_double()};
+}
+
+/// Whether the half circle of the arc has the point, which lies on its circle, between its ends.
+bool spans(const CellComplex& c, const FaceEdge& e, const Spot& center, const Spot& point) {
+  return (point[1] - center[1]) * c.edges[e.edge].half >= 0 && (point[0] - e.p[0]) * (point[0] - e.q[0]) <= 0;
+}
+
+/// Adds the places of an edge that are nearest to a point and farthest from it.
+void add_distances(const CellComplex& c, const FaceEdge& e, const Spot& from, std::vector<double>& all) {
+  all.push_back(apart(e.p, from));
+  all.push_back(apart(e.q, from));
+  if (c.is_arc(e.edge)) {
+    const Spot center = center_of(c, e.edge);
+    const double r = c.supporting_curve(e.edge).z().value, off = apart(center, from);
+    for (const double way : {r, -r}) {
+      const Spot point{center[0] + way * (center[0] - from[0]) / off, center[1] + way * (center[1] - from[1]) / off};
+      if (off > 0 && spans(c, e, center, point)) all.push_back(apart(point, from));  // off > 0: else all are as far
+    }
+  } else {
+    const double dx = e.q[0] - e.p[0], dy = e.q[1] - e.p[1];
+    const double share = ((from[0] - e.p[0]) * dx + (from[1] - e.p[1]) * dy) / (dx * dx + dy * dy);
+    if (share > 0 && share < 1) all.push_back(apart({e.p[0] + share * dx, e.p[1] + share * dy}, from));
+  }
+}
+
+/// Of the ring about the centre of an arc that holds a face with these edges round it; infinite where the face may hold
+/// the centre, since its area is not less than that of the disc within the ring.
+double ring_about(const CellComplex& c, Index arc, const std::vector<FaceEdge>& edges, double area) {
+  std::vector<double> all;
+  for (const FaceEdge& e : edges) add_distances(c, e, center_of(c, arc), all);
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  return area < 2 * *low * *low ? *high - *low : exact::kInfinity;
+}
+
+/// Of a strip that holds a bounded face, along its longest chord or diagonal, or of a ring along an arc, with what
+/// doubles lose.
+double strip(const CellComplex& c, const Face& face, double area) {
   std::vector<Spot> corners, hull;  // the hull of `hull` holds the face
+  std::vector<FaceEdge> edges;
   double error = 0;
   for (Index h = face.outer;;) {
-    const Spot up = rise(c, h / 2);
-    for (const Index v : {c.origin(h), c.target(h)}) {
-      const exact::Point& p = c.point(v);
-      corners.push_back({p.x, p.y});
+    const Spot p = spot(c, c.edges[h / 2].v0), q = spot(c, c.edges[h / 2].v1), up = rise(c, h / 2, p, q);
+    edges.push_back({p, q, h / 2});
+    if (c.is_arc(h / 2)) error = std::max(error, c.supporting_curve(h / 2).z().value * margin::kRoundings32);
+    for (const auto& [x, y] : {p, q}) {
+      corners.push_back({x, y});
       hull.push_back(corners.back());
-      hull.push_back({p.x + up[0], p.y + up[1]});
-      error = std::max(error, p.error + std::max(std::abs(p.x), std::abs(p.y)) * margin::kRoundings32);
+      hull.push_back({x + up[0], y + up[1]});
+      error = std::max(error, std::max(std::abs(x), std::abs(y)) * margin::kRoundings32);
     }
     if ((h = c.next(h)) == face.outer) break;
   }
@@ -63,13 +116,17 @@ double strip(const CellComplex& c, const Face& face) {
   for (std::size_t k = 2; k < corners.size(); k += 2)
     if (apart(corners[k], corners[k + 1]) > apart(corners[chord], corners[chord + 1])) chord = k;
   const Spot from = farthest(corners[0]), to = farthest(from);
-  return std::min(strip_along(corners[chord], corners[chord + 1], hull), strip_along(from, to, hull)) + 4 * error;
+  double width = std::min(strip_along(corners[chord], corners[chord + 1], hull), strip_along(from, to, hull));
+  const Index arc = edges[chord / 2].edge;
+  if (c.is_arc(arc) && face.inner.empty()) width = std::min(width, ring_about(c, arc, edges, area));
+  return width + 4 * error;
 }
 
 double widest(const Region& set) {
   double width = 0;
-  for (const Face& f : set.faces)
-    if (f.mark != 0) width = std::max(width, strip(set, f));
+  const std::vector<Twofold> areas = CellMeasures(set).face_areas();
+  for (std::size_t f = 0; f < set.faces.size(); ++f)
+    if (set.faces[f].mark != 0) width = std::max(width, strip(set, set.faces[f], areas[f].value()));
   return width;
 }
 

@@ -7,10 +7,10 @@
 //     the set = {p : the rings wind around p once or more},
 // of each outer ring with its holes. So overlaps are joined and loops that stick out are left out.
 // Guarantee: exact. How far the rings are from being valid is bounded from above: every face where the number is
-// neither 0 nor 1 lies between two parallel lines that are width() apart; what runs out and back, and what runs along
-// another ring, lies in squares of side spike(). Only two outer rings may share a side. It is for the user to say how
-// much is a little. Cost: one arrangement of the edges, and one more for each outer ring concerned. Keywords: polygon
-// repair, make valid, winding number, self-intersection.
+// neither 0 nor 1 lies between two parallel lines, or two circles about one point, that are width() apart; what runs
+// out and back, and what runs along another ring, lies in squares of side spike(). Only two outer rings may share a
+// side. It is for the user to say how much is a little. Cost: one arrangement of the edges, and one more for each outer
+// ring concerned. Keywords: polygon repair, make valid, winding number, self-intersection.
 #pragma once
 
 #include <array>
