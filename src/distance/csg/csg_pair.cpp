@@ -309,6 +309,7 @@ Refusal not_fitting() {
 TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   const auto outer = nearest_in(fits().holding, p);
   if (!outer) return std::nullopt;
+  if (!side_->b_->convex()) return not_fitting();
   TriedAnswer v = protrusion(p, Depth::kValue);
   if (!v || (*v)->value.to_double() <= (*v)->error) return v;
   const auto inner = fits().exact ? nearest_in(fits().held, p) : std::nullopt;
