@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "distance/csg/csg_pair.h"
-#include "distance/csg/csg_rays.h"
 #include "distance/search/meet_slack.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "distance/csg/csg_pair.h"
-#include "distance/csg/csg_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 

@@ -11,7 +11,6 @@
 #include <random>
 
 #include "distance/csg/csg_pair.h"
-#include "distance/csg/csg_rays.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 

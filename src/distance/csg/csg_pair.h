@@ -109,4 +109,9 @@ PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves);
 TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const exact::Real& level,
                      const space::RealVector& p);
 
+/// The map on lines, with B moving; the level in steps of the scale of both. Rows are refused where values do not say
+/// the sign.
+std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CsgSide> side,
+                                          std::int64_t scale, const space::RayGrid& grid);
+
 }  // namespace findspace::distance

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "distance/csg/csg_rays.h"
+#include "distance/csg/csg_pair.h"
 
 namespace findspace::formula {
 

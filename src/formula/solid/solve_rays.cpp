@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "distance/csg/csg_rays.h"
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_runs.h"
 #include "distance/rays/ray_signs.h"
