@@ -79,7 +79,8 @@ class CsgConstraints : public LazyConstraints {
     return -slack(cuts_[static_cast<std::size_t>(number)], x).value;
   }
 
-  std::vector<int> near(const Vector& middle, double edge, std::span<const int> known) override {
+  std::vector<int> near(const Tetrahedron& cell, double edge, std::span<const int> known) override {
+    const Vector middle = centre(cell);
     std::vector<int> out;
     for (std::size_t k = 0; k < all_->pairs.size(); ++k) {
       if (all_->pairs[k].out.empty() || apart(k, middle, edge)) continue;

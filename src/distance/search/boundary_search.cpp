@@ -210,7 +210,7 @@ class BoundarySearch {
       columns.push_back(c);
       return true;
     };
-    const std::vector<int> made = constraints_.more->near(centre(corner), edge, known);
+    const std::vector<int> made = constraints_.more->near(corner, edge, known);
     return std::all_of(made.begin(), made.end(), take);
   }
 

@@ -43,8 +43,8 @@ class LazyConstraints {
   virtual Constraints constraints() = 0;
   /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
   virtual double beyond(int number, const space::Vector& x) const = 0;
-  /// Those for a cell of one that had those of `known`: the numbers.
-  virtual std::vector<int> near(const space::Vector& middle, double edge, std::span<const int> known) = 0;
+  /// Those for a cell, with its longest edge, of one that had those of `known`: the numbers.
+  virtual std::vector<int> near(const Tetrahedron& cell, double edge, std::span<const int> known) = 0;
   /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
   virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
   /// Whether so much was done that the search is to end.
