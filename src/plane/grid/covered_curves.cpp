@@ -47,7 +47,8 @@ CoveredCurves::Corners::Corners(const std::vector<GridFace>& faces) {
   near_.reserve(kBuckets * kBuckets * each_);
   for (std::size_t bucket = 0; bucket < kBuckets * kBuckets; ++bucket) {
     const double x = x0_ + (double(bucket % kBuckets) + 0.5) / columns_per_step_;
-    const double y = y0_ + (double(bucket / kBuckets) + 0.5) / rows_per_step_;
+    const auto row = bucket / kBuckets;
+    const double y = y0_ + (double(row) + 0.5) / rows_per_step_;
     const auto away = [&](const Spot& s) { return (s.x - x) * (s.x - x) + (s.y - y) * (s.y - y); };
     std::partial_sort(all.begin(), all.begin() + std::ptrdiff_t(each_), all.end(),
                       [&](const Spot& s, const Spot& t) { return away(s) < away(t); });
