@@ -3,7 +3,7 @@
 //
 // That no layout of a few solids is lower, by branch and bound to a proof (height_tree.h). Guarantee: the bound is
 // proved in interval arithmetic. Gaps and conditions of pairs only make layouts higher, and are not looked at. The same
-// for any number of threads. Cost: exponential: 7 parts of twenty facets half a second, 8 two minutes, 9 hours. Source:
+// for any number of threads. Cost: exponential: 7 parts of twenty facets half a second, 8 two minutes. Source:
 // phi.md 2. Keywords: global optimum, disjunctive programming, certificate of optimality.
 #pragma once
 
