@@ -37,10 +37,12 @@ RESULTS = {
     "World.on_line": "tuple[list[Interval], bool]",
     "Query.nearest": "tuple[tuple[float, ...], float, bool] | None",
     "Region.nearest": "tuple[tuple[float, ...], float, bool] | None",
-    "Region.bounds": "tuple[float, float, float, float] | None",
     "SpaceRegion.bounds": "tuple[list[float], list[float]] | None",
     "SpaceRegion.boxes": "list[tuple[list[float], list[float], list[bool], list[bool]]]",
     "AdjustedPhi.evaluate": "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]",
+    "Packing.layout": "PackLayout",
+    "Packing.sparrow": "tuple[Packing, PackLayout]",
+    "SolidPacking.layout": "SolidPackLayout",
     "Shape.polygons": "list[Shape]",
     "Phi.evaluate": "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]",
     "Region.__geo_interface__": "dict[str, Any]",
@@ -55,6 +57,7 @@ def typed(text, argument):
         return text
     text = re.sub(r"(positions|ring|points|vertices|faces): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
                   r"\1: numpy.typing.ArrayLike", text)
+    text = re.sub(r"problem: (Solid|)Packing\b", r"problem: \1Packing | \1PackProblem", text)
     return re.sub(r"(?<!self: )\bFormula\b", "Formula | str", text)
 
 
@@ -63,8 +66,10 @@ def with_words(arguments):
     if not arguments.endswith(", **kwargs"):
         return arguments
     from findspace import Options
-    words = re.search(r"\*, .*", signatures("__init__", Options.__init__.__doc__)[0][0])[0]
-    return arguments.removesuffix("**kwargs") + words
+    words = re.search(r"\*, (.*)", signatures("__init__", Options.__init__.__doc__)[0][0])[1].split(", ")
+    given = arguments.removesuffix("**kwargs")
+    own = [word for word in words if f" {word.split(':')[0]}:" not in given]
+    return given + ("" if "*, " in given else "*, ") + ", ".join(own)
 
 
 def signatures(name, doc):
@@ -105,7 +110,7 @@ def methods(cls):
             if value.fset:
                 out += [f"    @{name}.setter", f"    def {name}(self, value: Any) -> None: ..."]
         elif isinstance(value, staticmethod):
-            for line in function(name, value.__func__.__doc__, "    "):
+            for line in function(name, value.__func__.__doc__, "    ", f"{cls.__name__}.{name}"):
                 out += ["    @staticmethod", line]
         elif inspect.isfunction(value):  # of the Python files
             rest = ", ".join(f"{p.name}: Any = ..." if p.kind != p.VAR_KEYWORD else f"**{p.name}: Any"

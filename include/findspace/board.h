@@ -82,6 +82,9 @@ class Board {
   static Board file(const std::string& path, const BoardOptions& options = {});
   static Board text(std::string_view kicad_pcb, const BoardOptions& options = {});
 
+  /// What it was read from, and how.
+  const std::string& source() const;
+  const BoardOptions& options() const;
   /// References of the parts that have a body, in the order of the file.
   std::vector<std::string> parts() const;
   /// What was found odd on the way.

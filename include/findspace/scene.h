@@ -40,6 +40,8 @@ class Scene {
   /// What it was read from, and the folder of its files.
   const std::string& text() const;
   const std::string& folder() const;
+  /// What might be opened, and at what cost.
+  const ReadOptions& reading() const;
   /// What was changed on the way: points that were rounded, rings that were reversed.
   const std::vector<std::string>& notes() const;
 

@@ -99,4 +99,4 @@ def picture_of_placement(self):
 
 def picture_of_layout(self):
     """For notebooks; None of a layout that does not know its problem."""
-    return self.svg(self.problem) if hasattr(self, "problem") else None
+    return self.svg() if hasattr(self, "problem") else None

@@ -22,6 +22,10 @@ void bind_worlds(py::module_& m);
 void bind_space(py::module_& m);
 void bind_formulas(py::module_& m);
 void bind_scenes(py::module_& m);
+void bind_files(py::module_& m);
+void bind_boards(py::module_& m);
+void bind_vocabulary(py::module_& m);
+void bind_packings(py::module_& m);
 void bind_packing(py::module_& m);
 void bind_solid_packing(py::module_& m);
 
@@ -76,7 +80,11 @@ PYBIND11_MODULE(_findspace, m) {
   bind_regions(m);
   bind_space(m);
   bind_worlds(m);
+  bind_files(m);
   bind_scenes(m);
+  bind_boards(m);
+  bind_vocabulary(m);
+  bind_packings(m);
   bind_packing(m);
   bind_solid_packing(m);
 }

@@ -7,6 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
 #include <string>
 
 #include "findspace/formula.h"
@@ -20,6 +21,11 @@ inline Number number(const py::handle& value) {
   if (PyFloat_Check(value.ptr())) return Number(value.cast<double>());
   if (PyUnicode_Check(value.ptr())) return Number(value.cast<std::string>());
   return Number(py::str(value).cast<std::string>());
+}
+
+/// Nothing for None.
+inline std::optional<Number> amount(const py::object& value) {
+  return value.is_none() ? std::nullopt : std::optional(number(value));
 }
 
 inline Level level(const py::handle& value) { return number(value); }

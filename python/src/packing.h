@@ -22,8 +22,50 @@
 
 namespace findspace::python {
 
-inline std::optional<Number> amount(const py::object& value) {
-  return value.is_none() ? std::nullopt : std::optional(number(value));
+/// Members as Python shows them: exact numbers as text, rings as lists of pairs of text.
+inline std::string shown(const Number& number) { return number.text(); }
+inline std::pair<std::string, std::string> shown(const Point& p) { return {p.x.text(), p.y.text()}; }
+template <class Value>
+auto shown(const std::optional<Value>& value) {
+  return value ? std::optional(shown(*value)) : std::nullopt;
+}
+template <class Value>
+auto shown(const std::vector<Value>& values) {
+  std::vector<decltype(shown(values[0]))> out;
+  for (const Value& value : values) out.push_back(shown(value));
+  return out;
+}
+/// For `.def_property_readonly("gap", showing(&PackProblem::gap), ...)`.
+template <class Of, class Member>
+auto showing(Member Of::*member) {
+  return [member](const Of& of) { return shown(of.*member); };
+}
+
+/// The conditions of pairs, which problems of the plane and of space have alike.
+template <class Problem>
+void bind_conditions(py::class_<Problem>& problem) {
+  problem.def_readonly("name", &Problem::name, "How files call it.")
+      .def_property_readonly("gap", showing(&Problem::gap), "The least distance of two parts, exactly, as text.")
+      .def_property_readonly("edge", showing(&Problem::edge),
+                             "The least distance of a part to the sides of what holds it, exactly, as text.")
+      .def_property_readonly(
+          "gaps",
+          [](const Problem& p) {
+            std::vector<std::tuple<std::string, std::string, std::string>> out;
+            for (const PackGap& g : p.gaps) out.emplace_back(g.first, g.second, g.gap.text());
+            return out;
+          },
+          "Wider gaps of two kinds, (first, second, gap), exactly, as text.")
+      .def_property_readonly(
+          "conditions",
+          [](const Problem& p) {
+            std::vector<std::tuple<std::string, std::string, std::string>> out;
+            for (const PackCondition& c : p.conditions) out.emplace_back(c.first, c.second, c.where);
+            return out;
+          },
+          "Of two kinds, (first, second, formula of 'self' and 'other').")
+      .def_readonly("where", &Problem::where, "What holds for any two copies, or ''.")
+      .def_readonly("groups", &Problem::groups, "Kinds that stay together.");
 }
 
 using NamedGap = std::tuple<std::string, std::string, py::object>;

@@ -291,6 +291,14 @@ void bind_placement(py::module_& m) {
             return Body(t[0].cast<std::vector<std::string>>(), numbers(t[1].cast<py::iterable>()), t[2].cast<int>());
           }))
       .def_readonly("shapes", &Body::shapes, "Names.")
+      .def_property_readonly(
+          "angles",
+          [](const Body& b) {
+            std::vector<std::string> out;
+            for (const Number& angle : b.angles) out.push_back(angle.text());
+            return out;
+          },
+          "Those allowed, in degrees, as text.")
       .def_readonly("count", &Body::count, "How many of it are placed.");
   py::class_<Placement> placement(m, "Placement", "Bodies where they were put.");
   py::class_<Placement::Placed>(placement, "Placed", "One body where it was put.")

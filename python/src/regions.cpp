@@ -4,7 +4,10 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
+#include <utility>
+
 #include "arrays.h"
+#include "files.h"
 #include "findspace/region.h"
 #include "findspace/shape.h"
 #include "interruptible.h"
@@ -34,7 +37,10 @@ struct EdgeOf {
 EdgeOf edge_of(const Region& region, const Region::Side& s) {
   const Region::Edge& e = region.edges()[s.edge];
   const Position &a = region.vertices()[e.start].at, &b = region.vertices()[e.end].at;
-  return {e, s.forward ? a : b, s.forward ? b : a, s.forward};
+  if (s.forward) return {e, a, b, true};
+  EdgeOf back{e, b, a, false};
+  std::swap(back.edge.left_belongs, back.edge.right_belongs);
+  return back;
 }
 
 py::array_t<bool> contains(const Region& region, const Doubles& at) {
@@ -44,6 +50,24 @@ py::array_t<bool> contains(const Region& region, const Doubles& at) {
   const py::gil_scoped_release release;
   region.contains(all, answers);
   return out;
+}
+
+using ExactText = std::pair<std::string, std::string>;
+
+ExactText exact_text(const Region& region, std::size_t vertex) {
+  const ExactPoint p = region.exact(vertex);
+  return {p.x.text(), p.y.text()};
+}
+
+/// The vertex that a side begins at.
+std::size_t start_of(const Region& region, const Region::Side& side) {
+  const Region::Edge& edge = region.edges()[side.edge];
+  return side.forward ? edge.start : edge.end;
+}
+
+std::optional<std::tuple<double, double, double, double>> corners(const std::optional<Bounds>& bounds) {
+  if (!bounds) return std::nullopt;
+  return std::tuple(bounds->low[0], bounds->low[1], bounds->high[0], bounds->high[1]);
 }
 
 void bind_parts(py::module_& m) {
@@ -62,11 +86,16 @@ void bind_parts(py::module_& m) {
           "Of an arc, else None.")
       .def_property_readonly(
           "angle", [](const EdgeOf& e) { return e.edge.angle; }, "That an arc spans, in radians.")
+      .def_property_readonly(
+          "left_belongs", [](const EdgeOf& e) { return e.edge.left_belongs; },
+          "Whether what lies on its left is in the set.")
+      .def_property_readonly(
+          "right_belongs", [](const EdgeOf& e) { return e.edge.right_belongs; }, "The same of its right.")
       .def_readonly("counterclockwise", &EdgeOf::ccw, "Which way an arc is met.")
       .def(py::pickle(
           [](const EdgeOf& e) {
             return py::make_tuple(e.start, e.end, e.ccw, e.edge.belongs, e.edge.arc, e.edge.center, e.edge.radius,
-                                  e.edge.angle);
+                                  e.edge.angle, e.edge.left_belongs, e.edge.right_belongs);
           },
           [](const py::tuple& t) {
             EdgeOf out{{}, t[0].cast<Position>(), t[1].cast<Position>(), t[2].cast<bool>()};
@@ -75,6 +104,8 @@ void bind_parts(py::module_& m) {
             out.edge.center = t[5].cast<Position>();
             out.edge.radius = t[6].cast<double>();
             out.edge.angle = t[7].cast<double>();
+            out.edge.left_belongs = t[8].cast<bool>();
+            out.edge.right_belongs = t[9].cast<bool>();
             return out;
           }));
   py::class_<RingOf>(m, "Ring", "A closed boundary, the set on its left.")
@@ -94,6 +125,23 @@ void bind_parts(py::module_& m) {
             return array_of(out);
           },
           "Where its edges meet, shape (n, 2).")
+      .def_property_readonly(
+          "exact_vertices",
+          [](const RingOf& r) {
+            std::vector<ExactText> out;
+            for (const Region::Side& s : r.sides) out.push_back(exact_text(r.region, start_of(r.region, s)));
+            return out;
+          },
+          "The same exactly, as text: '3', '-5/3', '(1+2*sqrt(5))/3'; of numbers that are more nested the nearest "
+          "decimal, with a leading '~'.")
+      .def_property_readonly(
+          "belong",
+          [](const RingOf& r) {
+            std::vector<bool> out;
+            for (const Region::Side& s : r.sides) out.push_back(r.region.vertices()[start_of(r.region, s)].belongs);
+            return out;
+          },
+          "Of each of its vertices, whether it is in the set.")
       .def(py::pickle(
           [](const RingOf& r) {
             std::vector<std::pair<std::size_t, bool>> sides;
@@ -142,10 +190,29 @@ void bind_parts(py::module_& m) {
             return array_of(out);
           },
           "Isolated points, shape (n, 2).")
+      .def_property_readonly(
+          "exact_points",
+          [](const ComponentOf& c) {
+            std::vector<ExactText> out;
+            for (const std::size_t v : c.get().isolated) out.push_back(exact_text(c.region, v));
+            return out;
+          },
+          "The same exactly, as text.")
+      .def_property_readonly(
+          "bounds", [](const ComponentOf& c) { return corners(c.get().bounds); },
+          "(min x, min y, max x, max y), or None where it is unbounded.")
       .def(py::pickle([](const ComponentOf& c) { return py::make_tuple(c.region, c.index); },
                       [](const py::tuple& t) {
                         return ComponentOf{t[0].cast<Region>(), t[1].cast<std::size_t>()};
                       }));
+}
+
+Region::Towards towards(const std::string& side) {
+  using Towards = Region::Towards;
+  if (side == "inside") return Towards::kInside;
+  if (side == "outside") return Towards::kOutside;
+  if (side == "on_arcs") return Towards::kOnArcs;
+  throw py::value_error("side is 'inside', 'outside' or 'on_arcs'");
 }
 
 void bind_sets(py::class_<Region>& region) {
@@ -173,13 +240,7 @@ void bind_questions(py::class_<Region>& region) {
       .def_property_readonly("area", &Region::area, "None where it is unbounded.")
       .def_property_readonly("holes", &Region::holes, "Bounded components of the complement.")
       .def_property_readonly(
-          "bounds",
-          [](const Region& r) -> py::object {
-            const auto b = r.bounds();
-            if (!b) return py::none();
-            return py::make_tuple(b->low[0], b->low[1], b->high[0], b->high[1]);
-          },
-          "(min x, min y, max x, max y), or None.")
+          "bounds", [](const Region& r) { return corners(r.bounds()); }, "(min x, min y, max x, max y), or None.")
       .def_property_readonly(
           "components",
           [](const Region& r) {
@@ -207,27 +268,72 @@ void bind_questions(py::class_<Region>& region) {
           "Random points of the inside, shape (count, 2): the same for the same `seed` of the options.")
       .def(
           "flattened",
-          [](const Region& r, double bound, bool outside) {
+          [](const Region& r, double bound, const std::string& side) {
             std::vector<Array> out;
-            for (const auto& ring : r.flattened(bound, outside ? Region::Towards::kOutside : Region::Towards::kInside))
-              out.push_back(array_of(ring));
+            for (const auto& ring : r.flattened(bound, towards(side))) out.push_back(array_of(ring));
             return out;
           },
-          py::arg("bound"), py::arg("outside") = false,
-          "Rings as points, arcs cut into chords no farther than `bound` from them, within the set or around it.")
+          py::arg("bound"), py::arg("side") = "inside",
+          "Rings as points, arcs cut into chords no farther than `bound` from them; `side` as of geojson().")
       .def(
           "geojson",
-          [](const Region& r, double bound, const std::string& side) {
-            using Towards = Region::Towards;
-            const std::map<std::string, Towards> sides{
-                {"inside", Towards::kInside}, {"outside", Towards::kOutside}, {"on_arcs", Towards::kOnArcs}};
-            const auto found = sides.find(side);
-            if (found == sides.end()) throw py::value_error("side is 'inside', 'outside' or 'on_arcs'");
-            return r.geojson(bound, found->second);
-          },
+          [](const Region& r, double bound, const std::string& side) { return r.geojson(bound, towards(side)); },
           py::arg("bound"), py::arg("side") = "on_arcs",
-          "The closure as GeoJSON, as text. No chord is farther than `bound` from its arc; corners lie within the set, "
-          "outside of it, or on the arcs.");
+          "The closure as GeoJSON, as text. No chord is farther than `bound` from its arc; corners lie within the set "
+          "('inside'), outside of it ('outside'), or on the arcs ('on_arcs').");
+}
+
+void bind_texts(py::class_<Region>& region) {
+  region
+      .def_property_readonly(
+          "json", [](const Region& r) { return r.json(); }, "As `findspace map --json` writes it.")
+      .def_property_readonly("exact_json", &Region::exact_json, "As a shape of a scene, exactly.")
+      .def_property_readonly("wkt", &Region::wkt, "Closed sets only: what is open is lost.")
+      .def_property_readonly("svg", &Region::svg, "A drawing in true size.")
+      .def("text", &Region::text, py::arg("title") = "region",
+           "What it is like, in words: whether it is open, its area, box and components.")
+      .def(
+          "scene_json", &Region::scene_json, py::arg("name") = "region",
+          R"doc(A scene with this one shape, stated by polygons, discs, segments and points where decimals say them exactly.
+
+Examples
+--------
+>>> import findspace as fs
+>>> region = fs.Shape.box((0, 0), (2, 1)).region - fs.Shape.disc((1, 0), "0.5").region
+>>> fs.Scene.json(region.scene_json("plate")).shapes["plate"].region == region
+True
+)doc")
+      .def(
+          "drawn",
+          [](const Region& r, const std::string& ending, const std::string& name, const std::string& version) {
+            const Region::Drawn drawn = r.drawn(ending, name, dxf_version(version));
+            return std::make_pair(drawn.text, drawn.lost);
+          },
+          py::arg("ending"), py::arg("name") = "region", py::arg("version") = "R12",
+          R"doc(The text of a file, and what it does not say of the set, in words: open ends, cracks; '' if nothing.
+
+Parameters
+----------
+ending : '.svg', '.dxf', '.wkt' or '.geojson'
+name : str
+    Of a layer, or of a feature.
+version : 'R12' or '2000'
+    Of DXF.
+
+Raises
+------
+Error
+    Of code 'unsupported' where the region is unbounded, for another ending, and of arcs in GeoJSON.
+
+Examples
+--------
+>>> import findspace as fs
+>>> text, lost = fs.Shape.box((0, 0), (2, 1)).region.interior().drawn(".wkt")
+>>> text
+'POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n'
+)doc")
+      .def("picture", &Region::picture, py::arg("title"), py::arg("subtitle") = "",
+           "SVG with a frame, for people; unbounded regions are cut off.");
 }
 
 }  // namespace
@@ -237,10 +343,8 @@ void bind_regions(py::module_& m) {
   py::class_<Region> region(m, "Region", "An exact set of the plane; every vertex, edge and face belongs or not.");
   bind_questions(region);
   bind_sets(region);
-  region.def_property_readonly("json", &Region::json, "As `findspace map --json` writes it.")
-      .def_property_readonly("exact_json", &Region::exact_json, "As a shape of a scene, exactly.")
-      .def_property_readonly("wkt", &Region::wkt, "Closed sets only: what is open is lost.")
-      .def_property_readonly("svg", &Region::svg, "A drawing in true size.")
+  bind_texts(region);
+  region
       .def(py::pickle([](const Region& r) { return py::make_tuple(r.exact_json(), Shape(r).grid().step.text()); },
                       [](const py::tuple& t) {
                         return Shape::json(t[0].cast<std::string>(), {Number(t[1].cast<std::string>())}).region();

@@ -20,14 +20,19 @@ Examples
 49.0
 )doc")
       .def_static(
-          "file", [](const std::string& path) { return interruptible([&] { return Scene::file(path); }); },
-          py::arg("path"), "Files of shapes are looked for beside it.")
+          "file",
+          [](const std::string& path, const std::optional<ReadOptions>& reading) {
+            return interruptible([&] { return Scene::file(path, reading.value_or(ReadOptions())); });
+          },
+          py::arg("path"), py::arg("reading") = py::none(),
+          "Files of shapes are looked for beside it; `reading` says what may be opened, and at what cost.")
       .def_static(
           "json",
-          [](const std::string& text, const std::string& folder) {
-            return interruptible([&] { return Scene::json(text, folder); });
+          [](const std::string& text, const std::string& folder, const std::optional<ReadOptions>& reading) {
+            return interruptible([&] { return Scene::json(text, folder, reading.value_or(ReadOptions())); });
           },
-          py::arg("text"), py::arg("folder") = ".", "The text of a scene; files are looked for in the folder.")
+          py::arg("text"), py::arg("folder") = ".", py::arg("reading") = py::none(),
+          "The text of a scene; files are looked for in the folder.")
       .def_property_readonly("shapes", &Scene::shapes, "By name.")
       .def_property_readonly(
           "world", [](const Scene& s) { return interruptible([&] { return s.world(); }); },
@@ -36,9 +41,14 @@ Examples
       .def_property_readonly("minimize", &Scene::minimize, "The objective, or ''.")
       .def_property_readonly("maximize", &Scene::maximize, "The objective, or ''.")
       .def_property_readonly("notes", &Scene::notes, "What was changed on the way: points rounded, rings reversed.")
-      .def(py::pickle(
-          [](const Scene& s) { return py::make_tuple(s.text(), s.folder()); },
-          [](const py::tuple& t) { return Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>()); }));
+      .def_property_readonly("text", &Scene::text, "What it was read from.")
+      .def_property_readonly("folder", &Scene::folder, "Where its files are looked for.")
+      .def_property_readonly("reading", &Scene::reading, "What may be opened, and at what cost.")
+      .def(py::pickle([](const Scene& s) { return py::make_tuple(s.text(), s.folder(), s.reading()); },
+                      [](const py::tuple& t) {
+                        return Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>(),
+                                           t[2].cast<ReadOptions>());
+                      }));
 }
 
 }  // namespace findspace::python

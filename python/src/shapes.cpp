@@ -279,6 +279,15 @@ void bind_shapes(py::module_& m) {
           "largest_move", [](const Shape& s) { return s.rounded().largest; },
           "How far the farthest of these was moved.")
       .def_property_readonly(
+          "rotated_points",
+          [](const Shape& s) {
+            const Shape::Rounded rounded = s.rotated_points();
+            return std::make_pair(rounded.points, rounded.largest);
+          },
+          "(points, largest): vertices that rotations put on the grid, and how far the farthest was moved; of the "
+          "plane.")
+      .def_property_readonly("exact_json", &Shape::exact_json, "The set as text that `Shape.json` brings back.")
+      .def_property_readonly(
           "region", [](const Shape& s) { return s.region(); }, py::call_guard<py::gil_scoped_release>(),
           "The set itself; of the plane only.")
       .def_property_readonly("surface", &Shape::surface, "Of space: the boundary, where flat faces bound one solid.")

@@ -14,6 +14,7 @@
 #include "numbers.h"
 #include "options.h"
 #include "packing.h"
+#include "packings.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -175,6 +176,7 @@ value : number, optional
       .def_readonly("name", &PackSolid::name, "Its name in problems and layouts.")
       .def_readonly("shape", &PackSolid::shape, "What is packed.")
       .def_readonly("orientations", &PackSolid::orientations, "How it may stand.")
+      .def_property_readonly("value", showing(&PackSolid::value), "Of a copy, as text; None: its volume.")
       .def_readwrite("count", &PackSolid::count, "How many copies are wanted.");
   py::class_<PackContainer>(m, "PackContainer", "A kind of container, from (0, 0, 0) to its size (x, y, z).")
       .def(py::init(&container_of), py::arg("name"), py::arg("size"), py::arg("count") = 1,
@@ -185,8 +187,11 @@ value : number, optional
       .def_property_readonly(
           "size",
           [](const PackContainer& c) { return py::make_tuple(c.width.text(), c.depth.text(), c.height.text()); },
-          "Along x, y and z, exactly, as text.");
-  py::class_<SolidPackProblem>(m, "SolidPackProblem", R"doc(Solids to be packed upon a floor, or into containers.
+          "Along x, y and z, exactly, as text.")
+      .def_readonly("count", &PackContainer::count, "How many there are.")
+      .def_property_readonly("cost", showing(&PackContainer::cost), "Of one, as text, or None.");
+  py::class_<SolidPackProblem> problem(m, "SolidPackProblem",
+                                       R"doc(Solids to be packed upon a floor, or into containers.
 
 Parameters
 ----------
@@ -216,7 +221,8 @@ Examples
 >>> layout = fs.pack(problem, work=5)
 >>> layout.height, layout.lower_bound, layout.faults(problem)
 ('2', '2', [])
-)doc")
+)doc");
+  problem
       .def(py::init(&problem_of), py::arg("parts"), py::arg("floor") = py::none(),
            py::arg("containers") = std::vector<PackContainer>(), py::arg("gap") = 0, py::arg("edge") = 0,
            py::arg("name") = "", py::arg("gaps") = py::list(), py::arg("conditions") = py::list(),
@@ -226,10 +232,14 @@ Examples
           "json", [](const std::string& text, const std::string& folder) { return solid_pack_problem(text, folder); },
           py::arg("text"), py::arg("folder") = "", "A problem as nesting JSON; files are looked for in the folder.")
       .def_readonly("parts", &SolidPackProblem::parts, "The kinds of solids.")
-      .def_readonly("containers", &SolidPackProblem::containers, "The kinds of containers; none upon a floor.");
+      .def_readonly("containers", &SolidPackProblem::containers, "The kinds of containers; none upon a floor.")
+      .def_property_readonly(
+          "floor", [](const SolidPackProblem& p) { return py::make_tuple(p.width.text(), p.depth.text()); },
+          "Its size, exactly, as text.");
+  bind_conditions(problem);
 }
 
-void bind_layout(py::module_& m) {
+void bind_item(py::module_& m) {
   py::class_<PlacedSolid>(m, "PlacedSolid", "A copy of a solid: q goes to at + orientation q.")
       .def(py::pickle(
           [](const PlacedSolid& p) {
@@ -248,8 +258,13 @@ void bind_layout(py::module_& m) {
       .def_property(
           "at", [](const PlacedSolid& p) { return py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()); },
           [](PlacedSolid& p, const py::sequence& at) { p.at = point3(at); }, "Exact coordinates as text.");
-  py::class_<SolidPackLayout>(m, "SolidPackLayout", py::dynamic_attr(),
-                              "Where the solids are. `problem` is what was packed, which notebooks draw it with.")
+}
+
+py::class_<SolidPackLayout> bind_layout(py::module_& m) {
+  py::class_<SolidPackLayout> layout(
+      m, "SolidPackLayout", py::dynamic_attr(),
+      "Where the solids are. `problem` is what was packed: its texts and pictures know it.");
+  layout
       .def(pickled_with_problem<SolidPackLayout>(
           &SolidPackLayout::height, &SolidPackLayout::items, &SolidPackLayout::left_out, &SolidPackLayout::containers,
           &SolidPackLayout::density, &SolidPackLayout::lower_bound, &SolidPackLayout::met, &SolidPackLayout::seconds,
@@ -270,26 +285,76 @@ void bind_layout(py::module_& m) {
           "The limit that ended the search: 'time', 'memory', 'cancelled', or None.")
       .def_readonly("seconds", &SolidPackLayout::seconds, "How long the search took to find it.")
       .def_readonly("seed", &SolidPackLayout::seed, "Of the search.")
-      .def_readonly("threads", &SolidPackLayout::threads, "Of the search.")
-      .def(
-          "json", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_json(p, l); },
-          py::arg("problem"), "The layout file (docs/nesting.md).")
-      .def(
-          "svg", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_svg(p, l); },
-          py::arg("problem"), "A view from above.")
+      .def_readonly("threads", &SolidPackLayout::threads, "Of the search.");
+  return layout;
+}
+
+using GivenPacking = std::optional<SolidPacking>;
+
+/// Of a layout in Python, asked with what was given or with the problem that it remembers.
+template <class Ask>
+auto asking(const Ask& ask) {
+  return [ask](const py::object& self, const GivenPacking& given) {
+    const SolidPacking packing = packing_of(self, given);
+    const auto& layout = self.cast<const SolidPackLayout&>();
+    return interruptible([&] { return ask(packing, layout); });
+  };
+}
+
+void bind_texts(py::class_<SolidPackLayout>& layout) {
+  using Layout = SolidPackLayout;
+  const char* const kOf = "problem";
+  layout
+      .def("json", asking([](const SolidPacking& p, const Layout& l) { return p.json(l); }), py::arg(kOf) = py::none(),
+           "The layout file (docs/nesting.md). A SolidPacking or a problem; without it the one that is remembered.")
+      .def("svg", asking([](const SolidPacking& p, const Layout& l) { return p.svg(l); }), py::arg(kOf) = py::none(),
+           "A view from above.")
       .def(
           "text",
-          [](const SolidPackLayout& l, const SolidPackProblem& p, const std::string& ending) {
-            return py::bytes(layout_file(p, l, ending));
+          [](const py::object& self, const GivenPacking& given, const std::string& ending) {
+            const SolidPacking packing = packing_of(self, given);
+            const auto& layout = self.cast<const Layout&>();
+            return py::bytes(interruptible([&] { return packing.file(layout, ending); }));
           },
-          py::arg("problem"), py::arg("ending"),
+          py::arg(kOf) = py::none(), py::arg("ending") = ".3mf",
           "As a file, in bytes: '.3mf' '.glb' '.obj' '.stl' '.ply' '.off' '.step' '.svg'.")
-      .def(
-          "surface", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_surface(p, l); },
-          py::arg("problem"), "All copies as one surface; a notebook shows it to be turned.")
-      .def(
-          "faults", [](const SolidPackLayout& l, const SolidPackProblem& p) { return layout_faults(p, l); },
-          py::arg("problem"), "What is wrong with it, exactly; an empty list where it is feasible.");
+      .def("surface", asking([](const SolidPacking& p, const Layout& l) { return p.surface(l); }),
+           py::arg(kOf) = py::none(), "All copies as one surface; a notebook shows it to be turned.")
+      .def("faults", asking([](const SolidPacking& p, const Layout& l) {
+             std::vector<std::string> out;
+             for (const PackFault& fault : p.verdict(l).faults) out.push_back(fault.text);
+             return out;
+           }),
+           py::arg(kOf) = py::none(), "What is wrong with it, exactly; an empty list where it is feasible.");
+}
+
+void bind_class(py::module_& m) {
+  bind_packing_of<SolidPacking, SolidPackProblem, SolidPackLayout>(
+      m, "SolidPacking", R"doc(A packing problem of solids, put on its grid once.
+
+It is immutable and answers many questions, from many threads. Where a problem is taken, a packing is too.
+
+Parameters
+----------
+problem : SolidPackProblem
+
+Raises
+------
+Error
+    Where a shape is none that is packed, stands on the floor in no orientation, has too many digits, or a name is
+    unknown.
+
+Examples
+--------
+>>> import findspace as fs
+>>> brick = fs.PackSolid("brick", fs.Shape.box((0, 0, 0), (2, 1, 1)), count=4, orientations="upright")
+>>> packing = fs.SolidPacking(fs.SolidPackProblem([brick], floor=(2, 2)))
+>>> layout = packing.search(work=1)
+>>> layout.height, packing.lower_bound, packing.verdict(layout).feasible
+('2', '2', True)
+)doc")
+      .def_static("is_stated_in", &SolidPacking::is_stated_in, py::arg("json"), py::arg("name") = "problem",
+                  "Whether JSON is such a problem, not one of the plane. An Error of code 'syntax' where it is none.");
 }
 
 }  // namespace
@@ -298,7 +363,10 @@ void bind_layout(py::module_& m) {
 void bind_solid_packing(py::module_& m) {
   solids::bind_orientation(m);
   solids::bind_problem(m);
-  solids::bind_layout(m);
+  solids::bind_item(m);
+  py::class_<SolidPackLayout> layout = solids::bind_layout(m);
+  solids::bind_class(m);
+  solids::bind_texts(layout);
   m.def("pack", &packed_in_python<SolidPackLayout, SolidPackProblem>, py::arg("problem"),
         py::arg("options") = py::none(), py::arg("better") = py::none(),
         "The same of solids; the search ends where no layout can be lower.");

@@ -58,6 +58,9 @@ Examples
           "Circuits of vertices, counter-clockwise seen from outside.")
       .def_property_readonly("surface", &SpaceRegion::surface, "Its boundary, as a Surface.")
       .def_property_readonly("svg", &SpaceRegion::svg, "Its boundary, seen from the side.")
+      .def_property_readonly(
+          "form", [](const SpaceRegion& r) { return r.form() == SpaceRegion::Form::kBoxes ? "boxes" : "convex"; },
+          "What it is made of: 'boxes' or 'convex'.")
       .def_property_readonly("query", &SpaceRegion::query, "What it answers: the formula over its world.")
       .def(py::pickle([](const SpaceRegion& r) { return py::make_tuple(r.query().world(), r.query().text()); },
                       [](const py::tuple& t) { return t[0].cast<World>().solve_space(t[1].cast<std::string>()); }))
@@ -144,6 +147,51 @@ Examples
           py::arg("distance"), "The function adjusted for a greatest distance; overlap keeps it too.");
 }
 
+std::pair<std::size_t, double> told(const Shape::Rounded& rounded) { return {rounded.points, rounded.largest}; }
+
+void bind_phi_text(py::class_<Phi>& phi) {
+  phi.def(
+      "text",
+      [](const Phi& f, const std::string& ending, const std::optional<py::sequence>& position, const py::object& least,
+         const py::object& greatest, std::string a, std::string b, std::string unit) {
+        PhiQuestion question{std::move(a), std::move(b), std::move(unit), {}, amount(least), amount(greatest)};
+        if (position)
+          for (const py::handle& coordinate : *position) question.at.push_back(number(coordinate));
+        return py::bytes(interruptible([&] { return f.text(ending, question); }));
+      },
+      py::arg("ending"), py::arg("position") = py::none(), py::arg("least") = py::none(),
+      py::arg("greatest") = py::none(), py::arg("a") = "A", py::arg("b") = "B", py::arg("unit") = "",
+      R"doc(As `findspace phi` writes it, in bytes.
+
+Parameters
+----------
+ending : str
+    '.json' and '.txt' have all parts and lines or planes, and the value at the position; '.svg' is a picture of the
+    positions of overlap, or in space of the surface of contact, which '.obj', '.off' and '.stl' are too.
+position : (x, y) or (x, y, z), optional
+    Where the second shape is translated to.
+least, greatest : number, optional
+    A least and a greatest distance that are allowed there.
+a, b : str
+    Names of the shapes.
+unit : str
+    Of them, or ''.
+
+Raises
+------
+Error
+    Of code 'unsupported' for other endings, and for such a surface of a ball; 'bad value' for a position with another
+    number of coordinates, or a negative distance.
+
+Examples
+--------
+>>> import findspace as fs
+>>> phi = fs.Phi(fs.Shape.box((0, 0), (4, 2)), fs.Shape.box((0, 0), (1, 1)))
+>>> phi.parts_of_a, phi.text(".svg")[:4]
+(1, b'<svg')
+)doc");
+}
+
 void bind_phi(py::module_& m) {
   py::class_<Phi::Value>(m, "PhiValue", "A Phi-function at a position.")
       .def_readonly("value", &Phi::Value::value, "What the gradient is of.")
@@ -209,7 +257,15 @@ array([2., 4.])
       .def_property_readonly(
           "form", [](const Phi& phi) { return phi.form() == Phi::Form::kParts ? "parts" : "curves"; },
           "'parts': all convex parts of both; 'curves': the curves of contact, with nothing active.")
-      .def_property_readonly("dimension", &Phi::dimension, "2 or 3.");
+      .def_property_readonly("dimension", &Phi::dimension, "2 or 3.")
+      .def_property_readonly("parts_of_a", &Phi::parts_of_a, "How many convex parts; 0 by curves.")
+      .def_property_readonly("parts_of_b", &Phi::parts_of_b, "How many convex parts; 0 by curves.")
+      .def_property_readonly(
+          "rounded_of_a", [](const Phi& phi) { return told(phi.rounded_of_a()); },
+          "(points, largest): vertices of convex parts that had to be rounded, and how far the farthest was moved.")
+      .def_property_readonly(
+          "rounded_of_b", [](const Phi& phi) { return told(phi.rounded_of_b()); }, "The same of b.");
+  bind_phi_text(phi);
   bind_adjusted(m, phi);
 }
 

@@ -290,6 +290,18 @@ py::object motion_state(const World& world) {
                         world.time() ? py::object(py::str(world.time()->text())) : py::none());
 }
 
+py::object motion_of(const World& world) {
+  if (!world.motion()) return py::none();
+  py::dict paths;
+  for (const auto& [name, path] : world.motion()->paths) {
+    py::list points;
+    for (const WayPoint& p : path)
+      points.append(py::make_tuple(p.time.text(), py::make_tuple(p.at.x.text(), p.at.y.text()), p.degrees.text()));
+    paths[py::str(name)] = points;
+  }
+  return py::make_tuple(world.motion()->start.text(), world.motion()->end.text(), paths);
+}
+
 World with_motion(World world, const py::object& state) {
   if (state.is_none()) return world;
   const auto t = state.cast<py::tuple>();
@@ -507,7 +519,13 @@ Examples
       .def_property_readonly("moving_together", &World::moving_together, "The names of all that move.")
       .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
       .def_property_readonly("dimension", &World::dimension, "2 or 3.")
-      .def_property_readonly("options", &World::options, "The limits of its questions.");
+      .def_property_readonly("options", &World::options, "The limits of its questions.")
+      .def_property_readonly("motion", &motion_of,
+                             "(start, end, {name: [(time, (x, y), degrees)]}), exactly, as text; None where nothing "
+                             "moves in time.")
+      .def_property_readonly(
+          "time", [](const World& w) { return w.time() ? std::optional(w.time()->text()) : std::nullopt; },
+          "The instant of at_time(), as text, or None.");
   bind_changes(world);
   bind_questions(world);
   bind_plans(m, world);

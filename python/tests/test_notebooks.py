@@ -20,7 +20,7 @@ def test_notebook_runs(path):
 
 
 def test_there_are_notebooks():
-    assert {p.stem for p in NOTEBOOKS} >= {"board", "nest", "fixture", "insertion", "phi"}
+    assert {p.stem for p in NOTEBOOKS} >= {"board", "nest", "fixture", "insertion", "packing", "phi"}
 
 
 def test_readme_lines_run(capsys, tmp_path, monkeypatch):
@@ -41,9 +41,10 @@ def test_lines_of_the_library_page_run(capsys):
 def test_lines_of_the_nesting_page_run(capsys):
     for lines in re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "nesting.md").read_text(), re.S):
         exec(lines, {})
-    sheets, rings, plugs, solids = capsys.readouterr().out.splitlines()
+    sheets, rings, plugs, by_hand, solids = capsys.readouterr().out.splitlines()
     assert sheets.startswith("['plate") and sheets.endswith(" []")
     length, *remnant = re.findall(r"[\d.]+", rings)
     assert float(length) <= 37 and len(remnant) == 4
     assert "('plug', ('2', '0.5'))" in plugs and plugs.endswith(" []")
+    assert by_hand.startswith("[('overlap', ['ell#1', 'ell#2'])]") and by_hand.endswith(" True")
     assert " (4, 4) " in solids and solids.endswith(" []")

@@ -28,6 +28,8 @@ std::string board(const std::string& second) {
 TEST(PublicBoard, ItsOwnRulesHold) {
   const Board apart = Board::text(board("5 5"));
   EXPECT_EQ(apart.parts(), (std::vector<std::string>{"U1", "U2"}));
+  EXPECT_EQ(apart.source(), board("5 5"));
+  EXPECT_EQ(apart.options().name, "board");
   const BoardVerdict verdict = apart.check();
   EXPECT_TRUE(verdict.holds());
   EXPECT_EQ(verdict.parts(), 2u);

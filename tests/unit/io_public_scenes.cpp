@@ -33,6 +33,19 @@ TEST(PublicScene, IsReadWithinLimits) {
   EXPECT_EQ(code_of({.work_limit = 1}), ErrorCode::kLimit);
 }
 
+TEST(PublicScene, KeepsHowItWasRead) {
+  const Scene scene = Scene::json(kScene, "drawings", {.files = false, .root = "drawings"});
+  EXPECT_FALSE(scene.reading().files);
+  EXPECT_EQ(scene.reading().root, "drawings");
+}
+
+TEST(PublicScene, ARegionWithAUnitComesBack) {
+  const Region plate = Scene::json(kScene).shapes().at("plate").region();
+  const Region same = Shape::json(plate.exact_json()).region();
+  EXPECT_EQ(same, plate);
+  EXPECT_EQ(same.text(), plate.text());  // in its unit
+}
+
 TEST(PublicScene, ItsRegionsAreWritten) {
   const Scene scene = Scene::json(R"json({"findspace": 1, "unit": "mm", "shapes": {
     "ring": {"difference": [{"disc": {"center": [0, 0], "radius": 2}}, {"disc": {"center": [0, 0], "radius": 1}}]},

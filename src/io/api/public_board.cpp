@@ -17,12 +17,16 @@
 namespace findspace {
 
 struct Board::Data {
+  std::string source;
+  BoardOptions options;
   std::shared_ptr<const io::Board> board;
   io::BoardQuestion question;  // its groups and what is fixed
   io::Scene scene;             // in which nothing moves
 
-  Data(const std::string& text, const BoardOptions& options)
-      : board(std::make_shared<const io::Board>(io::read_board(text, options.name))) {
+  Data(std::string text, BoardOptions how)
+      : source(std::move(text)),
+        options(std::move(how)),
+        board(std::make_shared<const io::Board>(io::read_board(source, options.name))) {
     question.fixed = options.fixed;
     for (const BoardGroup& group : options.groups) question.groups.push_back({group.name, group.parts});
     scene = io::board_scene(board, question);
@@ -43,6 +47,8 @@ Board Board::text(std::string_view kicad_pcb, const BoardOptions& options) {
   return Board(std::make_shared<const Data>(std::string(kicad_pcb), options));
 }
 
+const std::string& Board::source() const { return data_->source; }
+const BoardOptions& Board::options() const { return data_->options; }
 std::vector<std::string> Board::parts() const {
   std::vector<std::string> out;
   for (const io::Part& part : data_->board->parts)

@@ -81,13 +81,15 @@ World public_world(const Scene& scene) {
 struct Scene::Data {
   io::Scene read;
   std::string text, folder;
+  ReadOptions reading;
   std::map<std::string, Shape> shapes;
   Formula where;
 
-  Data(std::string from, std::string beside, const std::string& name, const ReadOptions& reading)
-      : read(io::read_scene_text(from, beside, name, reading)),
+  Data(std::string from, std::string beside, const std::string& name, const ReadOptions& how)
+      : read(io::read_scene_text(from, beside, name, how)),
         text(std::move(from)),
         folder(std::move(beside)),
+        reading(how),
         shapes(io::shapes_of(read)),
         where(read.where.empty() ? Formula("true") : Formula(read.where.text)) {}
 
@@ -122,6 +124,7 @@ const std::string& Scene::minimize() const { return data_->read.minimize.text; }
 const std::string& Scene::maximize() const { return data_->read.maximize.text; }
 const std::string& Scene::text() const { return data_->text; }
 const std::string& Scene::folder() const { return data_->folder; }
+const ReadOptions& Scene::reading() const { return data_->reading; }
 const std::vector<std::string>& Scene::notes() const { return data_->read.notes; }
 
 }  // namespace findspace

@@ -172,6 +172,17 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& folder
   return scene;
 }
 
+namespace {
+
+/// A shape that stands alone is in the unit that its cells state.
+std::optional<formula::Unit> unit_of_cells(const JsonValue& shape) {
+  const JsonValue* cells = shape.find("cells");
+  const JsonValue* unit = cells == nullptr ? nullptr : cells->find("unit");
+  return unit == nullptr ? std::nullopt : formula::find_unit(unit->text);
+}
+
+}  // namespace
+
 Scene read_shape_text(std::string_view text, const exact::Real& grid, const std::filesystem::path& folder,
                       const std::string& name, const ReadOptions& options) {
   ReadContext context(options);
@@ -182,11 +193,13 @@ Scene read_shape_text(std::string_view text, const exact::Real& grid, const std:
   root.kind = JsonValue::Kind::kObject;
   root.keys = {"shape"};
   root.items.push_back(parse_json(text, name, context.work));
+  context.unit = unit_of_cells(root.items[0]);
   const SceneReader json(name, context);
   ShapeReader shapes(json, root);
   Scene scene;
   scene.file = name;
   scene.grid = context.grid;
+  scene.unit = context.unit;
   scene.work_limit = options.work_limit;
   scene.shapes = shapes.all();
   scene.dimension = shapes.dimension();
