@@ -19,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 
+from part_of_day import part_of
 from run_cases import CASES, ROOT, SECONDS, Scope, cases
 
 
@@ -78,14 +79,6 @@ def scenes(scope, folder):
         with open(path, encoding="utf-8") as file:
             if '"where"' in file.read():    # else it is no question for map
                 yield name, ["map", path]
-
-
-def part_of(text):
-    """(K, N) of 'K/N' or 'day/N'."""
-    which, number = text.split("/")
-    if which == "day":
-        which = subprocess.run([os.path.join(ROOT, "tools", "turn"), number], capture_output=True, check=True).stdout
-    return int(which), int(number)
 
 
 def main(argv):

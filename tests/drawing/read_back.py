@@ -7,8 +7,11 @@ In the plane the Hausdorff distance of what was written to what is read is 0 for
 at most in drawings, which round each point once. In space the volume and the box are the same, but for the single
 precision of GLB and binary STL. What a format refuses must be one of the reasons that the documentation gives.
 
-usage: read_back.py FINDSPACE
+usage: read_back.py FINDSPACE [--part K/N]
+  --part K/N  every Nth shape, beginning with the Kth; K may be `day` (tools/part_of_day.py)
 """
+import argparse
+import itertools
 import json
 import re
 import subprocess
@@ -17,6 +20,9 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from part_of_day import part_of  # noqa: E402
+
 STEP = 1e-6  # of the usual grid
 FLAT = {"a.json": [], "a.svg": [], "a.dxf": [], "b.dxf": ["--dxf", "2000"], "a.wkt": [], "a.geojson": []}
 SOLID = {"a.json": 1e-9, "a.obj": 1e-9, "a.off": 1e-9, "a.ply": 1e-9, "a.stl": 1e-6, "a.3mf": 1e-9, "a.glb": 1e-6, "a.step": 1e-9}
@@ -96,21 +102,29 @@ def compare(folder, scene, shape, count):
                 yield f"{name}: {found} instead of {known}"
 
 
+def shapes_of_examples(folder):
+    """Each scene with each of its shapes."""
+    for scene in sorted((ROOT / "examples").glob("*.json")):
+        for shape in folder.shapes(scene):
+            yield scene, shape
+
+
 def main(argv):
-    if len(argv) != 2:
-        print(__doc__.rsplit("\n\n", 1)[1])
-        return 2
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--part", type=part_of, default=(1, 1))
+    options = parser.parse_args(argv)
+    first, step = options.part
     wrong, count = 0, {"refused": 0}
     with tempfile.TemporaryDirectory() as name:
-        folder = Folder(str(Path(argv[1]).resolve()), name)
-        for scene in sorted((ROOT / "examples").glob("*.json")):
-            for shape in folder.shapes(scene):
-                for fault in compare(folder, scene, shape, count):
-                    wrong += 1
-                    print(f"{scene.name}, {shape}: {fault}")
+        folder = Folder(str(Path(options.program).resolve()), name)
+        for scene, shape in itertools.islice(shapes_of_examples(folder), first - 1, None, step):
+            for fault in compare(folder, scene, shape, count):
+                wrong += 1
+                print(f"{scene.name}, {shape}: {fault}")
     print(", ".join(f"{n} {k}" for k, n in count.items()) + f"; {wrong} wrong")
-    return 1 if wrong or count.get("a.dxf", 0) < 20 or count.get("a.step", 0) < 5 else 0
+    return 1 if wrong or count.get("a.dxf", 0) < 20 / step or count.get("a.step", 0) < 5 / step else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv))
+    sys.exit(main(sys.argv[1:]))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""What .ci/run leans on: tools/turn, tools/check_subjects, tools/same_cases.py, tools/same_bytes.py, tools/run_cases.py."""
+"""What .ci/run leans on: tools/turn, tools/check_subjects, tools/same_cases.py, tools/same_bytes.py, tools/part_of_day.py,
+tools/run_cases.py."""
 import json
 import os
 import shutil
@@ -9,6 +10,7 @@ import unittest
 
 from small_tree import TreeTest, said
 
+import part_of_day
 import run_cases
 import same_bytes
 import same_cases
@@ -134,8 +136,8 @@ class Programs(TreeTest):
         self.assertEqual(said(same_bytes, self.program("echo same"), "--part", "100000/100000")[0], 1)
 
     def test_a_part_is_named_or_todays(self):
-        self.assertEqual(same_bytes.part_of("2/3"), (2, 3))
-        first, step = same_bytes.part_of("day/3")
+        self.assertEqual(part_of_day.part_of("2/3"), (2, 3))
+        first, step = part_of_day.part_of("day/3")
         self.assertTrue(1 <= first <= step == 3)
 
     def test_a_case_fails_by_a_wrong_answer_a_crash_a_race_or_a_key_that_nothing_reads(self):

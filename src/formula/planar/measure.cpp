@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/planar/at_position.h"
 #include "formula/language/text.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"

@@ -3,6 +3,7 @@
 
 #include "formula/planar/nearest_feasible.h"
 
+#include "distance/planar/at_position.h"
 #include "formula/language/nearest_contact.h"
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/position_check.h"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "distance/planar/at_position.h"
 #include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"

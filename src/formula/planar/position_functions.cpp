@@ -3,6 +3,7 @@
 
 #include "formula/planar/position_functions.h"
 
+#include "distance/planar/at_position.h"
 #include "distance/planar/directional.h"
 #include "distance/rotation/over_time.h"
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "distance/planar/at_position.h"
 #include "distance/planar/shape_pair.h"
 #include "findspace/error.h"
 #include "plane/query/topology.h"

@@ -14,13 +14,16 @@
 #include <utility>
 #include <vector>
 
-#include "distance/planar/at_position.h"
 #include "distance/planar_least/extremum.h"
 #include "formula/language/which.h"
 #include "formula/planar/world.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/shared_region.h"
 #include "plane/query/boundary_components.h"
+
+namespace findspace::distance {
+class AtPosition;
+}
 
 namespace findspace::formula {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "distance/planar/at_position.h"
+#include "distance/answer/answer.h"
 #include "formula/language/position_answers.h"
 #include "plane/complex/shared_region.h"
 
