@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "api/values/region_data.h"
+#include "io/api/last_verdict.h"
 #include "io/api/public_search.h"
 #include "io/nesting/fault_text.h"
 #include "io/nesting/read_nesting.h"
@@ -270,6 +271,9 @@ struct Packing::Data {
     });
     return *given_;
   }
+  packing::Verdict verdict(const packing::Layout& placed) const {
+    return last_.of(placed, [&] { return packing::verify(problem, placed); });
+  }
 
  private:
   void find_bound() {
@@ -288,13 +292,14 @@ struct Packing::Data {
   std::optional<io::UnscaledProblem> stated_ = {};  // what was read
   mutable std::once_flag made_{};
   mutable std::optional<PackProblem> given_ = {};
+  io::LastVerdict<packing::Layout, packing::Verdict> last_{};
 };
 
 namespace {
 
 io::LayoutFacts facts_of(const Packing::Data& data, const packing::Layout& placed, const PackLayout& layout) {
   io::LayoutFacts facts;
-  const packing::Verdict verdict = packing::verify(data.problem, placed);
+  const packing::Verdict verdict = data.verdict(placed);
   facts.proven = verdict.feasible();
   facts.density = verdict.density;
   if (facts.proven) facts.remnant = packing::largest_remnant(data.problem, placed);
@@ -354,7 +359,7 @@ void Packing::check_copies(const PackLayout& layout) const {
 
 PackVerdict Packing::verdict(const PackLayout& layout) const {
   const packing::Layout placed = layout_of(data_->problem, layout);
-  const packing::Verdict found = packing::verify(data_->problem, placed);
+  const packing::Verdict found = data_->verdict(placed);
   PackVerdict result{{}, found.used.text(), found.density};
   for (const packing::Fault& fault : found.faults) result.faults.push_back(public_fault(data_->problem, placed, fault));
   return result;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "api/values/shape_data.h"
+#include "io/api/last_verdict.h"
 #include "io/api/public_packing.h"
 #include "io/api/public_search.h"
 #include "io/nesting/read_solids.h"
@@ -237,6 +238,9 @@ struct SolidPacking::Data {
     });
     return *given_;
   }
+  packing::SolidVerdict verdict(const SolidLayout& placed) const {
+    return last_.of(placed, [&] { return packing::verify(problem(), placed); });
+  }
   SolidPackLayout shown(const SolidLayout& layout) const {
     SolidPackLayout result = public_layout(problem(), layout);
     if (!problem().in_containers()) result.lower_bound = std::max(bound, layout.lower_bound).text();
@@ -250,13 +254,14 @@ struct SolidPacking::Data {
 
   mutable std::once_flag made_{};
   mutable std::optional<SolidPackProblem> given_ = {};
+  io::LastVerdict<SolidLayout, packing::SolidVerdict> last_{};
 };
 
 namespace {
 
 io::LayoutFacts facts_of(const SolidPacking::Data& data, const SolidLayout& placed, const SolidPackLayout& layout) {
   io::LayoutFacts facts;
-  const packing::SolidVerdict verdict = packing::verify(data.problem(), placed);
+  const packing::SolidVerdict verdict = data.verdict(placed);
   facts.proven = verdict.is_feasible();
   facts.density = verdict.density;
   facts.lower_bound = std::max(data.bound, io::fraction(layout.lower_bound));
@@ -304,7 +309,7 @@ std::optional<SolidPackLayout> SolidPacking::search(const Options& options,
   std::optional<SolidLayout> start;
   if (how.start) {
     start = layout_of(inner, *how.start);
-    const packing::SolidVerdict verdict = packing::verify(inner, *start);
+    const packing::SolidVerdict verdict = data_->verdict(*start);
     if (!verdict.is_feasible())
       throw Error(ErrorCode::kBadValue,
                   "the layout to start with is not feasible: " + io::fault_text(inner, *start, verdict.faults[0]));
@@ -317,7 +322,7 @@ std::optional<SolidPackLayout> SolidPacking::search(const Options& options,
 
 PackVerdict SolidPacking::verdict(const SolidPackLayout& layout) const {
   const SolidLayout placed = layout_of(data_->problem(), layout);
-  const packing::SolidVerdict found = packing::verify(data_->problem(), placed);
+  const packing::SolidVerdict found = data_->verdict(placed);
   PackVerdict result{{}, found.used.text(), found.density};
   for (const packing::SolidFault& fault : found.faults)
     result.faults.push_back(public_fault(data_->problem(), placed, fault));
