@@ -39,6 +39,15 @@ struct WorldOptions {
   std::string unit;  // um mm cm m in mil, or empty
 };
 
+/// Groups of shapes that formulas may name: "between(smd, smd) >= 1", "all except power".
+struct ShapeGroups {
+  /// Names of shapes. In a distance a group is the collection of those that stand still, as they are when it is made;
+  /// if a shape has its name, that shape. Without one that stands still it is the empty set.
+  std::map<std::string, std::vector<std::string>> groups{};
+  /// What `all` and `others` mean, if not all shapes.
+  std::optional<std::vector<std::string>> all{};
+};
+
 struct Optimum {
   std::optional<double> value;  // the infimum; nothing where the region is empty or there is no lower bound
   bool exact = false;           // the infimum is known exactly, `value` is that rounded
@@ -71,6 +80,8 @@ class World {
   void move(const std::string& name, const Point3& by);
   /// The same world with other limits.
   World with(const Options& options) const;
+  /// The same world with groups beside those that it has. kUnknownName for what is no shape.
+  World with(const ShapeGroups& groups) const;
   /// The same world, of the plane, with shapes that move in time; distances may then be asked with inf and sup, and
   /// without these are least over the time. Error(kBadValue) for times that do not ascend, kUnknownName for a path of
   /// no shape.
@@ -147,6 +158,8 @@ class World {
   /// 2 or 3.
   int dimension() const;
   const Options& options() const;
+  /// Its groups, those without a shape too.
+  ShapeGroups groups() const;
   /// The paths of shapes that move in time, and the instant of at_time().
   const std::optional<Motion>& motion() const;
   const std::optional<Number>& time() const;

@@ -290,6 +290,16 @@ py::object motion_state(const World& world) {
                         world.time() ? py::object(py::str(world.time()->text())) : py::none());
 }
 
+using Groups = std::map<std::string, std::vector<std::string>>;
+
+/// Without members that are no shapes: parts of a board that have no body.
+ShapeGroups known_groups(const World& world) {
+  ShapeGroups out = world.groups();
+  const auto none = [&](const std::string& name) { return world.shapes().count(name) == 0; };
+  for (auto& [name, members] : out.groups) std::erase_if(members, none);
+  return out;
+}
+
 py::object motion_of(const World& world) {
   if (!world.motion()) return py::none();
   py::dict paths;
@@ -356,6 +366,39 @@ Examples
 >>> world = fs.World({"A": fs.Shape.box((0, 0), (1, 1)), "B": fs.Shape.disc((0, 0), 1)}, "B")
 >>> world.limited(seconds=5).options.seconds
 5.0
+)doc");
+}
+
+void bind_groups(py::class_<World>& world) {
+  world.def(
+      "grouped",
+      [](const World& w, const Groups& groups, const std::optional<std::vector<std::string>>& all) {
+        return interruptible([&] { return w.with(ShapeGroups{groups, all}); });
+      },
+      py::arg("groups"), py::arg("all") = py::none(),
+      R"doc(The same world with groups of shapes that formulas may name, beside those that it has.
+
+Parameters
+----------
+groups : dict of str to list of str
+    Names of shapes. In a distance a group is the collection of those that stand still, as they are now; if a shape has
+    its name, that shape. Without one that stands still it is the empty set.
+all : list of str, optional
+    What `all` and `others` mean, if not all shapes.
+
+Raises
+------
+Error
+    Of code 'unknown name' for what is no shape.
+
+Examples
+--------
+>>> import findspace as fs
+>>> box = fs.Shape.box((-1, -1), (1, 1))
+>>> world = fs.World({"A": box.translated((5, 0)), "B": box.translated((9, 0)), "C": box}, moving="C")
+>>> world = world.grouped({"both": ["A", "B"], "smd": ["A", "C"]})
+>>> world.distance("gap(C, both)", (0, 0)).value, world.holds("between(smd, smd) >= 3.5", (0, 0))
+(3.0, False)
 )doc");
 }
 
@@ -510,9 +553,15 @@ Examples
 )doc");
   world.def(py::init(&made), py::arg("shapes"), py::arg("moving"), py::arg("unit") = "")
       .def(py::pickle(
-          [](const World& w) { return py::make_tuple(w.shapes(), w.moving_together(), w.unit(), motion_state(w)); },
+          [](const World& w) {
+            const ShapeGroups groups = known_groups(w);
+            return py::make_tuple(w.shapes(), w.moving_together(), w.unit(), motion_state(w), groups.groups,
+                                  groups.all);
+          },
           [](const py::tuple& t) {
-            return with_motion(made(t[0].cast<std::map<std::string, Shape>>(), t[1], t[2].cast<std::string>()), t[3]);
+            const World world = made(t[0].cast<std::map<std::string, Shape>>(), t[1], t[2].cast<std::string>());
+            ShapeGroups groups{t[4].cast<Groups>(), t[5].cast<std::optional<std::vector<std::string>>>()};
+            return with_motion(groups.groups.empty() && !groups.all ? world : world.with(groups), t[3]);
           }))
       .def_property_readonly("shapes", &World::shapes, "By name.")
       .def_property_readonly("moving", &World::moving, "The name of the shape that moves, or of the first of several.")
@@ -520,6 +569,9 @@ Examples
       .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
       .def_property_readonly("dimension", &World::dimension, "2 or 3.")
       .def_property_readonly("options", &World::options, "The limits of its questions.")
+      .def_property_readonly(
+          "groups", [](const World& w) { return known_groups(w).groups; },
+          "Lists of shapes by the names that formulas have for them.")
       .def_property_readonly("motion", &motion_of,
                              "(start, end, {name: [(time, (x, y), degrees)]}), exactly, as text; None where nothing "
                              "moves in time.")
@@ -527,6 +579,7 @@ Examples
           "time", [](const World& w) { return w.time() ? std::optional(w.time()->text()) : std::nullopt; },
           "The instant of at_time(), as text, or None.");
   bind_changes(world);
+  bind_groups(world);
   bind_questions(world);
   bind_plans(m, world);
 }

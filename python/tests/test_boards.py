@@ -44,6 +44,9 @@ def test_parts_of_a_board_move():
     assert (20, 10) in region and (10, 10) not in region
     there = again(world)
     assert there.solve("inside(R2, board) and clear(R2, others)") == region == again(region)
+    for formula in ("between(smd, smd) >= 1mm", "clear(R2, all except R1)", "clear(R2, fixed, 50mm)", "clear(R2, ends, 6mm)"):
+        assert [there.holds(formula, p) for p in ((20, 10), (10, 10))] == [world.holds(formula, p) for p in ((20, 10), (10, 10))]
+    assert there.groups == world.groups and world.groups["ends"] == ["R1", "H1"]
     assert not world.holds("clear(R2, ends, 6.5mm)", (20, 10)) and world.holds("clear(R2, ends, 6mm)", (20, 10))
     assert board.world(["ends"]).moving_together == ["R1", "R1.1", "R1.2", "H1", "H1.1", "ends"]
     again_of = again(board)
@@ -124,6 +127,24 @@ def test_units_pickle():
     there = again(scene.world)
     assert there.unit == "cm" and there.solve(scene.where) == scene.world.solve(scene.where)
     assert again(scene.shapes["A"]).region == scene.shapes["A"].region
+
+
+def test_groups_of_shapes():
+    box = fs.Shape.box((-1, -1), (1, 1))
+    plain = fs.World({"A": box.translated((5, 0)), "B": box.translated((9, 0)), "C": box}, moving="C")
+    world = plain.grouped({"both": ["A", "B"], "none": [], "movers": ["C"], "smd": ["A", "C"]}, all=["A", "C"])
+    for asked in (world, again(world)):
+        assert asked.distance("gap(C, both)", (14, 0)).value == 3 and asked.distance("gap(C, smd)", (14, 0)).value == 7
+        assert asked.holds("clear(C, none, 99) and clear(C, movers, 99)", (0, 0))
+        assert asked.holds("clear(C, others, 4)", (12, 0)) and not asked.holds("clear(C, both, 4)", (12, 0))
+        assert not asked.holds("between(smd, smd) >= 3.5", (0, 0)) and asked.holds("between(smd, smd) >= 3", (0, 0))
+        assert asked.solve("clear(C, both)") == plain.solve("clear(C, A) and clear(C, B)")
+        assert asked.groups == {"both": ["A", "B"], "none": [], "movers": ["C"], "smd": ["A", "C"]}
+    assert world.grouped({"more": ["B"]}).groups.keys() == {"both", "none", "movers", "smd", "more"} and plain.groups == {}
+    with pytest.raises(fs.Error, match="unknown shape 'D'|'D'"):
+        plain.grouped({"both": ["A", "D"]})
+    with pytest.raises(fs.Error):
+        plain.solve("clear(C, both)")
 
 
 def test_what_problems_were_made_of():

@@ -19,7 +19,7 @@ ELSEWHERE = {
     "PoseMap::Sector::to": "PoseMap.Sector.end",
     "Lines": "World.on_lines", "LineMap::Line": "LineMap.lines", "VolumeBounds": "World.volume",
     "Motion": "World.motion", "WayPoint": "World.motion", "RegionBounds": "World.solve_bounds", "OnLine": "World.on_line",
-    "World::with": "World.limited", "World::solve_space": "World.solve", "Nearest3": "Query.nearest",
+    "World::with": "World.limited", "ShapeGroups": "World.grouped", "World::solve_space": "World.solve", "Nearest3": "Query.nearest",
     "Contour": "Shape.contour", "Grid": "Shape.grid", "Shape::rounded": "Shape.rounded_points",
     "Shape::Rounded": "Shape.rounded_points", "Shape::Rounded::points": "Shape.rounded_points",
     "Shape::Rounded::largest": "Shape.largest_move",
@@ -46,7 +46,7 @@ ELSEWHERE = {
 }
 # Types whose values are plain ones of Python, and so are their members'.
 PLAIN = {"BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
-         "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
+         "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",
          "PackSearch", "PackPeers", "PackReading", "PackGap", "PackCondition", "Region::Vertex"}
 # Names that Python has no need of, and why; of a type that holds for its members, too.

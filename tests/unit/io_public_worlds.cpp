@@ -53,6 +53,24 @@ TEST(PublicWorld, WordsOfBoards) {
   EXPECT_FALSE(world.holds(group("B", "A", "10.2956"), at));
 }
 
+TEST(PublicWorld, GroupsOfShapes) {
+  const Shape box = Shape::box({-1, -1}, {1, 1});
+  const World plain({{"A", box.translated(Point{5, 0})}, {"B", box.translated(Point{9, 0})}, {"C", box}}, "C");
+  const World world = plain.with(
+      ShapeGroups{{{"both", {"A", "B"}}, {"none", {}}, {"movers", {"C"}}, {"smd", {"A", "C"}}}, {{"A", "C"}}});
+  EXPECT_EQ(world.distance("gap(C, both)", Point{14, 0}).value, 3);
+  EXPECT_EQ(world.distance("gap(C, smd)", Point{14, 0}).value, 7);  // to A: C moves
+  EXPECT_TRUE(world.holds("clear(C, none, 99) and clear(C, movers, 99)", Point{0, 0}));
+  EXPECT_TRUE(world.holds("clear(C, others, 4)", Point{12, 0}));
+  EXPECT_FALSE(world.holds("clear(C, both, 4)", Point{12, 0}));
+  EXPECT_FALSE(world.holds("between(smd, smd) >= 3.5", Point{0, 0}));
+  EXPECT_EQ(world.solve("clear(C, both)"), plain.solve("clear(C, A) and clear(C, B)"));
+  EXPECT_EQ(world.groups().groups.size(), 4u);
+  EXPECT_EQ(world.groups().all, (std::vector<std::string>{"A", "C"}));
+  EXPECT_TRUE(plain.groups().groups.empty());
+  EXPECT_THROW(plain.with(ShapeGroups{{{"both", {"A", "D"}}}}), Error);
+}
+
 TEST(PublicWorld, ChangesAndItsCopiesDoNot) {
   World world = boxes();
   const World before = world;

@@ -50,6 +50,16 @@ void leave_out(const std::string& name, formula::Context& context) {
   if (context.all) std::erase(*context.all, name);
 }
 
+/// The shapes of a group that do not move.
+std::vector<std::pair<std::string, Shape>> standing_of(const World::Data& data,
+                                                       const std::vector<std::string>& members) {
+  std::vector<std::pair<std::string, Shape>> result;
+  const std::vector<std::string>& moving = data.context.moving;
+  for (const std::string& name : members)
+    if (std::find(moving.begin(), moving.end(), name) == moving.end()) result.emplace_back(name, data.shape(name));
+  return result;
+}
+
 /// The world with one shape other than before; null: without it.
 std::shared_ptr<const World::Data> changed(const World::Data& before, const std::string& name, const Shape* shape) {
   auto data = std::make_shared<World::Data>(before);
@@ -179,6 +189,34 @@ void World::remove(const std::string& name) {
 void World::move(const std::string& name, const Point& by) { set(name, data_->shape(name).translated(by)); }
 void World::move(const std::string& name, const Point3& by) { set(name, data_->shape(name).translated(by)); }
 
+World World::with(const ShapeGroups& groups) const {
+  const auto need = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names) data_->shape(name);
+  };
+  std::shared_ptr<const Data> grown = data_;
+  std::vector<std::string> empty;
+  for (const auto& [name, members] : groups.groups) {
+    need(members);
+    if (data_->shapes.count(name) > 0) continue;
+    const auto standing = standing_of(*data_, members);
+    if (standing.empty()) {
+      empty.push_back(name);
+    } else {
+      const Shape all = Shape::collection(standing);
+      grown = changed(*grown, name, &all);
+    }
+  }
+  if (groups.all) need(*groups.all);
+  auto data = std::make_shared<Data>(*grown);
+  formula::Context& context = data->context;
+  for (const auto& [name, members] : groups.groups) context.groups.insert_or_assign(name, members);
+  for (const std::string& name : empty)
+    if (std::find(context.empty.begin(), context.empty.end(), name) == context.empty.end())
+      context.empty.push_back(name);
+  if (groups.all) context.all = groups.all;
+  return World(std::move(data));
+}
+
 World World::with(const Options& options) const {
   auto data = std::make_shared<Data>(*data_);
   data->options = options;
@@ -291,6 +329,11 @@ Region World::shape(const std::string& name) const {
 
 const std::map<std::string, Shape>& World::shapes() const { return data_->shapes; }
 const std::string& World::moving() const { return data_->context.moving.front(); }
+ShapeGroups World::groups() const {
+  ShapeGroups result{data_->context.groups, data_->context.all};
+  for (const std::string& name : data_->context.empty) result.groups[name];
+  return result;
+}
 const std::vector<std::string>& World::moving_together() const { return data_->context.moving; }
 std::string World::unit() const { return data_->unit(); }
 int World::dimension() const { return data_->dimension(); }
