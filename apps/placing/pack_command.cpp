@@ -12,7 +12,6 @@
 #include "common/outputs.h"
 #include "common/run_limits.h"
 #include "common/stop_on_interrupt.h"
-#include "io/text/read_text.h"
 #include "placing/packing_report.h"
 #include "placing/stated_problem.h"
 
@@ -84,11 +83,7 @@ struct Space {
   }
   static Number bound(const SolidPacking&, const SolidPackLayout& layout) { return layout.lower_bound; }
   static SolidPackLayout start(const SolidPacking& packing, const Options& options) {
-    const std::string name = options.start->string();
-    SolidPackLayout layout = packing.layout(io::read_text(*options.start, options.input_limit), name);
-    const PackVerdict verdict = packing.verdict(layout);
-    if (verdict.feasible()) return layout;
-    throw Error(ErrorCode::kBadValue, "the layout to start with is not feasible: " + verdict.faults[0].text, name);
+    return start_layout(packing, *options.start, options.input_limit);
   }
 };
 

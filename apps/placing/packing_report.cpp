@@ -12,6 +12,7 @@
 #include "common/process_team.h"
 #include "common/stop_on_interrupt.h"
 #include "io/text/read_text.h"
+#include "io/write/json_text.h"
 
 namespace findspace::app {
 namespace {
@@ -58,6 +59,14 @@ PackLayout start_layout(const Packing& packing, const std::filesystem::path& pat
   return layout;
 }
 
+SolidPackLayout start_layout(const SolidPacking& packing, const std::filesystem::path& path, std::uint64_t most) {
+  SolidPackLayout layout = packing.layout(io::read_text(path, most), path.string());
+  const PackVerdict verdict = packing.verdict(layout);
+  if (verdict.feasible()) return layout;
+  throw Error(ErrorCode::kBadValue, "the layout to start with is not feasible: " + verdict.faults[0].text,
+              path.string());
+}
+
 std::string better_text(const PackProgress& state, std::string_view size) {
   return fmt::format("{:8.2f} s  processor {:8.2f} s  {} {:.8g}  density {:.3f} %", state.seconds, state.processor,
                      size, state.length, 100 * state.density);
@@ -84,9 +93,10 @@ std::string verdict_json(std::size_t items, const LayoutSize& size, const PackVe
   double deepest = 0;
   for (const PackFault& fault : verdict.faults) {
     if (fault.kind == PackFault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
-    faults += fmt::format("{}\n  {{\"kind\": \"{}\", \"of\": [\"{}\"], \"depth\": {}, \"near\": [{}]}}",
-                          faults.empty() ? "" : ",", kind_name(fault.kind), fmt::join(fault.of, "\", \""), fault.depth,
-                          fmt::join(fault.near, ", "));
+    faults += fmt::format(R"({}
+  {{"kind": "{}", "of": {}, "depth": {}, "near": [{}], "text": {}}})",
+                          faults.empty() ? "" : ",", kind_name(fault.kind), io::list(fault.of, io::json_string),
+                          fault.depth, fmt::join(fault.near, ", "), io::json_string(fault.text));
   }
   return fmt::format(
       "{{\"findspace\": 1, \"verdict\": {{\"feasible\": {}, \"items\": {}, \"{}\": \"{}\", \"used\": \"{}\", "

@@ -29,6 +29,7 @@ PackPeers* peers_of(const Options& options);
 
 /// A layout of the problem to begin with: JSON, or an SVG of sparrow; `most` bytes. Throws Error.
 PackLayout start_layout(const Packing& packing, const std::filesystem::path& path, std::uint64_t most);
+SolidPackLayout start_layout(const SolidPacking& packing, const std::filesystem::path& path, std::uint64_t most);
 
 /// A better layout, and a search under way; `size` is what is made small: "length".
 std::string better_text(const PackProgress& state, std::string_view size);

@@ -85,7 +85,7 @@ constexpr Parameter kPackParameters[] = {
     {"height", kText, "the height of the strip, a decimal, instead of the problem's"},
     {"gap", kText, "the least distance of any two parts, a decimal"},
     {"edge", kText, "the least distance of a part to the sides of the strip, a decimal"},
-    {"start", kText, "a layout to begin with, as JSON"},
+    {"start", kText, "a layout to begin with, as JSON; it is the best one then"},
     {"seed", kWhole, "another search (default 1)"},
     {"threads", kCount, "of the search (default: one for each core)"},
     {"seconds", kLength, "end after so long (default: when no better layout comes for a while)"},
@@ -93,9 +93,14 @@ constexpr Parameter kPackParameters[] = {
     kDrawing};
 constexpr Parameter kPackingParameters[] = {
     kOfScene, {"since", kWhole, "the number of the layout that is known already: it is not given again"}};
-constexpr Parameter kRepairParameters[] = {kOfScene,
-                                           {"item", kWhole, "the number of an item in the layout, from 0", true},
-                                           {"at", kPlace, "where it is moved to", true}};
+constexpr Parameter kRepairParameters[] = {
+    kOfScene,
+    {"item", kWhole, "the number of an item in the layout, from 0", true},
+    {"at", kPosition, "where it is moved to: two numbers, of solids three", true}};
+constexpr Parameter kVerifyParameters[] = {
+    kOfScene,
+    {"item", kWhole, "the number of an item in the layout, from 0, that is moved"},
+    {"at", kPosition, "where it is moved to: two numbers, of solids three"}};
 
 [[noreturn]] void refuse(std::string message) { throw RequestError{RequestError::kParams, std::move(message)}; }
 
@@ -298,10 +303,11 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
       store.load_problem_text(name, *content, asked);
   }
   PackingJob& job = store.packing(name);
+  if (const auto start = text(parameters, "start")) job.begin_with(*start);
   const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");
   if (search == nullptr || search->boolean)
-    job.start({whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)),
-               double_of(parameters, "seconds", 0), text(parameters, "start")});
+    job.start(
+        {whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)), double_of(parameters, "seconds", 0)});
   return job.problem_json(flag(parameters, "drawing"));
 }
 
@@ -315,12 +321,27 @@ std::string stop(SceneStore& store, const JsonValue& parameters) {
   return job.state_json(0);
 }
 
+/// Nothing where no item is named.
+std::optional<MovedItem> moved_item(const JsonValue& parameters) {
+  const JsonValue* at = find(parameters, "at", JsonKind::kArray, "a list of numbers");
+  if ((at == nullptr) != (parameters.find("item") == nullptr)) refuse("\"item\" and \"at\" go together");
+  if (at == nullptr) return std::nullopt;
+  numbers(parameters, "at", 0);  // refuses what is none
+  MovedItem result{whole(parameters, "item", 0), {}};
+  for (const JsonValue& number : at->items) result.at.emplace_back(number.text);
+  return result;
+}
+
 std::string repair(SceneStore& store, const JsonValue& parameters) {
   PackingJob& job = store.packing(name_of(parameters));
-  if (parameters.find("item") == nullptr) refuse("\"item\" is missing");
-  const RealPoint to = needed_point(parameters, "at");
-  job.repair(whole(parameters, "item", 0), {to.x.to_double(), to.y.to_double()});
+  const auto moved = moved_item(parameters);
+  if (!moved) refuse("\"item\" is missing");
+  job.repair(*moved);
   return job.state_json(0);
+}
+
+std::string verify(SceneStore& store, const JsonValue& parameters) {
+  return store.packing(name_of(parameters)).verdict_json(moved_item(parameters));
 }
 
 std::string unload(SceneStore& store, const JsonValue& parameters) {
@@ -346,10 +367,12 @@ constexpr Method kMethods[] = {
     {"angles", "At which angles the moving shape can stand at a position.", kPlainParameters, angles},
     {"instants", "At which instants of the motion the formula holds at a position.", kPlainParameters, instants},
     {"place", "The placement of several shapes that the scene asks for.", kPlaceParameters, place},
-    {"pack", "Begins to pack the parts of a problem into a short strip, or goes on with a loaded one.", kPackParameters,
-     pack},
+    {"pack", "Begins to pack the parts of a problem, in the plane or in space, or goes on with a loaded one.",
+     kPackParameters, pack},
     {"packing", "How far a packing is: its best layout, proved, and whether it goes on.", kPackingParameters, packing},
     {"stop", "Ends a packing and keeps its best layout.", kUnloadParameters, stop},
+    {"verify", "What is wrong with the best layout of a packing, perhaps with one part moved.", kVerifyParameters,
+     verify},
     {"repair", "Moves one part of a layout and the others out of its way.", kRepairParameters, repair},
     {"unload", "Forgets a scene or a packing.", kUnloadParameters, unload},
 };

@@ -6,62 +6,210 @@
 #include <findspace/error.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "io/write/json_text.h"
+#include "placing/packing_report.h"
+#include "serve/space_drawing.h"
 
 namespace findspace::app {
 namespace {
 
-Packing read(const std::string& problem, const PackReading& asked) {
-  Packing result = Packing::json(problem, asked);
-  const PackProblem& read = result.problem();
-  if (!read.sheets.empty() || read.box)
-    throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
-                asked.name);
-  if (!read.fixed.empty())
-    throw Error(ErrorCode::kUnsupported, "the page moves all parts; fixed ones are packed around by 'findspace pack'",
-                asked.name);
-  return result;
-}
+/// What packings in the plane and in space do differently.
+struct Plane {
+  using Problem = Packing;
+  using Layout = PackLayout;
+  static constexpr std::size_t kDimension = 2, kAlong = 0;
+  static constexpr const char* kSize = "length";
+
+  static Packing read(const std::string& problem, const PackReading& asked) {
+    Packing result = Packing::json(problem, asked);
+    const PackProblem& read = result.problem();
+    if (!read.sheets.empty() || read.box)
+      throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
+                  asked.name);
+    if (!read.fixed.empty())
+      throw Error(ErrorCode::kUnsupported, "the page moves all parts; fixed ones are packed around by 'findspace pack'",
+                  asked.name);
+    return result;
+  }
+  static std::string holder(const PackProblem& problem) {
+    return fmt::format(R"("height": {})", io::json_number(problem.height.value()));
+  }
+  static std::string drawing(const Packing& packing, std::size_t part) {
+    return io::json_string(packing.outline(part));
+  }
+  static Number& size(PackLayout& layout) { return layout.length; }
+  static std::array<Number*, 2> place(PlacedPart& item) { return {&item.x, &item.y}; }
+  static std::optional<PackLayout> moved(const Packing& packing, const PackLayout& layout, const MovedItem& to) {
+    return packing.moved(layout, to.item, {to.at[0].value(), to.at[1].value()});
+  }
+};
+
+struct Space {
+  using Problem = SolidPacking;
+  using Layout = SolidPackLayout;
+  static constexpr std::size_t kDimension = 3, kAlong = 2;
+  static constexpr const char* kSize = "height";
+
+  static SolidPacking read(const std::string& problem, const PackReading& asked) {
+    if (asked.height)
+      throw Error(ErrorCode::kUsage, "--height is of strips in the plane; in space the height is sought", asked.name);
+    return SolidPacking::json(problem, asked);
+  }
+  static std::string holder(const SolidPackProblem& problem) {
+    const auto number = [](const Number& n) { return io::json_number(n.value()); };
+    if (problem.containers.empty())
+      return fmt::format(R"("floor": [{}, {}])", number(problem.width), number(problem.depth));
+    return fmt::format(R"("containers": {})", io::list(problem.containers, [&](const PackContainer& c) {
+                         return fmt::format(R"({{"name": {}, "size": [{}, {}, {}]}})", io::json_string(c.name),
+                                            number(c.width), number(c.depth), number(c.height));
+                       }));
+  }
+  static std::string drawing(const SolidPacking& packing, std::size_t part) {
+    Surface surface = packing.outline(part);
+    SpaceDrawing drawing;
+    drawing.solid.vertices = std::move(surface.vertices);
+    drawing.solid.faces = std::move(surface.faces);
+    return drawing.json();
+  }
+  static Number& size(SolidPackLayout& layout) { return layout.height; }
+  static std::array<Number*, 3> place(PlacedSolid& item) { return {&item.at.x, &item.at.y, &item.at.z}; }
+  static std::optional<SolidPackLayout> moved(const SolidPacking& packing, const SolidPackLayout& layout,
+                                              const MovedItem& to) {
+    return packing.moved(layout, to.item, {to.at[0], to.at[1], to.at[2]});
+  }
+};
+
+template <class Kind>
+class JobOf : public PackingJob {
+ public:
+  using Layout = typename Kind::Layout;
+
+  JobOf(const std::string& problem, const PackReading& asked) : packing_(Kind::read(problem, asked)) {}
+  ~JobOf() override { stop(); }
+
+  void begin_with(const std::string& layout) override { begin(packing_.layout(layout)); }
+  void begin_with_file(const std::filesystem::path& layout, std::uint64_t most) override {
+    begin(start_layout(packing_, layout, most));
+  }
+
+  void repair(const MovedItem& moved) override {
+    stop();
+    const Layout before = known(moved);
+    std::optional<Layout> made = Kind::moved(packing_, before, moved);
+    if (!made) throw Error(ErrorCode::kGeometry, "the other parts cannot make room there");
+    made->seconds = before.seconds;
+    made->seed = before.seed;
+    made->threads = before.threads;
+    keep(*made, progress_of(*made));
+  }
+
+  std::string verdict_json(const std::optional<MovedItem>& moved) const override {
+    Layout layout = known(moved.value_or(MovedItem{0, std::vector<Number>(Kind::kDimension, 0)}));
+    if (moved) put(layout, *moved);
+    return app::verdict_json(layout.items.size(), size_of(layout), packing_.verdict(layout));
+  }
+
+  std::string problem_json(bool drawing) const override {
+    const auto& problem = packing_.problem();
+    std::size_t k = 0;
+    const std::string parts = io::list(problem.parts, [&](const auto& p) {
+      const std::size_t part = k++;
+      return fmt::format(R"({{"name": {}, "demand": {}{}}})", io::json_string(p.name), p.count,
+                         drawing ? ", \"drawing\": " + Kind::drawing(packing_, part) : "");
+    });
+    return fmt::format(R"({{"name": {}, "dimension": {}, {}, "lower_bound": {}, "items": {}, "parts": {}}})",
+                       io::json_string(problem.name), Kind::kDimension, Kind::holder(problem),
+                       io::json_number(packing_.lower_bound().value()), packing_.copies(), parts);
+  }
+
+ private:
+  static PackProgress progress_of(Layout& layout) {
+    PackProgress state;
+    state.length = Kind::size(layout).value();
+    state.density = layout.density;
+    state.seconds = layout.seconds;
+    return state;
+  }
+
+  void begin(Layout layout) {
+    if (!packing_.verdict(layout).feasible())
+      throw Error(ErrorCode::kGeometry, "the layout to begin with is not feasible; verify says why");
+    stop();
+    keep(layout, progress_of(layout));
+  }
+
+  void keep(const Layout& layout, const PackProgress& state) {
+    const std::lock_guard lock(guard_);
+    best_ = layout;
+    count(state);
+  }
+
+  /// The best layout, which has that item. Throws Error.
+  Layout known(const MovedItem& moved) const {
+    const std::lock_guard lock(guard_);
+    if (!best_) throw Error(ErrorCode::kBadValue, "there is no layout yet");
+    if (moved.item >= best_->items.size())
+      throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", best_->items.size() - 1));
+    if (moved.at.size() != Kind::kDimension)
+      throw Error(ErrorCode::kBadValue, fmt::format("a place of this layout has {} numbers", Kind::kDimension));
+    return *best_;
+  }
+
+  /// The strip may become longer, and what stands upon a floor higher: as far as the item can reach then.
+  static void put(Layout& layout, const MovedItem& moved) {
+    const auto place = Kind::place(layout.items[moved.item]);
+    Number& size = Kind::size(layout);
+    const double by = moved.at[Kind::kAlong].value() - place[Kind::kAlong]->value();
+    size = fmt::format("{:.0f}", std::ceil(size.value() + std::max(0.0, by)) + 1);
+    for (std::size_t k = 0; k < Kind::kDimension; ++k) *place[k] = moved.at[k];
+  }
+
+  void search(const findspace::Options& options) override {
+    PackSearch<Layout> search;
+    search.start = best_;
+    search.better = [&](const Layout& layout, const PackProgress& state) { keep(layout, state); };
+    search.progress = [&](const PackProgress& state) {
+      const std::lock_guard lock(guard_);
+      state_ = state;
+    };
+    packing_.search(options, search);
+  }
+
+  std::string layout_member() const override {
+    if (!best_) return "";
+    const std::string layout = packing_.json(*best_);
+    const std::size_t from = layout.find("\"layout\"");
+    return layout.substr(from, layout.rfind('}') - from);
+  }
+  const char* size_word() const override { return Kind::kSize; }
+
+  typename Kind::Problem packing_;
+  std::optional<Layout> best_;
+};
 
 }  // namespace
 
-PackingJob::PackingJob(const std::string& problem, const PackReading& asked) : packing_(read(problem, asked)) {}
-
-PackingJob::~PackingJob() { stop(); }
+std::unique_ptr<PackingJob> PackingJob::make(const std::string& problem, const PackReading& asked) {
+  if (SolidPacking::is_stated_in(problem, asked.name)) return std::make_unique<JobOf<Space>>(problem, asked);
+  return std::make_unique<JobOf<Plane>>(problem, asked);
+}
 
 void PackingJob::stop() {
   stop_.request();
   if (thread_.joinable()) thread_.join();
 }
 
-void PackingJob::keep(const PackLayout& layout, const PackProgress& state) {
-  const std::lock_guard lock(guard_);
-  best_ = layout;
+void PackingJob::count(const PackProgress& state) {
   state_ = state;
   ++number_;
 }
 
-void PackingJob::search(const findspace::Options& options, std::optional<PackLayout> start) {
-  PackSearch<PackLayout> search;
-  search.start = std::move(start);
-  search.better = [&](const PackLayout& layout, const PackProgress& state) { keep(layout, state); };
-  search.progress = [&](const PackProgress& state) {
-    const std::lock_guard lock(guard_);
-    state_ = state;
-  };
-  try {
-    packing_.search(options, search);
-  } catch (const std::exception& e) {
-    const std::lock_guard lock(guard_);
-    failure_ = e.what();
-  }
-  running_ = false;
-}
-
 void PackingJob::start(const PackingStart& start) {
   stop();
-  std::optional<PackLayout> from = best_;
-  if (start.layout) from = packing_.layout(*start.layout);
   findspace::Options options;
   options.seed = start.seed;
   options.threads = start.threads;
@@ -70,57 +218,24 @@ void PackingJob::start(const PackingStart& start) {
   failure_.clear();
   stop_.reset();
   running_ = true;
-  thread_ = std::thread([this, options, from] { search(options, from); });
-}
-
-void PackingJob::begin_with(const PackLayout& layout) {
-  if (!packing_.verdict(layout).feasible())
-    throw Error(ErrorCode::kGeometry, "the layout to begin with is not feasible; verify says why");
-  PackProgress state;
-  state.length = layout.length.value();
-  state.density = layout.density;
-  keep(layout, state);
-}
-
-void PackingJob::repair(std::size_t item, std::array<double, 2> at) {
-  stop();
-  if (!best_) throw Error(ErrorCode::kBadValue, "there is no layout yet");
-  std::optional<PackLayout> made = packing_.moved(*best_, item, at);
-  if (!made) throw Error(ErrorCode::kGeometry, "the other parts cannot make room there");
-  made->seconds = best_->seconds;
-  made->seed = best_->seed;
-  made->threads = best_->threads;
-  PackProgress state = state_;
-  state.length = made->length.value();
-  state.density = made->density;
-  state.overlap = 0;
-  keep(*made, state);
-}
-
-std::string PackingJob::problem_json(bool drawing) const {
-  const PackProblem& problem = packing_.problem();
-  std::size_t k = 0;
-  const std::string parts = io::list(problem.parts, [&](const PackPart& p) {
-    const std::size_t part = k++;
-    return fmt::format(R"({{"name": {}, "demand": {}{}}})", io::json_string(p.name), p.count,
-                       drawing ? ", \"drawing\": " + io::json_string(packing_.outline(part)) : "");
+  thread_ = std::thread([this, options] {
+    try {
+      search(options);
+    } catch (const std::exception& e) {
+      const std::lock_guard lock(guard_);
+      failure_ = e.what();
+    }
+    running_ = false;
   });
-  return fmt::format(R"({{"name": {}, "height": {}, "lower_bound": {}, "items": {}, "parts": {}}})",
-                     io::json_string(problem.name), io::json_number(problem.height.value()),
-                     io::json_number(packing_.lower_bound().value()), packing_.copies(), parts);
 }
 
 std::string PackingJob::state_json(std::uint64_t since) const {
   const std::lock_guard lock(guard_);
-  std::string out = fmt::format(R"({{"running": {}, "number": {}, "seconds": {:.3f}, "length": {}, "density": {})",
-                                io::truth(running_), number_, state_.seconds, io::json_number(state_.length),
-                                io::json_number(state_.density));
+  std::string out = fmt::format(R"({{"running": {}, "number": {}, "seconds": {:.3f}, "{}": {}, "density": {})",
+                                io::truth(running_), number_, state_.seconds, size_word(),
+                                io::json_number(state_.length), io::json_number(state_.density));
   if (!failure_.empty()) out += ", \"failure\": " + io::json_string(failure_);
-  if (best_ && number_ > since) {
-    const std::string layout = packing_.json(*best_);
-    const std::size_t from = layout.find("\"layout\"");
-    out += ", " + layout.substr(from, layout.rfind('}') - from);
-  }
+  if (const std::string layout = number_ > since ? layout_member() : ""; !layout.empty()) out += ", " + layout;
   return out + "}";
 }
 

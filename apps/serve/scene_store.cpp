@@ -16,12 +16,13 @@
 namespace findspace::app {
 namespace {
 
-/// Whether a file is a packing problem: it lists items, and no shapes.
+/// Whether a file is a packing problem: it lists items, or kinds of items in space.
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
   plane::WorkBudget work;
   const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
-  return file.find("items") != nullptr && file.find("shapes") == nullptr;
+  const bool in_plane = file.find("items") != nullptr && file.find("shapes") == nullptr;
+  return in_plane || file.find("item-types") != nullptr;
 }
 
 /// Of a scene; nothing of a drawing or a board.
@@ -46,8 +47,7 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
     PackReading asked = pack_reading(options_, scene.string());
     asked.folder = scene.parent_path().string();
     keep_problem("scene", io::read_text(scene, options.input_limit), asked);
-    PackingJob& job = packing("scene");
-    if (options.start) job.begin_with(start_layout(job.packing(), *options.start, options.input_limit));
+    if (options.start) packing("scene").begin_with_file(*options.start, options.input_limit);
     return;
   }
   Options first = options_;
@@ -87,7 +87,7 @@ std::string SceneStore::source(const std::string& name) {
 }
 
 void SceneStore::keep_problem(const std::string& name, const std::string& text, const PackReading& asked) {
-  auto job = std::make_unique<PackingJob>(text, asked);
+  auto job = PackingJob::make(text, asked);
   scenes_.erase(name);
   packings_[name] = std::move(job);
 }

@@ -154,6 +154,10 @@ class SolidPacking {
                                         const PackSearch<SolidPackLayout>& search = {}) const;
   /// By exact signs.
   PackVerdict verdict(const SolidPackLayout& layout) const;
+  /// The layout with one of its solids put there in its container, and the others out of its way. Where it is free
+  /// there, it stands there exactly and nothing else moves; else it may be moved a little too, and upon a floor the
+  /// height may grow. Nothing where the others cannot make room.
+  std::optional<SolidPackLayout> moved(const SolidPackLayout& layout, std::size_t item, const Point3& at) const;
 
   /// A layout of this problem from JSON. Error(kSyntax) with line and column.
   SolidPackLayout layout(std::string_view json, const std::string& name = "layout") const;
@@ -162,6 +166,8 @@ class SolidPacking {
   std::string svg(const SolidPackLayout& layout) const;
   std::string file(const SolidPackLayout& layout, std::string_view ending) const;
   Surface surface(const SolidPackLayout& layout) const;
+  /// A solid, counted as in problem().parts, about its origin, not turned. Balls become inscribed polyhedra.
+  Surface outline(std::size_t part) const;
 
   struct Data;
   explicit SolidPacking(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

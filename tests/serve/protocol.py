@@ -212,6 +212,39 @@ class Answers(unittest.TestCase):
         self.assertEqual(server.wait(), 0)
         server.stdout.close()
 
+    def test_packings_of_solids(self):
+        def block(x, y, z):
+            return {"box": {"min": [0, 0, 0], "max": [x, y, z]}}
+
+        problem = {"name": "two", "container": {"size-x": 2, "size-y": 2},
+                   "item-types": [{"id": "low", "demand": 1, "shape": block(2, 2, 1)}, {"id": "cube", "demand": 1, "shape": block(1, 1, 1)}]}
+        layout = {"findspace": 1, "layout": {
+            "instance": "two", "height": "3", "items": [{"part": "low", "copy": 1, "at": ["0", "0", "0"]},
+                                                        {"part": "cube", "copy": 1, "at": ["0", "0", "2"]}], "left_out": []}}
+        overlapping = json.dumps(layout).replace('"2"]', '"0.5"]')
+        answers, status = serve([
+            {"id": 1, "method": "pack", "params": {"text": json.dumps(problem), "drawing": True, "search": False}},
+            {"id": 2, "method": "pack", "params": {"start": json.dumps(layout), "search": False}},
+            {"id": 3, "method": "packing"},
+            {"id": 4, "method": "verify"},
+            {"id": 5, "method": "verify", "params": {"item": 1, "at": [0, 0, 0.75]}},
+            {"id": 6, "method": "verify", "params": {"item": 1, "at": [1, 0, "99.5"]}},
+            {"id": 7, "method": "repair", "params": {"item": 1, "at": [1, 0, "1.5"]}},
+            {"id": 8, "method": "repair", "params": {"item": 1, "at": [1, 0]}},
+            {"id": 9, "method": "verify", "params": {"item": 1}},
+            {"id": 10, "method": "pack", "params": {"start": overlapping, "search": False}},
+        ])
+        self.assertEqual(status, 0)
+        results = [a.get("result") for a in answers]
+        self.assertEqual((results[0]["dimension"], results[0]["floor"], len(results[0]["parts"][1]["drawing"]["faces"])), (3, [2, 2], 6))
+        self.assertEqual((results[2]["running"], results[2]["height"], results[2]["number"]), (False, 3, 1))
+        self.assertTrue(results[3]["verdict"]["feasible"])
+        fault = results[4]["verdict"]["faults"][0]
+        self.assertEqual((results[4]["verdict"]["feasible"], fault["kind"], fault["of"]), (False, "overlap", ["low#1", "cube#1"]))
+        self.assertTrue(results[5]["verdict"]["feasible"])
+        self.assertEqual((results[6]["layout"]["height"], results[6]["layout"]["items"][1]["at"]), ("2.5", ["1", "0", "1.5"]))
+        self.assertEqual([answers[k]["error"]["code"] for k in (7, 8, 9)], [-32000, -32602, -32000])
+
     def test_scenes_stay_loaded(self):
         answers, status = serve([
             {"id": 1, "method": "load", "params": {"scene": "a", "path": "peg.json"}},

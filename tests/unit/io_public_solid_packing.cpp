@@ -40,6 +40,32 @@ TEST(PublicSolidPacking, TheHeightIsProved) {
   EXPECT_GT(told, 0);
 }
 
+TEST(PublicSolidPacking, ASolidIsMovedByHand) {
+  const SolidPacking packing{bricks()};
+  SolidPackLayout layout = *packing.search({.work = 2});
+  ASSERT_EQ(layout.height.text(), "2");
+  // Up into the air it stands exactly where it was put, and nothing else moves.
+  const auto free = packing.moved(layout, 3, {"0.125", "0.5", "7.0000001"});
+  ASSERT_TRUE(free.has_value());
+  EXPECT_EQ(free->items[3].at.z.text(), "7.0000001");
+  EXPECT_TRUE(packing.verdict(*free).feasible());
+  for (const std::size_t k : {0, 1, 2, 4}) EXPECT_EQ(free->items[k].at.x.text(), layout.items[k].at.x.text());
+  // Into others: they make room, at a greater height.
+  const auto made = packing.moved(layout, 3, {layout.items[0].at.x, layout.items[0].at.y, "0.25"});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_TRUE(packing.verdict(*made).feasible());
+  EXPECT_EQ(made->items.size(), 8u);
+  EXPECT_THROW(packing.moved(layout, 8, {0, 0, 0}), Error);
+}
+
+TEST(PublicSolidPacking, AnOutlineIsNotTurned) {
+  SolidPackProblem problem = bricks();
+  problem.parts[0].orientations = {Orientation::about(Shape::Axis::kZ, 90)};
+  double widest = 0;
+  for (const Position3& v : SolidPacking(problem).outline(0).vertices) widest = std::max(widest, v[0]);
+  EXPECT_EQ(widest, 2);
+}
+
 TEST(PublicSolidPacking, FaultsAreNamed) {
   const SolidPackProblem problem = bricks();
   SolidPackLayout layout = *pack(problem, {.work = 2});

@@ -12,7 +12,8 @@ export type Corner = [number, number, number];
 export interface Drawing { faces: string; closed: string; open: string; free: string; points: Point[]; full: Point[]; hollow: Point[] }
 export interface SpaceDrawing { vertices: Corner[]; faces: number[][]; sheets: Corner[][]; curves: Corner[][]; points: Corner[] }
 export type AnyDrawing = Drawing | SpaceDrawing;
-export interface ShapeInfo { name: string; moving: boolean; used: boolean; drawing?: AnyDrawing }
+/// `holder`: what others lie in.
+export interface ShapeInfo { name: string; moving: boolean; used: boolean; drawing?: AnyDrawing; holder?: boolean }
 export interface Movement { shape: string; path: Point[]; times: number[]; angles: number[] }
 export interface Summary {
   dimension: 2 | 3; unit?: string; step: number; y: "up" | "down"; where: string; moving: string[]; shapes: ShapeInfo[]; words: string[];
@@ -35,12 +36,20 @@ export interface Explanation {
 export interface Feature { shape: string; vertex?: Point; edge?: [Point, Point]; arc?: { center: Point; radius: number } }
 export interface Between { from: Feature; to: Feature; distance: number; points?: [Point, Point] }
 export interface Placement { positions: { shape: string; at: Place | null; angle?: number; copy?: number }[]; proven: boolean; reason?: string }
-export interface PackingProblem { name: string; height: number; lower_bound: number; items: number; parts: { name: string; demand: number; drawing: string }[] }
-export interface PackedItem { part: string; copy: number; angle: number | string; mirrored: boolean; at: [string, string] }
-export interface PackingState {
-  running: boolean; number: number; seconds: number; length: number; density: number; failure?: string;
-  layout?: { items: PackedItem[]; length: string; proven: boolean };
+export interface PackedPart { name: string; demand: number; drawing: string | SpaceDrawing }
+/// `height`: of a strip; `floor` or `containers`: of solids.
+export interface PackingProblem {
+  name: string; dimension: 2 | 3; height?: number; floor?: Point; containers?: { name: string; size: Corner }[]; lower_bound: number; items: number;
+  parts: PackedPart[];
 }
+/// `angle`, `mirrored`: of the plane; `rotation`, `container`: of space.
+export interface PackedItem { part: string; copy: number; angle?: number | string; mirrored?: boolean; rotation?: (number | string)[][]; container?: number; at: string[] }
+/// `length`: of a strip; `height`: of solids.
+export interface PackingState {
+  running: boolean; number: number; seconds: number; length?: number; height?: number; density: number; failure?: string;
+  layout?: { items: PackedItem[]; lower_bound?: string; container?: { containers?: string[] }; proven: boolean };
+}
+export interface Verdict { verdict: { feasible: boolean; faults: { of: string[]; text: string }[] } }
 
 /// What the engine says of a mistake; `line` and `column` of one in the formula.
 export class Refusal extends Error {

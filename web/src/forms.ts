@@ -36,10 +36,14 @@ export const ofSheets = (sheets: Corner[][]): BufferGeometry => {
 };
 
 /// About the z axis, by degrees.
-export function rotated(d: SpaceDrawing, degrees: number): SpaceDrawing {
-  if (!degrees) return d;
+export function aboutZ(degrees: number): number[][] {
   const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-  const turn = ([x, y, z]: Corner): Corner => [c * x - s * y, s * x + c * y, z];
+  return [[c, -s, 0], [s, c, 0], [0, 0, 1]];
+}
+
+/// By the rows of a matrix.
+export function rotated(d: SpaceDrawing, rows: number[][]): SpaceDrawing {
+  const turn = (p: Corner): Corner => rows.map((row) => row[0]! * p[0] + row[1]! * p[1] + row[2]! * p[2]) as Corner;
   return { vertices: d.vertices.map(turn), faces: d.faces, sheets: d.sheets.map((f) => f.map(turn)), curves: d.curves.map((l) => l.map(turn)), points: d.points.map(turn) };
 }
 

@@ -3,18 +3,20 @@
 //
 // The page: what the user does becomes requests, and answers become the picture and the lists.
 import { alonePage, drawnAt, placeText, readAlone, save } from "./alone";
+import { CratePicture } from "./crate";
 import { Editor } from "./editor";
 import { call, kOwn, latest, Refusal, spaceScript, stayOpen } from "./engine";
 import type { Between, Check, Drawing, Explanation, Interval, Nearest, Place, RegionMap, SpaceDrawing, Summary } from "./engine";
 import { History } from "./history";
 import type { State } from "./history";
 import { PackingPage } from "./packing";
-import { showAtoms, showBetween, showShapes, showSliders, showWhy, withUnit } from "./panel";
+import { make, showAtoms, showBetween, showShapes, showSliders, showWhy, withUnit } from "./panel";
 import type { Picture } from "./picture";
 import { Placing } from "./placing";
 import { Poses } from "./poses";
 import type { SpaceStage } from "./space";
 import { Stage } from "./stage";
+import { StripPicture } from "./strip";
 import { showOperations, showSection } from "./views";
 
 const get = <T extends Element = HTMLElement>(id: string): T => document.getElementById(id) as unknown as T;
@@ -272,11 +274,16 @@ function connect(): void {
   for (const [id, act] of Object.entries(clicks)) get(id).onclick = act;
   get("save-scene").onclick = () => void call<{ text: string }>("source").then(({ text }) => save("scene.json", new Blob([text], { type: "application/json" })), fault);
   document.addEventListener("keydown", onKey);
+  onDropped((text) => openScene(text).catch((e: unknown) => (e instanceof Refusal ? editor.show(e) : fault(e))));
+}
+
+/// A file that is dropped anywhere on the page.
+function onDropped(open: (text: string) => Promise<void>): void {
   document.addEventListener("dragover", (e) => e.preventDefault());
   document.addEventListener("drop", (e) => {
     e.preventDefault();
     const file = e.dataTransfer?.files[0];
-    if (file) void file.text().then(openScene).catch((e: unknown) => (e instanceof Refusal ? editor.show(e) : fault(e)));
+    if (file) void file.text().then(open).catch(fault);
   });
 }
 
@@ -364,19 +371,24 @@ function firstPlace(): Place {
   return map?.sample ?? map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
 }
 
-async function choosePicture(loaded: Summary): Promise<void> {
-  const space = loaded.dimension === 3;
+/// The canvas of space, or the picture of the plane.
+function showCanvas(space: boolean): void {
   get("space").toggleAttribute("hidden", !space);
   for (const id of ["picture", "picture-over"]) {
     get(id).toggleAttribute("hidden", space);
     get(id).replaceChildren();
   }
+}
+
+async function choosePicture(loaded: Summary): Promise<void> {
+  const space = loaded.dimension === 3;
+  showCanvas(space);
   stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get<SVGSVGElement>("picture-over"), get("scale"));
-  if (stage) {
-    picture = stage;
-    stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${loaded.unit ?? ""}`; };
-    return;
-  }
+  if (stage) stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${loaded.unit ?? ""}`; };
+  picture = stage ?? (await newSpace(loaded.unit ?? ""));
+}
+
+async function newSpace(unit: string): Promise<SpaceStage> {
   const program = globalThis as { findspaceSpace?: typeof SpaceStage };
   if (!program.findspaceSpace) {
     spaceText = alone ? get("space-program").textContent! : await spaceScript();
@@ -385,14 +397,16 @@ async function choosePicture(loaded: Summary): Promise<void> {
     script.textContent = spaceText;
     document.body.append(script);
   }
-  picture = new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), loaded.unit ?? "");
+  return new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), unit);
 }
 
+const showTheme = (theme: string): void => { document.documentElement.dataset["theme"] = theme; };
+const changeTheme = (): void => showTheme(document.documentElement.dataset["theme"] === "dark" ? "light" : "dark");
+
 function buttons(): void {
-  const show = (theme: string) => { document.documentElement.dataset["theme"] = theme; };
-  show(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+  showTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
   get("theme").onclick = () => {
-    show(document.documentElement.dataset["theme"] === "dark" ? "light" : "dark");
+    changeTheme();
     picture?.recolour();
   };
   get("save-svg").onclick = () => save("findspace.svg", new Blob([picture.svg()], { type: "image/svg+xml" }));
@@ -403,17 +417,38 @@ function buttons(): void {
 }
 
 async function beginPacking(): Promise<void> {
-  for (const id of ["place", "actions", "formula", "poses", "views", "shapes", "scale", "save-page", "save-scene"]) get(id).hidden = true;
+  for (const id of ["place", "nearest", "explain", "measure", "between", "formula", "poses", "shapes", "save-page", "save-scene"]) get(id).hidden = true;
   document.querySelectorAll("aside > h2").forEach((e) => e.remove());
   get("packing").hidden = false;
-  get("picture").setAttribute("aria-label", "The layout");
-  const page = new PackingPage(get<SVGSVGElement>("picture"), get("packing").querySelector("div")!, verdict);
-  const moves: Record<string, [string, () => void]> = { "zoom-in": ["+", () => page.zoom(0.8)], "zoom-out": ["-", () => page.zoom(1.25)], fit: ["0", () => page.fit()] };
-  for (const [id, [, act]] of Object.entries(moves)) get(id).onclick = act;
-  document.addEventListener("keydown", (e) => Object.values(moves).find(([key]) => key === e.key)?.[1]());
-  get("save-svg").onclick = () => save("findspace.svg", new Blob([page.svgText()], { type: "image/svg+xml" }));
-  get("save-png").onclick = () => void page.png().then((png) => save("findspace.png", png), fault);
+  for (const id of ["picture", "space"]) get(id).setAttribute("aria-label", "The layout");
+  const box = get("packing").querySelector("div")!, list = make("ul", get("packing"));
+  list.id = "placed";
+  const page = new PackingPage(async (problem) => {
+    const space = problem.dimension === 3;
+    showCanvas(space);
+    list.replaceChildren();
+    get("views").replaceChildren();
+    if (!space) return new StripPicture(get<SVGSVGElement>("picture"), get("scale"));
+    const made = await newSpace("");
+    showSection(get("views"), made, "");
+    return new CratePicture(made, list);
+  }, box, verdict, history);
   await page.begin();
+  const moves: Record<string, [string, () => void]> = { "zoom-in": ["+", () => page.view.zoom(0.8)], "zoom-out": ["-", () => page.view.zoom(1.25)], fit: ["0", () => page.view.fit()] };
+  for (const [id, [, act]] of Object.entries(moves)) get(id).onclick = act;
+  document.addEventListener("keydown", (e) => {
+    if ((e.target as Element).closest("input, textarea, select")) return;
+    if (page.key(e)) return e.preventDefault();
+    Object.values(moves).find(([key]) => key === e.key)?.[1]();
+  });
+  const clicks: Record<string, () => void> = {
+    undo: () => page.step(true), redo: () => page.step(false),
+    "save-svg": () => save("findspace.svg", new Blob([page.view.svg()], { type: "image/svg+xml" })),
+    "save-png": () => void page.view.png().then((png) => save("findspace.png", png), fault),
+    theme: () => { changeTheme(); page.view.recolour(); },
+  };
+  for (const [id, act] of Object.entries(clicks)) get(id).onclick = act;
+  onDropped((text) => page.open(text));
 }
 
 async function begin(): Promise<void> {

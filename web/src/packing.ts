@@ -1,182 +1,211 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A packing that goes on: its best layout as it is found, and parts that are dragged; the others make room for them.
-import { call, Refusal } from "./engine";
-import type { PackedItem, PackingProblem, PackingState, Point } from "./engine";
+// A packing that goes on, in a strip or of solids: its best layout as it is found, and parts that are dragged; the
+// others make room for them. Undo goes back to the layouts before each act.
+import { save } from "./alone";
+import { call, latest, Refusal } from "./engine";
+import type { PackedItem, PackingProblem, PackingState, Place, Verdict } from "./engine";
+import type { History } from "./history";
+import { nameOf, placeOf, sizeOf } from "./layout";
+import type { LayoutPicture } from "./layout";
 import { make } from "./panel";
 import { shown } from "./picture";
-import { element, pictureOf, pictureText } from "./svg";
 
 const kOfPacking = { scene: "scene" };
 const kBetweenLooks = 300;
-const kWays: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-const numberOf = (text: string): number => {
-  const [a, b] = text.split("/");
-  return Number(a) / Number(b ?? 1);
-};
+/// A layout as a file has it.
+const textOf = (state: PackingState): string => JSON.stringify({ findspace: 1, layout: state.layout }, null, 1);
 
 export class PackingPage {
-  private readonly layer: SVGGElement;
-  private readonly strip: SVGElement;
+  private picture: LayoutPicture | null = null;
   private problem: PackingProblem | null = null;
   private state: PackingState | null = null;
   private items: PackedItem[] = [];
   private shown = 0;
   private said = "";
-  private held = false;
-  private view: [number, number, number, number] = [0, 0, 1, 1];
+  private held = 0;
+  private looked = false;  // somebody has turned or moved the picture
+  private stopped: Promise<void> = Promise.resolve();
+  private past: string[] = [];
+  private future: string[] = [];
 
-  constructor(private readonly svg: SVGSVGElement, private readonly box: HTMLElement, private readonly verdict: (text: string, good: boolean | null) => void) {
-    this.strip = element("rect", { class: "shape container", x: "0", y: "0", width: "1", height: "1" }, svg);
-    this.layer = element("g", { id: "layer-items" }, svg) as SVGGElement;
-  }
+  /// `make`: a picture of the problem.
+  constructor(
+    private readonly makePicture: (problem: PackingProblem) => Promise<LayoutPicture>, private readonly box: HTMLElement,
+    private readonly verdict: (text: string, good: boolean | null) => void, private readonly history: History,
+  ) {}
 
   async begin(): Promise<void> {
     this.controls();
-    await this.start(false);
-    this.show(await call<PackingState>("packing", { ...kOfPacking, since: 0 }));
-    if (!this.state!.length) await this.start(true);
-    this.follow();
+    this.allow();
+    for (const at of ["pointerdown", "wheel"]) document.getElementById("stage")!.addEventListener(at, () => { this.looked = true; }, { capture: true, passive: true });
+    await this.load({ search: false });
+    this.show(await this.ask("packing", { since: 0 }));
+    if (!sizeOf(this.state!)) await call<PackingProblem>("pack", { ...kOfPacking, search: true });
     void this.watch();
   }
+
+  /// The problem that the engine has then, and its picture.
+  private async load(asked: object): Promise<void> {
+    this.problem = await call<PackingProblem>("pack", { ...kOfPacking, drawing: true, ...asked });
+    this.picture = await this.makePicture(this.problem);
+    this.shown = 0;
+    this.picture.onGrab = () => this.grab();
+    this.picture.onDrag = (item, at) => void this.check(nameOf(this.items[item]!), at);
+    this.picture.onDrop = (item, at) => void this.drop(nameOf(this.items[item]!), at);
+    document.title = `${this.problem.name || "packing"} – findspace`;
+  }
+
+  get view(): LayoutPicture { return this.picture!; }
+
+  private ask(method: string, params: object = {}): Promise<PackingState> { return call<PackingState>(method, { ...kOfPacking, ...params }); }
+
+  private fault(e: unknown): void { this.verdict(e instanceof Error ? e.message : String(e), false); }
 
   private controls(): void {
     const row = make("div", this.box, "", "row");
     const button = (text: string, id: string, act: () => Promise<void>) => {
       const made = make("button", row, text);
       made.id = id;
-      made.onclick = () => void act().catch((e: unknown) => this.verdict(e instanceof Error ? e.message : String(e), false));
+      made.onclick = () => void act().catch((e: unknown) => this.fault(e));
     };
-    button("Stop", "pack-stop", async () => this.show(await call<PackingState>("stop", kOfPacking)));
-    button("Go on", "pack-go", () => this.start(true));
-    button("Save layout", "pack-save", async () => {
-      const state = await call<PackingState>("packing", { ...kOfPacking, since: 0 });
-      const link = make("a", document.body);
-      link.href = URL.createObjectURL(new Blob([JSON.stringify({ findspace: 1, layout: state.layout }, null, 1)], { type: "application/json" }));
-      link.download = "layout.json";
-      link.click();
-      link.remove();
+    button("Stop", "pack-stop", async () => this.show(await this.ask("stop")));
+    button("Go on", "pack-go", async () => {
+      this.remember();
+      await call<PackingProblem>("pack", kOfPacking);
     });
+    button("Save layout", "pack-save", async () => save("layout.json", new Blob([textOf(await this.ask("packing", { since: 0 }))], { type: "application/json" })));
     make("p", this.box, "", "facts").id = "pack-facts";
-    make("p", this.box, "Drag a part, or move the one that has the focus by keys: the others make room, and the search goes on from there when you say so.", "hint");
-  }
-
-  private async start(search: boolean): Promise<void> {
-    this.problem = await call<PackingProblem>("pack", { ...kOfPacking, drawing: true, search });
-    document.title = `${this.problem.name || "packing"} – findspace`;
+    make("p", this.box, "Drag a part, or move the one that is chosen by keys: the others make room, and the search goes on from there when you say so. A layout or a problem is opened when it is dropped here.", "hint");
   }
 
   private async watch(): Promise<void> {
     for (;;) {
-      if (!this.held) this.show(await call<PackingState>("packing", { ...kOfPacking, since: this.shown }));
+      try {
+        if (!this.held) this.show(await this.ask("packing", { since: this.shown }));
+      } catch (e) {
+        this.fault(e);
+      }
       await new Promise((done) => setTimeout(done, kBetweenLooks));
     }
   }
 
   private show(state: PackingState): void {
-    this.state = state;
-    const density = (100 * state.density).toFixed(2);
-    document.getElementById("pack-facts")!.textContent = state.length
-      ? `Layout ${state.number}: length ${shown(state.length)}, density ${density} %, after ${state.seconds.toFixed(1)} s. No layout is shorter than ${shown(this.problem!.lower_bound)}.`
-      : "";
-    const said = state.failure ?? (state.running ? "Packing" : state.length ? "Stopped: the best layout is kept" : "Not begun");
+    this.state = state.layout || !this.state ? state : { ...state, ...(this.state.layout ? { layout: this.state.layout } : {}) };
+    document.getElementById("pack-facts")!.textContent = sizeOf(state) ? this.facts() : "";
+    const said = state.failure ?? (state.running ? "Packing" : this.isBest() ? "No better layout is possible" : sizeOf(state) ? "Stopped: the best layout is kept" : "Not begun");
     if (said !== this.said || state.number !== this.shown) this.verdict(said, state.failure ? false : state.running ? null : true);
     this.said = said;
     if (!state.layout || state.number === this.shown) return;
-    const first = this.shown === 0;
+    const fits = this.shown === 0 || (state.running && !this.looked);
     this.shown = state.number;
     this.items = state.layout.items;
-    this.draw();
-    if (first) this.fit();
+    this.picture!.show(this.problem!, this.state, this.items);
+    if (fits) this.picture!.fit();
   }
 
-  private draw(): void {
-    const { height, parts } = this.problem!;
-    for (const [key, value] of Object.entries({ width: this.state!.length, y: -height, height })) this.strip.setAttribute(key, `${value}`);
-    const focused = document.activeElement?.getAttribute("data-item");
-    this.layer.replaceChildren();
-    this.items.forEach((item, k) => {
-      const which = parts.findIndex((p) => p.name === item.part);
-      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": `${item.part} ${item.copy}; arrow keys move it`, d: parts[which]!.drawing, transform: this.transform(item) }, this.layer);
-      (path as SVGPathElement).style.setProperty("--hue", String((360 * which) / parts.length));
-      element("title", {}, path).textContent = `${item.part} ${item.copy}`;
+  private get bound(): number { return Math.max(this.problem!.lower_bound, Number(this.state?.layout?.lower_bound ?? 0)); }
+
+  private isBest(): boolean { return !this.problem!.containers && sizeOf(this.state!) > 0 && sizeOf(this.state!) <= this.bound; }
+
+  private facts(): string {
+    const { number, density, seconds, layout } = this.state!, size = shown(sizeOf(this.state!)), space = this.problem!.dimension === 3;
+    const containers = layout?.container?.containers?.length ?? 0;
+    const what = !space ? `length ${size}` : containers ? `${containers} container${containers === 1 ? "" : "s"}, ${size} of the last` : `height ${size}`;
+    const bound = this.problem!.containers ? "" : ` No layout is ${space ? "lower" : "shorter"} than ${shown(this.bound)}.`;
+    return `Layout ${number}: ${what}, density ${(100 * density).toFixed(2)} %, after ${seconds.toFixed(1)} s.${bound}`;
+  }
+
+  /// Keys move the chosen item, undo and redo.
+  key(e: KeyboardEvent): boolean {
+    if ((e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z") {
+      this.step(!e.shiftKey);
+      return true;
+    }
+    const move = e.ctrlKey || e.metaKey ? null : this.picture!.keyed(e);
+    if (!move) return false;
+    const item = this.items[move.item]!;
+    this.grab();
+    void this.drop(nameOf(item), placeOf(item).map((x, k) => x + move.by[k]!));
+    return true;
+  }
+
+  /// What is dropped on the page: a layout of this problem, or another problem.
+  async open(text: string): Promise<void> {
+    const file = JSON.parse(text) as { layout?: unknown };
+    if (file.layout !== undefined) {
+      this.remember();
+      await call("pack", { ...kOfPacking, start: text, search: false });
+    } else {
+      await this.load({ text });
+      this.past = this.future = [];
+      this.allow();
+    }
+    this.show(await this.ask("packing", { since: 0 }));
+  }
+
+  private allow(): void { this.history.allow(this.past.length > 0, this.future.length > 0); }
+
+  private remember(): void {
+    if (!this.state?.layout) return;
+    this.past.push(textOf(this.state));
+    this.future = [];
+    this.allow();
+  }
+
+  step(back: boolean): void {
+    const [from, to] = back ? [this.past, this.future] : [this.future, this.past];
+    const start = from.pop();
+    if (!start) return;
+    to.push(textOf(this.state!));
+    this.allow();
+    this.hold(async () => {
+      await call("pack", { ...kOfPacking, start, search: false });
+      this.show(await this.ask("packing", { since: 0 }));
     });
-    if (focused) this.layer.querySelector<SVGElement>(`[data-item="${focused}"]`)?.focus();
   }
 
-  private transform(item: PackedItem, by: Point = [0, 0]): string {
-    const [x, y] = item.at.map(numberOf) as Point;
-    return `translate(${x + by[0]} ${-(y + by[1])}) rotate(${-numberOf(String(item.angle))})` + (item.mirrored ? " scale(-1 1)" : "");
+  /// Nothing else is shown until it is done.
+  private hold(act: () => Promise<void>): void {
+    this.held += 1;
+    void act().catch((e: unknown) => this.fault(e)).finally(() => { this.held -= 1; });
   }
 
-  fit(): void {
-    if (!this.state?.length) return;
-    const { length } = this.state, { height } = this.problem!, margin = 0.05 * Math.max(length, height);
-    this.view = [-margin, -height - margin, length + 2 * margin, height + 2 * margin];
-    this.look();
-  }
-
-  zoom(by: number, at?: DOMPoint): void {
-    const [x, y, w, h] = this.view, cx = at?.x ?? x + w / 2, cy = at?.y ?? y + h / 2;
-    this.view = [cx + (x - cx) * by, cy + (y - cy) * by, w * by, h * by];
-    this.look();
-  }
-
-  svgText(): string { return pictureText([this.svg]); }
-  png(): Promise<Blob> { return pictureOf(this.svgText(), this.svg); }
-
-  private look(): void { this.svg.setAttribute("viewBox", this.view.join(" ")); }
-
-  /// The item that has the focus, by keys.
-  private onKey(e: KeyboardEvent): void {
-    const way = kWays[e.key], item = (e.target as Element).getAttribute("data-item");
-    if (!way || item === null) return;
-    e.preventDefault();
-    const step = (e.shiftKey ? 50 : e.altKey ? 1 : 5) / this.svg.getScreenCTM()!.a;
-    this.repair(Number(item), [way[0] * step, way[1] * step]);
-  }
-
-  private repair(item: number, by: Point): void {
-    const [x, y] = this.items[item]!.at.map(numberOf) as Point;
-    this.held = true;
-    this.verdict("The others make room", null);
-    call<PackingState>("repair", { ...kOfPacking, item, at: [x + by[0], y + by[1]] })
-      .then((state) => this.show(state), (e: unknown) => {
-        this.verdict(e instanceof Refusal ? e.message : String(e), false);
-        this.draw();
-      })
-      .finally(() => { this.held = false; });
-  }
-
-  private follow(): void {
-    const under = (e: MouseEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(this.svg.getScreenCTM()!.inverse());
-    let hold: { from: DOMPoint; item: number; path: Element; by: Point } | null = null;
-    this.svg.addEventListener("pointerdown", (e) => {
-      const path = (e.target as Element).closest(".item");
-      if (!path) return;
-      this.held = true;
-      hold = { from: under(e), item: Number(path.getAttribute("data-item")), path, by: [0, 0] };
-      this.layer.append(path);
-      this.svg.setPointerCapture(e.pointerId);
+  /// The search ends, so that the layout stays the one that is seen.
+  private grab(): void {
+    this.held += 1;
+    this.stopped = this.ask("stop").then((state) => {
+      if (state.number !== this.shown) this.show(state);
     });
-    this.svg.addEventListener("pointermove", (e) => {
-      if (!hold) return;
-      const p = under(e);
-      hold.by = [p.x - hold.from.x, -(p.y - hold.from.y)];
-      hold.path.setAttribute("transform", this.transform(this.items[hold.item]!, hold.by));
-    });
-    this.svg.addEventListener("pointerup", () => {
-      if (!hold) return;
-      const { item, by } = hold;
-      hold = null;
-      this.repair(item, by);
-    });
-    this.svg.addEventListener("keydown", (e) => this.onKey(e));
-    this.svg.addEventListener("wheel", (e) => {
-      e.preventDefault();
-      this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), under(e));
-    }, { passive: false });
+  }
+
+  /// Whether the part may stand there as the others do.
+  private readonly check = latest(async (name: string, at: Place) => {
+    await this.stopped;
+    const item = this.items.findIndex((i) => nameOf(i) === name);
+    const { verdict } = await call<Verdict>("verify", { ...kOfPacking, item, at });
+    if (!this.held) return;
+    this.picture!.showAt(item, at, verdict.feasible);
+    this.verdict(verdict.feasible ? "Free there" : verdict.faults[0]!.text, verdict.feasible);
+    this.said = "";
+  });
+
+  private async drop(name: string, at: Place): Promise<void> {
+    try {
+      await this.stopped;
+      const item = this.items.findIndex((i) => nameOf(i) === name), before = textOf(this.state!);
+      this.verdict("The others make room", null);
+      this.show(await this.ask("repair", { item, at }));
+      this.past.push(before);
+      this.future = [];
+      this.allow();
+    } catch (e) {
+      this.verdict(e instanceof Refusal ? e.message : String(e), false);
+      this.picture!.show(this.problem!, this.state!, this.items);
+    } finally {
+      this.held -= 1;
+    }
   }
 }

@@ -6,8 +6,8 @@ import type { AnyDrawing, Atom, Place, Summary } from "./engine";
 
 export interface Pose { angle: number; time: number | null }
 
-/// A copy of a shape where a placement put it; `turns`: it has an angle of its own.
-export interface Placed { shape: string; copy: number; at: Place; angle: number; turns: boolean }
+/// A copy of a shape where a placement put it; `turns`: it has an angle of its own. `rotation`: rows of a matrix instead.
+export interface Placed { shape: string; copy: number; at: Place; angle: number; turns: boolean; rotation?: number[][]; colour?: string }
 
 export interface Picture {
   at: Place;

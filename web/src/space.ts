@@ -14,15 +14,28 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
-import { arrowGeometry, dot, ofSheets, rotated, surface } from "./forms";
+import { aboutZ, arrowGeometry, dot, ofSheets, rotated, surface } from "./forms";
 import { Section } from "./section";
 import { roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Placed, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
+const kClickPixels = 4;
 const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
 
-const colour = (name: string): Color => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7));
+/// One of the page's colours by its name, or any other.
+const colour = (name: string): Color =>
+  new Color(name.startsWith("--") ? getComputedStyle(document.documentElement).getPropertyValue(name).trim().slice(0, 7) : name);
+
+/// Nothing is left in it, nor in the memory of the graphics.
+function empty(group: Object3D): void {
+  group.traverse((o) => {
+    const { geometry, material } = o as Partial<Mesh>;
+    geometry?.dispose();
+    for (const m of material ? [material].flat() : []) m.dispose();
+  });
+  group.clear();
+}
 
 /// `cap`: how dense the faces are where a plane cuts the solid open; none: it is no solid to look at.
 interface Style { fill: string; opacity: number; edges: string; side?: Side; cap?: number }
@@ -54,6 +67,9 @@ export class SpaceStage implements Picture {
   onPick: (at: Place) => void = () => {};
   onMovePlaced: (k: number, at: Place) => void = () => {};
   onPickPlaced: (k: number) => void = () => {};
+  onDragPlaced: (k: number, at: Place) => void = () => {};
+  /// Whether what is not chosen turns with the rest when it is dragged: a click chooses it.
+  turnsAll = false;
   private placed: { all: Placed[]; groups: Group[]; picked: number; names: string[] } = { all: [], groups: [], picked: -1, names: [] };
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
@@ -153,7 +169,7 @@ export class SpaceStage implements Picture {
   /// All objects anew, in the colours of now.
   private build(): void {
     if (!this.summary) return;
-    for (const group of [this.fixed, this.part, this.ghost]) group.clear();
+    for (const group of [this.fixed, this.part, this.ghost]) empty(group);
     this.section.clear();
     const shapes = this.summary.shapes.filter((s) => s.drawing);
     const boxes = new Map(shapes.map((s) => [s.name, new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat())]));
@@ -164,7 +180,7 @@ export class SpaceStage implements Picture {
         this.show(this.ghost, drawing, { fill: "--ghost", opacity: 0.15, edges: "--ghost" });
       } else if (!this.hidden.has(s.name) && !this.placed.names.includes(s.name)) {
         const box = boxes.get(s.name)!;
-        const around = shapes.some((o) => o !== s && !this.hidden.has(o.name) && box.containsBox(boxes.get(o.name)!));
+        const around = s.holder || shapes.some((o) => o !== s && !this.hidden.has(o.name) && box.containsBox(boxes.get(o.name)!));
         this.show(this.fixed, drawing, around ? { fill: "--shape", opacity: 0.16, edges: "--edge", side: BackSide } : { fill: "--shape", opacity: 0.5, edges: "--edge", cap: 1 });
       }
     }
@@ -201,8 +217,8 @@ export class SpaceStage implements Picture {
   }
 
   private showRegions(): void {
-    this.region.clear();
-    this.own.clear();
+    empty(this.region);
+    empty(this.own);
     this.showPlaced();
     if (this.drawings.region) this.show(this.region, this.drawings.region, { fill: "--region", opacity: 0.32, edges: "--region", cap: 0.5 });
     if (this.drawings.own) this.show(this.own, this.drawings.own, { fill: "--ghost", opacity: 0.12, edges: "--ghost" });
@@ -237,14 +253,26 @@ export class SpaceStage implements Picture {
       group.position.set(...(p.at as Corner));
       for (const s of this.summary!.shapes) {
         if (!s.drawing || (s.name !== p.shape && !p.shape.split("+").includes(s.name))) continue;
-        const drawing = rotated(s.drawing as SpaceDrawing, p.angle);
-        this.show(group, drawing, { fill: k === this.placed.picked ? "--ghost" : "--part", opacity: 0.6, edges: "--part", cap: 0.95 });
+        const turn = p.rotation ?? (p.angle ? aboutZ(p.angle) : null), drawing = turn ? rotated(s.drawing as SpaceDrawing, turn) : (s.drawing as SpaceDrawing);
+        const fill = k === this.placed.picked ? "--ghost" : p.colour ?? "--part";
+        this.show(group, drawing, { fill, opacity: !p.colour ? 0.6 : this.placed.picked < 0 || k === this.placed.picked ? 1 : 0.3, edges: p.colour ? "--ink" : "--part", cap: 0.95 });
         box.union(new Box3().setFromArray(drawing.vertices.flat()));
       }
+      group.userData["box"] = box;
       if (k === this.placed.picked) this.addHandles(box, group);
       this.own.add(group);
       return group;
     });
+  }
+
+  /// One of them is drawn elsewhere, and as a bad one where it must not be.
+  showPlacedAt(k: number, at: Place, good: boolean): void {
+    const group = this.placed.groups[k];
+    if (!group) return;
+    group.position.set(...(at as Corner));
+    const fill = colour(good ? "--ghost" : "--bad");
+    for (const o of group.children) if (o instanceof Mesh && o.material instanceof MeshLambertMaterial) o.material.color = fill;
+    this.draw();
   }
 
   setAtoms(good: boolean, atoms: Atom[]): void {
@@ -278,7 +306,7 @@ export class SpaceStage implements Picture {
       this.addLabel(`${shown(a.value)} ${this.unitName}`.trim(), new Vector3(p[0]! + q[0]!, p[1]! + q[1]!, p[2]! + q[2]!).divideScalar(2), a.true ? "" : "no");
     }
     for (const s of this.summary?.shapes ?? []) {
-      if (!s.drawing || s.moving || this.hidden.has(s.name) || this.placed.names.includes(s.name)) continue;
+      if (!s.drawing || s.moving || s.holder || this.hidden.has(s.name) || this.placed.names.includes(s.name)) continue;
       const box = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
       this.addLabel(s.name, new Vector3((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z), "name");
     }
@@ -300,11 +328,12 @@ export class SpaceStage implements Picture {
   private bounds(): Box3 {
     const box = new Box3();
     for (const s of this.summary?.shapes ?? []) {
-      if (!s.drawing || this.hidden.has(s.name)) continue;
+      if (!s.drawing || this.hidden.has(s.name) || this.placed.names.includes(s.name)) continue;
       const own = new Box3().setFromArray((s.drawing as SpaceDrawing).vertices.flat());
       if (s.moving) own.translate(new Vector3(...(this.at as Corner)));
       box.union(own);
     }
+    for (const group of this.placed.groups) box.union((group.userData["box"] as Box3).clone().translate(group.position));
     return box.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : box;
   }
 
@@ -335,6 +364,7 @@ export class SpaceStage implements Picture {
   private follow(): void {
     const ray = new Raycaster();
     let hold: { axis: number; from: Vector3; at: Place; placed: number; to: Place } | null = null;
+    let clicked: { placed: number; x: number; y: number } | null = null;
     const aim = (e: PointerEvent) => {
       const b = this.canvas.getBoundingClientRect();
       ray.setFromCamera(new Vector2(((e.clientX - b.left) / b.width) * 2 - 1, 1 - ((e.clientY - b.top) / b.height) * 2), this.camera);
@@ -355,6 +385,10 @@ export class SpaceStage implements Picture {
       if (!body) return;
       const groups = this.placed.groups as Object3D[];
       const placed = groups.findIndex((g) => g === body.object.parent || g === body.object.parent?.parent);
+      if (this.turnsAll && placed >= 0 && placed !== this.placed.picked) {
+        clicked = { placed, x: e.clientX, y: e.clientY };
+        return;
+      }
       const from = reach(arrow ? (arrow.object.userData["axis"] as number) : -1, body.point.clone());
       if (!from) return;
       hold = { axis: arrow ? (arrow.object.userData["axis"] as number) : -1, from, at: placed < 0 ? this.at : this.placed.all[placed]!.at, placed, to: [] };
@@ -372,9 +406,12 @@ export class SpaceStage implements Picture {
       hold.to = hold.at.map((x, k) => (free.includes(k) ? moved[k]! : x));
       if (hold.placed < 0) return this.onDrag(hold.to);
       this.placed.groups[hold.placed]!.position.set(...(hold.to as Corner));
+      this.onDragPlaced(hold.placed, hold.to);
       this.draw();
     });
-    const release = () => {
+    const release = (e: PointerEvent) => {
+      if (clicked && e.type === "pointerup" && Math.hypot(e.clientX - clicked.x, e.clientY - clicked.y) < kClickPixels) this.onPickPlaced(clicked.placed);
+      clicked = null;
       if (hold && hold.placed >= 0) {
         if (hold.to.length) this.onMovePlaced(hold.placed, hold.to);
         else this.onPickPlaced(hold.placed);

@@ -89,8 +89,9 @@ const onScreen = (page, x, y) => page.evaluate((x, y) => {
   const p = new DOMPoint(x, -y).matrixTransform(document.getElementById("picture").getScreenCTM());
   return [p.x, p.y];
 }, x, y);
-/// How many pixels of the picture of space have a colour, once it is drawn anew.
-async function pixelsOf(page, colour) {
+/// How many pixels of the picture of space have a colour, once it is drawn anew, and where their middle is.
+async function pixelsOf(page, colour) { return (await pixelsSeen(page, colour)).count; }
+async function pixelsSeen(page, colour) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   const picture = await (await page.$("#space")).screenshot({ encoding: "base64" });
   return page.evaluate(async (data, colour) => {
@@ -98,9 +99,14 @@ async function pixelsOf(page, colour) {
     const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
     context.drawImage(image, 0, 0);
     const wanted = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)), seen = context.getImageData(0, 0, image.width, image.height).data;
-    let count = 0;
-    for (let k = 0; k < seen.length; k += 4) if (wanted.every((c, i) => Math.abs(seen[k + i] - c) <= 1)) ++count;
-    return count;
+    let count = 0, x = 0, y = 0;
+    for (let k = 0; k < seen.length; k += 4) {
+      if (!wanted.every((c, i) => Math.abs(seen[k + i] - c) <= 1)) continue;
+      ++count;
+      x += (k / 4) % image.width;
+      y += Math.floor(k / 4 / image.width);
+    }
+    return { count, x: x / count, y: y / count };
   }, picture, colour);
 }
 const shot = async (page, name) => { if (pictures) await page.screenshot({ path: join(pictures, name + ".png") }); };
@@ -289,6 +295,93 @@ const tests = {
     await page.evaluate(() => document.querySelector('[data-item="3"]').focus());
     await page.keyboard.press("ArrowLeft");
     await until(page, (text) => document.getElementById("pack-facts").textContent !== text, dragged);
+    await close(opened);
+  },
+  async "undo and redo of a packing, and a layout that is dropped"() {
+    const opened = await open(join(here, "../../tests/data/nesting/fu.json")), { page } = opened;
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    const standing = () => page.$$eval("#layer-items .item", (all) => all.map((e) => e.querySelector("title").textContent + e.getAttribute("transform")).sort().join());
+    const becomes = (layout) => until(page, (layout) => [...document.querySelectorAll("#layer-items .item")].map((e) => e.querySelector("title").textContent + e.getAttribute("transform")).sort().join() === layout, layout);
+    const before = await standing();
+    assert.ok(await page.$eval("#undo", (b) => b.disabled));
+    const box = await (await page.$('[data-item="3"]')).boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    // In the way of others: it is red, and the page says of which.
+    await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 10, { steps: 3 });
+    await until(page, () => document.querySelector('[data-item="3"].wrong') && / overlap by /.test(document.getElementById("verdict").textContent));
+    await shot(page, "pack-wrong-light");
+    // Behind the end of the strip it is free.
+    const strip = await (await page.$("#picture rect")).boundingBox();
+    await page.mouse.move(strip.x + strip.width + box.width, strip.y + strip.height / 2, { steps: 3 });
+    await until(page, () => document.getElementById("verdict").textContent === "Free there" && !document.querySelector(".wrong"));
+    const other = await (await page.$('[data-item="6"]')).boundingBox();
+    await page.mouse.move(other.x + other.width / 2, other.y + other.height / 2, { steps: 3 });
+    await page.mouse.up();
+    await until(page, () => !document.getElementById("undo").disabled);
+    const after = await standing();
+    assert.notEqual(after, before);
+    await page.keyboard.down("Control");
+    await page.keyboard.press("z");
+    await page.keyboard.up("Control");
+    await becomes(before);
+    await page.evaluate(() => document.getElementById("redo").click());
+    await becomes(after);
+    await page.evaluate(() => document.getElementById("undo").click());
+    await becomes(before);
+    assert.ok(await page.$eval("#undo", (b) => b.disabled));
+    const layout = {
+      findspace: 1, layout: { instance: "two", length: "4", items: [{ part: "a", copy: 1, angle: 0, mirrored: false, at: ["0", "0"] }, { part: "a", copy: 2, angle: 0, mirrored: false, at: ["2", "0"] }], left_out: [] },
+    };
+    const problem = { name: "two", strip_height: 2, items: [{ id: "a", demand: 2, shape: { type: "simple_polygon", data: [[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]] } }] };
+    const drop = (content) => page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], "dropped.json"));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
+    }, JSON.stringify(content));
+    await drop(problem);
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 2);
+    layout.layout.items.reverse();
+    await drop(layout);
+    await becomes("a 1translate(0 0) rotate(0),a 2translate(2 0) rotate(0)");
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    await close(opened);
+  },
+  async "solids are packed before one's eyes, and a dragged one says what is in its way"() {
+    const opened = await open(example("packing/crate.json")), { page } = opened;
+    await until(page, () => document.querySelectorAll("#placed button").length > 20);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    assert.match(await page.$eval("#pack-facts", (e) => e.textContent), /^Layout \d+: height [\d.]+, density [\d.]+ %, after [\d.]+ s\. No layout is lower than [\d.]+\.$/);
+    await shot(page, "solids-light");
+    const facts = () => page.$eval("#pack-facts", (e) => e.textContent);
+    const before = await facts();
+    await page.evaluate(() => document.querySelector("#placed button").click());
+    await page.focus("#space");
+    await page.keyboard.down("Shift");
+    await page.keyboard.press("PageUp");
+    await page.keyboard.up("Shift");
+    await until(page, () => !document.getElementById("undo").disabled);
+    await shot(page, "solids-moved-light");
+    assert.notEqual(await facts(), before);
+    // Its arrow along z, by the mouse, through the floor.
+    const arrow = await pixelsSeen(page, "#3a6fd0"), canvas = await (await page.$("#space")).boundingBox();
+    assert.ok(arrow.count > 20, "no arrow");
+    await page.mouse.move(canvas.x + arrow.x, canvas.y + arrow.y);
+    await page.mouse.down();
+    await page.mouse.move(canvas.x + arrow.x, canvas.y + arrow.y + 150, { steps: 5 });
+    await until(page, () => / is outside by | overlap, depth /.test(document.getElementById("verdict").textContent));
+    await shot(page, "solids-wrong-light");
+    await page.mouse.up();
+    await until(page, () => /^Stopped|cannot make room/.test(document.getElementById("verdict").textContent));
+    while (!(await page.$eval("#undo", (b) => b.disabled))) {
+      await page.evaluate(() => document.getElementById("undo").click());
+      await page.evaluate(() => new Promise((done) => setTimeout(done, 500)));
+    }
+    const size = (text) => text.match(/height [\d.]+/)[0];
+    await until(page, (size) => document.getElementById("pack-facts").textContent.includes(size), size(before));
     await close(opened);
   },
   async "space: conditions that clash are named, with the least change of each"() {

@@ -20,6 +20,7 @@
 #include "io/nesting/write_solids.h"
 #include "packing/problem/pair_formula.h"
 #include "packing/solid_proof/solid_bound.h"
+#include "packing/solid_search/make_solid_room.h"
 #include "packing/solid_search/proved_search.h"
 #include "space/shape/rotation.h"
 
@@ -329,6 +330,19 @@ PackVerdict SolidPacking::verdict(const SolidPackLayout& layout) const {
   return result;
 }
 
+std::optional<SolidPackLayout> SolidPacking::moved(const SolidPackLayout& layout, std::size_t item,
+                                                   const Point3& at) const {
+  if (item >= layout.items.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
+  SolidLayout placed = layout_of(data_->problem(), layout);
+  const auto made =
+      packing::with_room(data_->problem(), placed, item, {io::fraction(at.x), io::fraction(at.y), io::fraction(at.z)});
+  if (!made) return std::nullopt;
+  SolidPackLayout result = data_->shown(*made);
+  result.lower_bound = layout.lower_bound;
+  return result;
+}
+
 SolidPackLayout SolidPacking::layout(std::string_view json, const std::string& name) const {
   return data_->shown(io::read_solid_layout(std::string(json), name, data_->problem()));
 }
@@ -352,6 +366,13 @@ Surface SolidPacking::surface(const SolidPackLayout& layout) const {
   const SolidProblem& inner = data_->problem();
   io::Surface all = io::united(io::layout_assembly(inner, layout_of(inner, layout)));
   return {std::move(all.vertices), std::move(all.faces)};
+}
+
+Surface SolidPacking::outline(std::size_t part) const {
+  if (part >= data_->problem().parts.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("there is no part {}", part));
+  io::Surface turned = io::part_surface(data_->problem(), part);
+  return {std::move(turned.vertices), std::move(turned.faces)};
 }
 
 std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options,

@@ -225,6 +225,19 @@ std::string layout_json(const packing::SolidProblem& problem, const packing::Sol
       facts.seconds, items, left_out_json(problem.parts, layout.left_out));
 }
 
+Surface part_surface(const packing::SolidProblem& problem, std::size_t part) {
+  const packing::SolidForm& form = problem.parts[part].forms[0];
+  Surface surface = surface_of(problem, form);
+  if (form.rotation == packing::as_given()) return surface;
+  for (auto& vertex : surface.vertices) {
+    std::array<double, 3> back{};
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c) back[c] += form.rotation[r][c].to_double() * vertex[r];
+    vertex = back;
+  }
+  return surface;
+}
+
 Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
   Assembly result;
   const std::vector<DrawnContainer> containers = drawn_containers(problem, layout);

@@ -17,6 +17,8 @@ std::string layout_json(const packing::SolidProblem& problem, const packing::Sol
                         const LayoutFacts& facts);
 /// A surface a part, in units, and its copies where they stand. Balls become inscribed polyhedra.
 Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout);
+/// A part about its origin, not turned, in units. Balls become inscribed polyhedra.
+Surface part_surface(const packing::SolidProblem& problem, std::size_t part);
 /// A view from above, with the container.
 std::string layout_svg(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
                        const LayoutFacts& facts);
