@@ -104,6 +104,7 @@ export class CratePicture implements LayoutPicture {
 
   fit(): void { this.stage.fit(); }
   zoom(by: number): void { this.stage.zoom(by); }
+  shift(right: number, up: number): void { this.stage.shift(right, up); }
   recolour(): void { this.stage.recolour(); }
   svg(): string { return this.stage.svg(); }
   png(): Promise<Blob> { return this.stage.png(); }

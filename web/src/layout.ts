@@ -14,6 +14,8 @@ export interface LayoutPicture {
   showAt(item: number, at: Place, good: boolean): void;
   fit(): void;
   zoom(by: number): void;
+  /// As picture.ts.
+  shift(right: number, up: number): void;
   recolour(): void;
   svg(): string;
   png(): Promise<Blob>;

@@ -205,8 +205,9 @@ async function toNearest(): Promise<void> {
 function measure(on: boolean): void {
   measuring = on ? [] : null;
   get("measure").ariaPressed = String(on);
-  get("between").textContent = on ? "Click the first feature" : "";
+  get("between").textContent = on ? "Click the first feature, or go to it by arrow keys and press Enter" : "";
   stage?.setBetween(null);
+  stage?.moveCross(null);
 }
 
 async function pickFeature(at: Place): Promise<void> {
@@ -222,6 +223,19 @@ async function pickFeature(at: Place): Promise<void> {
 
 const kUps: Record<string, [number, number]> = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
 
+/// Closer, farther, all of it; with Ctrl and arrows the picture of the plane is shifted, that of space turned.
+function viewKey(e: KeyboardEvent, view: Pick<Picture, "zoom" | "fit" | "shift">): boolean {
+  const way = kUps[e.key];
+  if (e.ctrlKey || e.metaKey) {
+    if (!way || way[0] > 1) return false;
+    view.shift(way[0] === 0 ? way[1] : 0, way[0] === 1 ? way[1] : 0);
+    return true;
+  }
+  const keys: Record<string, () => void> = { "+": () => view.zoom(0.8), "-": () => view.zoom(1.25), "0": () => view.fit() };
+  keys[e.key]?.();
+  return e.key in keys;
+}
+
 function onKey(e: KeyboardEvent): void {
   const typing = (e.target as Element).closest("input, textarea, select");
   if ((e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z" && !typing) {
@@ -229,9 +243,20 @@ function onKey(e: KeyboardEvent): void {
     void restore(!e.shiftKey);
     return;
   }
-  if (typing || e.ctrlKey || e.metaKey || alone) return;
+  if (typing) return;
+  if (viewKey(e, picture)) return e.preventDefault();
+  if (e.ctrlKey || e.metaKey) return;
   const step = picture.rounded([(e.shiftKey ? 50 : e.altKey ? 1 : 5) * picture.unit])[0]!;
   const way = kUps[e.key];
+  if (way && way[0] < 2 && measuring && stage) {
+    e.preventDefault();
+    return stage.moveCross([0, 1].map((axis) => (axis === way[0] ? (axis === 1 && summary.y === "down" ? -way[1] : way[1]) * step : 0)));
+  }
+  if (e.key === "Enter" && measuring && stage?.cross) {
+    e.preventDefault();
+    void pickFeature(stage.cross).catch(fault);
+    return;
+  }
   if (way && way[0] < summary.dimension && placing?.chosen) {
     e.preventDefault();
     placing.nudge(way[0], (way[0] === 1 && summary.y === "down" ? -way[1] : way[1]) * step);
@@ -250,7 +275,7 @@ function onKey(e: KeyboardEvent): void {
   };
   const keys: Record<string, () => void> = {
     n: () => void toNearest(), e: () => void explain().catch(fault), m: () => measure(!measuring), r: () => turn(15), R: () => turn(-15),
-    "+": () => picture.zoom(0.8), "-": () => picture.zoom(1.25), "0": () => picture.fit(), Escape: () => measure(false),
+    Escape: () => measure(false),
   };
   keys[e.key]?.();
 }
@@ -358,6 +383,14 @@ function connectAlone(): void {
     verdict(`${good ? "Feasible" : "Not feasible"} at ${placeText(at)}, as drawn`, good);
   };
   picture.onDrag = show;
+  document.addEventListener("keydown", (e) => {
+    if ((e.target as Element).closest("input, textarea, select")) return;
+    const way = kUps[e.key], step = picture.rounded([(e.shiftKey ? 50 : e.altKey ? 1 : 5) * picture.unit])[0]!;
+    if (viewKey(e, picture)) return e.preventDefault();
+    if (!way || way[0] >= summary.dimension || e.ctrlKey || e.metaKey) return;
+    e.preventDefault();
+    show(picture.rounded(picture.at.map((c, k) => (k === way[0] ? c + (k === 1 && summary.y === "down" ? -way[1] : way[1]) * step : c))));
+  });
   for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
     if (typedPlace().every(Number.isFinite)) show(typedPlace());
   };
@@ -434,14 +467,12 @@ async function beginPacking(): Promise<void> {
     return new CratePicture(made, list);
   }, box, verdict, history);
   await page.begin();
-  const moves: Record<string, [string, () => void]> = { "zoom-in": ["+", () => page.view.zoom(0.8)], "zoom-out": ["-", () => page.view.zoom(1.25)], fit: ["0", () => page.view.fit()] };
-  for (const [id, [, act]] of Object.entries(moves)) get(id).onclick = act;
   document.addEventListener("keydown", (e) => {
     if ((e.target as Element).closest("input, textarea, select")) return;
-    if (page.key(e)) return e.preventDefault();
-    Object.values(moves).find(([key]) => key === e.key)?.[1]();
+    if (page.key(e) || viewKey(e, page.view)) e.preventDefault();
   });
   const clicks: Record<string, () => void> = {
+    "zoom-in": () => page.view.zoom(0.8), "zoom-out": () => page.view.zoom(1.25), fit: () => page.view.fit(),
     undo: () => page.step(true), redo: () => page.step(false),
     "save-svg": () => save("findspace.svg", new Blob([page.view.svg()], { type: "image/svg+xml" })),
     "save-png": () => void page.view.png().then((png) => save("findspace.png", png), fault),

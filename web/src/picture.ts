@@ -32,6 +32,8 @@ export interface Picture {
   onPickPlaced: (k: number) => void;
   fit(): void;
   zoom(by: number): void;
+  /// By steps to the right and upwards: the plane is shifted, space is turned.
+  shift(right: number, up: number): void;
   /// To a tenth of a pixel, as a short decimal.
   rounded(at: Place): Place;
   /// Colours have changed.
@@ -39,6 +41,9 @@ export interface Picture {
   svg(): string;
   png(): Promise<Blob>;
 }
+
+/// Of the picture's size, for a key.
+export const kShift = 0.1;
 
 /// The nearest decimals that a picture of `unit` scene units a pixel tells apart.
 export function shortDecimals(at: Place, unit: number): Place {

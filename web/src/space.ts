@@ -20,7 +20,7 @@ import { roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Placed, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
-const kClickPixels = 4;
+const kClickPixels = 4, kTurn = Math.PI / 12;
 const kAxisColours = ["#d0453a", "#2f8f4e", "#3a6fd0"];
 
 /// One of the page's colours by its name, or any other.
@@ -353,6 +353,16 @@ export class SpaceStage implements Picture {
   zoom(by: number): void {
     const target = this.controls.target;
     this.camera.position.sub(target).multiplyScalar(by).add(target);
+    this.controls.update();
+    this.draw();
+  }
+
+  /// About the middle, by a key's part of a turn.
+  shift(right: number, up: number): void {
+    const { target } = this.controls, eye = this.camera.position.sub(target).applyAxisAngle(kAxes[2]!, right * kTurn);
+    const tilt = eye.angleTo(kAxes[2]!) - up * kTurn;
+    if (tilt > 0.01 && tilt < Math.PI - 0.01) eye.applyAxisAngle(kAxes[2]!.clone().cross(eye).normalize(), -up * kTurn);
+    eye.add(target);
     this.controls.update();
     this.draw();
   }

@@ -5,7 +5,7 @@
 // element of its own above the rest, so that a drag draws nothing else anew. Its own coordinates
 // are those of the engine's path data: the scene's, with y down.
 import type { AnyDrawing, Atom, Between, Drawing, Movement, Place, Point, Summary } from "./engine";
-import { along, roundLength, shortDecimals, shown } from "./picture";
+import { along, kShift, roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Placed, Pose } from "./picture";
 import { element, pictureOf, pictureText } from "./svg";
 
@@ -35,6 +35,7 @@ export class Stage implements Picture {
   private moved = new Map<string, SVGElement>();
   private ghost: Place | null = null;
   at: Place = [0, 0];
+  cross: Place | null = null;
   onDrag: (at: Place) => void = () => {};
   onDragged: () => void = () => {};
   onPick: (at: Place) => void = () => {};
@@ -206,6 +207,19 @@ export class Stage implements Picture {
     this.show();
   }
 
+  shift(right: number, up: number): void {
+    this.box.x += kShift * right * this.box.w;
+    this.box.y -= kShift * up * this.box.h;
+    this.show();
+  }
+
+  /// A cross that keys move instead of a pointer, from the middle of the picture; nothing takes it away.
+  moveCross(by: Place | null): void {
+    const [x, y] = this.cross ?? [this.box.x + this.box.w / 2, this.down * (this.box.y + this.box.h / 2)];
+    this.cross = by && this.rounded([x! + by[0]!, y! + by[1]!]);
+    this.drawMarks();
+  }
+
   /// A pointer's place in the picture.
   private under(e: { clientX: number; clientY: number }): Point {
     const p = new DOMPoint(e.clientX, e.clientY).matrixTransform(this.element.getScreenCTM()!.inverse());
@@ -310,6 +324,10 @@ export class Stage implements Picture {
     for (const a of this.atoms) {
       const [p, q] = a.witness.points ?? [];
       if (p && q) dimension(a.true ? "" : " no", p, q, typeof a.value === "number" ? a.value : null);
+    }
+    if (this.cross) {
+      const [x, y] = [this.cross[0]!, this.down * this.cross[1]!], r = 9 * unit;
+      for (const [dx, dy] of [[r, 0], [0, r]] as Point[]) element("line", { class: "dimension between cross", x1: `${x - dx}`, y1: `${y - dy}`, x2: `${x + dx}`, y2: `${y + dy}` }, g);
     }
     if (this.between?.points) dimension(" between", ...this.between.points, this.between.distance);
   }

@@ -5,7 +5,7 @@
 import type { PackedItem, PackingProblem, PackingState, Place, Point } from "./engine";
 import { hueOf, keyedMove, nameOf, numberOf, placeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
-import { roundLength, shortDecimals, shown } from "./picture";
+import { kShift, roundLength, shortDecimals, shown } from "./picture";
 import { element, pictureOf, pictureText } from "./svg";
 
 export class StripPicture implements LayoutPicture {
@@ -65,6 +65,12 @@ export class StripPicture implements LayoutPicture {
     this.look();
   }
 
+  shift(right: number, up: number): void {
+    const [x, y, w, h] = this.view;
+    this.view = [x + kShift * right * w, y - kShift * up * h, w, h];
+    this.look();
+  }
+
   recolour(): void {}
   svg(): string { return pictureText([this.svgElement]); }
   png(): Promise<Blob> { return pictureOf(this.svg(), this.svgElement); }
@@ -86,25 +92,40 @@ export class StripPicture implements LayoutPicture {
 
   private follow(): void {
     const svg = this.svgElement, under = (e: MouseEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
-    let hold: { from: DOMPoint; item: number; at: Place; to: Place | null } | null = null;
+    let hold: { id: number; from: DOMPoint; item: number; at: Place; to: Place | null } | null = null;
+    const down = new Map<number, PointerEvent>();
+    /// What the pointers that are down span: of one its place.
+    const span = (): { size: number; middle: DOMPoint } => {
+      const all = [...down.values()], [a, b] = [all[0]!, all[all.length - 1]!];
+      return { size: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), middle: under(new MouseEvent("", { clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 })) };
+    };
     svg.addEventListener("pointerdown", (e) => {
       const path = (e.target as Element).closest(".item");
-      if (!path) return;
-      const item = Number(path.getAttribute("data-item"));
-      hold = { from: under(e), item, at: placeOf(this.items[item]!), to: null };
-      this.layer.append(path);
       svg.setPointerCapture(e.pointerId);
+      if (hold) return;
+      if (!path || down.size) return void down.set(e.pointerId, e);
+      const item = Number(path.getAttribute("data-item"));
+      hold = { id: e.pointerId, from: under(e), item, at: placeOf(this.items[item]!), to: null };
+      this.layer.append(path);
       this.onGrab(item);
     });
     svg.addEventListener("pointermove", (e) => {
-      if (!hold) return;
+      if (down.has(e.pointerId)) {
+        const old = span();
+        down.set(e.pointerId, e);
+        const { size, middle } = span(), [x, y, w, h] = this.view;
+        this.view = [x - middle.x + old.middle.x, y - middle.y + old.middle.y, w, h];
+        this.zoom(down.size > 1 ? old.size / Math.max(size, 1) : 1, old.middle);
+      }
+      if (hold?.id !== e.pointerId) return;
       const p = under(e), by: Point = [p.x - hold.from.x, -(p.y - hold.from.y)];
       hold.to = shortDecimals(hold.at.map((x, k) => x + by[k]!), this.unit);
       this.layer.querySelector(`[data-item="${hold.item}"]`)?.setAttribute("transform", this.transform(this.items[hold.item]!, hold.to));
       this.onDrag(hold.item, hold.to);
     });
-    const release = () => {
-      if (hold) this.onDrop(hold.item, hold.to ?? hold.at);
+    const release = (e: PointerEvent) => {
+      if (down.delete(e.pointerId) || hold?.id !== e.pointerId) return;
+      this.onDrop(hold.item, hold.to ?? hold.at);
       hold = null;
     };
     svg.addEventListener("pointerup", release);

@@ -224,6 +224,33 @@ const tests = {
     await page.mouse.click(...(await onScreen(page, 40, 5)));
     await until(page, () => document.getElementById("between").textContent === "40 mm from a corner of block to an edge of block");
     await shot(page, "measure-light");
+    // By keys: from the middle of the picture up to the room, and down to the block.
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("m");
+    const press = async (key, times) => { for (let k = 0; k < times; ++k) await page.keyboard.press(key); };
+    await page.keyboard.down("Shift");
+    await press("ArrowLeft", 2);
+    await press("ArrowUp", 6);
+    await page.keyboard.up("Shift");
+    await page.waitForSelector("#layer-marks .cross");
+    await page.keyboard.press("Enter");
+    await until(page, () => document.getElementById("between").textContent === "Click the second feature");
+    await page.keyboard.down("Shift");
+    await press("ArrowDown", 9);
+    await page.keyboard.up("Shift");
+    await page.keyboard.press("Enter");
+    await until(page, () => / mm from .* of room to .* of block$/.test(document.getElementById("between").textContent));
+    await shot(page, "measure-keys-light");
+    await page.keyboard.press("Escape");
+    assert.equal(await page.$("#layer-marks .cross"), null);
+    // The picture is shifted by keys.
+    const view = () => page.$eval("#picture", (e) => e.getAttribute("viewBox").split(" ").map(Number));
+    const seen = await view();
+    await page.keyboard.down("Control");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.up("Control");
+    const shifted = await view();
+    assert.ok(Math.abs(shifted[0] - seen[0] - 0.1 * seen[2]) < 1e-9 && shifted[1] === seen[1]);
     await page.select("#operation", "3");
     await until(page, () => !document.querySelector("#layer-region .face") && document.querySelector("#layer-region .free"));
     await close(opened);
@@ -262,6 +289,13 @@ const tests = {
         await page.keyboard.press("0");
         const before = await page.evaluate(() => ["x", "y", "z"].map((k) => Number(document.getElementById(k).value)));
         await page.focus("#space");
+        const picture = async () => (await page.$("#space")).screenshot({ encoding: "base64" }), seen = await picture();
+        await page.keyboard.down("Control");
+        await page.keyboard.press("ArrowLeft");
+        await page.keyboard.up("Control");
+        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        assert.notEqual(await picture(), seen);
+        await shot(page, "space-turned-light");
         await page.keyboard.press("PageUp");
         await until(page, (z) => Number(document.getElementById("z").value) > z, before[2]);
         await page.evaluate(() => {
@@ -348,6 +382,31 @@ const tests = {
     await becomes("a 1translate(0 0) rotate(0),a 2translate(2 0) rotate(0)");
     await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
     await close(opened);
+  },
+  async "two fingers on a layout, a tap on a solid"() {
+    const opened = await open(join(here, "../../tests/data/nesting/fu.json")), { page } = opened;
+    await page.setViewport({ width: 800, height: 700, hasTouch: true });
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    const session = await page.createCDPSession(), box = await (await page.$("#picture rect")).boundingBox();
+    const touch = (type, apart) => session.send("Input.dispatchTouchEvent", { type, touchPoints: (apart ? [-1, 1] : []).map((side, id) => ({ id, x: box.x + box.width / 2 + side * apart, y: box.y - 10 })) });
+    const width = () => page.$eval("#picture", (e) => Number(e.getAttribute("viewBox").split(" ")[2]));
+    const before = await width();
+    await touch("touchStart", 40);
+    for (const apart of [50, 60, 70, 80]) await touch("touchMove", apart);
+    await touch("touchEnd", 0);
+    await until(page, (w) => Number(document.getElementById("picture").getAttribute("viewBox").split(" ")[2]) < 0.7 * w, before);
+    await close(opened);
+    const solids = await open(example("packing/crate.json"));
+    await solids.page.setViewport({ width: 800, height: 700, hasTouch: true });
+    await until(solids.page, () => document.querySelectorAll("#placed button").length > 20);
+    await solids.page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(solids.page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    const canvas = await (await solids.page.$("#space")).boundingBox();
+    await solids.page.touchscreen.tap(canvas.x + canvas.width / 2, canvas.y + canvas.height / 2);
+    await until(solids.page, () => document.querySelectorAll("#placed button[aria-pressed=true]").length === 1);
+    await shot(solids.page, "solids-tapped-light");
+    await close(solids);
   },
   async "solids are packed before one's eyes, and a dragged one says what is in its way"() {
     const opened = await open(example("packing/crate.json")), { page } = opened;
@@ -492,6 +551,9 @@ const tests = {
     const alone = await openPage("file://" + file);
     assert.match(await verdict(alone), /Feasible at/);
     assert.ok(await alone.$("#layer-region .face"));
+    const before = await at(alone);
+    await alone.keyboard.press("ArrowUp");
+    await until(alone, (y) => Number(document.getElementById("y").value) > y, before[1]);
     assert.deepEqual(alone.faults, []);
     await shot(alone, "alone-light");
     await alone.close();
