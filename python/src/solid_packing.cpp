@@ -353,6 +353,32 @@ Examples
 >>> layout.height, packing.lower_bound, packing.verdict(layout).feasible
 ('2', '2', True)
 )doc")
+      .def(
+          "moved",
+          [](const SolidPacking& p, const SolidPackLayout& layout, std::size_t item, const py::sequence& at) {
+            const Point3 to = point3(at);
+            return Remembering<SolidPackLayout>{interruptible([&] { return p.moved(layout, item, to); }),
+                                                py::cast(p.problem())};
+          },
+          py::arg("layout"), py::arg("item"), py::arg("at"),
+          R"doc(The layout with one of its solids put elsewhere in its container, and the others out of its way.
+
+Parameters
+----------
+layout : SolidPackLayout
+item : int
+    Which of its items, from 0.
+at : (x, y, z)
+    Where its origin goes. Where it is free there, it stands there exactly and nothing else moves.
+
+Returns
+-------
+SolidPackLayout or None
+    Else the item may be moved a little too, and upon a floor the height may grow; None where the others cannot make
+    room.
+)doc")
+      .def("outline", &SolidPacking::outline, py::arg("part"),
+           "A solid, counted as in `problem.parts`, about its origin, not turned: a Surface.")
       .def_static("is_stated_in", &SolidPacking::is_stated_in, py::arg("json"), py::arg("name") = "problem",
                   "Whether JSON is such a problem, not one of the plane. An Error of code 'syntax' where it is none.");
 }

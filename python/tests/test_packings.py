@@ -179,6 +179,9 @@ def test_solids():
     assert packing.search(work=0.1, start=layout).height <= layout.height
     assert packing.layout(layout.json()).json(packing) == packing.layout(layout.json(problem)).json()
     assert layout.text(ending=".obj") == layout.text(packing, ".obj") and layout.surface().vertices.shape == (48, 3)
+    assert packing.outline(0).vertices.shape == (8, 3)
+    moved = packing.moved(layout, 0, (0, 0, 20))
+    assert moved.items[0].at == ("0", "0", "20") and packing.verdict(moved) and moved.problem.name == "bars"
     layout.items[0].at = layout.items[1].at
     layout.items[0].orientation = layout.items[1].orientation
     fault = packing.verdict(layout).faults[0]
