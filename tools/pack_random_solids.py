@@ -6,10 +6,11 @@
 usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
 Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, balls, a
-gap and an edge, another fourth may turn, by right angles or by rational matrices. Every third has containers of given sizes.
+gap and an edge, another fourth may turn, by right angles or by rational matrices. Every third has containers of given sizes,
+and in every fifth some copies stand already.
 Checked: every copy of every part or that it is left out, an allowed rotation, no more containers than there are, inside the
-walls, the height as stated and not below the lower bound, no two interiors meeting, and gaps as wide as asked for. Two convex
-parts are told apart by all axes that can separate them.
+walls, the height as stated and not below the lower bound, no two interiors meeting, gaps as wide as asked for, and that what
+is fixed stands there. Two convex parts are told apart by all axes that can separate them.
 Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
 
 With --kills N searches are killed after random times: each leaves a whole feasible layout in its file, or no file."""
@@ -153,6 +154,25 @@ class Instance:
                 sides = [max(1, int(widest) + rng.randint(-1, 5)) for _ in range(3)]
                 self.containers.append({"id": name, "count": rng.randint(1, 3), "size-x": sides[0], "size-y": sides[1], "size-z": sides[2]})
         self.kinds = Kinds()
+        self.fixed = self.standing(random.Random(number)) if number % 5 == 4 else []
+
+    def standing(self, rng):
+        """(part, pieces, place, container 0) of copies that stand free, in the first container or on the floor."""
+        sides = self.sides_of(self.containers[0]) if self.containers else [Fraction(f) for f in (*self.floor, 12)]
+        placed = []
+        for part, (_, pieces) in enumerate(self.parts):
+            lows = [min(p[k] - radius_of(piece) for piece in pieces for p in piece) for k in range(3)]
+            for _ in range(5):
+                at = tuple(self.edge - lows[k] + Fraction(rng.randint(0, 3 * int(sides[k])), 3) for k in range(3))
+                trial = [*placed, (part, pieces, at, 0)]
+                if not self.is_outside(pieces, at, sides) and not self.fault_of_pairs(trial):
+                    placed = trial
+                    break
+        return placed
+
+    @staticmethod
+    def sides_of(container):
+        return [Fraction(container[f"size-{axis}"]) for axis in "xyz"]
 
     def problem(self):
         more = {"allowed_orientations": self.orientations} if self.turns else {}
@@ -160,6 +180,9 @@ class Instance:
             more["containers"] = self.containers
         else:
             more["container"] = {"size-x": self.floor[0], "size-y": self.floor[1]}
+        if self.fixed:
+            where = {"container": self.containers[0]["id"]} if self.containers else {}
+            more["fixed"] = [{"part": f"part{part}", "at": [str(c) for c in at], **where} for part, _, at, _ in self.fixed]
         return {"name": "random", **more,
                 "item-types": [{"id": f"part{i}", "demand": n, "shape": shape}
                                for i, ((shape, _), n) in enumerate(zip(self.parts, self.demand))]}
@@ -187,7 +210,15 @@ class Instance:
         for i, n in enumerate(self.demand):
             if sum(1 for part, _, _, _ in placed if part == i) + left.get(i, 0) != n:
                 return f"{n} copies of part{i} are wanted"
-        return self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed) or self.fault_of_height(layout, placed)
+        return (self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed) or self.fault_of_height(layout, placed) or
+                self.fault_of_fixed(layout, placed))
+
+    def fault_of_fixed(self, layout, placed):
+        first = layout["container"]["containers"].index(self.containers[0]["id"]) if self.containers and self.fixed else 0
+        for part, pieces, at, _ in self.fixed:
+            if (part, pieces, at, first) not in placed:
+                return f"a fixed part{part} does not stand at {at}"
+        return None
 
     def rooms(self, layout):
         """Of the containers in use, or of the one below the height; None where too many of a kind are used."""
@@ -197,7 +228,7 @@ class Instance:
         names = layout["container"]["containers"]
         if any(names.count(c["id"]) > c["count"] for c in self.containers):
             return None
-        known = {c["id"]: [Fraction(c[f"size-{axis}"]) for axis in "xyz"] for c in self.containers}
+        known = {c["id"]: self.sides_of(c) for c in self.containers}
         rooms = [list(known[name]) for name in names]
         if rooms:
             rooms[-1][2] = min(rooms[-1][2], height)
@@ -208,13 +239,18 @@ class Instance:
         if rooms is None:
             return "there are too many containers of a kind"
         for part, pieces, at, room in placed:
-            for points in pieces:
-                r = radius_of(points)
-                for p, k in itertools.product(points, range(3)):
-                    c = p[k] + at[k]
-                    if c - r < self.edge or c + r + self.edge > rooms[room][k]:
-                        return f"part{part} is outside"
+            if self.is_outside(pieces, at, rooms[room]):
+                return f"part{part} is outside"
         return None
+
+    def is_outside(self, pieces, at, sides):
+        for points in pieces:
+            r = radius_of(points)
+            for p, k in itertools.product(points, range(3)):
+                c = p[k] + at[k]
+                if c - r < self.edge or c + r + self.edge > sides[k]:
+                    return True
+        return False
 
     def fault_of_height(self, layout, placed):
         last = len(self.rooms(layout)) - 1

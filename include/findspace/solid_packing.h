@@ -68,6 +68,20 @@ struct PackContainer {
   std::optional<Number> cost = {};
 };
 
+/// A copy that stands already, and counts as one of its part.
+struct FixedSolid {
+  /// Its kind.
+  std::string part;
+  /// Its point q goes to at + orientation q, exactly.
+  Point3 at = {0, 0, 0};
+  /// One of those allowed.
+  Orientation orientation = {};
+  /// The kind of container; without containers nothing.
+  std::string container = {};
+  /// Which of that kind, from 1 on.
+  int number = 1;
+};
+
 /// What is to be packed: into the containers, or upon a floor where there are none.
 struct SolidPackProblem {
   /// How files call it.
@@ -90,6 +104,8 @@ struct SolidPackProblem {
   std::vector<PackCondition> conditions = {};
   /// Solids that stay together: in one container, and at most so far apart. On a floor the distance must be given.
   std::vector<PackGroup> groups = {};
+  /// Solids that stand already. A container with one is always used.
+  std::vector<FixedSolid> fixed = {};
 };
 
 /// A copy of a solid: its point q goes to at + orientation q.
@@ -130,7 +146,7 @@ struct SolidPackLayout {
 
 /// A packing problem of solids that is put on its grid once, for many questions. Immutable, cheap to copy; asking from
 /// many threads is safe. Error where a shape is none that is packed, stands on the floor in no orientation, has too
-/// many digits, or a name is unknown.
+/// many digits, a name is unknown, or fixed solids overlap or lie outside.
 class SolidPacking {
  public:
   /// Of values.
@@ -156,7 +172,7 @@ class SolidPacking {
   PackVerdict verdict(const SolidPackLayout& layout) const;
   /// The layout with one of its solids put there in its container, and the others out of its way. Where it is free
   /// there, it stands there exactly and nothing else moves; else it may be moved a little too, and upon a floor the
-  /// height may grow. Nothing where the others cannot make room.
+  /// height may grow. Nothing where the others cannot make room, or it is fixed.
   std::optional<SolidPackLayout> moved(const SolidPackLayout& layout, std::size_t item, const Point3& at) const;
 
   /// A layout of this problem from JSON. Error(kSyntax) with line and column.

@@ -38,6 +38,8 @@ py::tuple rows_of(const Orientation& o) {
   return py::tuple(rows);
 }
 
+py::tuple shown_point(const Point3& p) { return py::make_tuple(p.x.text(), p.y.text(), p.z.text()); }
+
 /// "right-angles", "upright", or a list of Orientation.
 std::vector<Orientation> orientations_of(const py::object& allowed) {
   const char* const meant = "orientations are 'right-angles', 'upright' or a list of Orientation";
@@ -80,7 +82,7 @@ SolidPackProblem problem_of(std::vector<PackSolid> parts, const py::object& floo
                             std::vector<PackContainer> containers, const py::object& gap, const py::object& edge,
                             std::string name, const std::vector<NamedGap>& gaps,
                             const std::vector<NamedCondition>& conditions, const std::optional<Formula>& where,
-                            std::vector<PackGroup> groups) {
+                            std::vector<PackGroup> groups, std::vector<FixedSolid> fixed) {
   SolidPackProblem problem;
   problem.name = std::move(name);
   if (!floor.is_none()) {
@@ -93,19 +95,20 @@ SolidPackProblem problem_of(std::vector<PackSolid> parts, const py::object& floo
   problem.gap = number(gap);
   problem.edge = number(edge);
   set_conditions(problem, gaps, conditions, where, std::move(groups));
+  problem.fixed = std::move(fixed);
   return problem;
 }
 
 py::tuple packed_problem(const SolidPackProblem& p) {
   return py::make_tuple(p.parts, py::make_tuple(p.width.text(), p.depth.text()), p.containers, packed(p.gap),
-                        packed(p.edge), p.name, named(p.gaps), named(p.conditions), where_of(p), p.groups);
+                        packed(p.edge), p.name, named(p.gaps), named(p.conditions), where_of(p), p.groups, p.fixed);
 }
 
 SolidPackProblem unpacked_problem(const py::tuple& t) {
   return problem_of(t[0].cast<std::vector<PackSolid>>(), t[1], t[2].cast<std::vector<PackContainer>>(), t[3], t[4],
                     t[5].cast<std::string>(), t[6].cast<std::vector<NamedGap>>(),
                     t[7].cast<std::vector<NamedCondition>>(), t[8].cast<std::optional<Formula>>(),
-                    t[9].cast<std::vector<PackGroup>>());
+                    t[9].cast<std::vector<PackGroup>>(), t[10].cast<std::vector<FixedSolid>>());
 }
 
 void bind_orientation(py::module_& m) {
@@ -190,6 +193,28 @@ value : number, optional
           "Along x, y and z, exactly, as text.")
       .def_readonly("count", &PackContainer::count, "How many there are.")
       .def_property_readonly("cost", showing(&PackContainer::cost), "Of one, as text, or None.");
+  py::class_<FixedSolid>(m, "FixedSolid", "A copy that stands already; it counts as one of its kind's.")
+      .def(py::init([](std::string part, const py::sequence& at, const std::optional<Orientation>& orientation,
+                       std::string container, int which) {
+             return FixedSolid{std::move(part), point3(at), orientation.value_or(Orientation{}), std::move(container),
+                               which};
+           }),
+           py::arg("part"), py::arg("at"), py::arg("orientation") = py::none(), py::arg("container") = "",
+           py::arg("number") = 1)
+      .def(py::pickle(
+          [](const FixedSolid& f) {
+            return py::make_tuple(f.part, shown_point(f.at), f.orientation, f.container, f.number);
+          },
+          [](const py::tuple& t) {
+            return FixedSolid{t[0].cast<std::string>(), point3(t[1]), t[2].cast<Orientation>(),
+                              t[3].cast<std::string>(), t[4].cast<int>()};
+          }))
+      .def_readonly("part", &FixedSolid::part, "The name of its kind.")
+      .def_property_readonly(
+          "at", [](const FixedSolid& f) { return shown_point(f.at); }, "Where its origin is, exactly, as text.")
+      .def_readonly("orientation", &FixedSolid::orientation, "How it stands.")
+      .def_readonly("container", &FixedSolid::container, "The kind of container that it stands in, or ''.")
+      .def_readonly("number", &FixedSolid::number, "Which of that kind, from 1.");
   py::class_<SolidPackProblem> problem(m, "SolidPackProblem",
                                        R"doc(Solids to be packed upon a floor, or into containers.
 
@@ -212,6 +237,8 @@ where : Formula or str, optional
     What holds for any two copies.
 groups : list of PackGroup
     Solids that stay together.
+fixed : list of FixedSolid
+    Copies that stand already; the others are placed round them.
 
 Examples
 --------
@@ -226,13 +253,14 @@ Examples
       .def(py::init(&problem_of), py::arg("parts"), py::arg("floor") = py::none(),
            py::arg("containers") = std::vector<PackContainer>(), py::arg("gap") = 0, py::arg("edge") = 0,
            py::arg("name") = "", py::arg("gaps") = py::list(), py::arg("conditions") = py::list(),
-           py::arg("where") = py::none(), py::arg("groups") = py::list())
+           py::arg("where") = py::none(), py::arg("groups") = py::list(), py::arg("fixed") = std::vector<FixedSolid>())
       .def(py::pickle(&packed_problem, &unpacked_problem))
       .def_static(
           "json", [](const std::string& text, const std::string& folder) { return solid_pack_problem(text, folder); },
           py::arg("text"), py::arg("folder") = "", "A problem as nesting JSON; files are looked for in the folder.")
       .def_readonly("parts", &SolidPackProblem::parts, "The kinds of solids.")
       .def_readonly("containers", &SolidPackProblem::containers, "The kinds of containers; none upon a floor.")
+      .def_readonly("fixed", &SolidPackProblem::fixed, "What stands already.")
       .def_property_readonly(
           "floor", [](const SolidPackProblem& p) { return py::make_tuple(p.width.text(), p.depth.text()); },
           "Its size, exactly, as text.");
@@ -243,8 +271,7 @@ void bind_item(py::module_& m) {
   py::class_<PlacedSolid>(m, "PlacedSolid", "A copy of a solid: q goes to at + orientation q.")
       .def(py::pickle(
           [](const PlacedSolid& p) {
-            return py::make_tuple(p.part, p.copy, p.container, p.orientation,
-                                  py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()));
+            return py::make_tuple(p.part, p.copy, p.container, p.orientation, shown_point(p.at));
           },
           [](const py::tuple& t) {
             return PlacedSolid{t[0].cast<std::string>(), t[1].cast<int>(), t[2].cast<std::size_t>(),
@@ -256,7 +283,7 @@ void bind_item(py::module_& m) {
       .def_readwrite("orientation", &PlacedSolid::orientation, "How it stands.")
       .def_property_readonly("matrix", &matrix_of, "Where it stands, shape (4, 4), in doubles.")
       .def_property(
-          "at", [](const PlacedSolid& p) { return py::make_tuple(p.at.x.text(), p.at.y.text(), p.at.z.text()); },
+          "at", [](const PlacedSolid& p) { return shown_point(p.at); },
           [](PlacedSolid& p, const py::sequence& at) { p.at = point3(at); }, "Exact coordinates as text.");
 }
 

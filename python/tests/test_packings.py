@@ -280,3 +280,25 @@ def test_reading_is_limited():
     kept = again(read).reading
     assert (kept.root, kept.files, kept.work_limit, kept.drawings.curves) == ("/tmp", False, 10**6, "inside")
     assert kept.input_limit == fs.ReadOptions().input_limit and again(read).text == scene and read.folder == "."
+
+
+def test_solids_stand_round_what_is_fixed():
+    cube = fs.PackSolid("cube", fs.Shape.box((0, 0, 0), (1, 1, 1)), count=3, orientations="upright")
+    post = fs.FixedSolid("cube", (1, "0", 0))
+    problem = fs.SolidPackProblem([cube], floor=(3, 1), fixed=[post])
+    for told in (problem, again(problem), fs.SolidPacking(problem).problem, again(fs.SolidPacking(problem)).problem):
+        fixed = told.fixed[0]
+        assert (fixed.part, fixed.at, fixed.container, fixed.number) == ("cube", ("1", "0", "0"), "", 1)
+        assert fixed.orientation.rows == fs.Orientation([[1, 0, 0], [0, 1, 0], [0, 0, 1]]).rows
+    layout = fs.pack(problem, work=2)
+    assert layout.height == "1" and sorted(item.at for item in layout.items) == [(x, "0", "0") for x in "012"]
+    next(item for item in layout.items if item.at[0] == "1").at = ("1", "0", "5")
+    assert "a fixed cube does not stand at (1, 0, 0)" in layout.faults(problem)
+    turned = fs.FixedSolid("cube", (1, 1, 0), fs.Orientation.about("z", 180), container="crate", number=2)
+    crates = [fs.PackContainer("crate", (2, 2, 1), count=2)]
+    with pytest.raises(fs.Error, match="without a gap"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], containers=crates, fixed=[turned]))
+    with pytest.raises(fs.Error, match="only a floor"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], floor=(3, 1), fixed=[turned]))
+    with pytest.raises(fs.Error, match="overlap"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], floor=(3, 1), fixed=[post, post]))

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "findspace/error.h"
 #include "findspace/solid_packing.h"
 
@@ -139,6 +141,48 @@ TEST(PublicSolidPacking, ConditionsAndGroups) {
   problem.gaps.clear();
   problem.where = "gap(self) >= 1";
   EXPECT_THROW(layout_faults(problem, *layout), Error);
+}
+
+TEST(PublicSolidPacking, FixedSolidsStand) {
+  SolidPackProblem problem = bricks();
+  problem.fixed = {{"brick", {1, 0, 0}}, {"brick", {1, 0, 1}, Orientation::about(Shape::Axis::kX, 180)}};
+  EXPECT_THROW(SolidPacking{problem}, Error);  // turned, it reaches below y = 0
+  problem.fixed[1].at = {1, 1, 2};
+  const SolidPacking packing(problem);
+  const auto layout = packing.search({.work = 8});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(packing.verdict(*layout).faults.empty());
+  SolidPackLayout moved = *layout;
+  for (PlacedSolid& item : moved.items)
+    if (item.at.x.text() == "1" && item.at.y.text() == "0" && item.at.z.text() == "0") item.at.z = "-1";
+  const PackVerdict verdict = packing.verdict(moved);
+  const auto is_fixed = [](const PackFault& fault) { return fault.kind == PackFault::Kind::kFixed; };
+  const auto fault = std::find_if(verdict.faults.begin(), verdict.faults.end(), is_fixed);
+  ASSERT_NE(fault, verdict.faults.end());
+  EXPECT_EQ(fault->text, "a fixed brick does not stand at (1, 0, 0)");
+  EXPECT_EQ(fault->of, std::vector<std::string>{"brick"});
+}
+
+TEST(PublicSolidPacking, FixedSolidsInContainersAreRead) {
+  const SolidPackProblem problem = SolidPacking::json(R"({"containers": [{"id": "crate", "count": 2, "size-x": 4,
+      "size-y": 4, "size-z": 4}], "fixed": [{"part": "b", "at": ["1/3", 0, 0], "container": "crate"}],
+      "item-types": [{"id": "b", "demand": 2, "shape": {"box": {"min": [0,0,0], "max": [1,2,3]}}}]})")
+                                       .problem();
+  ASSERT_EQ(problem.fixed.size(), 1u);
+  EXPECT_EQ(problem.fixed[0].at.x.text(), "1/3");
+  EXPECT_EQ(problem.fixed[0].container, "crate");
+  EXPECT_EQ(problem.fixed[0].number, 1);
+  const auto refused = [&](const FixedSolid& fixed) {
+    SolidPackProblem wrong = problem;
+    wrong.fixed = {fixed};
+    EXPECT_THROW(SolidPacking{wrong}, Error);
+  };
+  refused({"c", {0, 0, 0}, {}, "crate"});
+  refused({"b", {0, 0, 0}, {}, "box"});
+  refused({"b", {0, 0, 0}, {}, "crate", 3});
+  refused({"b", {0, 0, 0}, {}, "crate", 2});
+  refused({"b", {0, 0, 2}, {}, "crate"});
+  refused({"b", {0, 0, 0}, Orientation::about(Shape::Axis::kX, 180), "crate"});
 }
 
 TEST(PublicSolidPacking, OrientationsAreExact) {

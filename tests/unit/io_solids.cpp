@@ -79,6 +79,41 @@ TEST(ReadSolids, SaysWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(ReadSolids, FixedSolids) {
+  const auto with = [](const std::string& fixed, const std::string& floor) {
+    return R"({"fixed": [)" + fixed + "], " + floor +
+           R"(, "item-types": [{"id": "b", "demand": 2, "shape": {"box": {"min": [0,0,0], "max": [1,2,3]}}}]})";
+  };
+  const std::string floor = R"("container": {"size-x": 4, "size-y": 4})";
+  const std::string crates = R"("containers": [{"id": "crate", "count": 2, "size-x": 4, "size-y": 4, "size-z": 4}])";
+  const packing::SolidProblem upon = read(with(R"({"part": "b", "at": ["1/3", 0, 5]})", floor)).problem;
+  ASSERT_EQ(upon.fixed.size(), 1U);
+  EXPECT_EQ(upon.fixed[0].placed.at, (std::array<packing::Fraction, 3>{packing::Fraction(1, 3), 0, 5}));
+  EXPECT_EQ(upon.free_copies(0), 1);
+  const packing::SolidProblem within = read(with(R"({"part": "b", "at": [0, 0, 0], "container": "crate"},
+                   {"part": "b", "at": [3, 2, 1], "container": "crate", "number": 2})",
+                                                 crates))
+                                           .problem;
+  EXPECT_EQ(within.fixed[1].placed.container, 1U);
+  const auto says = [&](const std::string& fixed, const std::string& where, const char* words) {
+    EXPECT_NE(message_of(with(fixed, where)).find(words), std::string::npos) << message_of(with(fixed, where));
+  };
+  says(R"({"part": "c", "at": [0, 0, 0]})", floor, "'c'");
+  says(R"({"part": "b", "at": [0, 0]})", floor, "a list of three numbers");
+  says(R"({"part": "b"})", floor, "'at' is missing");
+  says(R"({"part": "b", "at": [0, 0, 0], "rotation": [[0,-1,0],[1,0,0],[0,0,1]]})", floor, "not allowed");
+  says(R"({"part": "b", "at": [0, 0, 0], "container": "crate"})", floor, "there is only a floor");
+  says(R"({"part": "b", "at": [0, 0, 0]})", crates, "'container' is missing");
+  says(R"({"part": "b", "at": [0, 0, 0], "container": "crate", "number": 3})", crates, "no container crate number 3");
+  says(R"({"part": "b", "at": [0, 0, 0], "container": "crate", "number": 2})", crates, "without a gap");
+  says(R"({"part": "b", "at": [3.5, 0, 0]})", floor, "fixed: b#1 is outside by 0.5");
+  says(R"({"part": "b", "at": [0, 0, 2], "container": "crate"})", crates, "is outside by 1");
+  says(R"({"part": "b", "at": [0, 0, 0]}, {"part": "b", "at": [0.5, 0, 1]})", floor, "fixed: b#1 and b#2 overlap");
+  says(R"({"part": "b", "at": [0, 0, 0]}, {"part": "b", "at": [1, 0, 0]}, {"part": "b", "at": [2, 0, 0]})", floor,
+       "more copies of 'b' are fixed than its demand");
+  says(R"({"part": "b", "at": [0, 0, 0], "angle": 90})", floor, "unknown key 'angle'");
+}
+
 TEST(ReadSolids, Orientations) {
   const auto with = [](const std::string& allowed) {
     return R"({"container": {"size-x": 9, "size-y": 9}, "item-types": [{"id": "b", "demand": 1, "allowed_orientations": )" +

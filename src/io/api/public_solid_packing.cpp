@@ -94,6 +94,47 @@ packing::SolidContainer container_of(const PackContainer& container, bool costs)
   return result;
 }
 
+std::array<Fraction, 3> exact_place(const Point3& at) {
+  return {io::fraction(at.x), io::fraction(at.y), io::fraction(at.z)};
+}
+
+/// A copy of a part in a form of it.
+packing::SolidPlaced standing(const SolidProblem& problem, const std::string& part, const Orientation& orientation,
+                              const Point3& at) {
+  packing::SolidPlaced result;
+  result.part = io::index_of(part, problem.parts, "part");
+  result.at = exact_place(at);
+  const SolidRotation rotation = rotation_of(orientation);
+  const std::vector<packing::SolidForm>& forms = problem.parts[result.part].forms;
+  const auto same = [&](const packing::SolidForm& form) { return form.rotation == rotation; };
+  result.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
+  if (result.form == forms.size())
+    throw Error(ErrorCode::kBadValue, "'" + part + "' stands in an orientation that is not allowed");
+  return result;
+}
+
+packing::SolidPlaced placed_of(const SolidProblem& problem, const PlacedSolid& item) {
+  packing::SolidPlaced result = standing(problem, item.part, item.orientation, item.at);
+  result.copy = item.copy;
+  result.container = item.container;
+  return result;
+}
+
+packing::FixedSolid fixed_of(const SolidProblem& problem, const FixedSolid& fixed) {
+  packing::FixedSolid result{standing(problem, fixed.part, fixed.orientation, fixed.at)};
+  if (!problem.in_containers()) {
+    if (!fixed.container.empty() || fixed.number != 1)
+      throw Error(ErrorCode::kBadValue, "a container is said, but there is only a floor",
+                  "fixed solid '" + fixed.part + "'");
+    return result;
+  }
+  result.kind = io::index_of(fixed.container, problem.containers, "container");
+  if (fixed.number < 1 || fixed.number > problem.containers[result.kind].count)
+    throw Error(ErrorCode::kBadValue, fmt::format("there is no container {} number {}", fixed.container, fixed.number));
+  result.placed.container = std::size_t(fixed.number - 1);
+  return result;
+}
+
 SolidProblem on_grid(const SolidPackProblem& problem) {
   SolidProblem result;
   result.name = problem.name;
@@ -114,6 +155,8 @@ SolidProblem on_grid(const SolidPackProblem& problem) {
   result.conditions = io::conditions_of(stated, result.parts.size(), io::farthest_gap(result), "pack");
   for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where, 3);
   packing::check(result, "pack");
+  for (const FixedSolid& fixed : problem.fixed) result.fixed.push_back(fixed_of(result, fixed));
+  io::check_fixed(result, "pack");
   return result;
 }
 
@@ -131,21 +174,6 @@ SolidPackLayout public_layout(const SolidProblem& problem, const SolidLayout& la
   for (const std::size_t kind : layout.containers) result.containers.push_back(problem.containers[kind].name);
   const double room = packing::container_volume(problem, layout);
   result.density = room > 0 ? packing::volume(problem, layout) / room : 0;
-  return result;
-}
-
-packing::SolidPlaced placed_of(const SolidProblem& problem, const PlacedSolid& item) {
-  packing::SolidPlaced result;
-  result.part = io::index_of(item.part, problem.parts, "part");
-  result.copy = item.copy;
-  result.container = item.container;
-  result.at = {io::fraction(item.at.x), io::fraction(item.at.y), io::fraction(item.at.z)};
-  const SolidRotation rotation = rotation_of(item.orientation);
-  const std::vector<packing::SolidForm>& forms = problem.parts[result.part].forms;
-  const auto same = [&](const packing::SolidForm& form) { return form.rotation == rotation; };
-  result.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
-  if (result.form == forms.size())
-    throw Error(ErrorCode::kBadValue, "'" + item.part + "' stands in an orientation that is not allowed");
   return result;
 }
 
@@ -177,6 +205,8 @@ PackFault::Kind kind_of(packing::SolidFault::Kind kind) {
       return To::kCount;
     case From::kContainers:
       return To::kContainers;
+    case From::kFixed:
+      return To::kFixed;
     case From::kCondition:
       break;
   }
@@ -190,7 +220,8 @@ PackFault public_fault(const SolidProblem& problem, const SolidLayout& layout, c
                    fault.depth,
                    {fault.at[0], fault.at[1], fault.at[2]},
                    io::fault_text(problem, layout, fault)};
-  result.of.push_back(fault.kind == Kind::kCount        ? problem.parts[fault.first].name
+  const bool of_part = fault.kind == Kind::kCount || fault.kind == Kind::kFixed;
+  result.of.push_back(of_part                           ? problem.parts[fault.first].name
                       : fault.kind == Kind::kContainers ? problem.containers[fault.first].name
                                                         : io::item_name(problem, layout, fault.first));
   if (fault.kind <= Kind::kGap || fault.kind == Kind::kCondition)
@@ -217,6 +248,12 @@ SolidPackProblem public_problem(const io::SolidProblemRead& read) {
     for (const packing::SolidForm& form : part.forms) out.orientations.push_back(shown(form.rotation));
   }
   io::show_stated(read.stated, io::names_of(inner.parts), result);
+  for (const packing::FixedSolid& f : inner.fixed)
+    result.fixed.push_back({inner.parts[f.placed.part].name,
+                            {f.placed.at[0].text(), f.placed.at[1].text(), f.placed.at[2].text()},
+                            shown(packing::form_of(inner, f.placed).rotation),
+                            inner.in_containers() ? inner.containers[f.kind].name : "",
+                            int(f.placed.container) + 1});
   return result;
 }
 

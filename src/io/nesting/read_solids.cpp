@@ -19,6 +19,7 @@
 #include "io/mesh/read_mesh.h"
 #include "io/nesting/nesting_json.h"
 #include "io/nesting/stated_conditions.h"
+#include "io/nesting/write_solids.h"
 #include "io/scene/scene_rotation.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
@@ -34,13 +35,16 @@ constexpr int kMostDigits = 9;
 constexpr int kCadDigits = 6;  // as scenes have it: curved faces have no coordinates of their own
 
 using Key = std::string_view;
-constexpr std::array<Key, 11> kKeys{"name", "container", "containers", "item-types", "shapes", "allowed_orientations",
-                                    "gaps", "pairs",     "where",      "groups",     "comment"};  // of data sets
+constexpr std::array<Key, 12> kKeys{
+    "name", "container", "containers", "item-types", "shapes", "allowed_orientations",
+    "gaps", "pairs",     "where",      "groups",     "fixed",  "comment"};  // of data sets
 constexpr std::array<Key, 6> kItemKeys{"id", "demand", "path", "shape", "allowed_orientations", "value"};
 constexpr std::array<Key, 2> kFloorKeys{"size-x", "size-y"};
 constexpr std::array<Key, 6> kContainerKeys{"id", "count", "cost", "size-x", "size-y", "size-z"};
-constexpr std::array<std::pair<Key, std::span<const Key>>, 5> kKeysOfLists{{{"item-types", kItemKeys},
+constexpr std::array<Key, 6> kFixedSolidKeys{"part", "copy", "at", "rotation", "container", "number"};
+constexpr std::array<std::pair<Key, std::span<const Key>>, 6> kKeysOfLists{{{"item-types", kItemKeys},
                                                                             {"containers", kContainerKeys},
+                                                                            {"fixed", kFixedSolidKeys},
                                                                             {"gaps", kGapKeys},
                                                                             {"pairs", kPairKeys},
                                                                             {"groups", kGroupKeys}}};
@@ -92,6 +96,10 @@ class SolidReader : private NestingJson {
         conditions_of(result.stated, result.problem.parts.size(), farthest_gap(result.problem), name());
     result.shapes = std::move(shapes_);
     packing::check(result.problem, name());
+    if (const JsonValue* fixed = tree().find("fixed"))
+      for (const JsonValue& item : list(*fixed).items)
+        result.problem.fixed.push_back(fixed_solid(item, result.problem));
+    check_fixed(result.problem, name());
     return result;
   }
 
@@ -100,19 +108,7 @@ class SolidReader : private NestingJson {
     packing::SolidLayout result;
     result.height = number(need(body, "height"));
     for (const JsonValue& item : list(need(body, "items")).items) {
-      packing::SolidPlaced& placed = result.items.emplace_back();
-      placed.part = index_of(need(item, "part"), problem.parts, "part");
-      if (const JsonValue* copy = item.find("copy")) placed.copy = whole(*copy);
-      const packing::SolidRotation stands =
-          item.find("rotation") != nullptr ? rotation(*item.find("rotation")) : packing::as_given();
-      const std::vector<packing::SolidForm>& forms = problem.parts[placed.part].forms;
-      const auto same = [&](const packing::SolidForm& form) { return form.rotation == stands; };
-      placed.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
-      if (placed.form == forms.size())
-        fail(item, fmt::format("'{}' stands in an orientation that is not allowed", problem.parts[placed.part].name));
-      const JsonValue& at = list(need(item, "at"));
-      if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
-      for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
+      packing::SolidPlaced& placed = result.items.emplace_back(placed_solid(item, problem));
       if (const JsonValue* container = item.find("container")) placed.container = std::size_t(whole(*container));
     }
     if (problem.in_containers())
@@ -123,6 +119,42 @@ class SolidReader : private NestingJson {
   }
 
  private:
+  /// Without its container.
+  packing::SolidPlaced placed_solid(const JsonValue& item, const packing::SolidProblem& problem) const {
+    packing::SolidPlaced placed;
+    placed.part = index_of(need(item, "part"), problem.parts, "part");
+    if (const JsonValue* copy = item.find("copy")) placed.copy = whole(*copy);
+    const packing::SolidRotation stands =
+        item.find("rotation") != nullptr ? rotation(*item.find("rotation")) : packing::as_given();
+    const std::vector<packing::SolidForm>& forms = problem.parts[placed.part].forms;
+    const auto same = [&](const packing::SolidForm& form) { return form.rotation == stands; };
+    placed.form = std::size_t(std::find_if(forms.begin(), forms.end(), same) - forms.begin());
+    if (placed.form == forms.size())
+      fail(item, fmt::format("'{}' stands in an orientation that is not allowed", problem.parts[placed.part].name));
+    const JsonValue& at = list(need(item, "at"));
+    if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
+    for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
+    return placed;
+  }
+
+  /// "container" names a kind, "number" counts its containers from 1.
+  packing::FixedSolid fixed_solid(const JsonValue& value, const packing::SolidProblem& problem) const {
+    packing::FixedSolid result{placed_solid(value, problem), 0};
+    if (!problem.in_containers()) {
+      for (const char* key : {"container", "number"})
+        if (const JsonValue* said = value.find(key)) fail(*said, "a container is said, but there is only a floor");
+      return result;
+    }
+    result.kind = index_of(need(value, "container"), problem.containers, "container");
+    const packing::SolidContainer& kind = problem.containers[result.kind];
+    const JsonValue* counted = value.find("number");
+    const int count = counted != nullptr ? whole(*counted) : 1;
+    if (count < 1 || count > kind.count)
+      fail(value, fmt::format("there is no container {} number {}", kind.name, count));
+    result.placed.container = std::size_t(count - 1);
+    return result;
+  }
+
   /// Of all objects but shapes, which have their own reader.
   void check_keys(ReadContext& context) const {
     if (const JsonValue* unit = tree().find("unit"))
@@ -370,6 +402,24 @@ std::optional<Fraction> farthest_gap(const packing::SolidProblem& problem) {
   for (const packing::SolidContainer& c : problem.containers)
     result = std::max(result.value_or(0), c.width + c.depth + c.height);
   return result;
+}
+
+void check_fixed(const packing::SolidProblem& problem, const std::string& place) {
+  if (problem.fixed.empty()) return;
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    if (problem.free_copies(part) < 0)
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("more copies of '{}' are fixed than its demand", problem.parts[part].name), place);
+  const packing::SolidLayout layout = layout_of_fixed(problem);
+  for (std::size_t k = 0; k < layout.containers.size(); ++k)
+    if (std::none_of(layout.items.begin(), layout.items.end(), [&](const auto& item) { return item.container == k; }))
+      throw Error(ErrorCode::kBadValue,
+                  fmt::format("containers '{}' with fixed solids are numbered from 1 on, without a gap",
+                              problem.containers[layout.containers[k]].name),
+                  place);
+  const packing::SolidVerdict verdict = packing::verify(problem, layout);
+  if (!verdict.is_feasible())
+    throw Error(ErrorCode::kGeometry, "fixed: " + fault_text(problem, layout, verdict.faults[0]), place);
 }
 
 bool is_solid_problem(const std::string& text, const std::string& name) {

@@ -30,6 +30,9 @@ struct SolidProblemRead {
 /// In a container none is larger than its sides together; nothing where the height is sought.
 std::optional<packing::Fraction> farthest_gap(const packing::SolidProblem& problem);
 
+/// Throws Error where more copies are fixed than are wanted, or fixed solids overlap or lie outside.
+void check_fixed(const packing::SolidProblem& problem, const std::string& place);
+
 /// Of the text of the file `name`; paths begin at its folder. Throws Error.
 SolidProblemRead read_solids(const std::string& text, const std::string& name, const NestingOptions& asked,
                              const ReadOptions& options);

@@ -288,7 +288,10 @@ std::string fault_text(const packing::SolidProblem& problem, const packing::Soli
                        problem.parts[fault.first].name);
   if (fault.kind == Kind::kContainers)
     return fmt::format("container {}: {} too many", problem.containers[fault.first].name, fault.depth);
-  const std::string where = fmt::format(" near ({:.6g}, {:.6g}, {:.6g})", fault.at[0], fault.at[1], fault.at[2]);
+  const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g})", fault.at[0], fault.at[1], fault.at[2]);
+  if (fault.kind == Kind::kFixed)
+    return fmt::format("a fixed {} does not stand at {}", problem.parts[fault.first].name, place);
+  const std::string where = " near " + place;
   const std::string first = item_name(problem, layout, fault.first);
   if (fault.kind == Kind::kOutside) return fmt::format("{} is outside by {:.6g}", first, fault.depth) + where;
   const std::string second = item_name(problem, layout, fault.second);

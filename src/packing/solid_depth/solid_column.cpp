@@ -4,6 +4,7 @@
 
 #include "packing/solid_depth/solid_column.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace findspace::packing {
@@ -24,13 +25,28 @@ SolidColumn::SolidColumn(const SolidProblem& problem, const SolidTable& table, c
     const SolidContainer& c = problem.containers[kind];
     rooms_.add({within(c.width), within(c.depth), within(c.height)}, wall, kind);
   }
+  add_fixed(problem, table);
+}
+
+void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table) {
+  for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
+    const auto& [placed, kind] = problem.fixed[k];
+    std::size_t room = 0;
+    for (std::size_t before = placed.container; problem.in_containers(); ++room)
+      if (rooms_[room].kind == kind && before-- == 0) break;
+    const auto from_edge = [&](std::size_t axis) { return placed.at[axis].to_double() - table.edge(); };
+    const std::size_t variant = table.fixed_variants()[k];
+    obstacles_.push_back({variant, {from_edge(0), from_edge(1), from_edge(2) + rooms_[room].low.z}});
+    fixed_rooms_.push_back(room);
+    end_ = std::max(end_, obstacles_.back().at.z + table.variants()[variant].high.z);
+  }
 }
 
 std::vector<std::size_t> cheapest_containers(const SolidProblem& problem) {
   std::vector<Stock> stock;
   for (const SolidContainer& c : problem.containers)
-    stock.push_back({std::min(std::size_t(c.count), problem.items()), 0, c.cost,
-                     c.width.to_double() * c.depth.to_double() * c.height.to_double()});
+    stock.push_back({std::min(std::size_t(c.count), problem.items()), containers_with_fixed(problem, stock.size()),
+                     c.cost, c.width.to_double() * c.depth.to_double() * c.height.to_double()});
   return cheapest_first(stock);
 }
 

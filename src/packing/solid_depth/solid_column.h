@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Containers of solids upon each other (packing/nfp/rooms.h): the lower the column, the fewer are used. One that is
-// sought has no lid. Cost: linear. Keywords: container loading, three-dimensional bin packing.
+// sought has no lid. Fixed solids stand in the column as obstacles that never move. Cost: linear. Keywords: container
+// loading, three-dimensional bin packing.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,11 @@ class SolidColumn {
   SolidColumn(const SolidProblem& problem, const SolidTable& table, const std::vector<std::size_t>& kinds);
 
   const Rooms<Vector>& rooms() const { return rooms_; }
-  /// No layout is lower: the highest part, or 0 where it may be left out.
+  /// The fixed solids of the problem.
+  const std::vector<SolidPose>& obstacles() const { return obstacles_; }
+  /// The room of each of them.
+  const std::vector<std::size_t>& fixed_rooms() const { return fixed_rooms_; }
+  /// No layout is lower: the top of the highest fixed solid, or of the highest part where none may be left out.
   double fixed_end() const { return end_; }
   /// The room in which a part stands.
   std::size_t room_of(const SolidVariant& variant, const Vector& at) const {
@@ -29,11 +34,16 @@ class SolidColumn {
   }
 
  private:
+  void add_fixed(const SolidProblem& problem, const SolidTable& table);
+
   Rooms<Vector> rooms_;
+  std::vector<SolidPose> obstacles_;
+  std::vector<std::size_t> fixed_rooms_;
   double end_ = 0;
 };
 
-/// All containers, the cheapest for their volume first; no more of a kind than there are parts.
+/// All containers: those with fixed solids, then the cheapest for their volume first; no more of a kind than there are
+/// parts.
 std::vector<std::size_t> cheapest_containers(const SolidProblem& problem);
 
 }  // namespace findspace::packing

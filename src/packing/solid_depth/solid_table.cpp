@@ -117,6 +117,8 @@ CommonParts common_parts(const space::Body& a, const space::Body& b, double step
   return {rounded_parts(a, scale / double(a.scale)), rounded_parts(b, scale / double(b.scale)), steps * scale};
 }
 
+Vector in_doubles(const std::array<Fraction, 3>& v) { return {v[0].to_double(), v[1].to_double(), v[2].to_double()}; }
+
 /// All corners of its convex parts from the least of them, and the radii about them, sorted: equal where two bodies
 /// are, moved.
 using Look = std::vector<std::array<double, 4>>;
@@ -197,14 +199,12 @@ SolidTable::SolidTable(const SolidProblem& problem)
   room_ = size_ * margin::kSolidTie;
   of_part_.resize(problem.parts.size());
   for (std::size_t p = 0; p < problem.parts.size(); ++p) add_variants(p);
+  add_fixed();
   pairs_ = std::vector<std::atomic<const OverlapPair*>>(variants_.size() * variants_.size());
 }
 
 void SolidTable::add_variants(std::size_t part) {
   const std::vector<SolidForm>& forms = problem_.parts[part].forms;
-  const auto vector = [](const std::array<Fraction, 3>& v) {
-    return Vector{v[0].to_double(), v[1].to_double(), v[2].to_double()};
-  };
   std::vector<Look> looks;
   double lowest = kFar;
   for (std::size_t f = 0; f < forms.size(); ++f) {
@@ -214,21 +214,33 @@ void SolidTable::add_variants(std::size_t part) {
     if (std::find(looks.begin(), looks.end(), look) != looks.end()) continue;
     looks.push_back(std::move(look));
     of_part_[part].push_back(variants_.size());
-    variants_.push_back({part, f, vector(box.low), vector(box.high)});
+    variants_.push_back({part, f, in_doubles(box.low), in_doubles(box.high)});
     lowest = std::min(lowest, variants_.back().high.z - variants_.back().low.z);
   }
   if (problem_.parts[part].demand > 0 && lowest < kFar) tallest_ = std::max(tallest_, lowest);
 }
 
+/// A fixed solid stands in its own form, though another may look the same.
+void SolidTable::add_fixed() {
+  for (const FixedSolid& fixed : problem_.fixed) {
+    const auto [part, form] = std::pair(fixed.placed.part, fixed.placed.form);
+    const auto same = [&](const SolidVariant& v) { return v.part == part && v.form == form; };
+    const auto known = std::find_if(variants_.begin(), variants_.end(), same);
+    fixed_.push_back(std::size_t(known - variants_.begin()));
+    if (known != variants_.end()) continue;
+    const SolidBox box = box_of(problem_, problem_.parts[part].forms[form]);
+    variants_.push_back({part, form, in_doubles(box.low), in_doubles(box.high)});
+  }
+}
+
 SolidPose SolidTable::pose_of(const SolidPlaced& item) const {
-  const Vector at{item.at[0].to_double() - edge_, item.at[1].to_double() - edge_, item.at[2].to_double() - edge_};
+  const Vector at = in_doubles(item.at) - Vector{edge_, edge_, edge_};
   const SolidForm& mine = packing::form_of(problem_, item);
   const Look look = look_of(mine.body);
   for (const std::size_t v : of_part_[item.part]) {
     if (look_of(form_of(variants_[v]).body) != look) continue;
     const SolidBox box = box_of(problem_, mine);
-    const Vector low{box.low[0].to_double(), box.low[1].to_double(), box.low[2].to_double()};
-    return {v, at + (low - variants_[v].low)};
+    return {v, at + (in_doubles(box.low) - variants_[v].low)};
   }
   return {of_part_[item.part][0], at};
 }

@@ -82,7 +82,8 @@ struct SolidPose {
   Vector at;
 };
 
-/// A form of a part that fits the floor or a container; of forms that look the same, moved, only the first.
+/// A form of a part that fits the floor or a container; of forms that look the same, moved, only the first and those of
+/// fixed solids.
 struct SolidVariant {
   std::size_t part = 0, form = 0;
   Vector low, high;  // the box about its origin
@@ -98,6 +99,8 @@ class SolidTable {
 
   const std::vector<SolidVariant>& variants() const { return variants_; }
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
+  /// Of the fixed solids of the problem.
+  const std::vector<std::size_t>& fixed_variants() const { return fixed_; }
   /// The pose of a placed part.
   SolidPose pose_of(const SolidPlaced& item) const;
   /// Of the widest floor within the edges, which all margins are relative to.
@@ -136,12 +139,14 @@ class SolidTable {
  private:
   const SolidForm& form_of(const SolidVariant& v) const { return problem_.parts[v.part].forms[v.form]; }
   void add_variants(std::size_t part);
+  void add_fixed();
   const OverlapPair& make(std::size_t a, std::size_t b) const;
 
   const SolidProblem& problem_;
   double size_ = 0, gap_, edge_, tallest_ = 0, greatest_level_ = 0, room_ = 0;
   std::vector<SolidVariant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
+  std::vector<std::size_t> fixed_;
   mutable std::vector<std::atomic<const OverlapPair*>> pairs_;
   mutable std::vector<std::unique_ptr<const OverlapPair>> made_;
   mutable std::mutex guard_;

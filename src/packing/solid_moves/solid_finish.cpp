@@ -36,7 +36,9 @@ class SolidFinisher {
     SolidLayout layout;
     std::vector<std::size_t> rooms;
     for (const SolidPose& pose : poses) rooms.push_back(column_.room_of(table_.variants()[pose.variant], pose.at));
-    const UsedRooms used(rooms);
+    std::vector<std::size_t> all = rooms;
+    all.insert(all.end(), column_.fixed_rooms().begin(), column_.fixed_rooms().end());
+    const UsedRooms used(std::move(all));
     if (problem_.in_containers())
       for (const std::size_t room : used.all()) layout.containers.push_back(column_.rooms()[room].kind);
     std::vector<int> copies(problem_.parts.size());
@@ -45,6 +47,8 @@ class SolidFinisher {
       layout.items.push_back({v.part, ++copies[v.part], v.form, {}, used.number_of(rooms[i])});
       put(layout, boxes_[poses[i].variant], poses[i].at - Vector{0, 0, column_.rooms()[rooms[i]].low.z}, snap);
     }
+    for (std::size_t k = 0; k < problem_.fixed.size(); ++k)
+      put_fixed(layout, k, used.number_of(column_.fixed_rooms()[k]), copies);
     const auto fits = [&](std::size_t part) { return !table_.variants_of(part).empty(); };
     layout.left_out = left_out_of(problem_.parts, copies, fits, "it is larger than every container");
     return layout;
@@ -62,6 +66,20 @@ class SolidFinisher {
         place = std::min(place, steps_.below(size[k] - problem_.edge - box.high[k]));
       item.at[k] = Fraction(std::max(place, steps_.above(problem_.edge - box.low[k])), steps_.in_one());
     }
+    count_height(layout, box);
+  }
+
+  /// Behind the others.
+  void put_fixed(SolidLayout& layout, std::size_t k, std::size_t container, std::vector<int>& copies) const {
+    SolidPlaced& item = layout.items.emplace_back(problem_.fixed[k].placed);
+    item.container = container;
+    item.copy = ++copies[item.part];
+    count_height(layout, boxes_[table_.fixed_variants()[k]]);
+  }
+
+  /// Of the last item, where it stands in the last container.
+  void count_height(SolidLayout& layout, const SolidBox& box) const {
+    const SolidPlaced& item = layout.items.back();
     if (item.container + 1 < layout.containers.size()) return;
     layout.height = std::max(layout.height, item.at[2] + box.high[2] + problem_.edge);
   }
@@ -79,7 +97,7 @@ class SolidFinisher {
   DecimalSteps steps_;
 };
 
-/// The second item of each pair that stays too near is left out.
+/// The second item of each pair that stays too near is left out, unless it is fixed.
 std::optional<SolidLayout> without_faults(const SolidProblem& problem, const SolidFinisher& finisher,
                                           std::vector<SolidPose>& poses) {
   using Kind = SolidFault::Kind;
@@ -90,7 +108,7 @@ std::optional<SolidLayout> without_faults(const SolidProblem& problem, const Sol
     std::vector<char> leaves(poses.size());
     for (const SolidFault& fault : verdict.faults) {
       if (fault.kind == Kind::kCount || fault.kind == Kind::kContainers) continue;
-      if (fault.kind == Kind::kOutside)
+      if (fault.kind == Kind::kOutside || fault.second >= poses.size())
         leaves[fault.first] = 1;
       else if (leaves[fault.first] == 0)
         leaves[fault.second] = 1;
@@ -125,13 +143,15 @@ std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTabl
 }
 
 SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table) {
-  SolidLayout layout;
-  Fraction z = problem.edge;
+  SolidLayout layout = layout_of_fixed(problem);
+  layout.left_out.clear();
+  Fraction z = problem.fixed.empty() ? problem.edge : layout.height - problem.edge + problem.widest_gap_of_all();
   for (std::size_t part = 0; part < problem.parts.size(); ++part) {
-    if (problem.parts[part].demand == 0) continue;
+    if (problem.free_copies(part) == 0) continue;
     const std::size_t form = table.variants()[table.variants_of(part)[0]].form;
     const SolidBox box = box_of(problem, problem.parts[part].forms[form]);
-    for (int copy = 1; copy <= problem.parts[part].demand; ++copy) {
+    for (int copy = problem.parts[part].demand - problem.free_copies(part) + 1; copy <= problem.parts[part].demand;
+         ++copy) {
       layout.items.push_back(
           {part, copy, form, {problem.edge - box.low[0], problem.edge - box.low[1], z - box.low[2]}});
       const Fraction top = z + box.high[2] - box.low[2];
@@ -142,10 +162,11 @@ SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table) {
   return layout;
 }
 
-std::vector<SolidPose> poses_of(const SolidTable& table, const SolidColumn& column, const SolidLayout& layout) {
+std::vector<SolidPose> poses_of(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
+                                const SolidLayout& layout) {
   std::vector<SolidPose> poses;
   for (const SolidPlaced& item : layout.items) {
-    if (table.variants_of(item.part).empty()) continue;
+    if (table.variants_of(item.part).empty() || is_fixed_solid(problem, layout, item)) continue;
     poses.push_back(table.pose_of(item));
     poses.back().at.z += column.rooms()[layout.containers.empty() ? 0 : item.container].low.z;
   }

@@ -20,10 +20,11 @@ namespace findspace::packing {
 std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
                                     std::vector<SolidPose>& poses, double height);
 
-/// The boxes of the parts upon each other in one container without a lid: always feasible.
+/// The boxes of the parts upon each other in one container without a lid, above what is fixed: always feasible.
 SolidLayout tower_of(const SolidProblem& problem, const SolidTable& table);
 
-/// The poses of a layout, in its order. The column begins with the layout's containers.
-std::vector<SolidPose> poses_of(const SolidTable& table, const SolidColumn& column, const SolidLayout& layout);
+/// The poses of a layout, in its order, without the fixed solids. The column begins with the layout's containers.
+std::vector<SolidPose> poses_of(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column,
+                                const SolidLayout& layout);
 
 }  // namespace findspace::packing

@@ -48,8 +48,9 @@ void SolidLinearMoves::keep(const Bound& bound) {
 
 void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach,
                                     Goal goal, double gap, bool on_axes) {
-  const auto [pair, sign] = table_.link(poses[a].variant, poses[b].variant);
-  const Vector u = sign * (poses[b].at - poses[a].at);
+  const SolidPose &first = poses[a], &second = pose(poses, b);
+  const auto [pair, sign] = table_.link(first.variant, second.variant);
+  const Vector u = sign * (second.at - first.at);
   const auto is_near = [&](const Vector& low, const Vector& high) {
     return u.x > low.x - reach && u.y > low.y - reach && u.z > low.z - reach && u.x < high.x + reach &&
            u.y < high.y + reach && u.z < high.z + reach;
@@ -70,7 +71,8 @@ void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::si
 }
 
 void SolidLinearMoves::collect_tie(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach) {
-  const double slack = std::max(table_.slack(poses[a].variant, poses[b].variant, poses[b].at - poses[a].at), 0.0);
+  const SolidPose &first = poses[a], &second = pose(poses, b);
+  const double slack = std::max(table_.slack(first.variant, second.variant, second.at - first.at), 0.0);
   const double side = slack / std::numbers::sqrt3;  // half that of the greatest cube in a ball
   if (side >= reach) return;
   for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}})
@@ -80,9 +82,10 @@ void SolidLinearMoves::collect_tie(const std::vector<SolidPose>& poses, std::siz
 void SolidLinearMoves::collect(const std::vector<SolidPose>& poses, double trust, Goal goal, double gap, bool on_axes) {
   rows_.clear();
   for (std::size_t a = 0; a < poses.size(); ++a)
-    for (std::size_t b = a + 1; b < poses.size(); ++b) {
+    for (std::size_t b = a + 1; b < poses.size() + column_.obstacles().size(); ++b) {
       collect_pair(poses, a, b, 2 * trust + gap, goal, gap, on_axes);
-      if (table_.has_ties() && table_.are_tied(poses[a].variant, poses[b].variant)) collect_tie(poses, a, b, 2 * trust);
+      if (table_.has_ties() && table_.are_tied(poses[a].variant, pose(poses, b).variant))
+        collect_tie(poses, a, b, 2 * trust);
     }
 }
 
@@ -109,6 +112,7 @@ bool SolidLinearMoves::solve(std::vector<SolidPose>& poses, double& height, doub
   for (const Bound& row : rows_) {
     program.begin_row(row.need);
     for (const auto& [item, sign] : {std::pair(row.b, 1.0), std::pair(row.a, -1.0)}) {
+      if (item >= poses.size()) continue;
       program.add(solid_column(item, 0), sign * row.normal.x);
       program.add(solid_column(item, 1), sign * row.normal.y);
       program.add(solid_column(item, 2), sign * row.normal.z);

@@ -44,6 +44,10 @@ class SolidLinearMoves {
   /// Two that are tied move by less than would end their conditions.
   void collect_tie(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach);
   void keep(const Bound& bound);
+  /// Of a part, or of an obstacle: these have the numbers behind them.
+  const SolidPose& pose(const std::vector<SolidPose>& poses, std::size_t k) const {
+    return k < poses.size() ? poses[k] : column_.obstacles()[k - poses.size()];
+  }
   /// False where the program has no solution.
   bool solve(std::vector<SolidPose>& poses, double& height, double most, double trust, Goal goal);
 

@@ -101,6 +101,53 @@ std::size_t SolidProblem::items() const {
   return count;
 }
 
+int SolidProblem::free_copies(std::size_t part) const {
+  const auto of_part = [&](const FixedSolid& f) { return f.placed.part == part; };
+  return parts[part].demand - int(std::count_if(fixed.begin(), fixed.end(), of_part));
+}
+
+std::size_t containers_with_fixed(const SolidProblem& problem, std::size_t kind) {
+  std::size_t count = 0;
+  for (const FixedSolid& f : problem.fixed)
+    if (f.kind == kind) count = std::max(count, f.placed.container + 1);
+  return problem.in_containers() ? count : 0;
+}
+
+bool is_fixed_solid(const SolidLayout& layout, const SolidPlaced& item, const FixedSolid& fixed) {
+  const SolidPlaced& p = fixed.placed;
+  if (item.part != p.part || item.form != p.form || item.at != p.at) return false;
+  if (layout.containers.empty()) return item.container == 0;
+  if (item.container >= layout.containers.size() || layout.containers[item.container] != fixed.kind) return false;
+  const auto here = layout.containers.begin() + std::ptrdiff_t(item.container);
+  return std::size_t(std::count(layout.containers.begin(), here, fixed.kind)) == p.container;
+}
+
+bool is_fixed_solid(const SolidProblem& problem, const SolidLayout& layout, const SolidPlaced& item) {
+  return std::any_of(problem.fixed.begin(), problem.fixed.end(),
+                     [&](const FixedSolid& fixed) { return is_fixed_solid(layout, item, fixed); });
+}
+
+SolidLayout layout_of_fixed(const SolidProblem& problem) {
+  SolidLayout layout;
+  std::vector<std::size_t> first_of_kind;
+  for (std::size_t kind = 0; kind < problem.containers.size(); ++kind) {
+    first_of_kind.push_back(layout.containers.size());
+    layout.containers.insert(layout.containers.end(), containers_with_fixed(problem, kind), kind);
+  }
+  std::vector<int> copies(problem.parts.size());
+  for (const FixedSolid& f : problem.fixed) {
+    SolidPlaced& item = layout.items.emplace_back(f.placed);
+    item.copy = ++copies[item.part];
+    if (problem.in_containers()) item.container += first_of_kind[f.kind];
+    if (item.container + 1 >= layout.containers.size())
+      layout.height =
+          std::max(layout.height, item.at[2] + box_of(problem, form_of(problem, item)).high[2] + problem.edge);
+  }
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    layout.left_out.push_back({part, problem.free_copies(part), ""});
+  return layout;
+}
+
 Fraction SolidProblem::widest_gap_of_all() const {
   Fraction widest = gap;
   for (const PairGap& pair : pair_gaps) widest = std::max(widest, pair.gap);

@@ -61,6 +61,20 @@ struct SolidContainer {
   Fraction width, depth, height;
 };
 
+struct SolidPlaced {
+  std::size_t part = 0;
+  int copy = 1;
+  std::size_t form = 0;  // of the part's
+  std::array<Fraction, 3> at;
+  std::size_t container = 0;  // of the layout's
+};
+
+/// A copy that stands already, on the floor or in a container.
+struct FixedSolid {
+  SolidPlaced placed;    // `container` counts those of the kind; the copy's number is not used
+  std::size_t kind = 0;  // of container
+};
+
 /// Low and high corners in units.
 struct SolidBox {
   std::array<Fraction, 3> low, high;
@@ -76,6 +90,7 @@ struct SolidProblem {
   std::vector<SolidPart> parts;
   std::vector<PairGap> pair_gaps = {};
   std::vector<PairCondition> conditions = {};
+  std::vector<FixedSolid> fixed = {};
 
   bool in_containers() const { return !containers.empty(); }
   /// Whether there is a condition between copies of two parts.
@@ -85,14 +100,8 @@ struct SolidProblem {
   Fraction widest_gap_of_all() const;
   int128 steps() const { return power_of_ten(digits); }  // in a unit
   std::size_t items() const;                             // the sum of demands
-};
-
-struct SolidPlaced {
-  std::size_t part = 0;
-  int copy = 1;
-  std::size_t form = 0;  // of the part's
-  std::array<Fraction, 3> at;
-  std::size_t container = 0;  // of the layout's
+  /// How many copies are to be placed: the fixed ones stand already.
+  int free_copies(std::size_t part) const;
 };
 
 struct SolidLayout {
@@ -102,6 +111,15 @@ struct SolidLayout {
   std::vector<std::size_t> containers = {};  // the kind of each that is used
   Fraction lower_bound = 0;                  // no layout is lower: what a search has proved
 };
+
+/// How many containers of a kind hold fixed solids.
+std::size_t containers_with_fixed(const SolidProblem& problem, std::size_t kind);
+/// Whether a copy of the layout is that fixed solid.
+bool is_fixed_solid(const SolidLayout& layout, const SolidPlaced& item, const FixedSolid& fixed);
+/// Whether it is one of them.
+bool is_fixed_solid(const SolidProblem& problem, const SolidLayout& layout, const SolidPlaced& item);
+/// The fixed solids alone, in the containers that hold them.
+SolidLayout layout_of_fixed(const SolidProblem& problem);
 
 /// The scale at which two bodies have whole coordinates both, where that is in range.
 std::optional<std::int64_t> common_scale(const space::Body& a, const space::Body& b);

@@ -18,7 +18,7 @@ constexpr std::size_t kTrees = 64, kNodes = 200;  // of a tree in a round
 }  // namespace
 
 bool is_provable(const SolidProblem& problem, const SolidTable& table) {
-  if (problem.in_containers() || problem.items() > kMostCopies) return false;
+  if (problem.in_containers() || !problem.fixed.empty() || problem.items() > kMostCopies) return false;
   return std::all_of(problem.parts.begin(), problem.parts.end(), [&](const SolidPart& part) {
     if (part.demand == 0) return true;
     const std::vector<std::size_t>& variants = table.variants_of(std::size_t(&part - problem.parts.data()));

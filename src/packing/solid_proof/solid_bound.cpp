@@ -89,8 +89,10 @@ Fraction lower_bound(const SolidProblem& problem) {
   }
   const Fraction width = problem.width - problem.edge - problem.edge,
                  depth = problem.depth - problem.edge - problem.edge;
+  Fraction top;  // of what is fixed
+  if (!problem.fixed.empty()) top = layout_of_fixed(problem).height;
   const Fraction by_volume = rounded_down(sum / (in_steps(width, 1) * in_steps(depth, 1)));
-  return std::max(tallest, by_volume) + problem.edge + problem.edge;
+  return std::max(std::max(tallest, by_volume) + problem.edge + problem.edge, top);
 }
 
 }  // namespace findspace::packing

@@ -57,6 +57,7 @@ class SolidCheck {
   SolidVerdict verdict() {
     count_copies();
     count_containers();
+    find_fixed();
     int128 used = 0;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       check_inside(i);
@@ -92,6 +93,17 @@ class SolidCheck {
     for (std::size_t kind = 0; kind < left.size(); ++kind)
       if (left[kind] < 0)
         result_.faults.push_back({.kind = SolidFault::Kind::kContainers, .first = kind, .depth = -double(left[kind])});
+  }
+
+  void find_fixed() {
+    for (const FixedSolid& f : problem_.fixed) {
+      const auto is_it = [&](const SolidPlaced& item) { return is_fixed_solid(layout_, item, f); };
+      if (std::any_of(layout_.items.begin(), layout_.items.end(), is_it)) continue;
+      const auto& [x, y, z] = f.placed.at;
+      result_.faults.push_back({.kind = SolidFault::Kind::kFixed,
+                                .first = f.placed.part,
+                                .at = {x.to_double(), y.to_double(), z.to_double()}});
+    }
   }
 
   std::size_t container_of(std::size_t i) const { return layout_.items[i].container; }

@@ -22,7 +22,8 @@ class SolidRoom {
       : problem_(problem),
         table_(problem),
         column_(problem, table_, layout.containers),
-        given_(poses_of(table_, column_, layout)) {
+        given_(poses_of(problem, table_, column_, layout)),
+        height_(column_.fixed_end()) {
     for (const SolidPose& pose : given_) height_ = std::max(height_, top_of(pose));
   }
 
@@ -73,20 +74,28 @@ class SolidRoom {
   /// With all solids.
   std::optional<SolidLayout> finished_of(std::vector<SolidPose>& poses, double height) const {
     auto made = finished(problem_, table_, column_, poses, height);
-    return made && made->items.size() == given_.size() ? std::move(made) : std::nullopt;
+    return made && made->items.size() == given_.size() + problem_.fixed.size() ? std::move(made) : std::nullopt;
   }
 
   const SolidProblem& problem_;
   SolidTable table_;
   SolidColumn column_;
   std::vector<SolidPose> given_;
-  double height_ = 0;
+  double height_;
 };
+
+/// Its number among the items that may move.
+std::size_t number_of(const SolidProblem& problem, const SolidLayout& layout, std::size_t item) {
+  const auto end = layout.items.begin() + std::ptrdiff_t(item);
+  const auto is_fixed = [&](const SolidPlaced& placed) { return is_fixed_solid(problem, layout, placed); };
+  return item - std::size_t(std::count_if(layout.items.begin(), end, is_fixed));
+}
 
 }  // namespace
 
 std::optional<SolidLayout> with_room(const SolidProblem& problem, const SolidLayout& layout, std::size_t item,
                                      const std::array<Fraction, 3>& at) {
+  if (is_fixed_solid(problem, layout, layout.items[item])) return std::nullopt;
   SolidLayout moved = layout;
   SolidPlaced& placed = moved.items[item];
   moved.height = moved.height + std::max(Fraction(0), at[2] - placed.at[2]);
@@ -95,7 +104,7 @@ std::optional<SolidLayout> with_room(const SolidProblem& problem, const SolidLay
   if (!verdict.is_feasible()) {
     const SolidRoom room(problem, moved);
     auto made = room.separated();
-    return made ? made : room.set_aside(item);
+    return made ? made : room.set_aside(number_of(problem, moved, item));
   }
   moved.height = verdict.used + problem.edge;
   return moved;

@@ -24,12 +24,15 @@ SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn& c
                                    double height)
     : table_(table),
       column_(column),
+      size_(poses.size()),
       poses_(std::move(poses)),
       height_(height),
       shallow_(table.size() * margin::kNoOverlap),
       slack_(std::max(height, table.size()) * margin::kBoxRounding),
-      boxes_(poses_.size()),
-      depths_(poses_.size()) {
+      boxes_(poses_.size() + column.obstacles().size()),
+      depths_(poses_.size() + column.obstacles().size()) {
+  poses_.insert(poses_.end(), column.obstacles().begin(), column.obstacles().end());
+  for (std::size_t i = size_; i < poses_.size(); ++i) move(i, poses_[i]);
   if (table.has_ties()) find_ties();
   find_sizes();
   reset_weights();
@@ -39,7 +42,7 @@ SolidArrangement::SolidArrangement(const SolidTable& table, const SolidColumn& c
 void SolidArrangement::find_ties() {
   for (std::size_t i = 0; i < size(); ++i) {
     std::vector<std::uint32_t>& others = tied_.emplace_back();
-    for (std::size_t j = 0; j < size(); ++j)
+    for (std::size_t j = 0; j < poses_.size(); ++j)
       if (j != i && table_.are_tied(poses_[i].variant, poses_[j].variant)) others.push_back(std::uint32_t(j));
   }
 }
@@ -61,17 +64,20 @@ double SolidArrangement::cost_of_ties(std::size_t i, const SolidPose& pose, doub
   return sum;
 }
 
+/// Obstacles are as large as the parts in the mean.
 void SolidArrangement::find_sizes() {
   std::vector<double> lengths;
-  for (const SolidPose& p : poses_) {
-    const Vector sides = table_.variants()[p.variant].high - table_.variants()[p.variant].low;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const SolidVariant& v = table_.variants()[poses_[i].variant];
+    const Vector sides = v.high - v.low;
     lengths.push_back(std::cbrt(sides.x * sides.y * sides.z));
   }
   sizes_ = root_sizes(std::move(lengths));
+  sizes_.resize(poses_.size(), 1);
 }
 
 void SolidArrangement::reset_weights() {
-  weights_.assign(size(), {});
+  weights_.assign(poses_.size(), {});
   row_ = sizes_;
   row_of_ = size();
   height_weights_.assign(size(), 1);
@@ -97,7 +103,7 @@ void SolidArrangement::grow_weight(std::size_t i, std::size_t j, double factor) 
 void SolidArrangement::set_length(double height) {
   height_ = height;
   ranges_.find(table_.variants(), column_.rooms(), height, shallow_);
-  set_poses(std::vector<SolidPose>(poses_));
+  set_poses(poses());
 }
 
 void SolidArrangement::set_poses(const std::vector<SolidPose>& poses) {
@@ -286,7 +292,7 @@ double SolidArrangement::loss() {
     });
   for (std::size_t i = 0; i < tied_.size(); ++i)
     for (const std::uint32_t j : tied_[i]) {
-      const double lacking = j < i ? lacks(i, poses_[i], j) : 0;
+      const double lacking = j < i || j >= size() ? lacks(i, poses_[i], j) : 0;
       if (lacking > 0) add_overlap(i, j, lacking);
     }
   for (const Overlap& o : overlaps_) sum += o.depth;

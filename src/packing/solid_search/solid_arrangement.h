@@ -3,8 +3,8 @@
 //
 // Solids in a container of a given height, perhaps overlapping: depths, weighted costs of positions and of lines of
 // them, and the weights that grow where an overlap persists. Cost of a position: the weighted sum of the depths, and of
-// what conditions of pairs lack. Overlaps of large solids weigh more. Guarantee: none; it is a search's state.
-// Keywords: guided local search, overlap minimisation.
+// what conditions of pairs lack. Overlaps of large solids weigh more. Obstacles of the column are solids that never
+// move. Guarantee: none; it is a search's state. Keywords: guided local search, overlap minimisation.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,10 @@ class SolidArrangement {
   /// Both must live as long.
   SolidArrangement(const SolidTable& table, const SolidColumn& column, std::vector<SolidPose> poses, double height);
 
-  std::size_t size() const { return poses_.size(); }
+  /// Of parts; obstacles have numbers from here on.
+  std::size_t size() const { return size_; }
   const SolidTable& table() const { return table_; }
-  const std::vector<SolidPose>& poses() const { return poses_; }
+  std::vector<SolidPose> poses() const { return {poses_.begin(), poses_.begin() + std::ptrdiff_t(size_)}; }
   const SolidPose& pose(std::size_t i) const { return poses_[i]; }
   double length() const { return height_; }
   /// Parts that protrude are moved in. Where one is higher at its form, the excess counts as an overlap.
@@ -101,7 +102,8 @@ class SolidArrangement {
 
   const SolidTable& table_;
   const SolidColumn& column_;
-  std::vector<SolidPose> poses_;
+  std::size_t size_;
+  std::vector<SolidPose> poses_;  // obstacles last
   PositionRanges<Vector> ranges_;
   double height_, shallow_, slack_;
   BoxList<3> boxes_;

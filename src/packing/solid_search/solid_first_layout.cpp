@@ -57,9 +57,11 @@ class SolidBuilder {
         column_(column),
         random_(random),
         shallow_(table.size() * margin::kNoOverlap),
-        boxes_(problem.items()),
+        boxes_(problem.items() + column.obstacles().size()),
         corners_(std::clamp<std::size_t>(kCornersOfAll / std::max<std::size_t>(problem.items(), 1), 2, kCornersTried)) {
     for (const Room<Vector>& room : column.rooms().all()) tops_.push_back(room.low.z);
+    result_.layout.length = column.fixed_end();
+    for (std::size_t k = 0; k < column.obstacles().size(); ++k) add_obstacle(k);
     first_room_.resize(problem.parts.size());
     failures_.resize(problem.parts.size());
   }
@@ -70,13 +72,25 @@ class SolidBuilder {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return keys[p] > keys[q]; });
     for (const std::size_t part : order)
-      for (int copy = 0; copy < problem_.parts[part].demand; ++copy)
+      for (int copy = 0; copy < problem_.free_copies(part); ++copy)
         if (!place(part)) result_.left.push_back(part);
     return std::move(result_);
   }
   std::uint64_t work() const { return work_; }
 
  private:
+  void add_obstacle(std::size_t k) {
+    const SolidPose& pose = column_.obstacles()[k];
+    boxes_.put(problem_.items() + k, box_at(pose.variant, pose.at, shallow_));
+    double& top = tops_[column_.fixed_rooms()[k]];
+    top = std::max(top, pose.at.z + table_.variants()[pose.variant].high.z);
+  }
+  /// What has this number among the boxes: parts that stand, then obstacles.
+  const SolidPose& standing(std::size_t j) const {
+    const std::size_t items = problem_.items();
+    return j < items ? result_.layout.poses[j] : column_.obstacles()[j - items];
+  }
+
   /// In the first room that has a place, in the form in which it comes to stand lowest; some of them where there are
   /// many.
   bool place(std::size_t part) {
@@ -136,12 +150,13 @@ class SolidBuilder {
 
   /// With all that stand already.
   bool ties_hold(const SolidPose& pose) const {
-    const auto& poses = result_.layout.poses;
-    return std::all_of(poses.begin(), poses.end(), [&](const SolidPose& other) {
+    const auto hold = [&](const SolidPose& other) {
       if (!table_.are_tied(other.variant, pose.variant)) return true;
       work_ += kWorkOfTie;
       return table_.slack(other.variant, pose.variant, pose.at - other.at) >= 0;
-    });
+    };
+    const auto &poses = result_.layout.poses, &obstacles = column_.obstacles();
+    return std::all_of(poses.begin(), poses.end(), hold) && std::all_of(obstacles.begin(), obstacles.end(), hold);
   }
 
   void try_form(std::size_t variant, std::size_t room_number) {
@@ -155,18 +170,12 @@ class SolidBuilder {
     fall(room.high.x, room.high.y);
     const auto& poses = result_.layout.poses;
     for (std::size_t k = 0; k < std::min(poses.size(), corners_); ++k) {
-      // Behind or beside the box of what stands.
       const std::size_t j = poses.size() <= corners_ ? k : random_.below(poses.size());
-      const SolidPose& other = poses[j];
-      const SolidVariant& w = table_.variants()[other.variant];
-      const Vector low = other.at + w.low - v.low, high = other.at + w.high - v.low;
-      fall(high.x, low.y);
-      fall(low.x, high.y);
-      if (!problem_.in_containers() || rooms_[j] != room_number) continue;
-      // Under the lid: from its floor, and upon it.
-      attempt(variant, room_number, high.x + table_.gap(), low.y, low.z);
-      attempt(variant, room_number, low.x, high.y + table_.gap(), low.z);
-      attempt(variant, room_number, low.x, low.y, high.z + table_.gap());
+      try_beside(variant, room_number, poses[j], rooms_[j]);
+    }
+    for (std::size_t k = 0; k < column_.obstacles().size(); ++k) {
+      try_beside(variant, room_number, column_.obstacles()[k], column_.fixed_rooms()[k]);
+      if (column_.fixed_rooms()[k] == room_number) try_below(variant, room_number, column_.obstacles()[k]);
     }
     for (std::size_t k = 0; k < kRandomTried; ++k) {
       const double x = random_.between(-v.low.x, room.high.x - v.high.x);
@@ -174,9 +183,32 @@ class SolidBuilder {
     }
   }
 
+  /// Behind or beside the box of what stands in a room.
+  void try_beside(std::size_t variant, std::size_t room_number, const SolidPose& other, std::size_t room_of_other) {
+    const SolidVariant &v = table_.variants()[variant], &w = table_.variants()[other.variant];
+    const Vector low = other.at + w.low - v.low, high = other.at + w.high - v.low;
+    const double top = tops_[room_number] + table_.gap() - v.low.z;
+    attempt(variant, room_number, high.x, low.y, top);
+    attempt(variant, room_number, low.x, high.y, top);
+    if (!problem_.in_containers() || room_of_other != room_number) return;
+    // Under the lid: from its floor, and upon it.
+    attempt(variant, room_number, high.x + table_.gap(), low.y, low.z);
+    attempt(variant, room_number, low.x, high.y + table_.gap(), low.z);
+    attempt(variant, room_number, low.x, low.y, high.z + table_.gap());
+  }
+
+  /// Under the box of an obstacle, which need not stand on anything: at the room's corner, and at that of the box.
+  void try_below(std::size_t variant, std::size_t room_number, const SolidPose& obstacle) {
+    const SolidVariant &v = table_.variants()[variant], &w = table_.variants()[obstacle.variant];
+    const Vector low = obstacle.at + w.low - v.low;
+    const double z = obstacle.at.z + w.low.z - table_.gap() - v.high.z;
+    attempt(variant, room_number, -v.low.x, -v.low.y, z);
+    attempt(variant, room_number, low.x, low.y, z);
+  }
+
   bool is_free(std::size_t variant, const Vector& at) const {
     return boxes_.for_each_meeting(box_at(variant, at, table_.gap()), work_, [&](std::size_t j) {
-      const SolidPose& other = result_.layout.poses[j];
+      const SolidPose& other = standing(j);
       const auto [pair, sign] = table_.link(other.variant, variant);
       work_ += pair.overlaps.size();
       return pair.depth(sign * (at - other.at), shallow_) <= 0;
@@ -216,7 +248,7 @@ class SolidBuilder {
       swept.high[k] = std::max(here.high[k], there.high[k]);
     }
     boxes_.for_each_meeting(swept, work_, [&](std::size_t j) {
-      const SolidPose& other = result_.layout.poses[j];
+      const SolidPose& other = standing(j);
       const auto [pair, sign] = table_.link(other.variant, variant);
       const Vector u = sign * (at - other.at), along = sign * way;
       for (const ConvexOverlap& overlap : pair.overlaps) {

@@ -28,9 +28,9 @@ struct ColumnKit {
     return packing::first_layout(problem, table, column, seed);
   }
   static std::vector<double> values_of(const SolidProblem& problem) { return packing::values_of(problem); }
-  static std::vector<SolidPose> poses_of(const SolidProblem&, const SolidTable& table, const SolidColumn& column,
-                                         const SolidLayout& layout) {
-    return packing::poses_of(table, column, layout);
+  static std::vector<SolidPose> poses_of(const SolidProblem& problem, const SolidTable& table,
+                                         const SolidColumn& column, const SolidLayout& layout) {
+    return packing::poses_of(problem, table, column, layout);
   }
   static std::optional<SolidLayout> finished(const SolidProblem& problem, const SolidTable& table,
                                              const SolidColumn& column, std::vector<SolidPose>& poses, double height) {
@@ -52,7 +52,7 @@ struct ColumnKit {
     return problem.in_containers() ? std::nullopt : std::optional(lower_bound(problem));
   }
   static bool has_containers(const SolidProblem& problem) { return problem.in_containers(); }
-  static bool has_fixed(const SolidProblem&) { return false; }
+  static bool has_fixed(const SolidProblem& problem) { return !problem.fixed.empty(); }
 };
 
 }  // namespace
