@@ -9,6 +9,7 @@
 
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
+#include "packing/solid_search/make_solid_room.h"
 #include "packing/solid_search/proved_search.h"
 #include "packing_solid_parts.h"
 
@@ -173,6 +174,21 @@ TEST(FixedSolids, AProofAsksForThem) {
   EXPECT_EQ(verdict.faults[0].at, (std::array<double, 3>{1, 0, 0}));
   layout.items[0].at[0] = 1;
   EXPECT_TRUE(verify(problem, layout).is_feasible());
+}
+
+TEST(FixedSolids, MakeNoRoomByHand) {
+  SolidProblem problem = on_floor(5, 1, {box("cube", 3, 1, 1, 1)});
+  problem.fixed = {fixed(0, {2, 0, 0})};
+  SolidLayout layout;
+  layout.height = 1;
+  layout.items = {{0, 1, 0, {2, 0, 0}}, {0, 2, 0, {0, 0, 0}}, {0, 3, 0, {4, 0, 0}}};
+  ASSERT_TRUE(verify(problem, layout).is_feasible());
+  EXPECT_FALSE(with_room(problem, layout, 0, {3, 0, 0}).has_value());
+  EXPECT_EQ(with_room(problem, layout, 1, {1, 0, 0})->items[1].at[0], Fraction(1));
+  const auto aside = with_room(problem, layout, 2, {Fraction(1, 4), 0, 0});  // upon the one that may move
+  ASSERT_TRUE(aside.has_value());
+  EXPECT_TRUE(verify(problem, *aside).is_feasible());
+  EXPECT_TRUE(is_fixed_solid(problem, *aside, aside->items.back()));
 }
 
 /// Around a column, the same for any number of threads.

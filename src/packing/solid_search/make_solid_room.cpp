@@ -85,7 +85,7 @@ class SolidRoom {
 };
 
 /// Its number among the items that may move.
-std::size_t number_of(const SolidProblem& problem, const SolidLayout& layout, std::size_t item) {
+std::size_t number_among_free(const SolidProblem& problem, const SolidLayout& layout, std::size_t item) {
   const auto end = layout.items.begin() + std::ptrdiff_t(item);
   const auto is_fixed = [&](const SolidPlaced& placed) { return is_fixed_solid(problem, layout, placed); };
   return item - std::size_t(std::count_if(layout.items.begin(), end, is_fixed));
@@ -104,7 +104,7 @@ std::optional<SolidLayout> with_room(const SolidProblem& problem, const SolidLay
   if (!verdict.is_feasible()) {
     const SolidRoom room(problem, moved);
     auto made = room.separated();
-    return made ? made : room.set_aside(number_of(problem, moved, item));
+    return made ? made : room.set_aside(number_among_free(problem, moved, item));
   }
   moved.height = verdict.used + problem.edge;
   return moved;
