@@ -16,11 +16,14 @@
 namespace findspace::app {
 namespace {
 
-/// Whether a file is a packing problem: it lists items, or kinds of items in space.
+/// Whether a file is a packing problem: it lists items, or kinds of items in space. Throws Error for a layout alone.
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
   plane::WorkBudget work;
   const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
+  if (file.find("layout") != nullptr && file.find("shapes") == nullptr)
+    throw Error(ErrorCode::kUsage, "a layout is shown with its problem: findspace view PROBLEM --start LAYOUT",
+                path.string());
   const bool in_plane = file.find("items") != nullptr && file.find("shapes") == nullptr;
   return in_plane || file.find("item-types") != nullptr;
 }

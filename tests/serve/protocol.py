@@ -245,6 +245,15 @@ class Answers(unittest.TestCase):
         self.assertEqual((results[6]["layout"]["height"], results[6]["layout"]["items"][1]["at"]), ("2.5", ["1", "0", "1.5"]))
         self.assertEqual([answers[k]["error"]["code"] for k in (7, 8, 9)], [-32000, -32602, -32000])
 
+    def test_a_layout_alone_says_what_it_needs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "layout.json")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('{"findspace": 1, "layout": {"items": []}}')
+            done = subprocess.run([PROGRAM, "view", path, "--no-open"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("findspace view PROBLEM --start LAYOUT", done.stderr)
+
     def test_scenes_stay_loaded(self):
         answers, status = serve([
             {"id": 1, "method": "load", "params": {"scene": "a", "path": "peg.json"}},
