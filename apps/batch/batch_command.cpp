@@ -21,7 +21,7 @@
 #include "common/commands.h"
 #include "common/process_team.h"
 #include "common/run_limits.h"
-#include "io/write/json_text.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
@@ -129,7 +129,7 @@ class Batch {
     std::string text;
     for (const auto& [word, count] : ends) {
       if (count == 0) continue;
-      text += options_.json ? fmt::format(", {}: {}", io::json_string(word), count)
+      text += options_.json ? fmt::format(", {}: {}", json_string(word), count)
                             : fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
     }
     const double seconds = seconds_since(begun_);

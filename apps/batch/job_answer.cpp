@@ -12,7 +12,7 @@
 #include "batch/job_journal.h"
 #include "command_line/command_line.h"
 #include "common/run_limits.h"
-#include "io/write/json_text.h"
+#include "findspace/text.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::app {
@@ -99,7 +99,7 @@ std::string_view status_word(int status) {
 }
 
 std::string failure_line(const Job& job, std::size_t k, const JobEnd& end) {
-  return fmt::format(R"({}, "error": {}}})", head(job, k, end), io::json_string(end.why));
+  return fmt::format(R"({}, "error": {}}})", head(job, k, end), json_string(end.why));
 }
 
 std::string answer_job(const Job& job, std::size_t k, const Options& batch) {
@@ -109,7 +109,7 @@ std::string answer_job(const Job& job, std::size_t k, const Options& batch) {
   try {
     std::vector<std::string> notes;
     const Answer got = answer(job, options_of(job, batch), notes);
-    const std::string said = notes.empty() ? "" : fmt::format(R"(, "notes": {})", io::list(notes, io::json_string));
+    const std::string said = notes.empty() ? "" : fmt::format(R"(, "notes": {})", json_list(notes, json_string));
     return fmt::format(R"({}{}, "result": {}}})", head(job, k, {got.status, "", seconds()}), said,
                        got.result.empty() ? "null" : got.result);
   } catch (const Error& e) {

@@ -11,9 +11,8 @@
 #include "command_line/command_line.h"
 #include "command_line/option_checks.h"
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "io/text/json_tree.h"
-#include "io/text/read_text.h"
-#include "io/write/json_text.h"
 
 namespace findspace::app {
 namespace {
@@ -48,7 +47,7 @@ std::string id_of(const JsonValue& line) {
   if (id == nullptr) return "";
   if (id->is(JsonKind::kNumber)) return id->text;
   if (!id->is(JsonKind::kString)) refuse(fmt::format("\"id\" is a number or a text, not {}", id->kind_name()));
-  return io::json_string(id->text);
+  return json_string(id->text);
 }
 
 std::string scalar(const std::string& key, const JsonValue& value) {
@@ -127,7 +126,7 @@ std::uint64_t fnv1a(std::string_view text) {
 }  // namespace
 
 JobList::JobList(const std::filesystem::path& path, std::uint64_t input_limit)
-    : text_(io::read_text(path, input_limit)), folder_(path.parent_path()), digest_(fnv1a(text_)) {
+    : text_(read_text(path, input_limit)), folder_(path.parent_path()), digest_(fnv1a(text_)) {
   std::size_t number = 0;
   for (std::size_t start = 0; start < text_.size();) {
     const std::size_t end = std::min(text_.find('\n', start), text_.size());

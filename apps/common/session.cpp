@@ -11,13 +11,13 @@
 
 #include "common/asked_numbers.h"
 #include "common/board_groups.h"
+#include "findspace/text.h"
 #include "io/api/public_scene.h"
 #include "io/board/board_scene.h"
 #include "io/board/read_board.h"
 #include "io/cad/read_cad.h"
 #include "io/scene/scene_regions.h"
 #include "io/text/file_kind.h"
-#include "io/text/read_text.h"
 #include "io/write/write_json.h"
 
 namespace findspace::app {
@@ -82,9 +82,8 @@ io::Scene read(const Options& o) {
     return asked(io::read_scene_text(*o.scene_text, limits.root, o.scene, limits), o);
   }
   if (is_board(path))
-    return io::board_scene(
-        std::make_shared<const io::Board>(io::read_board(io::read_text(path, o.input_limit), o.scene)),
-        question_of_board(o));
+    return io::board_scene(std::make_shared<const io::Board>(io::read_board(read_text(path, o.input_limit), o.scene)),
+                           question_of_board(o));
   if (!o.move.empty() || !o.free.empty() || !o.fixed.empty() || !o.groups.empty())
     throw Error(ErrorCode::kUsage, "--move, --free, --fixed and --group are for boards; a scene says them itself");
   const bool drawing = std::find(kDrawings.begin(), kDrawings.end(), path.extension().string()) != kDrawings.end();
@@ -94,7 +93,7 @@ io::Scene read(const Options& o) {
   if (o.scene == "-") {
     const std::filesystem::path folder = std::filesystem::current_path();
     if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
-    return asked(io::read_scene_text(io::read_standard_input(o.input_limit), folder, "standard input", limits), o);
+    return asked(io::read_scene_text(read_standard_input(o.input_limit), folder, "standard input", limits), o);
   }
   if (!drawing) return asked(io::read_scene(path, limits), o);
   limits.files = true;  // the one that is named

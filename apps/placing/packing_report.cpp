@@ -5,14 +5,13 @@
 #include "placing/packing_report.h"
 
 #include <findspace/error.h>
+#include <findspace/text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "common/process_team.h"
 #include "common/stop_on_interrupt.h"
-#include "io/text/read_text.h"
-#include "io/write/json_text.h"
 
 namespace findspace::app {
 namespace {
@@ -48,7 +47,7 @@ PackPeers* peers_of(const Options& options) {
 }
 
 PackLayout start_layout(const Packing& packing, const std::filesystem::path& path, std::uint64_t most) {
-  const std::string text = io::read_text(path, most);
+  const std::string text = read_text(path, most);
   PackLayout layout =
       path.extension() == ".svg" ? Packing::sparrow(text, path.string()).second : packing.layout(text, path.string());
   try {
@@ -60,7 +59,7 @@ PackLayout start_layout(const Packing& packing, const std::filesystem::path& pat
 }
 
 SolidPackLayout start_layout(const SolidPacking& packing, const std::filesystem::path& path, std::uint64_t most) {
-  SolidPackLayout layout = packing.layout(io::read_text(path, most), path.string());
+  SolidPackLayout layout = packing.layout(read_text(path, most), path.string());
   const PackVerdict verdict = packing.verdict(layout);
   if (verdict.feasible()) return layout;
   throw Error(ErrorCode::kBadValue, "the layout to start with is not feasible: " + verdict.faults[0].text,
@@ -95,8 +94,8 @@ std::string verdict_json(std::size_t items, const LayoutSize& size, const PackVe
     if (fault.kind == PackFault::Kind::kOverlap) deepest = std::max(deepest, fault.depth);
     faults += fmt::format(R"({}
   {{"kind": "{}", "of": {}, "depth": {}, "near": [{}], "text": {}}})",
-                          faults.empty() ? "" : ",", kind_name(fault.kind), io::list(fault.of, io::json_string),
-                          fault.depth, fmt::join(fault.near, ", "), io::json_string(fault.text));
+                          faults.empty() ? "" : ",", kind_name(fault.kind), json_list(fault.of, json_string),
+                          fault.depth, fmt::join(fault.near, ", "), json_string(fault.text));
   }
   return fmt::format(
       "{{\"findspace\": 1, \"verdict\": {{\"feasible\": {}, \"items\": {}, \"{}\": \"{}\", \"used\": \"{}\", "

@@ -9,10 +9,10 @@
 #include "common/run_limits.h"
 #include "common/session.h"
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "in_space/space_commands.h"
 #include "io/board/write_board.h"
 #include "io/export/write_drawing.h"
-#include "io/text/read_text.h"
 #include "io/write/write_placement.h"
 #include "placing/placement_problem.h"
 #include "planning/planar/sequential.h"
@@ -108,7 +108,7 @@ std::string board_text(const Session& session, const Problem& problem, const Ans
       if (const io::Part* part = board.find(name))
         places[name] = place_beside(*part, *board.find(body.shapes[0]), place);
   }
-  return io::moved_board(io::read_text(session.options().scene, session.options().input_limit), session.options().scene,
+  return io::moved_board(read_text(session.options().scene, session.options().input_limit), session.options().scene,
                          places);
 }
 

@@ -14,10 +14,9 @@
 #include <string_view>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "formula/language/lexer.h"
 #include "io/text/file_kind.h"
-#include "io/text/read_text.h"
-#include "io/write/json_text.h"
 #include "placing/packing_report.h"
 
 namespace findspace::app {
@@ -97,19 +96,19 @@ std::string name_of(const Drawing& drawing, const std::vector<Drawing>& all) {
 }
 
 std::string item_json(const Drawing& drawing, const std::string& name, const Options& o) {
-  std::string file = fmt::format("\"file\": {}", io::json_string(drawing.file.string()));
-  if (o.layer) file += fmt::format(", \"layer\": {}", io::json_string(*o.layer));
-  const std::string angles = io::list(o.angles, [](const std::string& angle) { return io::json_string(angle); });
+  std::string file = fmt::format("\"file\": {}", json_string(drawing.file.string()));
+  if (o.layer) file += fmt::format(", \"layer\": {}", json_string(*o.layer));
+  const std::string angles = json_list(o.angles, [](const std::string& angle) { return json_string(angle); });
   return fmt::format(
       "{{\"id\": {}, \"demand\": {}, \"allowed_orientations\": {}, \"mirrored\": {}, \"tilt\": {}, \"shape\": {{{}}}}}",
-      io::json_string(name), drawing.count, angles, io::truth(o.mirrored), io::json_string(o.tilt.value_or("0")), file);
+      json_string(name), drawing.count, angles, o.mirrored, json_string(o.tilt.value_or("0")), file);
 }
 
 /// "600,400"
 std::string sheet_json(const std::string& size, int count) {
   const std::size_t comma = size.find(',');
   return fmt::format(R"("sheets": [{{"id": "sheet", "count": {}, "width": {}, "height": {}}}])", count,
-                     io::json_string(size.substr(0, comma)), io::json_string(size.substr(comma + 1)));
+                     json_string(size.substr(0, comma)), json_string(size.substr(comma + 1)));
 }
 
 StatedProblem drawn_problem(const std::vector<std::string>& words, const Options& o) {
@@ -126,8 +125,8 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
     copies += drawing.count;
   }
   const std::string container = o.sheet ? sheet_json(*o.sheet, copies) : "\"strip_height\": \"0\"";
-  result.text = fmt::format("{{\"name\": {}, \"unit\": {}, {},\n\"items\": [\n {}]}}\n", io::json_string(result.name),
-                            io::json_string(o.unit.value_or("mm")), container, items);
+  result.text = fmt::format("{{\"name\": {}, \"unit\": {}, {},\n\"items\": [\n {}]}}\n", json_string(result.name),
+                            json_string(o.unit.value_or("mm")), container, items);
   return result;
 }
 
@@ -141,7 +140,7 @@ StatedProblem stated_problem(const std::vector<std::string>& words, const Option
     throw Error(
         ErrorCode::kUsage,
         "--sheet, --angles, --tilt, --mirrored, --unit and --layer are for drawings; a problem says them itself");
-  return {io::read_text(words[0], options.input_limit), words[0]};
+  return {read_text(words[0], options.input_limit), words[0]};
 }
 
 Packing stated_packing(const StatedProblem& stated, const Options& options) {

@@ -5,9 +5,9 @@
 #include <findspace/error.h>
 #include <findspace/packing.h>
 #include <findspace/solid_packing.h>
+#include <findspace/text.h>
 
 #include "common/commands.h"
-#include "io/text/read_text.h"
 #include "placing/packing_report.h"
 #include "placing/stated_problem.h"
 
@@ -24,7 +24,7 @@ Outcome verdict_on(const Problem& packing, const Layout& layout, bool as_json) {
 }  // namespace
 
 Outcome run_verify(const Options& options, Reporter&) {
-  const std::string text = io::read_text(options.scene, options.input_limit);
+  const std::string text = read_text(options.scene, options.input_limit);
   if (std::filesystem::path(options.scene).extension() == ".svg") {
     const auto [packing, layout] = Packing::sparrow(text, options.scene);
     return verdict_on(packing, layout, options.json);

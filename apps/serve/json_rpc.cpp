@@ -11,7 +11,7 @@
 #include <exception>
 
 #include "common/run_limits.h"
-#include "io/write/json_text.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
@@ -32,7 +32,7 @@ std::string one_line(std::string text) {
 
 std::string error_text(std::string_view id, int code, std::string_view message, const std::string& data = "") {
   return fmt::format(R"({{"jsonrpc": "2.0", "id": {}, "error": {{"code": {}, "message": {}{}}}}})", id, code,
-                     io::json_string(message), data.empty() ? "" : ", \"data\": " + data);
+                     json_string(message), data.empty() ? "" : ", \"data\": " + data);
 }
 
 /// Line and column of a place that ends with them: "formula 1:12", "scene.json:4:7".
@@ -51,24 +51,24 @@ std::string line_and_column(std::string_view place) {
 }
 
 std::string error_data(const Error& e) {
-  const std::string points = io::list(e.geometry(), [](const std::array<double, 2>& p) {
-    return fmt::format("[{}, {}]", io::json_number(p[0]), io::json_number(p[1]));
+  const std::string points = json_list(e.geometry(), [](const std::array<double, 2>& p) {
+    return fmt::format("[{}, {}]", json_number(p[0]), json_number(p[1]));
   });
   return fmt::format(R"({{"kind": {}, "place": {}{}, "points": {}}})",
-                     io::json_string(kCodes[static_cast<std::size_t>(e.code())]), io::json_string(e.place()),
+                     json_string(kCodes[static_cast<std::size_t>(e.code())]), json_string(e.place()),
                      line_and_column(e.place()), points);
 }
 
 /// An id as it was written; null where it is neither a number nor a string.
 std::string id_text(const JsonValue* id) {
   if (id == nullptr) return "null";
-  return id->is(JsonKind::kNumber) ? id->text : id->is(JsonKind::kString) ? io::json_string(id->text) : "null";
+  return id->is(JsonKind::kNumber) ? id->text : id->is(JsonKind::kString) ? json_string(id->text) : "null";
 }
 
 std::string tools() {
-  return fmt::format(R"({{"tools": {}}})", io::list(methods(), [](const Method& m) {
+  return fmt::format(R"({{"tools": {}}})", json_list(methods(), [](const Method& m) {
                        return fmt::format(R"({{"name": "{}", "description": {}, "inputSchema": {}}})", m.name,
-                                          io::json_string(m.about), parameters_schema(m));
+                                          json_string(m.about), parameters_schema(m));
                      }));
 }
 
@@ -89,7 +89,7 @@ std::string JsonRpc::call_tool(const JsonValue& parameters) {
   if (name == nullptr || !name->is(JsonKind::kString))
     throw RequestError{RequestError::kParams, "tools/call takes \"name\" and \"arguments\""};
   const auto content = [](const std::string& text) {
-    return fmt::format(R"("content": [{{"type": "text", "text": {}}}])", io::json_string(text));
+    return fmt::format(R"("content": [{{"type": "text", "text": {}}}])", json_string(text));
   };
   // What is wrong with the scene is for the assistant to read; what is wrong with the call is for the client.
   try {

@@ -8,13 +8,13 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "formula/explain/explain.h"
 #include "formula/planar/rotation_bounds.h"
 #include "formula/planar/solve_region.h"
 #include "formula/planar/solve_rotation.h"
 #include "in_plane/planar_map.h"
 #include "io/draw/draw_region.h"
-#include "io/write/json_text.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
@@ -49,9 +49,8 @@ void include(std::optional<plane::PieceBox>& all, const std::optional<plane::Pie
 }
 
 std::string places_json(const std::vector<plane::Place>& places) {
-  return io::list(places, [](const plane::Place& p) {
-    return fmt::format("[{}, {}]", io::json_number(p[0]), io::json_number(p[1]));
-  });
+  return json_list(places,
+                   [](const plane::Place& p) { return fmt::format("[{}, {}]", json_number(p[0]), json_number(p[1])); });
 }
 
 RealPoint point_of(const Spot& spot) { return {spot.at[0], spot.at[1]}; }
@@ -122,8 +121,8 @@ std::string LoadedPlane::drawing_json(const plane::Region& region) const {
   const plane::CurveNet net(region, step);
   const io::RegionDrawing d = io::region_drawing(net, drawing_frame(world, scene().y_down));
   return fmt::format(R"({{"faces": {}, "closed": {}, "open": {}, "free": {}, "points": {}, "full": {}, "hollow": {}}})",
-                     io::json_string(d.faces), io::json_string(d.closed), io::json_string(d.open),
-                     io::json_string(d.free), places_json(d.points), places_json(d.full), places_json(d.hollow));
+                     json_string(d.faces), json_string(d.closed), json_string(d.open), json_string(d.free),
+                     places_json(d.points), places_json(d.full), places_json(d.hollow));
 }
 
 std::string LoadedPlane::drawing_of(const std::string& shape) const {
@@ -135,8 +134,8 @@ std::string LoadedPlane::brief_json(const RegionAnswers& answers) const {
   const auto sample = answers.sample();
   const std::string at =
       sample ? io::json_point(distance::coordinates(distance::times(solver().world().step, *sample))) : "null";
-  std::string out = fmt::format(R"({{"empty": {}, "sample": {}, "drawing": {})", io::truth(!sample), at,
-                                drawing_json(answers.region()));
+  std::string out =
+      fmt::format(R"({{"empty": {}, "sample": {}, "drawing": {})", !sample, at, drawing_json(answers.region()));
   if (answers.outer()) out += ", \"outer_drawing\": " + drawing_json(*answers.outer());
   return out + "}";
 }

@@ -10,7 +10,6 @@
 #include "in_space/ray_outcome.h"
 #include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
-#include "io/write/json_text.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "io/write/json_text.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
@@ -195,7 +195,7 @@ std::string copy(SceneStore& store, const JsonValue& parameters) {
 }
 
 std::string source(SceneStore& store, const JsonValue& parameters) {
-  return fmt::format(R"({{"text": {}}})", io::json_string(store.source(name_of(parameters))));
+  return fmt::format(R"({{"text": {}}})", json_string(store.source(name_of(parameters))));
 }
 
 std::string scene(SceneStore& store, const JsonValue& parameters) {
@@ -402,23 +402,22 @@ std::string parameters_schema(const Method& method) {
   for (const Parameter& p : method.parameters) {
     std::string schema(p.schema);
     schema.pop_back();
-    io::put(properties, R"({}"{}": {}, "description": {}}})", properties.empty() ? "" : ", ", p.name, schema,
-            io::json_string(p.about));
+    properties += fmt::format(R"({}"{}": {}, "description": {}}})", properties.empty() ? "" : ", ", p.name, schema,
+                              json_string(p.about));
     if (p.required) required.emplace_back(p.name);
   }
-  const std::string must =
-      required.empty() ? "" : fmt::format(R"(, "required": {})", io::list(required, io::json_string));
+  const std::string must = required.empty() ? "" : fmt::format(R"(, "required": {})", json_list(required, json_string));
   return fmt::format(R"({{"type": "object", "properties": {{{}}}{}, "additionalProperties": false}})", properties,
                      must);
 }
 
 std::string protocol_json() {
   std::string out = "{\"protocol\": \"findspace\", \"version\": 1,\n  \"methods\": ";
-  out += io::list(
+  out += json_list(
       methods(),
       [](const Method& m) {
         return fmt::format("{{\"name\": \"{}\", \"description\": {},\n       \"params\": {}}}", m.name,
-                           io::json_string(m.about), parameters_schema(m));
+                           json_string(m.about), parameters_schema(m));
       },
       true);
   return out + "}\n";

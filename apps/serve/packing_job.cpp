@@ -4,13 +4,13 @@
 #include "serve/packing_job.h"
 
 #include <findspace/error.h>
+#include <findspace/text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "io/write/json_text.h"
 #include "placing/packing_report.h"
 #include "serve/space_drawing.h"
 
@@ -36,11 +36,9 @@ struct Plane {
     return result;
   }
   static std::string holder(const PackProblem& problem) {
-    return fmt::format(R"("height": {})", io::json_number(problem.height.value()));
+    return fmt::format(R"("height": {})", json_number(problem.height.value()));
   }
-  static std::string drawing(const Packing& packing, std::size_t part) {
-    return io::json_string(packing.outline(part));
-  }
+  static std::string drawing(const Packing& packing, std::size_t part) { return json_string(packing.outline(part)); }
   static Number& size(PackLayout& layout) { return layout.length; }
   static std::array<Number*, 2> place(PlacedPart& item) { return {&item.x, &item.y}; }
   static std::optional<PackLayout> moved(const Packing& packing, const PackLayout& layout, const MovedItem& to) {
@@ -60,11 +58,11 @@ struct Space {
     return SolidPacking::json(problem, asked);
   }
   static std::string holder(const SolidPackProblem& problem) {
-    const auto number = [](const Number& n) { return io::json_number(n.value()); };
+    const auto number = [](const Number& n) { return json_number(n.value()); };
     if (problem.containers.empty())
       return fmt::format(R"("floor": [{}, {}])", number(problem.width), number(problem.depth));
-    return fmt::format(R"("containers": {})", io::list(problem.containers, [&](const PackContainer& c) {
-                         return fmt::format(R"({{"name": {}, "size": [{}, {}, {}]}})", io::json_string(c.name),
+    return fmt::format(R"("containers": {})", json_list(problem.containers, [&](const PackContainer& c) {
+                         return fmt::format(R"({{"name": {}, "size": [{}, {}, {}]}})", json_string(c.name),
                                             number(c.width), number(c.depth), number(c.height));
                        }));
   }
@@ -116,14 +114,14 @@ class JobOf : public PackingJob {
   std::string problem_json(bool drawing) const override {
     const auto& problem = packing_.problem();
     std::size_t k = 0;
-    const std::string parts = io::list(problem.parts, [&](const auto& p) {
+    const std::string parts = json_list(problem.parts, [&](const auto& p) {
       const std::size_t part = k++;
-      return fmt::format(R"({{"name": {}, "demand": {}{}}})", io::json_string(p.name), p.count,
+      return fmt::format(R"({{"name": {}, "demand": {}{}}})", json_string(p.name), p.count,
                          drawing ? ", \"drawing\": " + Kind::drawing(packing_, part) : "");
     });
     return fmt::format(R"({{"name": {}, "dimension": {}, {}, "lower_bound": {}, "items": {}, "parts": {}}})",
-                       io::json_string(problem.name), Kind::kDimension, Kind::holder(problem),
-                       io::json_number(packing_.lower_bound().value()), packing_.copies(), parts);
+                       json_string(problem.name), Kind::kDimension, Kind::holder(problem),
+                       json_number(packing_.lower_bound().value()), packing_.copies(), parts);
   }
 
  private:
@@ -231,10 +229,10 @@ void PackingJob::start(const PackingStart& start) {
 
 std::string PackingJob::state_json(std::uint64_t since) const {
   const std::lock_guard lock(guard_);
-  std::string out = fmt::format(R"({{"running": {}, "number": {}, "seconds": {:.3f}, "{}": {}, "density": {})",
-                                io::truth(running_), number_, state_.seconds, size_word(),
-                                io::json_number(state_.length), io::json_number(state_.density));
-  if (!failure_.empty()) out += ", \"failure\": " + io::json_string(failure_);
+  std::string out =
+      fmt::format(R"({{"running": {}, "number": {}, "seconds": {:.3f}, "{}": {}, "density": {})", running_.load(),
+                  number_, state_.seconds, size_word(), json_number(state_.length), json_number(state_.density));
+  if (!failure_.empty()) out += ", \"failure\": " + json_string(failure_);
   if (const std::string layout = number_ > since ? layout_member() : ""; !layout.empty()) out += ", " + layout;
   return out + "}";
 }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "findspace/text.h"
 #include "io/text/json_tree.h"
-#include "io/write/json_text.h"
 
 namespace findspace::app {
 namespace {
@@ -56,8 +56,8 @@ std::string with_key(const std::string& text, const std::string& key, const std:
 }  // namespace
 
 std::string edited_scene(const std::string& text, const std::string& where, const std::vector<std::string>& moving) {
-  const std::string with_where = with_key(text, "where", io::json_string(where));
-  const std::string moves = moving.size() == 1 ? io::json_string(moving[0]) : io::list(moving, io::json_string);
+  const std::string with_where = with_key(text, "where", json_string(where));
+  const std::string moves = moving.size() == 1 ? json_string(moving[0]) : json_list(moving, json_string);
   return moving.empty() ? with_where : with_key(with_where, "moving", moves);
 }
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "io/text/json_tree.h"
-#include "io/text/read_text.h"
 #include "placing/packing_report.h"
 #include "serve/methods.h"
 #include "serve/scene_source.h"
@@ -20,7 +20,7 @@ namespace {
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
   plane::WorkBudget work;
-  const io::JsonValue file = io::parse_json(io::read_text(path, most), path.string(), work);
+  const io::JsonValue file = io::parse_json(read_text(path, most), path.string(), work);
   if (file.find("layout") != nullptr && file.find("shapes") == nullptr)
     throw Error(ErrorCode::kUsage, "a layout is shown with its problem: findspace view PROBLEM --start LAYOUT",
                 path.string());
@@ -30,7 +30,7 @@ bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
 
 /// Of a scene; nothing of a drawing or a board.
 std::string text_of(const std::filesystem::path& path, std::uint64_t most) {
-  return path.extension() == ".json" ? io::read_text(path, most) : std::string();
+  return path.extension() == ".json" ? read_text(path, most) : std::string();
 }
 
 io::Scene read_scene(const Options& options) {
@@ -49,7 +49,7 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
   if (is_problem(scene, options.input_limit)) {
     PackReading asked = pack_reading(options_, scene.string());
     asked.folder = scene.parent_path().string();
-    keep_problem("scene", io::read_text(scene, options.input_limit), asked);
+    keep_problem("scene", read_text(scene, options.input_limit), asked);
     if (options.start) packing("scene").begin_with_file(*options.start, options.input_limit);
     return;
   }
@@ -100,7 +100,7 @@ void SceneStore::load_problem(const std::string& name, const std::string& path, 
   asked.name = path;
   asked.read = reading(options_);
   asked.folder = whole.parent_path().string();
-  keep_problem(name, io::read_text(whole, options_.input_limit), asked);
+  keep_problem(name, read_text(whole, options_.input_limit), asked);
 }
 
 void SceneStore::load_problem_text(const std::string& name, const std::string& text, PackReading asked) {

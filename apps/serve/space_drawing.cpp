@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "findspace/text.h"
 #include "io/mesh/space_surface.h"
-#include "io/write/json_text.h"
 #include "space/box/box_operations.h"
 #include "space/box/box_topology.h"
 
@@ -17,10 +17,10 @@ namespace findspace::app {
 namespace {
 
 std::string corner_json(const SpacePlace& p) {
-  return fmt::format("[{}, {}, {}]", io::json_number(p[0]), io::json_number(p[1]), io::json_number(p[2]));
+  return fmt::format("[{}, {}, {}]", json_number(p[0]), json_number(p[1]), json_number(p[2]));
 }
 
-std::string corners_list(const std::vector<SpacePlace>& places) { return io::list(places, corner_json); }
+std::string corners_list(const std::vector<SpacePlace>& places) { return json_list(places, corner_json); }
 
 /// What the closure of its interior leaves of a set.
 space::BoxComplex without_volume(const space::BoxComplex& set) {
@@ -78,10 +78,10 @@ SpaceWindow SpaceWindow::wider() const {
 
 std::string SpaceDrawing::json() const {
   const std::string faces =
-      io::list(solid.faces, [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ",")); });
+      json_list(solid.faces, [](const std::vector<int>& face) { return fmt::format("[{}]", fmt::join(face, ",")); });
   return fmt::format(R"({{"vertices": {}, "faces": {}, "sheets": {}, "curves": {}, "points": {}}})",
-                     corners_list(solid.vertices), faces, io::list(sheets, corners_list),
-                     io::list(curves, corners_list), corners_list(points));
+                     corners_list(solid.vertices), faces, json_list(sheets, corners_list),
+                     json_list(curves, corners_list), corners_list(points));
 }
 
 SpaceDrawing drawing_of_boxes(const space::BoxComplex& set, const exact::Real& step, const SpaceWindow& window) {

@@ -18,6 +18,7 @@
 //   phi.h       Phi-functions with gradients
 //   board.h     circuit boards: rules of their parts
 //   vocabulary.h   the words that formulas are written with
+//   text.h      files within limits, and pieces of JSON
 //   error.h     what is thrown for bad input
 #pragma once
 
@@ -41,6 +42,7 @@
 #include "findspace/solid_packing.h"
 #include "findspace/space_region.h"
 #include "findspace/surface.h"
+#include "findspace/text.h"
 #include "findspace/values.h"
 #include "findspace/vocabulary.h"
 #include "findspace/world.h"

@@ -62,6 +62,8 @@ NEEDLESS = {
     "Number": "numbers of Python, or text", "Level": "numbers of Python, or text", "Point": "a pair", "Point3": "a triple",
     "Position": "a pair of floats", "Position3": "a triple of floats", "Place": "a list of floats",
     "CancelScope": "Ctrl-C ends questions",
+    "read_text": "open()", "read_standard_input": "sys.stdin", "json_number": "the module json",
+    "json_string": "the module json", "json_list": "the module json",
     "Placement::Told": "pickle", "Placement::told": "pickle",
 }
 

@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 
 #include "findspace/error.h"
 
-namespace findspace::io {
+namespace findspace {
+namespace io {
 namespace {
 
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
@@ -108,15 +110,17 @@ std::string by_reader(const std::function<std::string()>& read) {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes, const std::filesystem::path& root) {
-  return by_reader([&] { return read_file(path, most_bytes, root); });
-}
-
-std::string read_standard_input(std::uint64_t most_bytes) {
-  return by_reader([&] { return read_all(STDIN_FILENO, most_bytes, kReadAtOnce, "standard input"); });
-}
-
 ReadTextBy::ReadTextBy(const TextReader* reader) : before_(reader_of_thread) { reader_of_thread = reader; }
 ReadTextBy::~ReadTextBy() { reader_of_thread = before_; }
 
-}  // namespace findspace::io
+}  // namespace io
+
+std::string read_text(const std::string& path, std::uint64_t most_bytes, const std::string& root) {
+  return io::by_reader([&] { return io::read_file(path, most_bytes, root); });
+}
+
+std::string read_standard_input(std::uint64_t most_bytes) {
+  return io::by_reader([&] { return io::read_all(STDIN_FILENO, most_bytes, io::kReadAtOnce, "standard input"); });
+}
+
+}  // namespace findspace

@@ -6,23 +6,16 @@
 // symbolic link, directory traversal.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 
-#include "findspace/files.h"
+#include "findspace/text.h"
 
 namespace findspace::io {
 
-/// The bytes of a regular file, `most_bytes` at most. With a `root`, the file itself lies in this folder, wherever
-/// links lead. Throws Error: kFile where it is missing, no regular file, outside, or cannot be read to its end; kLimit
-/// where it is longer.
-std::string read_text(const std::filesystem::path& path, std::uint64_t most_bytes = kUsualInput,
-                      const std::filesystem::path& root = {});
-
-/// The same of standard input, which may be a pipe.
-std::string read_standard_input(std::uint64_t most_bytes = kUsualInput);
+using findspace::read_standard_input;
+using findspace::read_text;
 
 /// Gives the text that the function reads, or another process's: one that reads files for several.
 using TextReader = std::function<std::string(const std::function<std::string()>& read)>;

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "findspace/text.h"
 #include "io/text/put.h"
 #include "io/write/write_json.h"
 
@@ -26,19 +27,11 @@ inline std::string unit_key(std::string_view unit) {
 /// Appends items separated by commas, each on its own line where `lines`.
 template <class Items, class Text>
 void put_list(std::string& out, const Items& items, Text text, bool lines = false) {
-  out += '[';
-  const char* separator = lines ? "\n      " : "";
-  for (const auto& item : items) {
-    out.append(separator).append(text(item));
-    separator = lines ? ",\n      " : ", ";
-  }
-  out += ']';
+  out += json_list(items, text, lines);
 }
 template <class Items, class Text>
 std::string list(const Items& items, Text text, bool lines = false) {
-  std::string out;
-  put_list(out, items, text, lines);
-  return out;
+  return json_list(items, text, lines);
 }
 
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.

@@ -82,24 +82,6 @@ void put_cells(std::string& out, const CurveNet& net) {
 
 }  // namespace
 
-std::string json_number(double value) {
-  if (std::isinf(value) && value < 0) return "\"-inf\"";
-  if (!std::isfinite(value)) return "null";
-  return value == 0 ? "0" : fmt::format("{}", value);
-}
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      put(out, "\\u{:04x}", int(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
 std::string closed_form_text(const distance::SceneAnswer& answer) {
   const auto text = distance::closed_form(answer);
   if (!text || exact::Real::parse_decimal(json_number(answer.value.to_double())) == answer.value) return "";

@@ -11,16 +11,15 @@
 #include <vector>
 
 #include "distance/answer/optimum.h"
+#include "findspace/text.h"
 #include "formula/planar/solve.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/locate_line.h"
 
 namespace findspace::io {
 
-/// "0.1", "3", "1e-07"; "-inf" (quoted) for minus infinity, null for what no number is.
-std::string json_number(double value);
-/// With quotes; control characters, quotes and backslashes escaped.
-std::string json_string(std::string_view text);
+using findspace::json_number;
+using findspace::json_string;
 
 /// The closed form of an exact value whose decimal is not the number itself, quoted; else empty.
 std::string closed_form_text(const distance::SceneAnswer& answer);

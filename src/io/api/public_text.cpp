@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <findspace/text.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/text/put.h"
+
+namespace findspace {
+
+std::string json_number(double value) {
+  if (std::isinf(value) && value < 0) return "\"-inf\"";
+  if (!std::isfinite(value)) return "null";
+  return value == 0 ? "0" : fmt::format("{}", value);
+}
+
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      io::put(out, "\\u{:04x}", int(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+}  // namespace findspace
