@@ -30,10 +30,10 @@ SolidColumn::SolidColumn(const SolidProblem& problem, const SolidTable& table, c
 
 void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table) {
   for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
-    const auto& [placed, kind] = problem.fixed[k];
+    const SolidPlaced& placed = problem.fixed[k].placed;
     std::size_t room = 0;
     for (std::size_t before = placed.container; problem.in_containers(); ++room)
-      if (rooms_[room].kind == kind && before-- == 0) break;
+      if (rooms_[room].kind == problem.fixed[k].kind && before-- == 0) break;
     const auto from_edge = [&](std::size_t axis) { return placed.at[axis].to_double() - table.edge(); };
     const std::size_t variant = table.fixed_variants()[k];
     obstacles_.push_back({variant, {from_edge(0), from_edge(1), from_edge(2) + rooms_[room].low.z}});

@@ -223,7 +223,7 @@ void SolidTable::add_variants(std::size_t part) {
 /// A fixed solid stands in its own form, though another may look the same.
 void SolidTable::add_fixed() {
   for (const FixedSolid& fixed : problem_.fixed) {
-    const auto [part, form] = std::pair(fixed.placed.part, fixed.placed.form);
+    const std::size_t part = fixed.placed.part, form = fixed.placed.form;
     const auto same = [&](const SolidVariant& v) { return v.part == part && v.form == form; };
     const auto known = std::find_if(variants_.begin(), variants_.end(), same);
     fixed_.push_back(std::size_t(known - variants_.begin()));
