@@ -7,6 +7,7 @@
 // job, progress, anytime algorithm.
 #pragma once
 
+#include <findspace/options.h>
 #include <findspace/pack_search.h>
 
 #include <atomic>
@@ -68,7 +69,7 @@ class PackingJob {
   void count(const PackProgress& state);
 
   std::thread thread_;
-  const Cancel stop_;
+  const Cancel stop_{};
   std::atomic<bool> running_ = false;
   mutable std::mutex guard_;  // of what follows, and of the best layout
   PackProgress state_;
