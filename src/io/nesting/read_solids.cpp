@@ -96,10 +96,11 @@ class SolidReader : private NestingJson {
         conditions_of(result.stated, result.problem.parts.size(), farthest_gap(result.problem), name());
     result.shapes = std::move(shapes_);
     packing::check(result.problem, name());
-    if (const JsonValue* fixed = tree().find("fixed"))
+    if (const JsonValue* fixed = tree().find("fixed")) {
       for (const JsonValue& item : list(*fixed).items)
         result.problem.fixed.push_back(fixed_solid(item, result.problem));
-    check_fixed(result.problem, name());
+      check_fixed(result.problem, place(*fixed));
+    }
     return result;
   }
 
