@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Many solids packed onto a floor, as low as can be, or into few containers of given sizes; where they do not all fit
+// Many solids packed onto a floor, as low as can be, or into few containers, boxes or others; where they do not all fit
 // these, the most valuable choice of them. A solid has flat faces, is a ball, or a union of such. Every layout that is
 // handed out is proved: no two interiors meet, gaps and edges are kept, by exact signs on the shapes given. How low or
 // few is the result of a search, not proved. The units are those of the shapes. Cost: as much time as is allowed.
@@ -56,16 +56,19 @@ struct PackSolid {
   std::optional<Number> value = {};
 };
 
-/// A kind of container, from (0, 0, 0) to (width, depth, height).
+/// A kind of container, from (0, 0, 0) to (width, depth, height), or of a shape of its own.
 struct PackContainer {
   /// How layouts call it.
   std::string name;
-  /// Along x, y and z.
+  /// Along x, y and z; 0 where it has a shape.
   Number width = 0, depth = 0, height = 0;
   /// How many there are.
   int count = 1;
   /// Of one; the cheapest for their volume are used first. Given for all kinds or for none.
   std::optional<Number> cost = {};
+  /// What it holds where that is no box: one solid with flat faces, convex or not. It is moved so that its box begins
+  /// at (0, 0, 0): so positions in it count.
+  std::optional<Shape> shape = {};
 };
 
 /// A copy that stands already, and counts as one of its part.

@@ -19,6 +19,7 @@
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_solids.h"
 #include "packing/problem/pair_formula.h"
+#include "packing/solid_problem/container_shape.h"
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_search/make_solid_room.h"
 #include "packing/solid_search/proved_search.h"
@@ -57,14 +58,21 @@ std::vector<Orientation> all_shown(const std::vector<SolidRotation>& rotations) 
   return result;
 }
 
+plane::Grid decimal_grid(int digits) {
+  return plane::Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits)));
+}
+
 /// The digits of a decimal grid that holds the shapes.
-int digits_of(const std::vector<PackSolid>& parts) {
+int digits_of(const SolidPackProblem& problem) {
   constexpr int kMost = 9;
   int digits = 0;
-  for (const PackSolid& part : parts)
-    while (!(part.shape.data().grid.step() * exact::Real(packing::power_of_ten(digits))).integer())
-      if (++digits > kMost)
-        throw Error(ErrorCode::kUnsupported, "its grid has no decimal step of nine digits", "part '" + part.name + "'");
+  const auto look_at = [&](const Shape& shape, const std::string& place) {
+    while (!(shape.data().grid.step() * exact::Real(packing::power_of_ten(digits))).integer())
+      if (++digits > kMost) throw Error(ErrorCode::kUnsupported, "its grid has no decimal step of nine digits", place);
+  };
+  for (const PackSolid& part : problem.parts) look_at(part.shape, "part '" + part.name + "'");
+  for (const PackContainer& container : problem.containers)
+    if (container.shape) look_at(*container.shape, "container '" + container.name + "'");
   return digits;
 }
 
@@ -80,13 +88,23 @@ packing::SolidPart part_of(const PackSolid& part, const plane::Grid& grid) try {
   throw e.within("part '" + part.name + "'");
 }
 
-packing::SolidContainer container_of(const PackContainer& container, bool costs) {
+void set_shape(packing::SolidContainer& result, const PackContainer& container, int digits) try {
+  if (result.width != 0 || result.depth != 0 || result.height != 0)
+    throw Error(ErrorCode::kBadValue, "it has either sizes or a shape of its own");
+  if (container.shape->dimension() != 3) throw Error(ErrorCode::kUnsupported, "containers are shapes of space");
+  packing::set_shape(result, *api::tree_on(*container.shape, decimal_grid(digits)), packing::power_of_ten(digits));
+} catch (const Error& e) {
+  throw e.within("container '" + container.name + "'");
+}
+
+packing::SolidContainer container_of(const PackContainer& container, bool costs, int digits) {
   packing::SolidContainer result{container.name,
                                  io::count_of(container.count),
                                  io::amount_of(container.cost),
                                  io::fraction(container.width),
                                  io::fraction(container.depth),
                                  io::fraction(container.height)};
+  if (container.shape) set_shape(result, container, digits);
   if (result.width <= 0 || result.depth <= 0 || result.height <= 0)
     throw Error(ErrorCode::kBadValue, "a container has sizes above 0", "container '" + container.name + "'");
   if (result.cost.has_value() != costs)
@@ -143,11 +161,11 @@ SolidProblem on_grid(const SolidPackProblem& problem) {
   result.gap = io::fraction(problem.gap);
   result.edge = io::fraction(problem.edge);
   if (result.gap < 0 || result.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0");
+  result.digits = digits_of(problem);
   for (const PackContainer& container : problem.containers)
-    result.containers.push_back(container_of(container, problem.containers[0].cost.has_value()));
+    result.containers.push_back(container_of(container, problem.containers[0].cost.has_value(), result.digits));
   io::check_names(result.containers, "containers");
-  result.digits = digits_of(problem.parts);
-  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(result.digits)));
+  const plane::Grid grid = decimal_grid(result.digits);
   for (const PackSolid& part : problem.parts) result.parts.push_back(part_of(part, grid));
   io::check_names(result.parts, "parts");
   const io::StatedConditions stated = io::stated_of(problem, result.parts);
@@ -229,6 +247,19 @@ PackFault public_fault(const SolidProblem& problem, const SolidLayout& layout, c
   return result;
 }
 
+PackContainer public_container(const packing::SolidContainer& c, const plane::ShapePtr& shape,
+                               const plane::Grid& grid) {
+  PackContainer result{c.name, 0, 0, 0, c.count, io::public_amount(c.cost)};
+  if (shape != nullptr) {
+    result.shape = api::make_shape(shape, grid, 3);
+    return result;
+  }
+  result.width = c.width.text();
+  result.depth = c.depth.text();
+  result.height = c.height.text();
+  return result;
+}
+
 SolidPackProblem public_problem(const io::SolidProblemRead& read) {
   const SolidProblem& inner = read.problem;
   SolidPackProblem result;
@@ -237,10 +268,9 @@ SolidPackProblem public_problem(const io::SolidProblemRead& read) {
   result.depth = inner.depth.text();
   result.gap = inner.gap.text();
   result.edge = inner.edge.text();
-  for (const packing::SolidContainer& c : inner.containers)
-    result.containers.push_back(
-        {c.name, c.width.text(), c.depth.text(), c.height.text(), c.count, io::public_amount(c.cost)});
-  const plane::Grid grid(exact::Real(1) / exact::Real(packing::power_of_ten(inner.digits)));
+  const plane::Grid grid = decimal_grid(inner.digits);
+  for (std::size_t k = 0; k < inner.containers.size(); ++k)
+    result.containers.push_back(public_container(inner.containers[k], read.container_shapes[k], grid));
   for (std::size_t k = 0; k < inner.parts.size(); ++k) {
     const packing::SolidPart& part = inner.parts[k];
     PackSolid& out = result.parts.emplace_back(

@@ -23,6 +23,7 @@
 #include "io/scene/scene_rotation.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
+#include "packing/solid_problem/container_shape.h"
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
@@ -40,7 +41,7 @@ constexpr std::array<Key, 12> kKeys{
     "gaps", "pairs",     "where",      "groups",     "fixed",  "comment"};  // of data sets
 constexpr std::array<Key, 6> kItemKeys{"id", "demand", "path", "shape", "allowed_orientations", "value"};
 constexpr std::array<Key, 2> kFloorKeys{"size-x", "size-y"};
-constexpr std::array<Key, 6> kContainerKeys{"id", "count", "cost", "size-x", "size-y", "size-z"};
+constexpr std::array<Key, 8> kContainerKeys{"id", "count", "cost", "size-x", "size-y", "size-z", "shape", "path"};
 constexpr std::array<Key, 6> kFixedSolidKeys{"part", "copy", "at", "rotation", "container", "number"};
 constexpr std::array<std::pair<Key, std::span<const Key>>, 6> kKeysOfLists{{{"item-types", kItemKeys},
                                                                             {"containers", kContainerKeys},
@@ -87,8 +88,7 @@ class SolidReader : private NestingJson {
     check_keys(context);
     const int digits = digits_needed(context);
     context.grid = grid_of(digits);
-    SolidProblemRead result = read(context, asked);
-    result.problem.digits = digits;
+    SolidProblemRead result = read(context, asked, digits);
     for (std::size_t k = 0; k < shapes_.size(); ++k) stand(result.problem.parts[k], k);
     read_conditions(*this, names_of(result.problem.parts), 3, result.stated);
     result.problem.pair_gaps = result.stated.gaps;
@@ -176,11 +176,19 @@ class SolidReader : private NestingJson {
   int digits_needed(ReadContext& context) {
     int digits = 0;
     if (const JsonValue* named = tree().find("shapes")) digits = digits_in(*named, kMostDigits);
+    const auto look_at = [&](const JsonValue& value) {
+      if (const JsonValue* shape = value.find("shape")) digits = std::max(digits, digits_in(*shape, kMostDigits));
+      if (const JsonValue* path = value.find("path")) digits = std::max(digits, digits_of_file(*path, context));
+    };
     for (const JsonValue& item : list(need(tree(), "item-types")).items) {
       need(item, "demand");  // an object
-      if (const JsonValue* shape = item.find("shape")) digits = std::max(digits, digits_in(*shape, kMostDigits));
-      if (const JsonValue* path = item.find("path")) digits = std::max(digits, digits_of_file(*path, context));
+      look_at(item);
     }
+    if (const JsonValue* containers = tree().find("containers"))
+      for (const JsonValue& container : list(*containers).items) {
+        need(container, "id");
+        look_at(container);
+      }
     return digits;
   }
 
@@ -216,11 +224,11 @@ class SolidReader : private NestingJson {
     }
   }
 
-  SolidProblemRead read(ReadContext& context, const NestingOptions& asked) {
+  SolidProblemRead read(ReadContext& context, const NestingOptions& asked, int digits) {
     SolidProblemRead result;
     packing::SolidProblem& problem = result.problem;
+    problem.digits = digits;
     if (const JsonValue* named = tree().find("name")) problem.name = named->text;
-    read_containers(problem);
     problem.gap = asked.gap;
     problem.edge = asked.edge;
     const SceneReader json(name(), context);
@@ -228,6 +236,7 @@ class SolidReader : private NestingJson {
     none.kind = Kind::kObject;
     const JsonValue* named = tree().find("shapes");
     ShapeReader shapes(json, named != nullptr ? *named : none);
+    read_containers(result, shapes, context);
     for (const JsonValue& item : list(need(tree(), "item-types")).items) {
       problem.parts.push_back(part(item, shapes, context));
       check_name(item, problem.parts, "items");
@@ -237,7 +246,8 @@ class SolidReader : private NestingJson {
   }
 
   /// A floor on which the height is sought, or containers of given sizes.
-  void read_containers(packing::SolidProblem& problem) const {
+  void read_containers(SolidProblemRead& read, ShapeReader& shapes, ReadContext& context) const {
+    packing::SolidProblem& problem = read.problem;
     const JsonValue *floor = tree().find("container"), *containers = tree().find("containers");
     if (containers == nullptr) {
       problem.width = number(need(*floor, "size-x"));
@@ -250,16 +260,45 @@ class SolidReader : private NestingJson {
       container.name = need(value, "id").text;
       if (const JsonValue* count = value.find("count")) container.count = whole(*count);
       if (const JsonValue* cost = value.find("cost")) container.cost = not_below_0(*cost, "cost");
-      container.width = number(need(value, "size-x"));
-      container.depth = number(need(value, "size-y"));
-      container.height = number(need(value, "size-z"));
-      if (container.width <= 0 || container.depth <= 0 || container.height <= 0)
-        fail(value, "a container has sizes above 0");
+      read.container_shapes.push_back(container_shape(value, shapes, context));
+      if (read.container_shapes.back() != nullptr)
+        set_shape(value, *read.container_shapes.back(), problem);
+      else
+        set_sizes(value, container);
       check_name(value, problem.containers, "containers");
       if (container.cost.has_value() != problem.containers[0].cost.has_value())
         fail(value, "some containers have a cost and others none");
     }
     if (problem.containers.empty()) fail(*containers, "there are no containers");
+  }
+
+  void set_sizes(const JsonValue& value, packing::SolidContainer& container) const {
+    container.width = number(need(value, "size-x"));
+    container.depth = number(need(value, "size-y"));
+    container.height = number(need(value, "size-z"));
+    if (container.width <= 0 || container.depth <= 0 || container.height <= 0)
+      fail(value, "a container has sizes above 0");
+  }
+
+  /// Null of a box that is given by its sizes.
+  plane::ShapePtr container_shape(const JsonValue& value, ShapeReader& shapes, ReadContext& context) const {
+    const JsonValue *path = value.find("path"), *shape = value.find("shape");
+    if (path == nullptr && shape == nullptr) return nullptr;
+    if (path != nullptr && shape != nullptr) fail(value, "a container has either a 'path' or a 'shape'");
+    for (const char* key : {"size-x", "size-y", "size-z"})
+      if (const JsonValue* size = value.find(key)) fail(*size, "a container has either sizes or a shape of its own");
+    if (path != nullptr) return from_file(*path, context);
+    return shapes.shape(*shape, Label{nullptr, "container", std::string_view(need(value, "id").text)});
+  }
+
+  /// Of the last container.
+  void set_shape(const JsonValue& value, const plane::Shape& shape, packing::SolidProblem& problem) const {
+    packing::SolidContainer& container = problem.containers.back();
+    try {
+      packing::set_shape(container, shape, problem.steps());
+    } catch (const Error& e) {
+      throw e.within(fmt::format("container '{}' ({})", container.name, place(value)));
+    }
   }
 
   Fraction not_below_0(const JsonValue& value, const char* what) const {

@@ -22,8 +22,9 @@ bool is_solid_problem(const std::string& text, const std::string& name);
 
 struct SolidProblemRead {
   packing::SolidProblem problem;
-  std::vector<std::string> notes;       // what was changed in meshes
-  std::vector<plane::ShapePtr> shapes;  // of the parts, on the problem's grid
+  std::vector<std::string> notes;                      // what was changed in meshes
+  std::vector<plane::ShapePtr> shapes;                 // of the parts, on the problem's grid
+  std::vector<plane::ShapePtr> container_shapes = {};  // null of boxes
   StatedConditions stated;
 };
 

@@ -13,6 +13,7 @@
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
+#include "space/convolution/ray_body.h"
 
 namespace findspace::io {
 namespace {
@@ -40,21 +41,57 @@ std::string container_json(const packing::SolidProblem& problem, const packing::
   return fmt::format("{{\"containers\": [{}]}}", names);
 }
 
+using Point3d = std::array<double, 3>;
+
+struct DrawnEdge {
+  Point3d from, to;
+  bool is_in_front;  // of what the container holds
+};
+
 /// A container of the layout as it is drawn: they stand side by side along x.
 struct DrawnContainer {
   double x = 0;
-  std::array<double, 3> sides;
+  std::vector<DrawnEdge> edges;
 };
+
+std::vector<DrawnEdge> edges_of_box(double x, const Point3d& sides) {
+  constexpr std::array<std::array<int, 2>, 12> kEdges{
+      {{0, 1}, {0, 2}, {0, 4}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {4, 5}, {4, 6}, {3, 7}, {5, 7}, {6, 7}}};
+  const auto corner = [&](int k) {
+    return Point3d{x + ((k & 1) != 0 ? sides[0] : 0), (k & 2) != 0 ? sides[1] : 0, (k & 4) != 0 ? sides[2] : 0};
+  };
+  std::vector<DrawnEdge> edges;
+  for (const auto& [from, to] : kEdges) edges.push_back({corner(from), corner(to), to == 7});
+  return edges;
+}
+
+/// Its creases; those between two faces that are seen lie in front.
+std::vector<DrawnEdge> edges_of_inside(double x, const packing::SolidForm& inside, double steps) {
+  const space::RayBody body(inside.surface[0].surface);
+  const auto corner = [&](int k) {
+    const space::Point& p = body.points[std::size_t(k)];
+    return Point3d{x + double(p.x) / steps, double(p.y) / steps, double(p.z) / steps};
+  };
+  const auto is_seen = [&](int face) {
+    const auto& n = body.normal_approx[std::size_t(face)];
+    return dot({n.x, n.y, n.z}, kTowards) > 0;
+  };
+  std::vector<DrawnEdge> edges;
+  for (const space::RayEdge& e : body.edges)
+    if (e.bend != 0) edges.push_back({corner(e.from), corner(e.to), is_seen(e.left) && is_seen(e.right)});
+  return edges;
+}
 
 std::vector<DrawnContainer> drawn_containers(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
   constexpr double kBetween = 0.15;  // of the width
   if (!problem.in_containers())
-    return {{0, {problem.width.to_double(), problem.depth.to_double(), layout.height.to_double()}}};
+    return {{0, edges_of_box(0, {problem.width.to_double(), problem.depth.to_double(), layout.height.to_double()})}};
   std::vector<DrawnContainer> result;
   double x = 0;
   for (const std::size_t kind : layout.containers) {
     const packing::SolidContainer& c = problem.containers[kind];
-    result.push_back({x, {c.width.to_double(), c.depth.to_double(), c.height.to_double()}});
+    result.push_back({x, c.inside ? edges_of_inside(x, *c.inside, double(problem.steps()))
+                                  : edges_of_box(x, {c.width.to_double(), c.depth.to_double(), c.height.to_double()})});
     x += (1 + kBetween) * c.width.to_double();
   }
   return result;
@@ -131,16 +168,16 @@ class LayoutPicture {
  public:
   LayoutPicture(const packing::SolidProblem& problem, const packing::SolidLayout& layout)
       : problem_(problem), layout_(layout) {
-    for (const DrawnContainer& c : drawn_containers(problem, layout))
-      for (int k = 0; k < 8; ++k)
-        corners_.push_back({c.x + (k & 1 ? c.sides[0] : 0), k & 2 ? c.sides[1] : 0, k & 4 ? c.sides[2] : 0});
-    for (const auto& p : corners_) {
-      low_[0] = std::min(low_[0], dot(p, kRight));
-      high_[0] = std::max(high_[0], dot(p, kRight));
-      low_[1] = std::min(low_[1], dot(p, kUp));
-      high_[1] = std::max(high_[1], dot(p, kUp));
-    }
-    if (!corners_.empty()) scale_ = kViewSize / std::max(high_[0] - low_[0], high_[1] - low_[1]);
+    for (DrawnContainer& c : drawn_containers(problem, layout))
+      edges_.insert(edges_.end(), c.edges.begin(), c.edges.end());
+    for (const DrawnEdge& e : edges_)
+      for (const Point3d& p : {e.from, e.to}) {
+        low_[0] = std::min(low_[0], dot(p, kRight));
+        high_[0] = std::max(high_[0], dot(p, kRight));
+        low_[1] = std::min(low_[1], dot(p, kUp));
+        high_[1] = std::max(high_[1], dot(p, kUp));
+      }
+    if (!edges_.empty()) scale_ = kViewSize / std::max(high_[0] - low_[0], high_[1] - low_[1]);
   }
 
   std::string svg(const std::string& title) const {
@@ -152,14 +189,7 @@ class LayoutPicture {
         "font-family=\"sans-serif\">\n<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         "<text x=\"0\" y=\"-8\" font-size=\"15\">{}</text>\n<g stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
         -kMargin, -kMargin - kTitle, width, height, -kMargin, -kMargin - kTitle, xml_escaped(title));
-    constexpr std::array<std::array<int, 2>, 9> kBehind{
-        {{0, 1}, {0, 2}, {0, 4}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {4, 5}, {4, 6}}};
-    constexpr std::array<std::array<int, 2>, 3> kFront{{{3, 7}, {5, 7}, {6, 7}}};
-    for (std::size_t first = 0; first < corners_.size(); first += 8)
-      for (const auto& edge : kBehind) text += line(first, edge, "#999");
-    text += items();
-    for (std::size_t first = 0; first < corners_.size(); first += 8)
-      for (const auto& edge : kFront) text += line(first, edge, "#999");
+    text += lines(false) + items() + lines(true);
     return text + "</g>\n</svg>\n";
   }
 
@@ -167,10 +197,13 @@ class LayoutPicture {
   std::string at(const std::array<double, 3>& p) const {
     return fmt::format("{:.2f},{:.2f}", scale_ * (dot(p, kRight) - low_[0]), scale_ * (high_[1] - dot(p, kUp)));
   }
-  /// Of the container whose corners begin there.
-  std::string line(std::size_t first, const std::array<int, 2>& edge, const char* colour) const {
-    return fmt::format("<path d=\"M{} {}\" stroke=\"{}\" fill=\"none\" stroke-width=\"1\"/>\n",
-                       at(corners_[first + std::size_t(edge[0])]), at(corners_[first + std::size_t(edge[1])]), colour);
+  std::string lines(bool in_front) const {
+    std::string text;
+    for (const DrawnEdge& e : edges_)
+      if (e.is_in_front == in_front)
+        text += fmt::format("<path d=\"M{} {}\" stroke=\"#999\" fill=\"none\" stroke-width=\"1\"/>\n", at(e.from),
+                            at(e.to));
+    return text;
   }
 
   /// Faces of all items at once, so that they are laid by their depth.
@@ -198,7 +231,7 @@ class LayoutPicture {
 
   const packing::SolidProblem& problem_;
   const packing::SolidLayout& layout_;
-  std::vector<std::array<double, 3>> corners_;  // eight a container
+  std::vector<DrawnEdge> edges_;  // of containers
   std::array<double, 2> low_{}, high_{};
   double scale_ = 1;
 };

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "packing/solid_problem/container_shape.h"
+
 namespace findspace::packing {
 namespace {
 
@@ -26,6 +28,8 @@ SolidColumn::SolidColumn(const SolidProblem& problem, const SolidTable& table, c
     rooms_.add({within(c.width), within(c.depth), within(c.height)}, wall, kind);
   }
   add_fixed(problem, table);
+  has_walls_.resize(rooms_.all().size());
+  if (problem.in_containers()) add_walls(table);
 }
 
 void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table) {
@@ -42,11 +46,21 @@ void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table
   }
 }
 
+void SolidColumn::add_walls(const SolidTable& table) {
+  for (std::size_t room = 0; room < rooms_.all().size(); ++room) {
+    const std::optional<std::size_t> walls = table.walls_of(rooms_[room].kind);
+    if (!walls) continue;
+    const Vector corner{table.edge(), table.edge(), table.edge()};
+    obstacles_.push_back({*walls, rooms_[room].low - corner});
+    has_walls_[room] = 1;
+  }
+}
+
 std::vector<std::size_t> cheapest_containers(const SolidProblem& problem) {
   std::vector<Stock> stock;
   for (const SolidContainer& c : problem.containers)
     stock.push_back({std::min(std::size_t(c.count), problem.items()), containers_with_fixed(problem, stock.size()),
-                     c.cost, c.width.to_double() * c.depth.to_double() * c.height.to_double()});
+                     c.cost, volume_of(problem, c)});
   return cheapest_first(stock);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Containers of solids upon each other (packing/nfp/rooms.h): the lower the column, the fewer are used. One that is
-// sought has no lid. Fixed solids stand in the column as obstacles that never move. Cost: linear. Keywords: container
-// loading, three-dimensional bin packing.
+// sought has no lid. Fixed solids stand in the column as obstacles that never move, and so do the walls of a container
+// that is no box. Cost: linear. Keywords: container loading, three-dimensional bin packing.
 #pragma once
 
 #include <vector>
@@ -19,10 +19,12 @@ class SolidColumn {
   SolidColumn(const SolidProblem& problem, const SolidTable& table, const std::vector<std::size_t>& kinds);
 
   const Rooms<Vector>& rooms() const { return rooms_; }
-  /// The fixed solids of the problem.
+  /// The fixed solids of the problem, then walls.
   const std::vector<SolidPose>& obstacles() const { return obstacles_; }
-  /// The room of each of them.
+  /// The room of each fixed solid.
   const std::vector<std::size_t>& fixed_rooms() const { return fixed_rooms_; }
+  /// Whether a room has walls that are not those of its box.
+  bool has_walls(std::size_t room) const { return has_walls_[room] != 0; }
   /// No layout is lower: the top of the highest fixed solid, or of the highest part where none may be left out.
   double fixed_end() const { return end_; }
   /// The room in which a part stands.
@@ -35,10 +37,12 @@ class SolidColumn {
 
  private:
   void add_fixed(const SolidProblem& problem, const SolidTable& table);
+  void add_walls(const SolidTable& table);
 
   Rooms<Vector> rooms_;
   std::vector<SolidPose> obstacles_;
   std::vector<std::size_t> fixed_rooms_;
+  std::vector<char> has_walls_;  // of each room
   double end_ = 0;
 };
 

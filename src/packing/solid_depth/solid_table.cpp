@@ -8,114 +8,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "exact/margins/packing.h"
 #include "packing/problem/pair_formula.h"
-#include "space/phi/contact_surface.h"
 
 namespace findspace::packing {
 namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
-Vector least(const Vector& a, const Vector& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vector most(const Vector& a, const Vector& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
-
-constexpr int kTangents = 256;  // about a ball: the planes stand out by a hundredth of the radius at most
-
-/// Directions spread evenly: points of a spiral on the sphere.
-std::vector<Vector> spread_directions() {
-  std::vector<Vector> directions;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int k = 0; k < kTangents; ++k) {
-    const double z = 1 - (2 * k + 1) / double(kTangents), r = std::sqrt(1 - z * z);
-    directions.push_back({r * std::cos(turn * k), r * std::sin(turn * k), z});
-  }
-  return directions;
-}
-
-void set_box(ConvexOverlap& overlap, const Vector& low, const Vector& high, double out) {
-  overlap.low = low - Vector{out, out, out};
-  overlap.high = high + Vector{out, out, out};
-}
-
-/// The planes of A - B in units, farther out by the gap and the radius of a ball; `step` of the common grid.
-void add_planes(const space::ContactSurface& surface, double step, double gap, double radius, ConvexOverlap& overlap,
-                std::vector<space::PlaneBlock>& blocks) {
-  std::vector<Vector> normals, corners;
-  std::vector<double> offsets;
-  for (int f = 0; f < surface.facet_count(); ++f) {
-    const space::Plane& plane = surface.raw_plane(f);
-    const Vector n = exact::approx(plane.normal);
-    const double size = space::length(n);
-    normals.push_back((1 / size) * n);
-    offsets.push_back(double(plane.offset) / size * step - gap - radius);
-  }
-  Vector low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-  for (const space::Point& p : surface.vertices()) {
-    corners.push_back(step * exact::approx(p));
-    low = least(low, corners.back());
-    high = most(high, corners.back());
-  }
-  set_box(overlap, low, high, gap + radius);
-  if (radius > 0)
-    for (const Vector& n : spread_directions()) {
-      double support = -kFar;
-      for (const Vector& v : corners) support = std::max(support, space::dot(n, v));
-      normals.push_back(n);
-      offsets.push_back(-support - gap - radius);
-    }
-  const std::vector<space::PlaneBlock> packed = space::pack_planes(normals, offsets);
-  blocks.insert(blocks.end(), packed.begin(), packed.end());
-}
-
-/// Of two parts on a common grid.
-void add_overlap(const space::BodyPart& p, const space::BodyPart& q, double step, double gap, ConvexOverlap& overlap,
-                 std::vector<space::PlaneBlock>& blocks) {
-  const double radius = step * (p.radius + q.radius).to_double();
-  if (p.core && q.core) return add_planes(space::ContactSurface(*p.core, *q.core), step, gap, radius, overlap, blocks);
-  if (p.core) return add_planes(space::ContactSurface(*p.core, q.center), step, gap, radius, overlap, blocks);
-  if (q.core) return add_planes(space::ContactSurface(p.center, *q.core), step, gap, radius, overlap, blocks);
-  const Vector center = step * (exact::approx(p.center) - exact::approx(q.center));
-  overlap.radius = radius + gap;
-  set_box(overlap, center, center, overlap.radius);
-}
-
-/// Convex parts on a common grid, and its steps in a unit; rounded where their exact one is out of range.
-struct CommonParts {
-  std::vector<space::BodyPart> first, second;
-  double steps;
-};
-
-std::vector<space::BodyPart> rounded_parts(const space::Body& body, double factor) {
-  std::vector<space::BodyPart> result;
-  for (const space::BodyPart& part : body.parts) {
-    std::vector<space::Point> points;
-    for (const space::Point& p : part.vertices())
-      points.push_back(
-          {std::llround(double(p.x) * factor), std::llround(double(p.y) * factor), std::llround(double(p.z) * factor)});
-    const exact::Real radius = exact::Real::from_double(part.radius.to_double() * factor);
-    if (!part.core) result.push_back(space::part_of(points, radius));
-    if (part.core && space::Polytope::try_hull(points)) result.push_back(space::part_of(points, radius));
-  }
-  return result;
-}
-
-double farthest(const space::Body& body) {
-  double most = 1;
-  for (const space::BodyPart& part : body.parts)
-    for (const space::Point& p : part.vertices())
-      most = std::max({most, std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
-  return most / double(body.scale);
-}
-
-CommonParts common_parts(const space::Body& a, const space::Body& b, double steps) {
-  if (const auto scale = common_scale(a, b))
-    return {space::at_scale(a, *scale).parts, space::at_scale(b, *scale).parts, steps * double(*scale)};
-  const double scale = double(space::kCoordinateLimit) / 4 / std::max(farthest(a), farthest(b));
-  return {rounded_parts(a, scale / double(a.scale)), rounded_parts(b, scale / double(b.scale)), steps * scale};
-}
 
 Vector in_doubles(const std::array<Fraction, 3>& v) { return {v[0].to_double(), v[1].to_double(), v[2].to_double()}; }
 
@@ -140,38 +38,10 @@ Look look_of(const space::Body& body) {
 
 }  // namespace
 
-double ConvexOverlap::depth(const Vector& u) const {
-  if (!may_hold(u)) return 0;
-  const double out = value(u);
-  return out < 0 ? -out : 0;
-}
-
-Facing ConvexOverlap::facing(const Vector& u) const {
-  if (planes.empty()) {
-    const Vector way = u - center();
-    const double size = space::length(way);
-    return {size - radius, size > 0 ? (1 / size) * way : Vector{0, 0, 1}};
-  }
-  const space::Highest top = highest(u);
-  const space::PlaneBlock& b = planes[std::size_t(top.plane) / 8];
-  return {top.value, {b.x[top.plane % 8], b.y[top.plane % 8], b.z[top.plane % 8]}};
-}
-
-/// |u + t way - center| < radius, where the line comes deeper than `shallow`.
-space::LineStretch ConvexOverlap::stretch_of_ball(const Vector& u, const Vector& way, double shallow) const {
-  const Vector from = u - center();
-  const double square = space::dot(way, way), middle = -space::dot(from, way) / square;
-  const double nearest = space::length(from + middle * way);
-  if (nearest >= radius - shallow) return {};
-  const double half = std::sqrt((radius * radius - nearest * nearest) / square);
-  return {middle - half, middle + half};
-}
-
-space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
-  if (planes.empty()) return stretch_of_ball(u, way, shallow);
-  const space::LineStretch deep = space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
-  if (!(deep.from < deep.to)) return deep;
-  return space::scan_line(planes.data(), planes.size(), u, way, 0, margin::kAlongPlane);
+void OverlapPair::close() {
+  begins_.push_back(blocks_.size());
+  for (std::size_t k = 0; k < overlaps.size(); ++k)
+    overlaps[k].planes = std::span(blocks_).subspan(begins_[k], begins_[k + 1] - begins_[k]);
 }
 
 double OverlapPair::depth(const Vector& u, double shallow) const {
@@ -200,13 +70,14 @@ SolidTable::SolidTable(const SolidProblem& problem)
   of_part_.resize(problem.parts.size());
   for (std::size_t p = 0; p < problem.parts.size(); ++p) add_variants(p);
   add_fixed();
+  add_walls();
   pairs_ = std::vector<std::atomic<const OverlapPair*>>(variants_.size() * variants_.size());
 }
 
 void SolidTable::add_variants(std::size_t part) {
   const std::vector<SolidForm>& forms = problem_.parts[part].forms;
   std::vector<Look> looks;
-  double lowest = kFar;
+  double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < forms.size(); ++f) {
     const SolidBox box = box_of(problem_, forms[f]);
     if (!fits(problem_, box)) continue;
@@ -217,7 +88,7 @@ void SolidTable::add_variants(std::size_t part) {
     variants_.push_back({part, f, in_doubles(box.low), in_doubles(box.high)});
     lowest = std::min(lowest, variants_.back().high.z - variants_.back().low.z);
   }
-  if (problem_.parts[part].demand > 0 && lowest < kFar) tallest_ = std::max(tallest_, lowest);
+  if (problem_.parts[part].demand > 0 && !of_part_[part].empty()) tallest_ = std::max(tallest_, lowest);
 }
 
 /// A fixed solid stands in its own form, though another may look the same.
@@ -245,7 +116,30 @@ SolidPose SolidTable::pose_of(const SolidPlaced& item) const {
   return {of_part_[item.part][0], at};
 }
 
+/// From the corner within the edges; they reach as far as the room.
+void SolidTable::add_walls() {
+  walls_of_.resize(problem_.containers.size());
+  for (std::size_t kind = 0; kind < problem_.containers.size(); ++kind) {
+    const SolidContainer& c = problem_.containers[kind];
+    if (!c.inside) continue;
+    walls_of_[kind] = variants_.size();
+    const Vector edges{edge_, edge_, edge_};
+    variants_.push_back({kWallPart, kind, edges, in_doubles({c.width, c.depth, c.height}) - edges});
+    walls_.push_back(container_walls(problem_, c));
+  }
+}
+
 const OverlapPair& SolidTable::make(std::size_t a, std::size_t b) const {
+  std::unique_ptr<OverlapPair> pair = variants_[b].part == kWallPart ? of_walls(a, b) : of_parts(a, b);
+  const std::lock_guard lock(guard_);
+  std::atomic<const OverlapPair*>& known = pairs_[a * variants_.size() + b];
+  if (const OverlapPair* other = known.load(std::memory_order_acquire)) return *other;
+  made_.push_back(std::move(pair));
+  known.store(made_.back().get(), std::memory_order_release);
+  return *made_.back();
+}
+
+std::unique_ptr<OverlapPair> SolidTable::of_parts(std::size_t a, std::size_t b) const {
   const space::Body &first = form_of(variants_[a]).body, &second = form_of(variants_[b]).body;
   auto pair = std::make_unique<OverlapPair>();
   const CommonParts common = common_parts(first, second, double(problem_.steps()));
@@ -253,26 +147,45 @@ const OverlapPair& SolidTable::make(std::size_t a, std::size_t b) const {
   const double gap = problem_.gap_of(of_a, of_b).to_double();
   if (problem_.are_tied(of_a, of_b))
     pair->tie.emplace(problem_, of_a, form_of(variants_[a]), of_b, form_of(variants_[b]));
-  std::vector<std::size_t> begins;
-  pair->low = {kFar, kFar, kFar};
-  pair->high = {-kFar, -kFar, -kFar};
+  constexpr double far = std::numeric_limits<double>::infinity();
+  pair->low = {far, far, far};
+  pair->high = {-far, -far, -far};
   for (const space::BodyPart& p : common.first)
     for (const space::BodyPart& q : common.second) {
-      begins.push_back(pair->blocks_.size());
-      ConvexOverlap& overlap = pair->overlaps.emplace_back();
-      add_overlap(p, q, 1 / common.steps, gap, overlap, pair->blocks_);
-      pair->low = least(pair->low, overlap.low);
-      pair->high = most(pair->high, overlap.high);
+      pair->add([&](ConvexOverlap& overlap, std::vector<space::PlaneBlock>& blocks) {
+        add_overlap(p, q, 1 / common.steps, gap, {}, overlap, blocks);
+      });
+      pair->low = least_of(pair->low, pair->overlaps.back().low);
+      pair->high = most_of(pair->high, pair->overlaps.back().high);
     }
-  begins.push_back(pair->blocks_.size());
-  for (std::size_t k = 0; k < pair->overlaps.size(); ++k)
-    pair->overlaps[k].planes = std::span(pair->blocks_).subspan(begins[k], begins[k + 1] - begins[k]);
-  const std::lock_guard lock(guard_);
-  std::atomic<const OverlapPair*>& known = pairs_[a * variants_.size() + b];
-  if (const OverlapPair* other = known.load(std::memory_order_acquire)) return *other;
-  made_.push_back(std::move(pair));
-  known.store(made_.back().get(), std::memory_order_release);
-  return *made_.back();
+  pair->close();
+  return pair;
+}
+
+/// Walls without an end count where the part's box meets that of the container.
+std::unique_ptr<OverlapPair> SolidTable::of_walls(std::size_t part, std::size_t wall) const {
+  const SolidVariant &v = variants_[part], &w = variants_[wall];
+  const ContainerWalls& walls = walls_[wall + walls_.size() - variants_.size()];
+  const space::Body& body = form_of(v).body;
+  auto pair = std::make_unique<OverlapPair>();
+  pair->low = v.low - w.high;
+  pair->high = v.high - w.low;
+  const double steps = double(problem_.steps());
+  for (const space::BodyPart& p : body.parts)
+    for (const ContainerWalls::Plane& plane : walls.planes)
+      pair->add([&](ConvexOverlap& overlap, std::vector<space::PlaneBlock>& blocks) {
+        add_overlap(p, steps * double(body.scale), plane.normal, plane.offset, edge_, overlap, blocks);
+      });
+  for (const ContainerWalls::Cell& cell : walls.cells) {
+    const CommonParts common = common_parts(body, cell.body, steps);
+    for (const space::BodyPart& p : common.first)
+      for (const space::BodyPart& q : common.second)
+        pair->add([&](ConvexOverlap& overlap, std::vector<space::PlaneBlock>& blocks) {
+          add_overlap(p, q, 1 / common.steps, edge_, cell.open, overlap, blocks);
+        });
+  }
+  pair->close();
+  return pair;
 }
 
 }  // namespace findspace::packing

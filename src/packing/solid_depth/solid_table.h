@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The kinds of parts, and how deep any two of them overlap at any position, in doubles. Two convex parts overlap where
-// all planes of their Phi-function are negative; their depth is minus the greatest. Balls push the planes
-// out by their radius, and some more planes cut off the corners; two balls overlap in a ball. The depth of two unions
-// is the sum over all pairs of convex parts. So along any line it is concave between the ends of the pairs' intervals,
-// and least at one of them. With a gap the planes lie farther out by it. A pair's planes are made when it is first
-// looked at, by any thread. Guarantee: that of doubles; it steers a search, proofs do not use it. Source: phi.md 2, 10.
-// Keywords: penetration depth, configuration-space obstacle, no-fit polyhedron.
+// The kinds of parts, and how deep any two of them overlap at any position, in doubles. The depth of two convex parts
+// is minus the greatest plane of their Phi-function (convex_overlap.h), that of two unions the sum over all pairs of
+// convex parts. So along any line it is concave between the ends of the pairs' intervals, and least at one of them.
+// What lies about a container that is no box is one more kind, which never moves (container_walls.h). A pair's planes
+// are made when it is first looked at, by any thread. Guarantee: that of doubles; it steers a search, proofs do not use
+// it. Keywords: penetration depth, configuration-space obstacle, no-fit polyhedron.
 #pragma once
 
 #include <atomic>
@@ -15,49 +14,14 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "packing/solid_depth/container_walls.h"
+#include "packing/solid_depth/convex_overlap.h"
 #include "packing/solid_problem/solid_pair_formula.h"
-#include "space/phi/plane_scan.h"
 
 namespace findspace::packing {
-
-using space::Vector;
-
-inline Vector operator+(const Vector& a, const Vector& b) { return space::plus(a, b); }
-inline Vector operator*(double s, const Vector& a) { return space::scaled(s, a); }
-
-/// How far out of a convex set a place is, and which way is out: of its highest plane, or from its centre.
-struct Facing {
-  double value;   // below 0 inside
-  Vector normal;  // of length 1
-};
-
-/// The open set of the positions of B + u where it overlaps A, of two convex parts: that within planes, or of two balls
-/// a ball.
-struct ConvexOverlap {
-  Vector low, high;  // its box
-  std::span<const space::PlaneBlock> planes;
-  double radius = 0;  // of a ball without planes, in the middle of its box
-
-  bool may_hold(const Vector& u) const {
-    return u.x > low.x && u.y > low.y && u.z > low.z && u.x < high.x && u.y < high.y && u.z < high.z;
-  }
-  /// 0 where there is none.
-  double depth(const Vector& u) const;
-  /// t with u + t way in the set, where the line comes deeper than `shallow`; crossed elsewhere.
-  space::LineStretch stretch(const Vector& u, const Vector& way, double shallow) const;
-  Facing facing(const Vector& u) const;
-  double value(const Vector& u) const { return planes.empty() ? from_ball(u) : highest(u).value; }
-
- private:
-  space::Highest highest(const Vector& u) const { return space::scan_planes(planes.data(), planes.size(), u); }
-  Vector center() const { return 0.5 * (low + high); }
-  double from_ball(const Vector& u) const { return space::length(u - center()) - radius; }
-  space::LineStretch stretch_of_ball(const Vector& u, const Vector& way, double shallow) const;
-};
 
 /// Of two kinds.
 class OverlapPair {
@@ -73,7 +37,18 @@ class OverlapPair {
 
  private:
   friend class SolidTable;
+
+  /// make(overlap, blocks) makes an overlap and adds its planes.
+  template <class Make>
+  void add(const Make& make) {
+    begins_.push_back(blocks_.size());
+    make(overlaps.emplace_back(), blocks_);
+  }
+  /// After all are added.
+  void close();
+
   std::vector<space::PlaneBlock> blocks_;
+  std::vector<std::size_t> begins_;  // of each overlap's planes
 };
 
 /// A part where it stands, relative to the corner within the edges, in the column of containers.
@@ -82,8 +57,10 @@ struct SolidPose {
   Vector at;
 };
 
+inline constexpr std::size_t kWallPart = std::size_t(-1);
+
 /// A form of a part that fits the floor or a container; of forms that look the same, moved, only the first and those of
-/// fixed solids.
+/// fixed solids. Or the walls of a container that is no box: its part is kWallPart, its form the kind of container.
 struct SolidVariant {
   std::size_t part = 0, form = 0;
   Vector low, high;  // the box about its origin
@@ -101,6 +78,8 @@ class SolidTable {
   const std::vector<std::size_t>& variants_of(std::size_t part) const { return of_part_[part]; }
   /// Of the fixed solids of the problem.
   const std::vector<std::size_t>& fixed_variants() const { return fixed_; }
+  /// Of the walls of a kind of container; nothing of a box.
+  std::optional<std::size_t> walls_of(std::size_t kind) const { return walls_of_[kind]; }
   /// The pose of a placed part.
   SolidPose pose_of(const SolidPlaced& item) const;
   /// Of the widest floor within the edges, which all margins are relative to.
@@ -140,13 +119,18 @@ class SolidTable {
   const SolidForm& form_of(const SolidVariant& v) const { return problem_.parts[v.part].forms[v.form]; }
   void add_variants(std::size_t part);
   void add_fixed();
+  void add_walls();
   const OverlapPair& make(std::size_t a, std::size_t b) const;
+  std::unique_ptr<OverlapPair> of_parts(std::size_t a, std::size_t b) const;
+  std::unique_ptr<OverlapPair> of_walls(std::size_t part, std::size_t wall) const;
 
   const SolidProblem& problem_;
   double size_ = 0, gap_, edge_, tallest_ = 0, greatest_level_ = 0, room_ = 0;
   std::vector<SolidVariant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
   std::vector<std::size_t> fixed_;
+  std::vector<std::optional<std::size_t>> walls_of_;  // of each kind of container
+  std::vector<ContainerWalls> walls_;                 // of the last variants
   mutable std::vector<std::atomic<const OverlapPair*>> pairs_;
   mutable std::vector<std::unique_ptr<const OverlapPair>> made_;
   mutable std::mutex guard_;

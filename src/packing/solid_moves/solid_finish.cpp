@@ -27,7 +27,7 @@ class SolidFinisher {
   SolidFinisher(const SolidProblem& problem, const SolidTable& table, const SolidColumn& column)
       : problem_(problem), table_(table), column_(column), steps_(problem.digits, table.size(), problem.digits) {
     for (const SolidVariant& v : table.variants())
-      boxes_.push_back(box_of(problem, problem.parts[v.part].forms[v.form]));
+      boxes_.push_back(v.part == kWallPart ? SolidBox() : box_of(problem, problem.parts[v.part].forms[v.form]));
   }
 
   double step() const { return steps_.step(); }

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "packing/solid_problem/container_shape.h"
+
 namespace findspace::packing {
 namespace {
 
@@ -305,8 +307,7 @@ double container_volume(const SolidProblem& problem, const SolidLayout& layout) 
   double sum = 0;
   for (std::size_t k = 0; k < layout.containers.size(); ++k) {
     const SolidContainer& container = problem.containers[layout.containers[k]];
-    const double used = k + 1 == layout.containers.size() ? height : container.height.to_double();
-    sum += container.width.to_double() * container.depth.to_double() * used;
+    sum += k + 1 == layout.containers.size() ? volume_below(problem, container, height) : volume_of(problem, container);
   }
   return sum;
 }

@@ -18,6 +18,8 @@ std::vector<space::Polytope> polytopes_of(const space::Body& body, std::int64_t 
   return result;
 }
 
+}  // namespace
+
 std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidForm& form, std::int64_t scale) {
   auto set = std::make_shared<space::SurfaceSet>();
   const bool in_range =
@@ -25,8 +27,6 @@ std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidForm& form, std:
   if (!in_range) throw Error(ErrorCode::kOutOfRange, "a part has too many digits for an exact proof");
   return set;
 }
-
-}  // namespace
 
 SolidPairProof::SolidPairProof(const SolidProblem& problem, const SolidForm& a, const SolidForm& b) {
   const std::optional<std::int64_t> common = common_scale(a.body, b.body);

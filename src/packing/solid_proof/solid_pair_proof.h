@@ -17,6 +17,9 @@
 
 namespace findspace::packing {
 
+/// Their coordinates are in grid steps / scale. Throws Error(kOutOfRange) where there are too many digits.
+std::shared_ptr<const space::SurfaceSet> surfaces_of(const SolidForm& form, std::int64_t scale);
+
 class SolidPairProof {
  public:
   SolidPairProof(const SolidProblem& problem, const SolidForm& a, const SolidForm& b);

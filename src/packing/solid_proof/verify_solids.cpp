@@ -13,6 +13,7 @@
 
 #include "packing/problem/pair_formula.h"
 #include "packing/solid_problem/solid_pair_formula.h"
+#include "packing/solid_proof/solid_containment.h"
 #include "packing/solid_proof/solid_pair_proof.h"
 #include "plane/base/parallel.h"
 
@@ -58,11 +59,10 @@ class SolidCheck {
     count_copies();
     count_containers();
     find_fixed();
+    check_inside();
     int128 used = 0;
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      check_inside(i);
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
       if (is_in_last(i)) used = std::max(used, boxes_[i].high[2]);
-    }
     result_.used = Fraction(used, common_);
     check_pairs();
     const double room = container_volume(problem_, layout_);
@@ -109,12 +109,20 @@ class SolidCheck {
   std::size_t container_of(std::size_t i) const { return layout_.items[i].container; }
   bool is_in_last(std::size_t i) const { return container_of(i) + 1 >= layout_.containers.size(); }
 
-  void check_inside(std::size_t i) {
+  void check_inside() {
+    std::vector<std::optional<SolidFault>> found(boxes_.size());
+    plane::parallel_for(boxes_.size(), [&](std::size_t i) { found[i] = outside_fault(i); });
+    for (const auto& fault : found)
+      if (fault) result_.faults.push_back(*fault);
+  }
+
+  std::optional<SolidFault> outside_fault(std::size_t i) const {
     const Box& box = boxes_[i];
     const int128 edge = problem_.edge.over(common_);
+    SolidFault fault{.kind = SolidFault::Kind::kOutside, .first = i, .at = middle(box, box)};
     std::array<Fraction, 3> sides{problem_.width, problem_.depth, layout_.height};
     if (container_of(i) >= std::max<std::size_t>(layout_.containers.size(), problem_.in_containers() ? 0 : 1))
-      return result_.faults.push_back({.kind = SolidFault::Kind::kOutside, .first = i, .at = middle(box, box)});
+      return fault;
     if (problem_.in_containers()) {
       sides = sides_of(problem_.containers[layout_.containers[container_of(i)]]);
       // The height that is stated is that up to which the last one is used.
@@ -123,11 +131,23 @@ class SolidCheck {
     const int128 most[] = {sides[0].over(common_), sides[1].over(common_), sides[2].over(common_)};
     int128 out = 0;
     for (std::size_t k = 0; k < 3; ++k) out = std::max({out, edge - box.low[k], box.high[k] + edge - most[k]});
-    if (out > 0)
-      result_.faults.push_back({.kind = SolidFault::Kind::kOutside,
-                                .first = i,
-                                .depth = double(out) / double(common_),
-                                .at = middle(box, box)});
+    fault.depth = double(out) / double(common_);
+    if (out > 0) return fault;
+    return within_walls(i, fault.depth) ? std::nullopt : std::optional(fault);
+  }
+
+  /// Of a container that is no box; else by how much it is outside.
+  bool within_walls(std::size_t i, double& excess) const {
+    if (!problem_.in_containers()) return true;
+    const SolidPlaced& item = layout_.items[i];
+    const std::size_t kind = layout_.containers[container_of(i)];
+    if (!problem_.containers[kind].inside) return true;
+    const SolidContainment& proof = made_once<SolidContainment>(containments_, {item.part, item.form, kind, 0}, [&] {
+      return std::make_unique<const SolidContainment>(problem_, problem_.containers[kind], form_of(problem_, item));
+    });
+    if (proof.holds(item.at, problem_.edge)) return true;
+    excess = proof.excess(item.at, problem_.edge);
+    return false;
   }
 
   void check_pairs() {
@@ -150,7 +170,7 @@ class SolidCheck {
     SolidFault fault{.first = i, .second = j, .at = middle(boxes_[i], boxes_[j])};
     const Fraction gap = problem_.gap_of(a.part, b.part);
     if (container_of(i) == container_of(j) && boxes_meet(i, j, gap.over(common_))) {
-      const SolidPairProof& proof = made_once<SolidPairProof>(proofs_, a, b, [&] {
+      const SolidPairProof& proof = made_once<SolidPairProof>(proofs_, of_both(a, b), [&] {
         return std::make_unique<const SolidPairProof>(problem_, form_of(problem_, a), form_of(problem_, b));
       });
       const Position u = between(a, b);
@@ -169,7 +189,7 @@ class SolidCheck {
   /// In different containers: those of two parts that are farther apart than any condition asks.
   bool conditions_hold(std::size_t i, std::size_t j) const {
     const SolidPlaced &a = layout_.items[i], &b = layout_.items[j];
-    const SolidPairFormula& pair = made_once<SolidPairFormula>(formulas_, a, b, [&] {
+    const SolidPairFormula& pair = made_once<SolidPairFormula>(formulas_, of_both(a, b), [&] {
       return std::make_unique<const SolidPairFormula>(problem_, a.part, form_of(problem_, a), b.part,
                                                       form_of(problem_, b));
     });
@@ -191,9 +211,10 @@ class SolidCheck {
   template <class T>
   using OfForms = std::map<FormPair, std::unique_ptr<const T>>;
 
+  static FormPair of_both(const SolidPlaced& a, const SolidPlaced& b) { return {a.part, a.form, b.part, b.form}; }
+
   template <class T, class Make>
-  const T& made_once(OfForms<T>& all, const SolidPlaced& a, const SolidPlaced& b, const Make& make) const {
-    const FormPair key{a.part, a.form, b.part, b.form};
+  const T& made_once(OfForms<T>& all, const FormPair& key, const Make& make) const {
     {
       const std::lock_guard lock(guard_);
       if (const auto known = all.find(key); known != all.end()) return *known->second;
@@ -217,6 +238,7 @@ class SolidCheck {
   std::vector<Box> boxes_;
   mutable OfForms<SolidPairProof> proofs_;
   mutable OfForms<SolidPairFormula> formulas_;
+  mutable OfForms<SolidContainment> containments_;  // of a form and a kind of container
   mutable std::mutex guard_;
   SolidVerdict result_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Whether a layout in space keeps its promises: every part within the walls, the floor and the height by the edge, no
+// Whether a layout in space keeps its promises: every part within the container and the height by the edge, no
 // two interiors meeting, gaps as wide as asked for, conditions of pairs, the right number of copies, fixed solids where
 // they stand, and no more containers than there are. Guarantee: exact, on the original shapes: Phi-functions of convex
 // parts, or surfaces where parts were rounded; only depths are doubles. Cost: the pairs of parts whose boxes meet.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "exact/margins/packing.h"
 #include "packing/search/box_list.h"
@@ -82,6 +83,7 @@ class SolidBuilder {
   void add_obstacle(std::size_t k) {
     const SolidPose& pose = column_.obstacles()[k];
     boxes_.put(problem_.items() + k, box_at(pose.variant, pose.at, shallow_));
+    if (k >= column_.fixed_rooms().size()) return;  // walls
     double& top = tops_[column_.fixed_rooms()[k]];
     top = std::max(top, pose.at.z + table_.variants()[pose.variant].high.z);
   }
@@ -135,9 +137,29 @@ class SolidBuilder {
     const Vector start{std::max(-v.low.x, std::min(x, room.high.x - v.high.x)),
                        std::max(-v.low.y, std::min(y, room.high.y - v.high.y)),
                        std::max(room.low.z - v.low.z, std::min(z, room.high.z - v.high.z))};
+    if (column_.has_walls(room_number)) return attempt_between_walls(variant, room, start);
     // Above all that stands it is free.
     if (start.z + v.low.z < tops_[room_number] + table_.gap() && !is_free(variant, start)) return;
-    const Vector at = settled(variant, room, start);
+    offer(variant, settled(variant, room, start));
+  }
+
+  /// Where walls bend inwards, a part need not come from above: the lowest free place over a point of the floor, and
+  /// the first along x and y from there.
+  void attempt_between_walls(std::size_t variant, const Room<Vector>& room, const Vector& start) {
+    const SolidVariant& v = table_.variants()[variant];
+    const Vector low = room.low - v.low, high = room.high - v.high;
+    const auto from = [&](const Vector& at, const Vector& way, double most) {
+      if (const auto t = first_free(variant, at, way, most)) offer(variant, settled(variant, room, at + *t * way));
+    };
+    from({start.x, start.y, low.z}, {0, 0, 1}, high.z - low.z);
+    from({low.x, start.y, start.z}, {1, 0, 0}, high.x - low.x);
+    from({start.x, low.y, start.z}, {0, 1, 0}, high.y - low.y);
+    from({low.x, start.y, low.z}, {1, 0, 0}, high.x - low.x);
+    from({start.x, low.y, low.z}, {0, 1, 0}, high.y - low.y);
+  }
+
+  void offer(std::size_t variant, const Vector& at) {
+    const SolidVariant& v = table_.variants()[variant];
     const double top = at.z + v.high.z;
     const bool fails = table_.has_ties() && !ties_hold({variant, at});
     if (fails && (problem_.in_containers() || !best_fails_)) return;
@@ -173,7 +195,7 @@ class SolidBuilder {
       const std::size_t j = poses.size() <= corners_ ? k : random_.below(poses.size());
       try_beside(variant, room_number, poses[j], rooms_[j]);
     }
-    for (std::size_t k = 0; k < column_.obstacles().size(); ++k) {
+    for (std::size_t k = 0; k < column_.fixed_rooms().size(); ++k) {
       try_beside(variant, room_number, column_.obstacles()[k], column_.fixed_rooms()[k]);
       if (column_.fixed_rooms()[k] == room_number) try_below(variant, room_number, column_.obstacles()[k]);
     }
@@ -238,8 +260,29 @@ class SolidBuilder {
             {float(high.x + w), float(high.y + w), float(high.z + w)}};
   }
 
+  /// The first place of a line, at + t way, at which it is free, of those from 0 to `most`.
+  std::optional<double> first_free(std::size_t variant, const Vector& at, const Vector& way, double most) const {
+    std::vector<space::LineStretch> taken;
+    for_each_stretch(variant, at, way, most, [&](const space::LineStretch& t) { taken.push_back(t); });
+    std::sort(taken.begin(), taken.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+    double t = 0;
+    for (const space::LineStretch& stretch : taken)
+      if (stretch.from < t + shallow_) t = std::max(t, stretch.to);
+    return t <= most + shallow_ && is_free(variant, at + t * way) ? std::optional(t) : std::nullopt;
+  }
+
   /// How far it can go from a free place.
   double free_way(std::size_t variant, const Vector& at, const Vector& way, double most) const {
+    for_each_stretch(variant, at, way, most, [&](const space::LineStretch& t) {
+      if (t.to > shallow_ && t.from < most) most = std::max(t.from, 0.0);
+    });
+    return std::max(most, 0.0);
+  }
+
+  /// Visits where a line of places, of length `most`, overlaps what stands.
+  template <class Visit>
+  void for_each_stretch(std::size_t variant, const Vector& at, const Vector& way, double most,
+                        const Visit& visit) const {
     const BoxList<3>::Box here = box_at(variant, at, table_.gap()),
                           there = box_at(variant, at + most * way, table_.gap());
     BoxList<3>::Box swept;
@@ -258,11 +301,10 @@ class SolidBuilder {
         if (way.y == 0 && !(u.y > low.y && u.y < high.y)) continue;
         if (way.z == 0 && !(u.z > low.z && u.z < high.z)) continue;
         const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
-        if (t.from < t.to && t.to > shallow_ && t.from < most) most = std::max(t.from, 0.0);
+        if (t.from < t.to) visit(t);
       }
       return true;
     });
-    return std::max(most, 0.0);
   }
 
   const SolidProblem& problem_;

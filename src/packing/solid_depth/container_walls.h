@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// What lies about the inside of a container that is no box, as convex sets for the search: of a convex inside the
+// half-spaces beyond its facets, of any other the cells of its box that it leaves empty. A part never leaves the box.
+// So walls along its faces are left out, and a cell is open where it ends at one of them: its depth leads inwards.
+// Guarantee: corners of cells that are off the grid are rounded to doubles; proofs take the surface
+// (solid_containment.h). Cost: that of outside_cells.h. Keywords: complement, container loading, irregular container.
+#pragma once
+
+#include <vector>
+
+#include "packing/solid_depth/convex_overlap.h"
+
+namespace findspace::packing {
+
+struct ContainerWalls {
+  /// normal . x + offset <= 0 is outside, in units; the normal has length 1.
+  struct Plane {
+    Vector normal;
+    double offset;
+  };
+  struct Cell {
+    space::Body body;  // of one part
+    OpenSides open;
+  };
+  std::vector<Plane> planes;
+  std::vector<Cell> cells;
+};
+
+/// Of one with an inside.
+ContainerWalls container_walls(const SolidProblem& problem, const SolidContainer& container);
+
+}  // namespace findspace::packing
