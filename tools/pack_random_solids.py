@@ -7,9 +7,9 @@ usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
 Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, balls, a
 gap and an edge, another fourth may turn, by right angles or by rational matrices. Every third has containers of given sizes,
-and in every fifth some copies stand already.
+in two thirds of these one is a hull of random points or a prism over an L, and in every fifth some copies stand already.
 Checked: every copy of every part or that it is left out, an allowed rotation, no more containers than there are, inside the
-walls, the height as stated and not below the lower bound, no two interiors meeting, gaps as wide as asked for, and that what
+walls, on the inner side of every face of a hull or clear of what an L lacks, the height as stated and not below the lower bound, no two interiors meeting, gaps as wide as asked for, and that what
 is fixed stands there. Two convex parts are told apart by all axes that can separate them.
 Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
 
@@ -134,6 +134,54 @@ def random_part(rng, boxes_only):
             return {"polytope": [list(p) for p in points]}, [points]
 
 
+def planes_of(points):
+    """(n, d) with n . p <= d for all points, of each three of them that lie on a face of their hull."""
+    found = set()
+    for p, q, r in itertools.combinations(points, 3):
+        n = cross(minus(q, p), minus(r, p))
+        for normal in (n, minus((0, 0, 0), n)):
+            if any(n) and all(dot(normal, s) <= dot(normal, p) for s in points):
+                found.add((normal, dot(normal, p)))
+    return found
+
+
+class Inside:
+    """Of a container that is no box: a hull, or a prism over an L, at the origin."""
+
+    def __init__(self, rng, sizes):
+        self.planes, self.lacks = [], []
+        self.sizes = sizes
+        low = tuple(rng.randint(-4, 4) for _ in range(3))
+        if rng.randrange(3) == 0:
+            w, d, h = sizes
+            x, y = rng.randint(1, w), rng.randint(1, d)
+            ring = [[0, 0], [w, 0], [w, y], [x, y], [x, d], [0, d]]
+            if x < w and y < d:
+                self.lacks = [box_points((x, y, 0), (w, d, h))]
+                self.shape = {"prism": {"polygon": [[a + low[0], b + low[1]] for a, b in ring], "z": [low[2], low[2] + h]}}
+                return
+        # Each side of the box is touched: some of its corners, and others.
+        points = [tuple(rng.choice([0, s]) for s in sizes) for _ in range(6)] + [tuple(rng.randint(0, s) for s in sizes) for _ in range(4)]
+        points += [(0, 0, 0), tuple(sizes), (sizes[0], 0, 0)]
+        self.planes = planes_of(points)
+        self.shape = {"polytope": [[a + b for a, b in zip(p, low)] for p in dict.fromkeys(points)]}
+
+    def is_outside(self, instance, pieces, at):
+        for points in pieces:
+            r = radius_of(points) + instance.edge
+            for p, (n, d) in itertools.product(points, self.planes):
+                room = d - dot(n, p) - dot(n, at)
+                if room < 0 or room * room < r * r * dot(n, n):
+                    return True
+            for lacking in self.lacks:
+                if r:
+                    if instance.is_nearer(points, at, lacking, (0, 0, 0), instance.edge):
+                        return True
+                elif instance.kinds.interiors_meet(points, lacking, minus((0, 0, 0), at)):
+                    return True
+        return False
+
+
 class Instance:
     def __init__(self, number, rng):
         self.boxes_only = number % 4 == 3
@@ -153,25 +201,33 @@ class Instance:
             for name in ("c", "d")[:rng.randint(1, 2)]:
                 sides = [max(1, int(widest) + rng.randint(-1, 5)) for _ in range(3)]
                 self.containers.append({"id": name, "count": rng.randint(1, 3), "size-x": sides[0], "size-y": sides[1], "size-z": sides[2]})
+        self.insides = {}
+        if number % 9 in (0, 3):
+            first = self.containers[0]
+            first_sides = [int(s) + 3 for s in self.sides_of(first)]
+            inside = self.insides[first["id"]] = Inside(random.Random(number), first_sides)
+            self.containers[0] = {"id": first["id"], "count": first["count"], "shape": inside.shape}
         self.kinds = Kinds()
         self.fixed = self.standing(random.Random(number)) if number % 5 == 4 else []
 
     def standing(self, rng):
         """(part, pieces, place, container 0) of copies that stand free, in the first container or on the floor."""
         sides = self.sides_of(self.containers[0]) if self.containers else [Fraction(f) for f in (*self.floor, 12)]
+        inside = self.insides.get(self.containers[0]["id"]) if self.containers else None
         placed = []
         for part, (_, pieces) in enumerate(self.parts):
             lows = [min(p[k] - radius_of(piece) for piece in pieces for p in piece) for k in range(3)]
             for _ in range(5):
                 at = tuple(self.edge - lows[k] + Fraction(rng.randint(0, 3 * int(sides[k])), 3) for k in range(3))
                 trial = [*placed, (part, pieces, at, 0)]
-                if not self.is_outside(pieces, at, sides) and not self.fault_of_pairs(trial):
+                if not self.is_outside(pieces, at, sides, inside) and not self.fault_of_pairs(trial):
                     placed = trial
                     break
         return placed
 
-    @staticmethod
-    def sides_of(container):
+    def sides_of(self, container):
+        if "shape" in container:
+            return [Fraction(s) for s in self.insides[container["id"]].sizes]
         return [Fraction(container[f"size-{axis}"]) for axis in "xyz"]
 
     def problem(self):
@@ -210,8 +266,8 @@ class Instance:
         for i, n in enumerate(self.demand):
             if sum(1 for part, _, _, _ in placed if part == i) + left.get(i, 0) != n:
                 return f"{n} copies of part{i} are wanted"
-        return (self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed) or self.fault_of_height(layout, placed) or
-                self.fault_of_fixed(layout, placed))
+        return (self.fault_of_walls(layout, placed) or self.fault_of_pairs(placed) or self.fault_of_fixed(layout, placed) or
+                self.fault_of_height(layout, placed))
 
     def fault_of_fixed(self, layout, placed):
         first = layout["container"]["containers"].index(self.containers[0]["id"]) if self.containers and self.fixed else 0
@@ -238,19 +294,20 @@ class Instance:
         rooms = self.rooms(layout)
         if rooms is None:
             return "there are too many containers of a kind"
+        names = layout["container"]["containers"] if self.containers else [None]
         for part, pieces, at, room in placed:
-            if self.is_outside(pieces, at, rooms[room]):
+            if self.is_outside(pieces, at, rooms[room], self.insides.get(names[room])):
                 return f"part{part} is outside"
         return None
 
-    def is_outside(self, pieces, at, sides):
+    def is_outside(self, pieces, at, sides, inside=None):
         for points in pieces:
             r = radius_of(points)
             for p, k in itertools.product(points, range(3)):
                 c = p[k] + at[k]
                 if c - r < self.edge or c + r + self.edge > sides[k]:
                     return True
-        return False
+        return inside is not None and inside.is_outside(self, pieces, at)
 
     def fault_of_height(self, layout, placed):
         last = len(self.rooms(layout)) - 1

@@ -56,10 +56,16 @@ std::vector<Orientation> orientations_of(const py::object& allowed) {
   }
 }
 
-PackContainer container_of(std::string name, const py::sequence& size, int count, const py::object& cost) {
-  if (PyUnicode_Check(size.ptr()) || py::len(size) != 3) throw py::value_error("a size is (x, y, z)");
-  const Point3 sides = point3(size);
-  return {std::move(name), sides.x, sides.y, sides.z, count, amount(cost)};
+PackContainer container_of(std::string name, const std::optional<py::sequence>& size, int count, const py::object& cost,
+                           const std::optional<Shape>& shape) {
+  PackContainer result{std::move(name), 0, 0, 0, count, amount(cost), shape};
+  if (!size) return result;
+  if (PyUnicode_Check(size->ptr()) || py::len(*size) != 3) throw py::value_error("a size is (x, y, z)");
+  const Point3 sides = point3(*size);
+  result.width = sides.x;
+  result.depth = sides.y;
+  result.height = sides.z;
+  return result;
 }
 
 /// p goes to M p, in doubles, with a fourth coordinate of 1.
@@ -181,16 +187,20 @@ value : number, optional
       .def_readonly("orientations", &PackSolid::orientations, "How it may stand.")
       .def_property_readonly("value", showing(&PackSolid::value), "Of a copy, as text; None: its volume.")
       .def_readwrite("count", &PackSolid::count, "How many copies are wanted.");
-  py::class_<PackContainer>(m, "PackContainer", "A kind of container, from (0, 0, 0) to its size (x, y, z).")
-      .def(py::init(&container_of), py::arg("name"), py::arg("size"), py::arg("count") = 1,
-           py::arg("cost") = py::none())
+  py::class_<PackContainer>(
+      m, "PackContainer", "A kind of container: a box from (0, 0, 0) to its size (x, y, z), or of a shape of its own.")
+      .def(py::init(&container_of), py::arg("name"), py::arg("size") = py::none(), py::arg("count") = 1,
+           py::arg("cost") = py::none(), py::arg("shape") = py::none())
       .def(pickled<PackContainer>(&PackContainer::name, &PackContainer::width, &PackContainer::depth,
-                                  &PackContainer::height, &PackContainer::count, &PackContainer::cost))
+                                  &PackContainer::height, &PackContainer::count, &PackContainer::cost,
+                                  &PackContainer::shape))
       .def_readonly("name", &PackContainer::name, "Its name in layouts.")
       .def_property_readonly(
           "size",
           [](const PackContainer& c) { return py::make_tuple(c.width.text(), c.depth.text(), c.height.text()); },
-          "Along x, y and z, exactly, as text.")
+          "Along x, y and z, exactly, as text; 0 where it has a shape.")
+      .def_readonly("shape", &PackContainer::shape,
+                    "What it holds, moved so that its box begins at (0, 0, 0); None of a box.")
       .def_readonly("count", &PackContainer::count, "How many there are.")
       .def_property_readonly("cost", showing(&PackContainer::cost), "Of one, as text, or None.");
   py::class_<FixedSolid>(m, "FixedSolid", "A copy that stands already; it counts as one of its kind's.")

@@ -302,3 +302,26 @@ def test_solids_stand_round_what_is_fixed():
         fs.SolidPacking(fs.SolidPackProblem([cube], floor=(3, 1), fixed=[turned]))
     with pytest.raises(fs.Error, match="overlap"):
         fs.SolidPacking(fs.SolidPackProblem([cube], floor=(3, 1), fixed=[post, post]))
+
+
+def test_containers_of_any_shape():
+    cube = fs.PackSolid("cube", fs.Shape.box((0, 0, 0), (1, 1, 1)), count=4)
+    ramp = fs.PackContainer("ramp", shape=fs.Shape.polytope([[5, 0, 0], [8, 0, 0], [5, 0, 3], [5, 1, 0], [8, 1, 0], [5, 1, 3]]))
+    problem = fs.SolidPackProblem([cube], containers=[ramp])
+    layout = fs.pack(problem, work=2)
+    assert sorted(item.at for item in layout.items) == [("0", "0", "0"), ("0", "0", "1"), ("1", "0", "0")]
+    assert [(out.part, out.copies) for out in layout.left_out] == [("cube", 1)]
+    layout.items[0].at = ("1", "0", "1")
+    assert layout.faults(problem)[0].startswith("cube#1 is outside by 0.707")
+    for told in (problem, pickle.loads(pickle.dumps(problem)), fs.SolidPacking(problem).problem):
+        assert told.containers[0].shape is not None and told.containers[0].size == ("0", "0", "0")
+    text = json.dumps({"containers": [{"id": "ramp", "shape": {"polytope": [[5, 0, 0], [8, 0, 0], [5, 0, 3], [5, 1, 0], [8, 1, 0], [5, 1, 3]]}}],
+                       "item-types": [{"id": "cube", "demand": 4, "shape": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}]})
+    read = fs.SolidPackProblem.json(text)
+    assert read.containers[0].shape is not None and len(fs.pack(read, work=2).items) == 3
+    with pytest.raises(fs.Error, match="container 'c': it has either sizes or a shape"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], containers=[fs.PackContainer("c", (1, 1, 1), shape=cube.shape)]))
+    with pytest.raises(fs.Error, match="container 'c': a container is a bounded solid with flat faces"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], containers=[fs.PackContainer("c", shape=fs.Shape.ball((0, 0, 0), 3))]))
+    with pytest.raises(fs.Error, match="sizes above 0"):
+        fs.SolidPacking(fs.SolidPackProblem([cube], containers=[fs.PackContainer("c")]))

@@ -185,6 +185,32 @@ TEST(PublicSolidPacking, FixedSolidsInContainersAreRead) {
   refused({"b", {0, 0, 0}, Orientation::about(Shape::Axis::kX, 180), "crate"});
 }
 
+/// Cubes under the plane x + z = 3.
+SolidPackProblem under_a_slope() {
+  SolidPackProblem problem;
+  problem.parts = {{"cube", block(1, 1, 1), 4}};
+  PackContainer& ramp = problem.containers.emplace_back(PackContainer{"ramp"});
+  ramp.shape =
+      Shape::polytope(std::vector<Position3>{{5, 0, 0}, {8, 0, 0}, {5, 0, 3}, {5, 1, 0}, {8, 1, 0}, {5, 1, 3}});
+  return problem;
+}
+
+TEST(PublicSolidPacking, AContainerHasAShape) {
+  const SolidPacking packing{under_a_slope()};
+  const auto layout = packing.search({.work = 2});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->items.size(), 3u);
+  EXPECT_DOUBLE_EQ(layout->density, 3 / 4.);
+  SolidPackLayout wrong = *layout;
+  wrong.items[0].at = {1, 0, 1};
+  EXPECT_EQ(packing.verdict(wrong).faults[0].kind, PackFault::Kind::kOutside);
+  // It is drawn with its slope: nine edges.
+  const std::string picture = packing.svg(*layout);
+  std::size_t edges = 0;
+  for (std::size_t at = picture.find("#999"); at != std::string::npos; at = picture.find("#999", at + 1)) ++edges;
+  EXPECT_EQ(edges, 9u);
+}
+
 TEST(PublicSolidPacking, OrientationsAreExact) {
   EXPECT_EQ(Orientation::right_angles().size(), 24u);
   EXPECT_EQ(Orientation::upright().size(), 4u);

@@ -79,6 +79,34 @@ TEST(ReadSolids, SaysWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(ReadSolids, ContainersOfAnyShape) {
+  const auto with = [](const std::string& container) {
+    return R"({"containers": [{"id": "c", )" + container +
+           R"(}], "item-types": [{"id": "b", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}}]})";
+  };
+  const std::string tent = R"("polytope": [[1,0,0], [5,0,0], [3,0,2.5], [1,4,0], [5,4,0], [3,4,2.5]])";
+  const SolidProblemRead made = read(with(R"("count": 2, "shape": {)" + tent + "}"));
+  const packing::SolidContainer& c = made.problem.containers.at(0);
+  EXPECT_EQ(made.problem.digits, 1);
+  EXPECT_EQ(c.width, packing::Fraction(4));
+  EXPECT_EQ(c.height, packing::Fraction(5, 2));
+  EXPECT_NE(c.inside, nullptr);
+  EXPECT_EQ(read(with(R"("shape": {"box": {"min": [1,1,1], "max": [3,3,4]}})")).problem.containers[0].inside, nullptr);
+  const auto says = [&](const std::string& container, const char* words) {
+    EXPECT_NE(message_of(with(container)).find(words), std::string::npos) << message_of(with(container));
+  };
+  says(R"("size-x": 3, "shape": {)" + tent + "}",
+       "problem.json:1:39: a container has either sizes or a shape of its own");
+  says(R"("path": "none.stl")", "there is no such file");
+  says(R"("shape": {"ball": {"center": [0,0,0], "radius": 2}})", "a container is a bounded solid with flat faces");
+  says(R"("shape": {"polytope": [[0,0,0], [1,0,0], [0,1,0], [1,1,0]]})", "container 'c' (problem.json:1:17)");
+  says(R"("shape": {"union": [{)" + tent + R"(}, {"box": {"min": [0,0,0], "max": [1,1,1]}}]})",
+       "a container is one solid, not a union; state it as a mesh");
+  says(R"("shape": {"mesh": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "faces": [[0,2,1], [0,1,3], [0,3,2]]}})",
+       "not closed");
+  says("\"count\": 1", "size-x");
+}
+
 TEST(ReadSolids, FixedSolids) {
   const auto with = [](const std::string& fixed, const std::string& floor) {
     return R"({"fixed": [)" + fixed + "], " + floor +
@@ -247,6 +275,31 @@ TEST_F(SolidFiles, GridHasTheDigitsOfTheFile) {
   EXPECT_EQ(tip.problem.digits, 1);
   EXPECT_EQ(tip.problem.parts[0].name, "tip");
   EXPECT_TRUE(tip.notes.empty());
+}
+
+TEST_F(SolidFiles, AContainerFromAFile) {
+  const auto read_in = [&](const std::string& faces, const std::string& more) {
+    std::ofstream(folder_ / "hull.obj") << kTip << faces;
+    return read(
+        R"({"containers": [{"id": "hull", "path": "hull.obj")" + more +
+            R"(}], "item-types": [{"id": "b", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}}}]})",
+        (folder_ / "problem.json").string());
+  };
+  const SolidProblemRead made = read_in(kTipFaces, "");
+  EXPECT_EQ(made.problem.digits, 1);
+  EXPECT_EQ(made.problem.containers[0].width, packing::Fraction(3, 2));
+  EXPECT_NE(made.problem.containers[0].inside, nullptr);
+  const auto refusal = [&](const std::string& faces, const std::string& more) -> std::string {
+    try {
+      read_in(faces, more);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal(kTipFaces, R"(, "shape": "b")").find("a container has either a 'path' or a 'shape'"),
+            std::string::npos);
+  EXPECT_NE(refusal("f 1 3 2\nf 1 2 4\nf 2 3 4\n", "").find("hull.obj"), std::string::npos);  // open
 }
 
 TEST_F(SolidFiles, FoldersOfTheDataSets) {

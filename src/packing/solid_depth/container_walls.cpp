@@ -5,6 +5,7 @@
 #include "packing/solid_depth/container_walls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 

@@ -7,7 +7,10 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "exact/solid/space_sign.h"
 

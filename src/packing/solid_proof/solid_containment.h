@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "packing/solid_problem/solid_problem.h"
 #include "space/surface/surface_gap.h"

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Containers that are no boxes: what fits them, exactly, what lies about them, and what is packed into them.
+#include <findspace/error.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include "packing/solid_depth/container_walls.h"
+#include "packing/solid_problem/container_shape.h"
+#include "packing/solid_proof/verify_solids.h"
+#include "packing/solid_search/make_solid_room.h"
+#include "packing/solid_search/solid_search.h"
+#include "packing_solid_parts.h"
+#include "space/mesh/mesh.h"
+
+namespace findspace::packing {
+namespace packing_container_shapes {
+
+using space::Point;
+using space::Solid;
+
+plane::Shape shape_of(Solid solid) {
+  plane::Shape shape;
+  shape.solid = std::make_shared<const Solid>(std::move(solid));
+  return shape;
+}
+
+plane::Shape hull(std::vector<Point> corners) {
+  Solid solid;
+  solid.mesh.vertices = std::move(corners);
+  return shape_of(std::move(solid));
+}
+
+plane::Shape prism(plane::Contour ring, std::int64_t height) {
+  Solid solid;
+  solid.form = Solid::Form::kPrism;
+  solid.contours = {std::move(ring)};
+  solid.high = height;
+  return shape_of(std::move(solid));
+}
+
+/// Two by two and a height of one, without the cube at (1, 1).
+plane::Shape ell() { return prism({{{0, 0}}, {{2, 0}}, {{2, 1}}, {{1, 1}}, {{1, 2}}, {{0, 2}}}, 1); }
+
+void add_box(space::Mesh& mesh, const Point& low, const Point& high, bool outward) {
+  const int first = int(mesh.vertices.size());
+  for (int k = 0; k < 8; ++k)
+    mesh.vertices.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
+  for (const auto& f : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4}, std::array{2, 6, 7, 3},
+                        std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+    std::vector<int> face;
+    for (const int v : f) face.push_back(first + v);
+    if (!outward) std::reverse(face.begin(), face.end());
+    mesh.faces.push_back(std::move(face));
+  }
+}
+
+/// A box of sides 5 with a hollow of side 1 in its middle, which is outside.
+plane::Shape hollow_box() {
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  add_box(solid.mesh, {0, 0, 0}, {5, 5, 5}, true);
+  add_box(solid.mesh, {2, 2, 2}, {3, 3, 3}, false);
+  space::clean(solid.mesh, 1);
+  return shape_of(std::move(solid));
+}
+
+/// Under the plane x + z = side, `depth` deep.
+plane::Shape ramp(std::int64_t side, std::int64_t depth) {
+  return hull({{0, 0, 0}, {side, 0, 0}, {0, 0, side}, {0, depth, 0}, {side, depth, 0}, {0, depth, side}});
+}
+
+SolidProblem in_one(const plane::Shape& shape, std::vector<SolidPart> parts, int count = 1) {
+  SolidProblem problem;
+  problem.containers = {{"shaped", count, {}, 0, 0, 0}};
+  set_shape(problem.containers[0], shape, problem.steps());
+  problem.parts = std::move(parts);
+  return problem;
+}
+
+SolidPart ball(const char* name, int demand, std::int64_t radius) {
+  return part_of(name, demand, {space::part_of(std::vector<Point>{{radius, radius, radius}}, exact::Real(radius))});
+}
+
+SolidLayout one_at(const SolidProblem& problem, std::array<Fraction, 3> at) {
+  SolidLayout layout;
+  layout.items.push_back({0, 1, 0, at, 0});
+  layout.containers = {0};
+  layout.height = problem.containers[0].height;
+  return layout;
+}
+
+/// By how much one is outside; nothing where it is not.
+std::optional<double> outside(const SolidProblem& problem, std::array<Fraction, 3> at) {
+  const SolidVerdict verdict = verify(problem, one_at(problem, at));
+  if (verdict.is_feasible()) return std::nullopt;
+  EXPECT_EQ(verdict.faults[0].kind, SolidFault::Kind::kOutside);
+  return verdict.faults[0].depth;
+}
+
+std::optional<SolidLayout> search(const SolidProblem& problem, double work) {
+  const std::atomic<bool> stop = false;
+  SolidSearchOptions options;
+  options.work = work;
+  return search_solids(problem, options, {}, stop);
+}
+
+SolidLayout found(const SolidProblem& problem, double work) {
+  const auto layout = search(problem, work);
+  EXPECT_TRUE(verify(problem, layout.value()).is_feasible());
+  return *layout;
+}
+
+const Fraction kTiny(1, 1000000000000);
+
+TEST(ContainerShape, BeginsAtTheOrigin) {
+  SolidContainer container;
+  set_shape(container, hull({{-3, 7, 100}, {1, 7, 100}, {-3, 9, 100}, {-3, 7, 105}}), 10);
+  EXPECT_EQ(container.width, Fraction(2, 5));
+  EXPECT_EQ(container.depth, Fraction(1, 5));
+  EXPECT_EQ(container.height, Fraction(1, 2));
+  ASSERT_NE(container.inside, nullptr);
+  EXPECT_EQ(space::bounds(container.inside->body).low[2], exact::Real(0));
+}
+
+TEST(ContainerShape, ABoxStaysABox) {
+  SolidContainer container;
+  set_shape(container, prism({{{1, 1}}, {{4, 1}}, {{4, 3}}, {{1, 3}}}, 5), 1);
+  EXPECT_EQ(container.inside, nullptr);
+  EXPECT_EQ(container.width, Fraction(3));
+}
+
+TEST(ContainerShape, WhatIsNone) {
+  SolidContainer container;
+  Solid round;
+  round.form = Solid::Form::kBall;
+  round.mesh.vertices = {{0, 0, 0}};
+  round.radius = exact::Real(3);
+  EXPECT_THROW(set_shape(container, shape_of(round), 1), Error);
+  EXPECT_THROW(set_shape(container, hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), 1), Error);
+  plane::Shape two;
+  two.kind = plane::Shape::Kind::kUnion;
+  two.children = {std::make_shared<const plane::Shape>(ramp(1, 1)), std::make_shared<const plane::Shape>(ell())};
+  EXPECT_THROW(set_shape(container, two, 1), Error);
+}
+
+TEST(ContainerShape, VolumeBelow) {
+  const SolidProblem problem = in_one(ramp(2, 3), {});
+  const SolidContainer& c = problem.containers[0];
+  EXPECT_DOUBLE_EQ(volume_of(problem, c), 6);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 1), 4.5);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 0), 0);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 9), 6);
+  const SolidProblem hollow = in_one(hollow_box(), {});
+  EXPECT_DOUBLE_EQ(volume_of(hollow, hollow.containers[0]), 124);
+  EXPECT_DOUBLE_EQ(volume_below(hollow, hollow.containers[0], 2.5), 62);
+}
+
+TEST(ContainerWalls, OfAConvexOneAreHalfSpaces) {
+  const SolidProblem problem = in_one(ramp(4, 2), {});
+  const ContainerWalls walls = container_walls(problem, problem.containers[0]);
+  ASSERT_EQ(walls.planes.size(), 1U);
+  EXPECT_TRUE(walls.cells.empty());
+  EXPECT_DOUBLE_EQ(walls.planes[0].normal.x, -std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(walls.planes[0].offset, 4 * std::sqrt(0.5));
+}
+
+TEST(ContainerWalls, CellsAreOpenAtTheBox) {
+  const SolidProblem problem = in_one(ell(), {});
+  const ContainerWalls walls = container_walls(problem, problem.containers[0]);
+  EXPECT_TRUE(walls.planes.empty());
+  double volume = 0;
+  OpenSides open{};
+  for (const ContainerWalls::Cell& cell : walls.cells) {
+    volume += cell.body.parts[0].core->volume() / std::pow(double(cell.body.scale), 3);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t side = 0; side < 2; ++side) open[k][side] |= cell.open[k][side];
+  }
+  EXPECT_DOUBLE_EQ(volume, 1);
+  EXPECT_EQ(open, (OpenSides{{{false, true}, {false, true}, {true, true}}}));
+}
+
+TEST(Containment, TouchingTheSlopeIsInside) {
+  const SolidProblem problem = in_one(ramp(4, 2), {box("cube", 1, 1, 1, 1)});
+  EXPECT_FALSE(outside(problem, {1, 0, 1}));
+  EXPECT_FALSE(outside(problem, {Fraction(5, 3), 1, Fraction(1, 3)}));
+  EXPECT_TRUE(outside(problem, {1 + kTiny, 0, 1}));
+  EXPECT_NEAR(*outside(problem, {2, 0, 1}), std::sqrt(0.5), 1e-12);
+}
+
+/// The plane is 4 x + 3 z = 24: its distance is a fraction.
+TEST(Containment, EdgesOfRationalDistance) {
+  SolidProblem problem =
+      in_one(hull({{0, 0, 0}, {6, 0, 0}, {0, 0, 8}, {0, 4, 0}, {6, 4, 0}, {0, 4, 8}}), {box("cube", 1, 1, 1, 1)});
+  problem.edge = 1;
+  // (2 + 1, 1 + 1, z + 1) is (24 - 12 - 3 z - 3) / 5 from the plane.
+  EXPECT_FALSE(outside(problem, {2, 1, Fraction(4, 3)}));
+  EXPECT_TRUE(outside(problem, {2, 1, Fraction(4, 3) + kTiny}));
+  problem.edge = 1 + kTiny;
+  EXPECT_TRUE(outside(problem, {2, 1 + kTiny, Fraction(4, 3)}));
+}
+
+/// Distances with a root: a cube at x is (8 - x - 3) / sqrt(2) from the slope.
+TEST(Containment, EdgesOfIrrationalDistance) {
+  SolidProblem problem = in_one(ramp(8, 8), {box("cube", 1, 1, 1, 1)});
+  problem.edge = 1;
+  EXPECT_FALSE(outside(problem, {Fraction(3585786, 1000000), 1, 1}));
+  EXPECT_TRUE(outside(problem, {Fraction(3585787, 1000000), 1, 1}));
+}
+
+TEST(Containment, ABallTouchesTheSlope) {
+  SolidProblem problem =
+      in_one(hull({{0, 0, 0}, {6, 0, 0}, {0, 0, 8}, {0, 9, 0}, {6, 9, 0}, {0, 9, 8}}), {ball("ball", 1, 1)});
+  // Its centre (2, 1, c) is (24 - 8 - 3 c) / 5 from the plane.
+  EXPECT_FALSE(outside(problem, {1, 0, Fraction(11, 3) - 1}));
+  EXPECT_TRUE(outside(problem, {1, 0, Fraction(11, 3) - 1 + kTiny}));
+  EXPECT_NEAR(*outside(problem, {1, 0, Fraction(14, 3) - 1}), 0.6, 1e-12);
+}
+
+TEST(Containment, InOneThatIsNotConvex) {
+  const SolidProblem problem = in_one(ell(), {box("cube", 1, 1, 1, 1)});
+  EXPECT_FALSE(outside(problem, {0, 0, 0}));
+  EXPECT_FALSE(outside(problem, {1, 0, 0}));
+  EXPECT_FALSE(outside(problem, {0, Fraction(1, 3), 0}));
+  EXPECT_TRUE(outside(problem, {1, kTiny, 0}));
+  EXPECT_DOUBLE_EQ(*outside(problem, {1, 1, 0}), 1);
+}
+
+/// All of its corners lie in the container; its middle does not.
+TEST(Containment, BridgesAreOutside) {
+  const SolidProblem problem =
+      in_one(prism({{{0, 0}}, {{3, 0}}, {{3, 2}}, {{2, 2}}, {{2, 1}}, {{1, 1}}, {{1, 2}}, {{0, 2}}}, 1),
+             {box("beam", 1, 3, 1, 1)});
+  EXPECT_FALSE(outside(problem, {0, 0, 0}));
+  EXPECT_TRUE(outside(problem, {0, 1, 0}));
+}
+
+TEST(Containment, HollowsAreOutside) {
+  SolidProblem problem = in_one(hollow_box(), {box("cube", 1, 1, 1, 1)});
+  EXPECT_TRUE(outside(problem, {2, 2, 2}));
+  EXPECT_FALSE(outside(problem, {1, 2, 2}));
+  EXPECT_TRUE(outside(problem, {1 + kTiny, 2, 2}));
+  problem.edge = Fraction(1, 2);
+  EXPECT_FALSE(outside(problem, {Fraction(1, 2), 2, 2}));
+  EXPECT_TRUE(outside(problem, {Fraction(1, 2) + kTiny, 2, 2}));
+}
+
+TEST(ShapedContainers, ThreeCubesFillAnEll) {
+  const SolidLayout layout = found(in_one(ell(), {box("cube", 4, 1, 1, 1)}), 4e6);
+  EXPECT_EQ(layout.items.size(), 3U);
+  ASSERT_EQ(layout.left_out.size(), 1U);
+  EXPECT_EQ(layout.left_out[0].copies, 1);
+}
+
+/// Another container has to take the fourth.
+TEST(ShapedContainers, FewAreUsed) {
+  const SolidLayout layout = found(in_one(ell(), {box("cube", 4, 1, 1, 1)}, 3), 4e6);
+  EXPECT_EQ(layout.items.size(), 4U);
+  EXPECT_EQ(layout.containers.size(), 2U);
+}
+
+/// Cubes lie under the slope as 2 + 1.
+TEST(ShapedContainers, CubesUnderASlope) {
+  const SolidLayout layout = found(in_one(ramp(3, 1), {box("cube", 4, 1, 1, 1)}), 4e6);
+  EXPECT_EQ(layout.items.size(), 3U);
+}
+
+/// Four slabs turn about it.
+TEST(ShapedContainers, GoRoundAHollow) {
+  const SolidProblem problem = in_one(hollow_box(), {with_turns(box("slab", 4, 2, 3, 5))});
+  EXPECT_EQ(found(problem, 20e6).items.size(), 4U);
+}
+
+TEST(ShapedContainers, EdgesHoldAtSlopes) {
+  SolidProblem problem = in_one(ramp(10, 3), {box("cube", 6, 1, 1, 1)});
+  problem.edge = 1;
+  const SolidLayout layout = found(problem, 4e6);
+  EXPECT_EQ(layout.items.size(), 6U);
+}
+
+TEST(ShapedContainers, FixedSolidsStandInThem) {
+  SolidProblem problem = in_one(ell(), {box("cube", 3, 1, 1, 1)});
+  problem.fixed = {{.placed = {.part = 0, .at = {1, 0, 0}}}};
+  const SolidLayout layout = found(problem, 4e6);
+  EXPECT_EQ(layout.items.size(), 3U);
+}
+
+/// The slab fits the box only, the cubes fill the other.
+TEST(ShapedContainers, BesideBoxes) {
+  SolidProblem problem = in_one(ell(), {box("cube", 3, 1, 1, 1), box("slab", 1, 2, 2, 1)});
+  problem.containers.push_back({"box", 1, {}, 2, 2, 1});
+  const SolidLayout layout = found(problem, 10e6);
+  EXPECT_EQ(layout.items.size(), 4U);
+  EXPECT_EQ(layout.containers.size(), 2U);
+  EXPECT_DOUBLE_EQ(verify(problem, layout).density, 1);
+}
+
+TEST(ShapedContainers, AMoveByHandStaysWithin) {
+  const SolidProblem problem = in_one(ramp(4, 2), {box("cube", 1, 1, 1, 1)});
+  const auto moved = with_room(problem, one_at(problem, {0, 0, 0}), 0, {3, 0, 1});
+  ASSERT_TRUE(moved);
+  EXPECT_TRUE(verify(problem, *moved).is_feasible());
+}
+
+TEST(ShapedContainers, OneSeedOneLayout) {
+  const SolidProblem problem = in_one(ramp(7, 4), {box("cube", 9, 1, 2, 1), ball("ball", 2, 1)});
+  const SolidLayout first = found(problem, 4e6), second = found(problem, 4e6);
+  ASSERT_EQ(first.items.size(), second.items.size());
+  for (std::size_t k = 0; k < first.items.size(); ++k) EXPECT_EQ(first.items[k].at, second.items[k].at);
+}
+
+}  // namespace packing_container_shapes
+}  // namespace findspace::packing
