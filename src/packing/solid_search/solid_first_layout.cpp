@@ -137,25 +137,29 @@ class SolidBuilder {
     const Vector start{std::max(-v.low.x, std::min(x, room.high.x - v.high.x)),
                        std::max(-v.low.y, std::min(y, room.high.y - v.high.y)),
                        std::max(room.low.z - v.low.z, std::min(z, room.high.z - v.high.z))};
-    if (column_.has_walls(room_number)) return attempt_between_walls(variant, room, start);
+    const double floor = room.low.z - v.low.z;
+    // Between walls that bend inwards it need not come from above.
+    if (column_.has_walls(room_number))
+      return attempt_on_line(variant, room, {start.x, start.y, floor}, {0, 0, 1}, room.high.z - v.high.z - floor);
     // Above all that stands it is free.
     if (start.z + v.low.z < tops_[room_number] + table_.gap() && !is_free(variant, start)) return;
     offer(variant, settled(variant, room, start));
   }
 
-  /// Where walls bend inwards, a part need not come from above: the lowest free place over a point of the floor, and
-  /// the first along x and y from there.
-  void attempt_between_walls(std::size_t variant, const Room<Vector>& room, const Vector& start) {
+  /// At the first free place of a line, at + t way, t up to `most`.
+  void attempt_on_line(std::size_t variant, const Room<Vector>& room, const Vector& at, const Vector& way,
+                       double most) {
+    if (const auto t = first_free(variant, at, way, most)) offer(variant, settled(variant, room, at + *t * way));
+  }
+
+  /// Where walls bend inwards, corners of the box are not free: the first places from its left and back on.
+  void attempt_between_walls(std::size_t variant, const Room<Vector>& room, double x, double y) {
     const SolidVariant& v = table_.variants()[variant];
     const Vector low = room.low - v.low, high = room.high - v.high;
-    const auto from = [&](const Vector& at, const Vector& way, double most) {
-      if (const auto t = first_free(variant, at, way, most)) offer(variant, settled(variant, room, at + *t * way));
-    };
-    from({start.x, start.y, low.z}, {0, 0, 1}, high.z - low.z);
-    from({low.x, start.y, start.z}, {1, 0, 0}, high.x - low.x);
-    from({start.x, low.y, start.z}, {0, 1, 0}, high.y - low.y);
-    from({low.x, start.y, low.z}, {1, 0, 0}, high.x - low.x);
-    from({start.x, low.y, low.z}, {0, 1, 0}, high.y - low.y);
+    attempt_on_line(variant, room, {low.x, std::clamp(y, low.y, std::max(low.y, high.y)), low.z}, {1, 0, 0},
+                    high.x - low.x);
+    attempt_on_line(variant, room, {std::clamp(x, low.x, std::max(low.x, high.x)), low.y, low.z}, {0, 1, 0},
+                    high.y - low.y);
   }
 
   void offer(std::size_t variant, const Vector& at) {
@@ -185,7 +189,10 @@ class SolidBuilder {
     const SolidVariant& v = table_.variants()[variant];
     const Room<Vector>& room = column_.rooms()[room_number];
     const double top = tops_[room_number] + table_.gap() - v.low.z;
-    const auto fall = [&](double x, double y) { attempt(variant, room_number, x, y, top); };
+    const auto fall = [&](double x, double y) {
+      attempt(variant, room_number, x, y, top);
+      if (column_.has_walls(room_number)) attempt_between_walls(variant, room, x, y);
+    };
     fall(-v.low.x, -v.low.y);
     fall(room.high.x, -v.low.y);
     fall(-v.low.x, room.high.y);
@@ -212,7 +219,7 @@ class SolidBuilder {
     const double top = tops_[room_number] + table_.gap() - v.low.z;
     attempt(variant, room_number, high.x, low.y, top);
     attempt(variant, room_number, low.x, high.y, top);
-    if (!problem_.in_containers() || room_of_other != room_number) return;
+    if (!problem_.in_containers() || room_of_other != room_number || column_.has_walls(room_number)) return;
     // Under the lid: from its floor, and upon it.
     attempt(variant, room_number, high.x + table_.gap(), low.y, low.z);
     attempt(variant, room_number, low.x, high.y + table_.gap(), low.z);
