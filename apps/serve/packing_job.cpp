@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "placing/packing_report.h"
 #include "serve/space_drawing.h"
@@ -35,8 +36,8 @@ struct Plane {
                   asked.name);
     return result;
   }
-  static std::string holder(const PackProblem& problem) {
-    return fmt::format(R"("height": {})", json_number(problem.height.value()));
+  static std::string holder(const Packing& packing, bool) {
+    return fmt::format(R"("height": {})", json_number(packing.problem().height.value()));
   }
   static std::string drawing(const Packing& packing, std::size_t part) { return json_string(packing.outline(part)); }
   static Number& size(PackLayout& layout) { return layout.length; }
@@ -57,17 +58,26 @@ struct Space {
       throw Error(ErrorCode::kUsage, "--height is of strips in the plane; in space the height is sought", asked.name);
     return SolidPacking::json(problem, asked);
   }
-  static std::string holder(const SolidPackProblem& problem) {
-    const auto number = [](const Number& n) { return json_number(n.value()); };
+  static std::string holder(const SolidPacking& packing, bool drawn) {
+    const SolidPackProblem& problem = packing.problem();
     if (problem.containers.empty())
-      return fmt::format(R"("floor": [{}, {}])", number(problem.width), number(problem.depth));
+      return fmt::format(R"("floor": [{}, {}])", json_number(problem.width.value()),
+                         json_number(problem.depth.value()));
+    std::size_t k = 0;
     return fmt::format(R"("containers": {})", json_list(problem.containers, [&](const PackContainer& c) {
-                         return fmt::format(R"({{"name": {}, "size": [{}, {}, {}]}})", json_string(c.name),
-                                            number(c.width), number(c.depth), number(c.height));
+                         return fmt::format(R"({{"name": {}, {}}})", json_string(c.name), inside(packing, k++, drawn));
                        }));
   }
-  static std::string drawing(const SolidPacking& packing, std::size_t part) {
-    Surface surface = packing.outline(part);
+  static std::string inside(const SolidPacking& packing, std::size_t container, bool drawn) {
+    Surface surface = packing.inside(container);
+    std::array<double, 3> size{};
+    for (const Position3& v : surface.vertices)
+      for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(size[k], v[k]);
+    return fmt::format(R"("size": [{}, {}, {}]{})", json_number(size[0]), json_number(size[1]), json_number(size[2]),
+                       drawn ? ", \"drawing\": " + drawing(std::move(surface)) : "");
+  }
+  static std::string drawing(const SolidPacking& packing, std::size_t part) { return drawing(packing.outline(part)); }
+  static std::string drawing(Surface surface) {
     SpaceDrawing drawing;
     drawing.solid.vertices = std::move(surface.vertices);
     drawing.solid.faces = std::move(surface.faces);
@@ -120,7 +130,7 @@ class JobOf : public PackingJob {
                          drawing ? ", \"drawing\": " + Kind::drawing(packing_, part) : "");
     });
     return fmt::format(R"({{"name": {}, "dimension": {}, {}, "lower_bound": {}, "items": {}, "parts": {}}})",
-                       json_string(problem.name), Kind::kDimension, Kind::holder(problem),
+                       json_string(problem.name), Kind::kDimension, Kind::holder(packing_, drawing),
                        json_number(packing_.lower_bound().value()), packing_.copies(), parts);
   }
 

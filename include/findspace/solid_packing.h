@@ -187,6 +187,8 @@ class SolidPacking {
   Surface surface(const SolidPackLayout& layout) const;
   /// A solid, counted as in problem().parts, about its origin, not turned. Balls become inscribed polyhedra.
   Surface outline(std::size_t part) const;
+  /// What a container holds, counted as in problem().containers; its box begins at (0, 0, 0).
+  Surface inside(std::size_t container) const;
 
   struct Data;
   explicit SolidPacking(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -416,6 +416,8 @@ SolidPackLayout or None
 )doc")
       .def("outline", &SolidPacking::outline, py::arg("part"),
            "A solid, counted as in `problem.parts`, about its origin, not turned: a Surface.")
+      .def("inside", &SolidPacking::inside, py::arg("container"),
+           "What a container holds, counted as in `problem.containers`, from (0, 0, 0) on: a Surface.")
       .def_static("is_stated_in", &SolidPacking::is_stated_in, py::arg("json"), py::arg("name") = "problem",
                   "Whether JSON is such a problem, not one of the plane. An Error of code 'syntax' where it is none.");
 }

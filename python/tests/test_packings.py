@@ -317,6 +317,10 @@ def test_containers_of_any_shape():
         assert told.containers[0].shape is not None and told.containers[0].size == ("0", "0", "0")
     text = json.dumps({"containers": [{"id": "ramp", "shape": {"polytope": [[5, 0, 0], [8, 0, 0], [5, 0, 3], [5, 1, 0], [8, 1, 0], [5, 1, 3]]}}],
                        "item-types": [{"id": "cube", "demand": 4, "shape": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}]})
+    inside = fs.SolidPacking(problem).inside(0).vertices
+    assert inside.shape == (6, 3) and inside.min() == 0 and inside.max(axis=0).tolist() == [3, 1, 3]
+    with pytest.raises(fs.Error, match="there is no container 1"):
+        fs.SolidPacking(problem).inside(1)
     read = fs.SolidPackProblem.json(text)
     assert read.containers[0].shape is not None and len(fs.pack(read, work=2).items) == 3
     with pytest.raises(fs.Error, match="container 'c': it has either sizes or a shape"):

@@ -204,6 +204,8 @@ TEST(PublicSolidPacking, AContainerHasAShape) {
   SolidPackLayout wrong = *layout;
   wrong.items[0].at = {1, 0, 1};
   EXPECT_EQ(packing.verdict(wrong).faults[0].kind, PackFault::Kind::kOutside);
+  EXPECT_EQ(packing.inside(0).vertices.size(), 6u);
+  EXPECT_THROW(packing.inside(1), Error);
   // It is drawn with its slope: nine edges.
   const std::string picture = packing.svg(*layout);
   std::size_t edges = 0;

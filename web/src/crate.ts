@@ -11,8 +11,8 @@ import type { SpaceStage } from "./space";
 
 const kBetween = 0.15;  // containers, of the width of one
 
-function boxOf([x, y, z]: Corner, from: number): SpaceDrawing {
-  const vertices = [...Array(8).keys()].map((k): Corner => [from + (k & 1 ? x : 0), k & 2 ? y : 0, k & 4 ? z : 0]);
+function boxOf([x, y, z]: Corner): SpaceDrawing {
+  const vertices = [...Array(8).keys()].map((k): Corner => [k & 1 ? x : 0, k & 2 ? y : 0, k & 4 ? z : 0]);
   return { vertices, faces: [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]], sheets: [], curves: [], points: [] };
 }
 
@@ -69,15 +69,17 @@ export class CratePicture implements LayoutPicture {
 
   /// The floor up to the height that is needed, or the containers that are used.
   private holders(problem: PackingProblem, state: PackingState): ShapeInfo[] {
-    const sizes = problem.containers
-      ? (state.layout?.container?.containers ?? []).map((name) => problem.containers!.find((c) => c.name === name)!.size)
-      : [[...problem.floor!, sizeOf(state)] as Corner];
+    const floor = [...(problem.floor ?? []), sizeOf(state)] as Corner;
+    const used = problem.containers
+      ? (state.layout?.container?.containers ?? []).map((name) => problem.containers!.find((c) => c.name === name)!)
+      : [{ size: floor, drawing: boxOf(floor) }];
     this.from = [];
     let from = 0;
-    return sizes.map((size, k) => {
+    return used.map(({ size, drawing: inside }, k) => {
       this.from.push(from);
-      const drawing = boxOf(size, from);
+      const left = from;
       from += (1 + kBetween) * size[0];
+      const drawing = { ...inside, vertices: inside.vertices.map(([x, y, z]): Corner => [x + left, y, z]) };
       return { name: ` ${k}`, moving: false, used: true, holder: true, drawing };
     });
   }

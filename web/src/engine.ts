@@ -39,7 +39,7 @@ export interface Placement { positions: { shape: string; at: Place | null; angle
 export interface PackedPart { name: string; demand: number; drawing: string | SpaceDrawing }
 /// `height`: of a strip; `floor` or `containers`: of solids.
 export interface PackingProblem {
-  name: string; dimension: 2 | 3; height?: number; floor?: Point; containers?: { name: string; size: Corner }[]; lower_bound: number; items: number;
+  name: string; dimension: 2 | 3; height?: number; floor?: Point; containers?: { name: string; size: Corner; drawing: SpaceDrawing }[]; lower_bound: number; items: number;
   parts: PackedPart[];
 }
 /// `angle`, `mirrored`: of the plane; `rotation`, `container`: of space.

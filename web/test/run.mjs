@@ -443,6 +443,15 @@ const tests = {
     await until(page, (size) => document.getElementById("pack-facts").textContent.includes(size), size(before));
     await close(opened);
   },
+  async "solids in containers that are no boxes"() {
+    const opened = await open(example("packing/uld.json")), { page } = opened;
+    await until(page, () => document.querySelectorAll("#placed button").length === 50);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    assert.match(await page.$eval("#pack-facts", (e) => e.textContent), /2 containers/);
+    await shot(page, "uld-light");
+    await close(opened);
+  },
   async "space: conditions that clash are named, with the least change of each"() {
     const scene3 = {
       findspace: 1, unit: "mm", moving: "part", where: "inside(part, room) and gap(part, block) >= 0",

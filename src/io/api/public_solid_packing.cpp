@@ -442,6 +442,13 @@ Surface SolidPacking::outline(std::size_t part) const {
   return {std::move(turned.vertices), std::move(turned.faces)};
 }
 
+Surface SolidPacking::inside(std::size_t container) const {
+  if (container >= data_->problem().containers.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("there is no container {}", container));
+  io::Surface surface = io::container_surface(data_->problem(), container);
+  return {std::move(surface.vertices), std::move(surface.faces)};
+}
+
 std::optional<SolidPackLayout> pack(const SolidPackProblem& problem, const Options& options,
                                     const std::function<void(const SolidPackLayout&)>& better) {
   PackSearch<SolidPackLayout> how;

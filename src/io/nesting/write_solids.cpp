@@ -271,6 +271,17 @@ Surface part_surface(const packing::SolidProblem& problem, std::size_t part) {
   return surface;
 }
 
+Surface container_surface(const packing::SolidProblem& problem, std::size_t kind) {
+  const packing::SolidContainer& c = problem.containers[kind];
+  if (c.inside) return surface_of(problem, *c.inside);
+  Surface box;
+  for (int k = 0; k < 8; ++k)
+    box.vertices.push_back({(k & 1) != 0 ? c.width.to_double() : 0, (k & 2) != 0 ? c.depth.to_double() : 0,
+                            (k & 4) != 0 ? c.height.to_double() : 0});
+  box.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return box;
+}
+
 Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
   Assembly result;
   const std::vector<DrawnContainer> containers = drawn_containers(problem, layout);

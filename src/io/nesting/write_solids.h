@@ -19,6 +19,8 @@ std::string layout_json(const packing::SolidProblem& problem, const packing::Sol
 Assembly layout_assembly(const packing::SolidProblem& problem, const packing::SolidLayout& layout);
 /// A part about its origin, not turned, in units. Balls become inscribed polyhedra.
 Surface part_surface(const packing::SolidProblem& problem, std::size_t part);
+/// What a kind of container holds, in units.
+Surface container_surface(const packing::SolidProblem& problem, std::size_t kind);
 /// A view from above, with the container.
 std::string layout_svg(const packing::SolidProblem& problem, const packing::SolidLayout& layout,
                        const LayoutFacts& facts);
