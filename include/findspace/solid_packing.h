@@ -199,8 +199,8 @@ class SolidPacking {
 
 /// The best layout found. Nothing where no solid is wanted, none fits a container, or no layout was found in which all
 /// conditions hold. The search ends by itself where no layout can be lower; else after the options' seconds or work,
-/// and without both where no better layout comes for long. Of up to ten solids of flat faces, each with one
-/// orientation, branch and bound proves that within a ten millionth of the height, as far as the options allow. With a
+/// and without both where no better layout comes for long. Of up to ten solids of flat faces that can stand in up to
+/// 1024 ways, branch and bound proves that within a ten millionth of the height, as far as the options allow. With a
 /// limit of work alone the result depends on the seed only. `better` hears of each better layout at once; what it
 /// throws ends the search. Error where a shape is none that is packed, stands on the floor in no orientation, has too
 /// many digits, or a name is unknown.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace findspace::packing {
 namespace {
@@ -20,30 +21,29 @@ Interval enclosure(const Fraction& value) {
 
 }  // namespace
 
-HeightChoices::HeightChoices(const SolidProblem& problem, const SolidTable& table, double height)
-    : problem_(problem), table_(table), rows_(bounds(height), table.size()) {
+HeightChoices::HeightChoices(const SolidProblem& problem, const SolidTable& table, std::vector<std::size_t> copies,
+                             double height)
+    : problem_(problem), table_(table), copies_(std::move(copies)), rows_(bounds(height), table.size()) {
   add_lids();
   add_orders();
   add_choices();
 }
 
-/// Of the columns; counts the copies as well.
-std::vector<Interval> HeightChoices::bounds(double height) {
+/// Of the columns.
+std::vector<Interval> HeightChoices::bounds(double height) const {
   std::vector<Interval> result;
   double tallest = 0;
   const auto add = [&](const Fraction& low, const Interval& high) {
     result.push_back({enclosure(low).lo, std::max(enclosure(low).lo, high.hi)});
   };
-  for (std::size_t part = 0; part < problem_.parts.size(); ++part)
-    for (int k = 0; k < problem_.parts[part].demand; ++k) {
-      copies_.push_back(table_.variants_of(part)[0]);
-      const SolidBox box = box_of(problem_, form_of(copies_.back()));
-      const Fraction& edge = problem_.edge;
-      add(edge - box.low[0], enclosure(problem_.width - edge - box.high[0]));
-      add(edge - box.low[1], enclosure(problem_.depth - edge - box.high[1]));
-      add(edge - box.low[2], exactly(height) - enclosure(edge + box.high[2]));
-      tallest = std::max(tallest, enclosure(box.high[2] - box.low[2] + edge + edge).lo);
-    }
+  for (const std::size_t variant : copies_) {
+    const SolidBox box = box_of(problem_, form_of(variant));
+    const Fraction& edge = problem_.edge;
+    add(edge - box.low[0], enclosure(problem_.width - edge - box.high[0]));
+    add(edge - box.low[1], enclosure(problem_.depth - edge - box.high[1]));
+    add(edge - box.low[2], exactly(height) - enclosure(edge + box.high[2]));
+    tallest = std::max(tallest, enclosure(box.high[2] - box.low[2] + edge + edge).lo);
+  }
   result.push_back({std::min(tallest, height), height});
   return result;
 }

@@ -24,8 +24,9 @@ struct Choice {
 
 class HeightChoices {
  public:
-  /// Of layouts of at most this height. One form of each part is looked at, without balls. Both must live as long.
-  HeightChoices(const SolidProblem& problem, const SolidTable& table, double height);
+  /// Of layouts of at most this height, in which the copies stand as these variants, without balls; those of the same
+  /// variant follow each other. Both must live as long.
+  HeightChoices(const SolidProblem& problem, const SolidTable& table, std::vector<std::size_t> copies, double height);
 
   const CertainRows& rows() const { return rows_; }
   /// The rows that hold in every layout.
@@ -39,7 +40,7 @@ class HeightChoices {
   std::vector<SolidPose> poses(const std::vector<double>& vertex) const;
 
  private:
-  std::vector<exact::Interval> bounds(double height);
+  std::vector<exact::Interval> bounds(double height) const;
   const SolidForm& form_of(std::size_t variant) const;
   void add_lids();
   void add_orders();

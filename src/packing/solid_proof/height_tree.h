@@ -33,6 +33,7 @@ class HeightTree {
   double bound() const;
   /// A layout in doubles that was found since it was last taken: its vertex, the height last. Else empty.
   std::vector<double> take_found() { return std::exchange(found_, {}); }
+  const HeightChoices& choices() const { return *choices_; }
   std::uint64_t programs() const { return programs_; }
 
  private:

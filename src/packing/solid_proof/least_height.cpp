@@ -13,26 +13,71 @@ namespace findspace::packing {
 namespace {
 
 constexpr std::size_t kMostCopies = 10;
+constexpr double kMostWays = 1024;                // in which the copies can stand
 constexpr std::size_t kTrees = 64, kNodes = 200;  // of a tree in a round
+constexpr std::size_t kMostVisited = 256;         // trees in a round
+
+/// So many times one of `kinds` is taken, where their order does not count.
+double choices_of(std::size_t kinds, int times) {
+  double result = 1;
+  for (int k = 1; k <= times; ++k) result = result * double(kinds + std::size_t(k) - 1) / k;
+  return result;
+}
+
+/// The variants of all copies, those of a part one after another in the order of their numbers.
+class Ways {
+ public:
+  Ways(const SolidProblem& problem, const SolidTable& table) : problem_(problem), table_(table) {}
+
+  std::vector<std::vector<std::size_t>> all() {
+    add(0, 0, 0);
+    return std::move(all_);
+  }
+
+ private:
+  /// From a copy of a part on, which is one of its variants from `first` on.
+  void add(std::size_t part, int copy, std::size_t first) {
+    if (part == problem_.parts.size()) return all_.push_back(way_);
+    if (copy == problem_.parts[part].demand) return add(part + 1, 0, 0);
+    const std::vector<std::size_t>& variants = table_.variants_of(part);
+    for (std::size_t k = first; k < variants.size(); ++k) {
+      way_.push_back(variants[k]);
+      add(part, copy + 1, k);
+      way_.pop_back();
+    }
+  }
+
+  const SolidProblem& problem_;
+  const SolidTable& table_;
+  std::vector<std::size_t> way_;
+  std::vector<std::vector<std::size_t>> all_;
+};
 
 }  // namespace
 
 bool is_provable(const SolidProblem& problem, const SolidTable& table) {
   if (problem.in_containers() || !problem.fixed.empty() || problem.items() > kMostCopies) return false;
-  return std::all_of(problem.parts.begin(), problem.parts.end(), [&](const SolidPart& part) {
-    if (part.demand == 0) return true;
-    const std::vector<std::size_t>& variants = table.variants_of(std::size_t(&part - problem.parts.data()));
-    if (variants.size() != 1) return false;
-    const SolidForm& form = part.forms[table.variants()[variants[0]].form];
-    return form.is_exact() && !form.has_balls();
-  });
+  double ways = 1;
+  for (std::size_t part = 0; part < problem.parts.size(); ++part) {
+    const int demand = problem.parts[part].demand;
+    if (demand == 0) continue;
+    const std::vector<std::size_t>& variants = table.variants_of(part);
+    ways *= choices_of(variants.size(), demand);
+    for (const std::size_t v : variants) {
+      const SolidForm& form = problem.parts[part].forms[table.variants()[v].form];
+      if (!form.is_exact() || form.has_balls()) return false;
+    }
+  }
+  return ways >= 1 && ways <= kMostWays;
 }
 
 double LeastHeight::below(double height) { return height * (1 - margin::kHeightProof); }
 
-LeastHeight::LeastHeight(const SolidProblem& problem, const SolidTable& table, double height)
-    : choices_(problem, table, height), below_(below(height)) {
-  trees_.emplace_back(choices_);
+LeastHeight::LeastHeight(const SolidProblem& problem, const SolidTable& table, double height) : below_(below(height)) {
+  for (std::vector<std::size_t>& way : Ways(problem, table).all()) {
+    choices_.push_back(std::make_unique<const HeightChoices>(problem, table, std::move(way), height));
+    trees_.emplace_back(*choices_.back());
+  }
 }
 
 double LeastHeight::bound() const {
@@ -52,12 +97,15 @@ void LeastHeight::divide() {
     for (HeightTree& part : trees_[k].divided(below_)) trees_.push_back(std::move(part));
 }
 
-std::vector<double> LeastHeight::collect() {
-  std::vector<double> lowest;
+std::optional<std::vector<SolidPose>> LeastHeight::collect() {
+  std::optional<std::vector<SolidPose>> lowest;
+  double height = exact::kInfinity;
   for (HeightTree& tree : trees_) {
-    if (std::vector<double> found = tree.take_found();
-        lowest.empty() || (!found.empty() && found.back() < lowest.back()))
-      lowest = std::move(found);
+    const std::vector<double> found = tree.take_found();
+    if (!found.empty() && found.back() < height) {
+      height = found.back();
+      lowest = tree.choices().poses(found);
+    }
     if (!tree.is_over()) continue;
     over_ = std::min(over_, tree.bound());
     programs_ += tree.programs();
@@ -66,14 +114,17 @@ std::vector<double> LeastHeight::collect() {
   return lowest;
 }
 
+/// Those that promise the lowest layouts go on first.
 std::optional<std::vector<SolidPose>> LeastHeight::search() {
-  if (trees_.size() < kTrees)
+  if (trees_.size() < kTrees) {
     divide();
-  else
-    plane::parallel_for(trees_.size(), [&](std::size_t k) { trees_[k].visit(below_, kNodes); });
-  const std::vector<double> lowest = collect();
-  if (lowest.empty()) return std::nullopt;
-  return choices_.poses(lowest);
+    return collect();
+  }
+  if (trees_.size() > kTrees)
+    std::stable_sort(trees_.begin(), trees_.end(),
+                     [](const HeightTree& s, const HeightTree& t) { return s.bound() < t.bound(); });
+  plane::parallel_for(std::min(trees_.size(), kMostVisited), [&](std::size_t k) { trees_[k].visit(below_, kNodes); });
+  return collect();
 }
 
 }  // namespace findspace::packing

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// That no layout of a few solids is lower, by branch and bound to a proof (height_tree.h). Guarantee: the bound is
-// proved in interval arithmetic. Gaps and conditions of pairs only make layouts higher, and are not looked at. The same
-// for any number of threads. Cost: exponential: 7 parts of twenty facets half a second, 8 two minutes. Source:
+// That no layout of a few solids is lower, by branch and bound to a proof (height_tree.h): a tree for each way in which
+// the copies can stand, but for the exchange of equal ones. Guarantee: the bound is proved in interval arithmetic. Gaps
+// and conditions of pairs only make layouts higher, and are not looked at. The same for any number of threads. Cost:
+// exponential: 7 parts of twenty facets in one orientation half a second, 8 two minutes. Source:
 // phi.md 2. Keywords: global optimum, disjunctive programming, certificate of optimality.
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "packing/solid_proof/height_tree.h"
 
 namespace findspace::packing {
 
-/// Whether a proof is tried: not too many parts, of one form each, which is exact and without balls; no containers.
+/// Whether a proof is tried: not too many copies nor ways in which they can stand, of forms that are exact and without
+/// balls; no containers.
 bool is_provable(const SolidProblem& problem, const SolidTable& table);
 
 class LeastHeight {
@@ -38,10 +41,10 @@ class LeastHeight {
  private:
   static double below(double height);
   void divide();
-  /// The lowest vertex that was found; trees that are over are no more.
-  std::vector<double> collect();
+  /// The lowest layout that was found; trees that are over are no more.
+  std::optional<std::vector<SolidPose>> collect();
 
-  HeightChoices choices_;
+  std::vector<std::unique_ptr<const HeightChoices>> choices_;
   std::vector<HeightTree> trees_;
   double below_, over_ = exact::kInfinity;  // the least bound of trees that are over,
   std::uint64_t programs_ = 0;              // and their programs
