@@ -118,4 +118,36 @@ TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const 
   return std::nullopt;
 }
 
+exact::Interval PairDistances::within(Which which, const space::Vector& p) const {
+  switch (which) {
+    case Which::kGamma1:
+      return forth_->gap_within(p);
+    case Which::kGamma2:
+      return forth_->reach_within(p);
+    case Which::kEta1:
+      return forth_->fit_within(p);
+    case Which::kMu:
+      return forth_->protrusion_within(p);
+    case Which::kDelta1:
+    case Which::kMuBack:
+    case Which::kDstar:
+    case Which::kHBack:
+      return PairDistances(back_, forth_).within(exchanged(which), space::scaled(-1, p));
+    case Which::kD1:
+    case Which::kPenetration:
+    case Which::kH:
+    case Which::kDstarBack: {
+      const CutOff cut = *cut_off_of(which);
+      const exact::Interval base = within(cut.base, p), value = cut.negated ? -base : base;
+      return {std::max(value.lo, 0.0), std::max(value.hi, 0.0)};
+    }
+    case Which::kDiameter:
+    case Which::kEta2:
+    case Which::kDelta2:
+    case Which::kHausdorff:
+      break;
+  }
+  return exact::whole_line();
+}
+
 }  // namespace findspace::distance

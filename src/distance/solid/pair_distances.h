@@ -10,8 +10,8 @@
 //   farthest   eta2, delta2
 //   protrusion mu;  h, hausdorff from it
 // Providers are solid_pair.h (and complements), surface_pair.h, csg_pair.h and box_maps.h. Guarantee: that of the
-// provider. What it does not answer is refused, so that the next one can be asked. Keywords: signed distance,
-// Hausdorff distance.
+// provider. What it does not answer is refused, so that the next one can be asked. Searches that ask at thousands of
+// positions first ask `within`, in doubles. Keywords: signed distance, Hausdorff distance.
 #pragma once
 
 #include <memory>
@@ -21,6 +21,7 @@
 #include "distance/answer/answer.h"
 #include "distance/planar/shape_pair.h"
 #include "exact/number/interval.h"
+#include "space/polytope/vector.h"
 
 namespace findspace::distance {
 
@@ -50,6 +51,11 @@ class PairSide {
   virtual TriedAnswer protrusion(const SpacePosition& /*p*/, Depth /*depth*/) const { return std::nullopt; }
   /// max(0, -fit), also where the fit itself is not decided.
   virtual TriedAnswer clearance(const SpacePosition& p) const;
+  /// Numbers between which the value lies (+infinity where it is undefined), as far as they are quickly known.
+  virtual exact::Interval gap_within(const space::Vector& /*p*/) const { return exact::whole_line(); }
+  virtual exact::Interval reach_within(const space::Vector& /*p*/) const { return exact::whole_line(); }
+  virtual exact::Interval fit_within(const space::Vector& /*p*/) const { return exact::whole_line(); }
+  virtual exact::Interval protrusion_within(const space::Vector& /*p*/) const { return exact::whole_line(); }
   /// No point of the moving one is farther from the fixed one; a number that is quickly known.
   virtual double protrudes_at_most(const SpacePosition& /*p*/) const { return exact::kInfinity; }
 };
@@ -63,6 +69,8 @@ class PairDistances {
   TriedAnswer try_value(Which which, const SpacePosition& p) const;
   /// The same; Error(kUnsupported) instead of a refusal.
   std::optional<Answer> value(Which which, const SpacePosition& p) const { return try_value(which, p).or_throw(); }
+  /// Numbers between which the value lies, quickly: the whole line where nothing is known so.
+  exact::Interval within(Which which, const space::Vector& p) const;
 
  private:
   TriedAnswer hausdorff(const SpacePosition& p) const;

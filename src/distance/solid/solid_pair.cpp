@@ -131,6 +131,9 @@ class ComplementSide : public PairSide {
  public:
   explicit ComplementSide(std::shared_ptr<const SolidSide> parts) : parts_(std::move(parts)) {}
 
+  exact::Interval gap_within(const space::Vector& p) const override { return -parts_->fit_within(p); }
+  exact::Interval fit_within(const space::Vector& p) const override { return -parts_->gap_within(p); }
+
   TriedAnswer gap(const RealVector& p, Depth /*depth*/) const override {
     TriedAnswer v = parts_->fit(p);
     if (!v) return v;

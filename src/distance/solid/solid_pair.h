@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "distance/answer/answer.h"
+#include "distance/search/solid_max_min.h"
 #include "distance/solid/pair_distances.h"
 #include "space/body/ball_meet.h"
 #include "space/body/body.h"
@@ -37,8 +38,7 @@ PairDistances solid_pair(std::shared_ptr<const space::Body> b, std::shared_ptr<c
 /// "B in A" of two bodies that are not `outside`.
 class SolidSide : public PairSide {
  public:
-  SolidSide(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a)
-      : b_(std::move(b)), a_(std::move(a)) {}
+  SolidSide(std::shared_ptr<const space::Body> b, std::shared_ptr<const space::Body> a);
 
   TriedAnswer gap(const space::RealVector& p, Depth depth) const override;
   TriedAnswer reach(const space::RealVector& p) const override;
@@ -47,6 +47,11 @@ class SolidSide : public PairSide {
   TriedAnswer farthest_fit(const space::RealVector& p) const override;
   TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
   TriedAnswer clearance(const space::RealVector& p) const override;
+  // Of at most kMostNear pairs of parts, or of vertices and parts: solid_pair_within.cpp.
+  exact::Interval gap_within(const space::Vector& p) const override;
+  exact::Interval reach_within(const space::Vector& p) const override;
+  exact::Interval fit_within(const space::Vector& p) const override;
+  exact::Interval protrusion_within(const space::Vector& p) const override;
   /// The depth of the deepest point of B + p, which lies in the interior of A.
   TriedAnswer reach_into_parts(const space::RealVector& p) const;
 
@@ -69,6 +74,15 @@ class SolidSide : public PairSide {
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
 
+  /// Distances as numbers know them, each made when first needed; empty where they would be too many.
+  struct Near {
+    std::once_flag gap_made, fit_made, protrusion_made;
+    std::vector<ConvexDistance> gap, fit, protrusion;
+    double size = 0;  // of the coordinates of both
+  };
+  static constexpr std::size_t kMostNear = 64;
+  exact::Interval about(double value, const space::Vector& p) const;
+
   const Fit& positions() const;
   std::unique_ptr<Fit> made_fit() const;
   const PositionSet& boundary_of(const Fit& fit) const;
@@ -90,6 +104,7 @@ class SolidSide : public PairSide {
   mutable std::unique_ptr<Fit> fit_;
   mutable std::unique_ptr<space::OpenUnion> overlap_;
   mutable std::shared_ptr<const PositionSet> round_overlap_;
+  mutable Near near_;
 };
 
 /// max |v - w| + radii over two points of the body.

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/surface/surface_pair.h"
 
+#include <algorithm>
+
 #include "distance/answer/answer.h"
 #include "space/body/body_boxes.h"
 
@@ -10,6 +12,7 @@ namespace findspace::distance {
 using exact::Real;
 using space::RealVector;
 using space::SurfaceGap;
+using space::Vector;
 using Relation = space::SurfaceGaps::Relation;
 
 namespace {
@@ -32,6 +35,30 @@ exact::Refusal untold() { return exact::Refusal("the surfaces do not tell"); }
 
 SurfaceSide::SurfaceSide(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::move(a)) {
   if (b_.surface && a_.surface) gaps_ = std::make_unique<const space::SurfaceGaps>(a_.surface, b_.surface);
+}
+
+SurfaceSide::Fields::Fields(const space::SurfaceSet& set) : field(set, {}) {
+  for (const auto& sheet : set.sheets()) pieces.push_back(exact::approx(sheet->body.points[0]));
+  for (const auto& ball : set.balls()) pieces.push_back(exact::approx(ball.center));
+}
+
+bool SurfaceSide::Fields::surely_outside(const std::vector<Vector>& places, const Vector& p, double away) const {
+  return std::all_of(places.begin(), places.end(),
+                     [&](const Vector& x) { return field.inside(space::plus(x, p), away) == std::optional(false); });
+}
+
+// Where the surfaces do not touch, each piece of the one lies outside the other or within it, as any place of it does.
+exact::Interval SurfaceSide::gap_within(const Vector& p) const {
+  if (!gaps_) return exact::whole_line();
+  std::call_once(fields_made_, [&] {
+    field_b_.emplace(*b_.surface);
+    field_a_.emplace(*a_.surface);
+  });
+  const space::SurfaceGaps::Near near = gaps_->near(p);
+  const bool apart = near.value > near.error && field_a_->surely_outside(field_b_->pieces, p, near.value) &&
+                     field_b_->surely_outside(field_a_->pieces, space::scaled(-1, p), near.value);
+  if (!apart) return {-exact::kInfinity, near.value + near.error};
+  return {near.value - near.error, near.value + near.error};
 }
 
 PairDistances surface_pair(const Surfaced& b, const Surfaced& a) {

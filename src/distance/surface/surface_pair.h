@@ -22,6 +22,7 @@
 
 #include "distance/solid/solid_pair.h"
 #include "distance/surface/surface_contact.h"
+#include "distance/surface/surface_field.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -49,6 +50,8 @@ class SurfaceSide : public PairSide {
   TriedAnswer farthest_fit(const space::RealVector& p) const override;
   TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
   TriedAnswer clearance(const space::RealVector& p) const override;
+  /// The distance where the surfaces are apart and neither solid holds a piece of the other; else that there is none.
+  exact::Interval gap_within(const space::Vector& p) const override;
 
  private:
   /// Positions at which the one touches the other from one side, made when first needed.
@@ -68,7 +71,18 @@ class SurfaceSide : public PairSide {
   bool by_outlines() const { return a_.convex && b_.outline; }
   bool too_large() const;
 
+  /// The two as numbers see them, and a place of each of their pieces.
+  struct Fields {
+    SurfaceField field;
+    std::vector<space::Vector> pieces;
+    explicit Fields(const space::SurfaceSet& set);
+    /// None of the places, moved by p, lies in it, and they are so far from its surface.
+    bool surely_outside(const std::vector<space::Vector>& places, const space::Vector& p, double away) const;
+  };
+
   Surfaced b_, a_;
+  mutable std::once_flag fields_made_;
+  mutable std::optional<Fields> field_b_, field_a_;
   std::unique_ptr<const space::SurfaceGaps> gaps_;
   mutable Contacts outside_, inside_;
 };

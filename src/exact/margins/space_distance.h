@@ -112,6 +112,9 @@ inline constexpr double kFacePlane = 0x1p-40;
 
 // -- solid: two bodies
 
+/// Of the coordinates: what a distance in doubles may be off beside edges as sharp as kSharpEdge (convex_distance.h),
+/// twice. Bounds: what is said to hold the value is wider by it.
+inline constexpr double kNumbersOff = 0x1p-35;
 /// Of their distance: witness points whose distance differs from the value by more are those of another value, so that
 /// their direction is not a slope. Searches: a value without slope ends the search by tangents.
 inline constexpr double kWitnessAgrees = 0x1p-40;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "formula/explain/demand_values.h"
 
+#include <algorithm>
+
 #include "findspace/error.h"
 #include "formula/language/text.h"
 
@@ -56,7 +58,43 @@ DemandValues::DemandValues(const SpaceSolver& solver, const Demands& demands) : 
     if (atom.minimum || atom.distance.mode != Mode::kPlain || atom.distance.prefix != Extremum::kNone)
       throw Error(ErrorCode::kUnsupported, "in space an explanation of '" + written(atom) + "' is not computed");
     levels_.push_back(atom.level / solver.world().step);
+    near_levels_.push_back(levels_.back().interval());
   }
+  const auto& atoms = demands.formula().atoms();
+  std::vector<const Distance*> seen;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    std::size_t same = 0;
+    while (same < seen.size() && !(*seen[same] == atoms[k].distance)) ++same;
+    if (same == seen.size()) {
+      seen.push_back(&atoms[k].distance);
+      asked_.push_back({solver.quick_distance(atoms[k].distance), {}});
+    }
+    asked_[same].demands.push_back(k);
+  }
+  std::stable_partition(asked_.begin(), asked_.end(), [](const Asked& a) { return !a.distance.large; });
+}
+
+void DemandValues::set(DemandsAt& here, std::size_t k, const Interval& distance) const {
+  const Interval beyond = distance - near_levels_[k];
+  here.distance[k] = distance;
+  here.slack[k] = slack_of(demands_.relation(k), beyond);
+  const int sign = exact::certain_sign(beyond);
+  here.met[k] = sign != 0 && demands_.holds(k, static_cast<std::int8_t>(sign));
+}
+
+DemandsAt DemandValues::within(const space::Vector& p, const std::function<bool(const DemandsAt&)>& enough) const {
+  const std::size_t count = levels_.size();
+  DemandsAt here{std::vector(count, exact::whole_line()), std::vector(count, exact::whole_line()),
+                 MetDemands(count, false), true};
+  bool open = false;
+  for (const Asked& asked : asked_) {
+    const Interval distance = asked.distance.within(p);
+    open = open || (distance.lo < exact::kInfinity && !(distance.hi < exact::kInfinity));
+    for (const std::size_t k : asked.demands) set(here, k, distance);
+    if (enough(here)) return here;
+  }
+  here.open = open;
+  return here;
 }
 
 DemandsAt DemandValues::at(const space::RealVector& p) const {

@@ -67,26 +67,60 @@ class Search {
     }
   }
 
+  /// A box, and what is known of its centre.
+  struct Glance {
+    PlaceSeen seen;
+    bool exact = false;
+  };
+
   void take() {
     std::vector<Box> boxes = std::exchange(parts_, {});
-    std::vector<PlaceSeen> seen(boxes.size());
-    plane::parallel_for(boxes.size(),
-                        [&](std::size_t k) { seen[k] = asked_.look(space::real(boxes[k].place.center)); });
-    for (std::size_t k = 0; k < boxes.size(); ++k) note(space::real(boxes[k].place.center), seen[k]);
+    std::vector<Glance> seen(boxes.size());
+    plane::in_ranges(boxes.size(), kAtOnce, [&](const plane::IndexRange& range) {
+      for (std::size_t k = range.first; k < range.end; ++k) seen[k] = glance(boxes[k]);
+    });
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const double r = radius(boxes[k].place);
-      boxes[k].bound = std::max(boxes[k].bound, seen[k].value.lo - r);
-      if (seen[k].inside + r < 0 || boxes[k].bound > std::min(asked_.beyond, found_.least)) continue;
-      if (longest(boxes[k]) > 0) queue_.push(boxes[k]);
+      const Vector& center = boxes[k].place.center;
+      if (!seen[k].exact && perhaps_best(seen[k].seen)) seen[k] = {asked_.look(space::real(center)), true};
+      note(boxes[k], seen[k]);
+    }
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      boxes[k].bound = bound(boxes[k], seen[k].seen);
+      if (!is_needless(boxes[k], seen[k].seen) && longest(boxes[k]) > 0) queue_.push(boxes[k]);
     }
   }
+  /// Exact where numbers say too little. Does not change what was found.
+  Glance glance(const Box& box) const {
+    const auto is_needless_now = [&](const PlaceSeen& s) { return is_needless(box, s); };
+    const PlaceSeen near = asked_.glance(box.place.center, is_needless_now);
+    const bool is_open = near.open || !(near.value.hi - near.value.lo < exact::kInfinity);
+    if (!is_open || is_needless_now(near)) return {near, false};
+    return {asked_.look(space::real(box.place.center)), true};
+  }
+  static double bound(const Box& box, const PlaceSeen& seen) {
+    return std::max(box.bound, seen.value.lo - radius(box.place));
+  }
+  /// No place of the box belongs and is better than what was found.
+  bool is_needless(const Box& box, const PlaceSeen& seen) const {
+    return seen.inside + radius(box.place) < 0 || bound(box, seen) > std::min(asked_.beyond, found_.least);
+  }
+  /// Its numbers leave that open, and it would be better by more than they may be off.
+  bool perhaps_best(const PlaceSeen& seen) const { return seen.inside >= 0 && seen.value.hi < found_.least; }
   static double longest(const Box& box) { return std::max({box.place.half.x, box.place.half.y, box.place.half.z}); }
 
-  void note(const space::RealVector& at, const PlaceSeen& seen) {
-    if (seen.inside > most_inside_) {
-      most_inside_ = seen.inside;
-      found_.nearly = at;
+  void note(const Box& box, const Glance& glance) {
+    if (glance.exact) {
+      note(space::real(box.place.center), glance.seen);
+    } else if (glance.seen.inside > most_inside_ && !is_needless(box, glance.seen)) {
+      note_inside(space::real(box.place.center), glance.seen.inside);
     }
+  }
+  void note_inside(const space::RealVector& at, double inside) {
+    most_inside_ = inside;
+    found_.nearly = at;
+  }
+  void note(const space::RealVector& at, const PlaceSeen& seen) {
+    if (seen.inside > most_inside_) note_inside(at, seen.inside);
     if (!seen.belongs || !(seen.value.hi < found_.least)) return;
     found_.least = seen.value.hi;
     found_.at = at;

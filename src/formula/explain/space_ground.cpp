@@ -88,11 +88,8 @@ class SearchedGround : public Ground {
 
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     if (unbounded(k, sense)) return endless(k);
-    PlaceSearch search = search_of(k, sense);
-    search.first = places_;
     const Real level = demands_.formula().atoms()[k].level / step();
-    search.look = [this, k, sign, sense, level](const RealVector& p) {
-      const DemandsAt here = values_.at(p);
+    PlaceSearch search = searching([this, k, sign, sense, level](const DemandsAt& here) {
       PlaceSeen seen = value_seen(here, k, sense);
       std::vector<double> most;
       for (const exact::Interval& s : here.slack) most.push_back(s.hi);
@@ -107,7 +104,9 @@ class SearchedGround : public Ground {
         seen.belongs = seen.belongs && exact::certain_sign(beyond) == sign;
       }
       return seen;
-    };
+    });
+    search.tolerance = tolerance();
+    search.first = places_;
     PlaceFound found = find_place(search, {window_});
     if (!found.at && found.bound < exact::kInfinity) {
       std::vector<Part> parts(demands_.size(), Part::kAsked);
@@ -121,10 +120,7 @@ class SearchedGround : public Ground {
   }
 
   CommonRelaxation together(const std::optional<Real>&) override {
-    PlaceSearch search;
-    search.tolerance = tolerance();
-    search.look = [this](const RealVector& p) {
-      const DemandsAt here = values_.at(p);
+    PlaceSearch search = searching([this](const DemandsAt& here) {
       std::vector<double> least, most;
       for (std::size_t k = 0; k < demands_.size(); ++k) {
         const bool moves = demands_.has_level(k);
@@ -133,7 +129,8 @@ class SearchedGround : public Ground {
       }
       const double low = demands_.measure(least), high = demands_.measure(most);
       return PlaceSeen{{-high, -low}, exact::kInfinity, low > -exact::kInfinity};
-    };
+    });
+    search.tolerance = tolerance();
     const PlaceFound found = find_place(search, {window_});
     CommonRelaxation out;
     if (!found.at) return out;
@@ -172,10 +169,19 @@ class SearchedGround : public Ground {
     out.kind = Kind::kFree;
     return out;
   }
-  PlaceSearch search_of(std::size_t k, Sense sense) const {
+  /// `see`: what the demands at a place say of it.
+  template <class See>
+  PlaceSearch searching(See see) const {
+    const auto seen = [see](const DemandsAt& here) {
+      PlaceSeen out = see(here);
+      out.open = here.open;
+      return out;
+    };
     PlaceSearch search;
-    search.tolerance = tolerance();
-    search.look = [this, k, sense](const RealVector& p) { return value_seen(values_.at(p), k, sense); };
+    search.look = [this, seen](const RealVector& p) { return seen(values_.at(p)); };
+    search.glance = [this, seen](const Vector& p, const PlaceSearch::Needless& needless) {
+      return seen(values_.within(p, [&](const DemandsAt& here) { return needless(seen(here)); }));
+    };
     return search;
   }
   static PlaceSeen value_seen(const DemandsAt& here, std::size_t k, Sense sense) {
@@ -225,11 +231,7 @@ class SearchedGround : public Ground {
   Tried<bool> room(const std::vector<Part>& parts) {
     if (!demands_.truth(assumed(MetDemands(demands_.size(), true), parts))) return false;
     if (known(parts)) return true;
-    PlaceSearch search;
-    search.enough = std::numeric_limits<double>::max();
-    search.beyond = 0;
-    search.look = [&](const RealVector& p) {
-      const DemandsAt here = values_.at(p);
+    PlaceSearch search = searching([&](const DemandsAt& here) {
       std::vector<double> least, most;
       for (std::size_t k = 0; k < parts.size(); ++k) {
         const double known = parts[k] == Part::kMet ? exact::kInfinity : -exact::kInfinity;
@@ -238,7 +240,9 @@ class SearchedGround : public Ground {
       }
       const double low = demands_.measure(least), high = demands_.measure(most);
       return PlaceSeen{{-high, -low}, high, demands_.truth(assumed(here.met, parts))};
-    };
+    });
+    search.enough = std::numeric_limits<double>::max();
+    search.beyond = 0;
     const PlaceFound found = find_place(search, {window_});
     if (found.at) {
       keep(*found.at, values_.at(*found.at).met);
@@ -317,7 +321,9 @@ class BoxGround : public SearchedGround {
     }
     std::vector<PlaceBox> boxes;
     for (const space::IntervalBox& box : set.boxes()) boxes.push_back(place_box(box));
-    return changed_to(k, sense, find_place(search_of(k, sense), boxes));
+    PlaceSearch search = searching([k, sense](const DemandsAt& here) { return value_seen(here, k, sense); });
+    search.tolerance = tolerance();
+    return changed_to(k, sense, find_place(search, boxes));
   }
 
   static MetDemands met_at(const Demands& demands, std::span<const Mark> signs) {

@@ -254,6 +254,14 @@ Tried<std::optional<Answer>> SpaceSolver::try_value(const Distance& wanted, cons
   return value_at(*space_, wanted, p);
 }
 
+SpaceSolver::QuickDistance SpaceSolver::quick_distance(const Distance& wanted) const {
+  if (!is_directional(wanted)) {
+    if (const Tried<PreparedSpace::Named> n = space_->named(wanted))
+      return {n->pair->within(n->which), n->pair->large()};
+  }
+  return {[](const space::Vector&) { return exact::whole_line(); }};
+}
+
 std::optional<RealVector> SpaceSolver::nearest_apart(const Distance& wanted, const Real& level,
                                                      const RealVector& p) const {
   if (is_directional(wanted) || wanted.kind != Kind::kGamma1) return std::nullopt;

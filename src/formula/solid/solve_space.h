@@ -22,6 +22,7 @@
 #include "distance/planar_least/extremum.h"
 #include "distance/solid/box_maps.h"
 #include "distance/solid/solid_least.h"
+#include "exact/number/interval.h"
 #include "formula/language/formula.h"
 #include "formula/language/position_answers.h"
 #include "formula/solid/lazy_body.h"
@@ -74,6 +75,14 @@ class SpaceSolver {
   /// One distance at p, in grid steps; nothing where it is undefined.
   std::optional<distance::Answer> value(const Distance& distance, const space::RealVector& p) const;
   exact::Tried<std::optional<distance::Answer>> try_value(const Distance& distance, const space::RealVector& p) const;
+
+  /// Numbers between which a plain distance at a position lies (+infinity where it is undefined), quickly, in grid
+  /// steps; the whole line where nothing is known so. While this lives.
+  struct QuickDistance {
+    std::function<exact::Interval(const space::Vector&)> within;
+    bool large = false;  // of a large mesh: microseconds
+  };
+  QuickDistance quick_distance(const Distance& distance) const;
 
   /// Of `distance >= level`, a gamma1 (space_pair.h); in grid steps, as p.
   std::optional<space::RealVector> nearest_apart(const Distance& distance, const exact::Real& level,

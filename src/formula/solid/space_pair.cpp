@@ -183,6 +183,15 @@ Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) 
   return value_of_bodies(which, p);
 }
 
+std::function<exact::Interval(const space::Vector&)> SpacePair::within(Which which) const {
+  if (cut_ || (!surfaces_ && !all().pair)) return [](const space::Vector&) { return exact::whole_line(); };
+  const auto scale = static_cast<double>(surfaces_ ? surface_scale_ : all().scale);
+  return [pair = surfaces_ ? &*surfaces_ : &*all().pair, which, scale](const space::Vector& p) {
+    const exact::Interval found = pair->within(which, space::scaled(scale, p));
+    return scale == 1 ? found : exact::outward(found.lo / scale, found.hi / scale);
+  };
+}
+
 // They overlap, or are nearer than the level, where B grown by a ball of it overlaps A.
 std::optional<RealVector> SpacePair::nearest_apart(const Real& level, const RealVector& p) const {
   if (surfaces_ || cut_ || level.sign() <= 0) return std::nullopt;

@@ -7,6 +7,7 @@
 // box_maps.h, surface_pair.h and solid_pair.h.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -30,6 +31,10 @@ class SpacePair {
   const std::optional<exact::Refusal>& refusal() const { return refusal_; }
   /// Nothing where the distance is undefined.
   exact::Tried<std::optional<distance::Answer>> value(distance::Which which, const space::RealVector& p) const;
+  /// As SpaceSolver::quick_distance; while this lives.
+  std::function<exact::Interval(const space::Vector&)> within(distance::Which which) const;
+  /// One of the shapes is a large mesh.
+  bool large() const { return surfaces_.has_value(); }
   /// The least value and its positions; nothing where this is not computed.
   exact::Tried<std::optional<distance::BoxMaps::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.

@@ -206,8 +206,7 @@ SurfaceGaps::SurfaceGaps(std::shared_ptr<const SurfaceSet> a, std::shared_ptr<co
   }
 }
 
-SurfaceGaps::Near SurfaceGaps::near(const RealVector& position) const {
-  const Vector p = space::rounded(position);
+SurfaceGaps::Near SurfaceGaps::near(const Vector& p) const {
   Search search(p, farthest_out(*a_) + farthest_out(*b_) + size_of(p), longest_);
   const int of_a = static_cast<int>(a_->sheets().size()), of_b = static_cast<int>(b_->sheets().size());
   for (int i = 0; i < of_a; ++i) {

@@ -46,7 +46,8 @@ class SurfaceGaps {
     std::vector<Pair> pairs;
     double value = exact::kInfinity, error = 0;
   };
-  Near near(const RealVector& p) const;
+  Near near(const RealVector& p) const { return near(space::rounded(p)); }
+  Near near(const Vector& p) const;
   /// The least distance of the surfaces, for a ball of its centre less the radius. Where the interiors do not meet, and
   /// where B lies in A, it is the distance.
   SurfaceGap gap(const RealVector& p, const Near& near) const;
