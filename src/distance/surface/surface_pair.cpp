@@ -37,28 +37,44 @@ SurfaceSide::SurfaceSide(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::mov
   if (b_.surface && a_.surface) gaps_ = std::make_unique<const space::SurfaceGaps>(a_.surface, b_.surface);
 }
 
-SurfaceSide::Fields::Fields(const space::SurfaceSet& set) : field(set, {}) {
+SurfaceSide::Field::Field(const space::SurfaceSet& set) : field(set, {}) {
   for (const auto& sheet : set.sheets()) pieces.push_back(exact::approx(sheet->body.points[0]));
   for (const auto& ball : set.balls()) pieces.push_back(exact::approx(ball.center));
 }
 
-bool SurfaceSide::Fields::surely_outside(const std::vector<Vector>& places, const Vector& p, double away) const {
+bool SurfaceSide::Field::surely_outside(const std::vector<Vector>& places, const Vector& p, double away) const {
   return std::all_of(places.begin(), places.end(),
                      [&](const Vector& x) { return field.inside(space::plus(x, p), away) == std::optional(false); });
+}
+
+SurfaceSide::Near SurfaceSide::made_near() const {
+  const auto gap = [](const Surfaced& convex, const Surfaced& other) -> std::optional<ConvexGap> {
+    if (!convex.convex || !convex.outline || !ConvexGap::few(*other.surface)) return std::nullopt;
+    return std::optional<ConvexGap>(std::in_place, other.surface, convex.outline->parts[0]);
+  };
+  Near out{Field(*b_.surface), Field(*a_.surface), gap(b_, a_), {}};
+  if (!out.of_b) out.of_a = gap(a_, b_);
+  return out;
+}
+
+exact::Interval SurfaceSide::surfaces_within(const Vector& p) const {
+  const auto about = [](double value, double error) { return exact::Interval{value - error, value + error}; };
+  if (near_->of_b) return about((*near_->of_b)(p), near_->of_b->error(p));
+  const Vector back = space::scaled(-1, p);
+  if (near_->of_a) return about((*near_->of_a)(back), near_->of_a->error(p));
+  const space::SurfaceGaps::Near near = gaps_->near(p);
+  return about(near.value, near.error);
 }
 
 // Where the surfaces do not touch, each piece of the one lies outside the other or within it, as any place of it does.
 exact::Interval SurfaceSide::gap_within(const Vector& p) const {
   if (!gaps_) return exact::whole_line();
-  std::call_once(fields_made_, [&] {
-    field_b_.emplace(*b_.surface);
-    field_a_.emplace(*a_.surface);
-  });
-  const space::SurfaceGaps::Near near = gaps_->near(p);
-  const bool apart = near.value > near.error && field_a_->surely_outside(field_b_->pieces, p, near.value) &&
-                     field_b_->surely_outside(field_a_->pieces, space::scaled(-1, p), near.value);
-  if (!apart) return {-exact::kInfinity, near.value + near.error};
-  return {near.value - near.error, near.value + near.error};
+  std::call_once(near_made_, [&] { near_.emplace(made_near()); });
+  exact::Interval out = surfaces_within(p);
+  const bool apart = out.lo > 0 && near_->a.surely_outside(near_->b.pieces, p, out.lo) &&
+                     near_->b.surely_outside(near_->a.pieces, space::scaled(-1, p), out.lo);
+  if (!apart) out.lo = -exact::kInfinity;
+  return out;
 }
 
 PairDistances surface_pair(const Surfaced& b, const Surfaced& a) {

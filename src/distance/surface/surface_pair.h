@@ -21,6 +21,7 @@
 #include <mutex>
 
 #include "distance/solid/solid_pair.h"
+#include "distance/surface/convex_gap.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_field.h"
 #include "space/surface/surface_gap.h"
@@ -71,18 +72,25 @@ class SurfaceSide : public PairSide {
   bool by_outlines() const { return a_.convex && b_.outline; }
   bool too_large() const;
 
-  /// The two as numbers see them, and a place of each of their pieces.
-  struct Fields {
+  /// One of the two as numbers see it, and a place of each of its pieces.
+  struct Field {
     SurfaceField field;
     std::vector<space::Vector> pieces;
-    explicit Fields(const space::SurfaceSet& set);
+    explicit Field(const space::SurfaceSet& set);
     /// None of the places, moved by p, lies in it, and they are so far from its surface.
     bool surely_outside(const std::vector<space::Vector>& places, const space::Vector& p, double away) const;
   };
+  struct Near {
+    Field b, a;
+    std::optional<ConvexGap> of_b, of_a;  // the distance, where that one is convex
+  };
+  Near made_near() const;
+  /// The least distance of the surfaces, or less than 0 where they cross.
+  exact::Interval surfaces_within(const space::Vector& p) const;
 
   Surfaced b_, a_;
-  mutable std::once_flag fields_made_;
-  mutable std::optional<Fields> field_b_, field_a_;
+  mutable std::once_flag near_made_;
+  mutable std::optional<Near> near_;
   std::unique_ptr<const space::SurfaceGaps> gaps_;
   mutable Contacts outside_, inside_;
 };

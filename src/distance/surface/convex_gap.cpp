@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "distance/surface/convex_gap.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "exact/margins/space_distance.h"
+
+namespace findspace::distance {
+
+using space::BodyPart;
+using space::BoxTree;
+using space::GridBox;
+using space::Point;
+using space::Vector;
+using Sheet = space::SurfaceSet::Sheet;
+
+namespace {
+
+GridBox box_of(const BodyPart& part) {
+  GridBox out{part.vertices()[0], part.vertices()[0]};
+  for (const Point& v : part.vertices()) {
+    out.low = {std::min(out.low.x, v.x), std::min(out.low.y, v.y), std::min(out.low.z, v.z)};
+    out.high = {std::max(out.high.x, v.x), std::max(out.high.y, v.y), std::max(out.high.z, v.z)};
+  }
+  return out;
+}
+
+/// The square of the distance of two boxes, the second moved by p.
+double box_gap(const GridBox& a, const GridBox& b, const Vector& p) {
+  const auto gap = [](std::int64_t low_a, std::int64_t high_a, std::int64_t low_b, std::int64_t high_b, double by) {
+    return std::max({static_cast<double>(low_b - high_a) + by, static_cast<double>(low_a - high_b) - by, 0.0});
+  };
+  const Vector d{gap(a.low.x, a.high.x, b.low.x, b.high.x, p.x), gap(a.low.y, a.high.y, b.low.y, b.high.y, p.y),
+                 gap(a.low.z, a.high.z, b.low.z, b.high.z, p.z)};
+  return space::dot(d, d);
+}
+
+/// visit(index in the tree) of the triangles whose boxes are not farther from B than most(), nearest boxes first.
+template <class Most, class Visit>
+void near_triangles(const BoxTree& tree, const GridBox& b, const Vector& p, Most most, Visit visit) {
+  struct Task {
+    int node;
+    double gap;
+  };
+  std::array<Task, 128> stack;
+  std::size_t depth = 0;
+  const auto& nodes = tree.nodes();
+  const auto task = [&](int k) { return Task{k, box_gap(nodes[std::size_t(k)].box, b, p)}; };
+  stack[depth++] = task(0);
+  while (depth > 0) {
+    const Task top = stack[--depth];
+    if (top.gap > most()) continue;
+    const BoxTree::Node& node = nodes[std::size_t(top.node)];
+    if (node.count == 0) {
+      Task one = task(node.first), two = task(node.first + 1);
+      if (one.gap < two.gap) std::swap(one, two);
+      stack[depth++] = one;
+      stack[depth++] = two;
+      continue;
+    }
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      if (box_gap(tree.box(k), b, p) <= most()) visit(k);
+    }
+  }
+}
+
+}  // namespace
+
+bool ConvexGap::few(const space::SurfaceSet& a) {
+  std::size_t count = 0;
+  for (const auto& sheet : a.sheets()) count += sheet->body.faces.size();
+  return count <= kMostTriangles;
+}
+
+ConvexGap::ConvexGap(std::shared_ptr<const space::SurfaceSet> a, BodyPart b)
+    : a_(std::move(a)), b_(std::move(b)), box_(box_of(b_)), radius_(b_.radius.to_double()) {
+  const auto farthest = [&](const Point& v) { size_ = std::max(size_, space::size_of(exact::approx(v))); };
+  for (const auto& sheet : a_->sheets()) {
+    triangles_.push_back(std::make_unique<Triangle[]>(sheet->body.faces.size()));
+    farthest(sheet->body.low);
+    farthest(sheet->body.high);
+  }
+  for (const auto& ball : a_->balls()) {
+    balls_.push_back(grown_distance(difference(BodyPart{std::nullopt, ball.center, ball.radius}, b_)));
+    farthest(ball.center);
+    size_ += ball.radius.to_double();
+  }
+  double own = 0;
+  for (const Point& v : b_.vertices()) own = std::max(own, space::size_of(exact::approx(v)));
+  size_ += own + radius_;
+}
+
+double ConvexGap::error(const Vector& p) const { return margin::kNumbersOff * (size_ + space::size_of(p)); }
+
+double ConvexGap::distance(const Sheet& sheet, Triangle& triangle, int face, const Vector& p) const {
+  std::call_once(triangle.made, [&] {
+    BodyPart part{std::nullopt, sheet.body.corner(face, 0), exact::Real()};
+    for (int k = 0; k < 3; ++k) part.flat.push_back(sheet.body.corner(face, k));
+    triangle.distance = grown_distance(difference(part, b_));
+  });
+  return triangle.distance(p);
+}
+
+double ConvexGap::operator()(const Vector& p) const {
+  double least = exact::kInfinity;
+  for (const ConvexDistance& f : balls_) least = std::min(least, f(p));
+  // Boxes have no radius; beyond 0 none is nearer than touching.
+  const auto most = [&] {
+    const double reach = least + radius_ + error(p);
+    return reach > 0 ? reach * reach : 0;
+  };
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const Sheet& sheet = *a_->sheets()[i];
+    near_triangles(sheet.tree, box_, p, most, [&](int k) {
+      const int face = sheet.tree.face(k);
+      least = std::min(least, distance(sheet, triangles_[i][std::size_t(face)], face, p));
+    });
+  }
+  return least;
+}
+
+}  // namespace findspace::distance
