@@ -9,7 +9,6 @@
 
 #include "distance/solid/solid_pair.h"
 #include "distance/surface/surface_pair.h"
-#include "space/mesh/convex_cells.h"
 #include "unit/space_bodies.h"
 #include "unit/space_bumps.h"
 
@@ -95,6 +94,23 @@ TEST(Within, Solids) {
     expect_within(solid_pair(space::shared(b), space::shared(a)), draw, 30, {Which::kGamma1, Which::kEta1});
   }
   EXPECT_GT(bounded, 600);
+}
+
+/// What a convex one leaves for another is known on both sides: a box in a box and in a tetrahedron, a ball in a ball.
+TEST(Within, Fits) {
+  Draw draw(8);
+  const auto body = [](std::vector<Point> points, std::int64_t radius) {
+    return Body{{space::part_of(points, Real(radius))}};
+  };
+  const Body box = space::box_body({{{{-2, -2, -2}, {2, 1, 3}}}}), ball = body({{1, 0, 0}}, 2);
+  const Body room = body({{-20, -20, -20}, {30, -20, -20}, {-20, 30, -20}, {-20, -20, 30}}, 0);
+  const Body round_room = body({{1, 2, 3}}, 9), narrow = space::box_body({{{{0, 0, 0}, {4, 3, 4}}}});
+  for (const auto& [b, a] :
+       std::vector<std::pair<Body, Body>>{{box, room}, {ball, room}, {ball, round_room}, {box, narrow}, {room, box}}) {
+    const PairDistances pair = solid_pair(space::shared(b), space::shared(a));
+    const int bounded = expect_within(pair, draw, 25, {Which::kEta1});
+    EXPECT_EQ(bounded, pair.value(Which::kEta1, space::place(0, 0, 0)) ? 4 : 0);
+  }
 }
 
 /// In polyhedra of several parts.

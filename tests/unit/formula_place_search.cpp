@@ -16,7 +16,7 @@ using exact::Real;
 using space::RealVector;
 using space::Vector;
 
-constexpr double kOff = 1e-9;
+constexpr double kOff = 1e-9, kTolerance = 0x1p-3;
 const std::vector<PlaceBox> kBox{{{0, 0, 0}, {64, 64, 64}}};
 
 /// The distance from (10, 4, 1) where x is at least 20.
@@ -29,7 +29,7 @@ struct Counted {
   std::atomic<long> looks = 0, glances = 0;
   PlaceSearch search(bool open) {
     PlaceSearch out;
-    out.tolerance = 0x1p-6;
+    out.tolerance = kTolerance;
     out.look = [this](const RealVector& p) {
       ++looks;
       return seen_at(space::rounded(p));
@@ -53,9 +53,9 @@ TEST(PlaceSearch, NumbersBoundBoxes) {
   const double least = std::sqrt(100.0);
   ASSERT_TRUE(found.at);
   EXPECT_GE(found.least, least);
-  EXPECT_LE(found.least, least + 0x1p-5);
+  EXPECT_LE(found.least, least + kTolerance);
   EXPECT_LE(found.bound, least);
-  EXPECT_GE(found.bound, found.least - 0x1p-6);
+  EXPECT_GE(found.bound, found.least - kTolerance - kOff);
   // `least` is the exact value of its place, not what numbers say.
   EXPECT_EQ(found.least, seen_at(space::rounded(*found.at)).value.hi);
   EXPECT_GT(counted.glances, 1000);
@@ -70,12 +70,25 @@ TEST(PlaceSearch, OpenNumbersAreLookedAt) {
 }
 
 TEST(PlaceSearch, NoPlaceBelongs) {
-  PlaceSearch search = Counted().search(false);
+  PlaceSearch search;
   search.look = [](const RealVector&) { return PlaceSeen{{0, 0}, -1, false}; };
   search.glance = [](const Vector& p, const PlaceSearch::Needless&) { return PlaceSeen{{0, 0}, p.x - 100, false}; };
   const PlaceFound found = find_place(search, kBox);
   EXPECT_FALSE(found.at);
   EXPECT_EQ(found.bound, exact::kInfinity);
+}
+
+/// A value that is undefined at all places of a box is not looked for in its parts.
+TEST(PlaceSearch, UndefinedEverywhere) {
+  Counted counted;
+  PlaceSearch search = counted.search(false);
+  search.glance = [&](const Vector& /*p*/, const PlaceSearch::Needless&) {
+    ++counted.glances;
+    return PlaceSeen{{exact::kInfinity, exact::kInfinity}};
+  };
+  EXPECT_FALSE(find_place(search, kBox).at);
+  EXPECT_EQ(counted.glances, 1);
+  EXPECT_EQ(counted.looks, 0);
 }
 
 }  // namespace formula_place_search

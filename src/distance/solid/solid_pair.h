@@ -78,9 +78,11 @@ class SolidSide : public PairSide {
   struct Near {
     std::once_flag gap_made, fit_made, protrusion_made;
     std::vector<ConvexDistance> gap, fit, protrusion;
-    double size = 0;  // of the coordinates of both
+    bool fit_known = false;  // `fit` is the distance to E, without any where E is empty
+    double size = 0;         // of the coordinates of both
   };
   static constexpr std::size_t kMostNear = 64;
+  void make_near_fit() const;
   exact::Interval about(double value, const space::Vector& p) const;
 
   const Fit& positions() const;

@@ -4,13 +4,15 @@
 // SolidSide: numbers between which its distances lie, for searches that ask at many positions. The signed distance f
 // of a position to each difference of two convex parts is convex and quickly known:
 //   gamma1   the least f; where that is below 0 no more than it, and equal only of a single pair;
-//   eta1     the greatest -f over the cover of what is outside E; beyond E no less than it;
+//   eta1     that to E of a ball in a ball, and in one polytope; else the greatest -f over the cover of what is outside
+//            E, beyond E no less than it;
 //   mu       in a convex A: the greatest signed distance of a vertex of B. Where B fits, eta1 is mu; else no less;
 //   gamma2   the farthest vertex.
 // Guarantee: the true value is in the interval, which is wider than rounding by margin::kNumbersOff. Cost: some hundred
 // nanoseconds for each pair.
 
 #include <algorithm>
+#include <optional>
 
 #include "distance/search/grown_set.h"
 #include "distance/solid/solid_pair.h"
@@ -105,24 +107,52 @@ exact::Interval SolidSide::protrusion_within(const Vector& p) const {
   return about(most, p);
 }
 
+namespace {
+
+/// The signed distance to the polytope of positions at which B lies in A, which is one; nothing where there are none.
+std::optional<ConvexDistance> fit_of_polytopes(const Body& b, const Body& a, const space::OpenUnion& outside) {
+  if (!outside.nearest_in_complement({})) return std::nullopt;
+  GrownSet fits;
+  for (const space::HalfSpace& h : a.parts[0].planes())
+    fits.planes.emplace_back(h.normal, h.offset + space::support(b, h.normal));
+  return grown_distance(fits);
+}
+
+}  // namespace
+
 exact::Interval SolidSide::fit_within(const Vector& p) const {
-  exact::Interval out = exact::whole_line();
-  if (a_->convex()) {
-    out = protrusion_within(p);
-  } else if (!a_->round()) {
-    std::call_once(near_.fit_made, [&] {
-      std::size_t count = 0;
-      for (const Fit::Group& group : positions().groups) count += group.cover.size();
-      if (count > kMostNear) return;
-      for (const Fit::Group& group : positions().groups) {
-        for (std::size_t k = 0; k < group.cover.size(); ++k)
-          near_.fit.push_back(grown_distance({group.cover.planes(k), {}, group.radius}));
-      }
-    });
-    if (!near_.fit.empty()) out = about(-least_of(near_.fit, p), p);
-  }
+  std::call_once(near_.fit_made, [&] { make_near_fit(); });
+  if (near_.fit_known)
+    return near_.fit.empty() ? exact::Interval{exact::kInfinity, exact::kInfinity} : about(near_.fit[0](p), p);
+  exact::Interval out = a_->convex() ? protrusion_within(p) : exact::whole_line();
+  if (!near_.fit.empty()) out = about(-least_of(near_.fit, p), p);
   if (!(out.hi < 0)) out.hi = exact::kInfinity;
   return out;
+}
+
+/// Of a ball in a ball, and in one polytope, the distance itself.
+void SolidSide::make_near_fit() const {
+  const BodyPart &s = b_->parts[0], &t = a_->parts[0];
+  if (a_->convex() && t.point()) {
+    near_.fit_known = b_->convex() && s.point();
+    if (near_.fit_known && t.radius >= s.radius)
+      near_.fit.push_back(grown_distance({{}, real(t.center - s.center), t.radius - s.radius}));
+    return;
+  }
+  if (a_->round()) return;
+  const std::vector<Fit::Group>& groups = positions().groups;
+  std::size_t count = 0;
+  for (const Fit::Group& group : groups) count += group.cover.size();
+  if (count > kMostNear) return;
+  if (a_->convex() && t.core && groups.size() == 1 && groups[0].radius.sign() == 0) {
+    near_.fit_known = true;
+    if (auto f = fit_of_polytopes(*b_, *a_, groups[0].cover)) near_.fit.push_back(*std::move(f));
+    return;
+  }
+  for (const Fit::Group& group : groups) {
+    for (std::size_t k = 0; k < group.cover.size(); ++k)
+      near_.fit.push_back(grown_distance({group.cover.planes(k), {}, group.radius}));
+  }
 }
 
 }  // namespace findspace::distance

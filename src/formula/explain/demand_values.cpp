@@ -33,6 +33,12 @@ std::optional<std::int8_t> sign_at(const std::optional<Answer>& v, const Real& l
   return std::nullopt;
 }
 
+/// Infinite ends that are meant stay.
+Interval beyond_of(const Interval& distance, const Interval& level) {
+  if (distance.lo == exact::kInfinity || distance.hi == -exact::kInfinity) return distance;
+  return distance - level;
+}
+
 Interval size_of(const Interval& a) { return a.lo >= 0 ? a : a.hi <= 0 ? -a : Interval{0, std::max(-a.lo, a.hi)}; }
 
 Interval slack_of(Relation relation, const Interval& beyond) {
@@ -75,7 +81,7 @@ DemandValues::DemandValues(const SpaceSolver& solver, const Demands& demands) : 
 }
 
 void DemandValues::set(DemandsAt& here, std::size_t k, const Interval& distance) const {
-  const Interval beyond = distance - near_levels_[k];
+  const Interval beyond = beyond_of(distance, near_levels_[k]);
   here.distance[k] = distance;
   here.slack[k] = slack_of(demands_.relation(k), beyond);
   const int sign = exact::certain_sign(beyond);
@@ -89,8 +95,10 @@ DemandsAt DemandValues::within(const space::Vector& p, const std::function<bool(
   bool open = false;
   for (const Asked& asked : asked_) {
     const Interval distance = asked.distance.within(p);
-    open = open || (distance.lo < exact::kInfinity && !(distance.hi < exact::kInfinity));
-    for (const std::size_t k : asked.demands) set(here, k, distance);
+    for (const std::size_t k : asked.demands) {
+      set(here, k, distance);
+      open = open || (distance.lo < exact::kInfinity && !(here.slack[k].hi < exact::kInfinity));
+    }
     if (enough(here)) return here;
   }
   here.open = open;
@@ -106,7 +114,7 @@ DemandsAt DemandValues::at(const space::RealVector& p) const {
     while (!(atoms[same].distance == atoms[k].distance)) ++same;
     values.push_back(same < k ? values[same] : value(k, p));
     out.distance.push_back(span_of(values[k]));
-    out.slack.push_back(slack_of(demands_.relation(k), out.distance[k] - levels_[k].interval()));
+    out.slack.push_back(slack_of(demands_.relation(k), beyond_of(out.distance[k], near_levels_[k])));
     const auto sign = sign_at(values[k], levels_[k]);
     out.met.push_back(sign && demands_.holds(k, *sign));
   }

@@ -22,7 +22,7 @@ struct DemandsAt {
   std::vector<exact::Interval> distance;  // of each demand; +infinity where it is undefined
   std::vector<exact::Interval> slack;     // how far the distance lies on the side of its level that is demanded
   MetDemands met;                         // certainly
-  bool open = false;                      // a value of these may tell more
+  bool open = false;                      // how far one is from being met has no bound, and a value may tell one
 };
 
 class DemandValues {

@@ -43,8 +43,8 @@ class Search {
     for (const PlaceBox& b : boxes) parts_.push_back({b});
     take();
     queue_.run(
-        kMostPlaces, kAtOnce, [&](const Box& top) { return settled(top.bound); }, [&](const Box& top) { divide(top); },
-        [&] { take(); });
+        kMostDivisions, kAtOnce, [&](const Box& top) { return settled(top.bound); },
+        [&](const Box& top) { divide(top); }, [&] { take(); });
     // Boxes that were dropped hold nothing below the least value.
     found_.bound = queue_.empty() ? found_.least : std::min(queue_.best().bound, found_.least);
     return found_;
@@ -93,7 +93,7 @@ class Search {
   Glance glance(const Box& box) const {
     const auto is_needless_now = [&](const PlaceSeen& s) { return is_needless(box, s); };
     const PlaceSeen near = asked_.glance(box.place.center, is_needless_now);
-    const bool is_open = near.open || !(near.value.hi - near.value.lo < exact::kInfinity);
+    const bool is_open = near.open || near.value.lo == -exact::kInfinity;
     if (!is_open || is_needless_now(near)) return {near, false};
     return {asked_.look(space::real(box.place.center)), true};
   }
@@ -102,10 +102,15 @@ class Search {
   }
   /// No place of the box belongs and is better than what was found.
   bool is_needless(const Box& box, const PlaceSeen& seen) const {
-    return seen.inside + radius(box.place) < 0 || bound(box, seen) > std::min(asked_.beyond, found_.least);
+    const double least = bound(box, seen);
+    return seen.inside + radius(box.place) < 0 || least > std::min(asked_.beyond, found_.least) ||
+           least == exact::kInfinity;
   }
   /// Its numbers leave that open, and it would be better by more than they may be off.
-  bool perhaps_best(const PlaceSeen& seen) const { return seen.inside >= 0 && seen.value.hi < found_.least; }
+  bool perhaps_best(const PlaceSeen& seen) const {
+    const bool bounded = seen.value.hi < exact::kInfinity;
+    return seen.inside >= 0 && (bounded ? seen.value.hi : seen.value.lo) < found_.least;
+  }
   static double longest(const Box& box) { return std::max({box.place.half.x, box.place.half.y, box.place.half.z}); }
 
   void note(const Box& box, const Glance& glance) {

@@ -5,7 +5,7 @@
 // step. The set is a union of boxes, or in them what a second such function leaves: its places have 0 or more there.
 // Best first: boxes of least bound are divided, a fixed number at a time whatever the number of threads. Numbers bound
 // them; a place is looked at exactly where these leave open whether it is the best one yet. Guarantee: no place has
-// less than `bound`; `at` belongs and has `least`, exactly. Ends within `tolerance`, or after kMostPlaces divisions.
+// less than `bound`; `at` belongs and has `least`, exactly. Ends within `tolerance`, or after kMostDivisions divisions.
 // Coordinates in grid steps. Source: subdivide.h; Piyavskii 1972. Keywords: Lipschitz optimisation, branch and bound.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace findspace::formula {
 
-inline constexpr long kMostPlaces = 12000;
+inline constexpr long kMostDivisions = 12000;
 
 struct PlaceBox {
   space::Vector center, half;
@@ -29,7 +29,7 @@ struct PlaceSeen {
   exact::Interval value;
   double inside = exact::kInfinity;  // not less than the second function
   bool belongs = true;               // certainly
-  bool open = false;                 // an exact look may tell more
+  bool open = false;                 // `inside` may be less, which an exact look tells
 };
 
 struct PlaceSearch {
