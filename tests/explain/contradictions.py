@@ -22,11 +22,31 @@ import sys
 SIDES = {"<=": 1, "<": 1, ">=": -1, ">": -1}
 
 
-def run(program, verb, scene):
-    done = subprocess.run([program, verb, "-", "--json"], input=json.dumps(scene), capture_output=True, text=True)
+def explained(program, scene):
+    """The answer, and what the exit status says."""
+    done = subprocess.run([program, "explain", "-", "--json"], input=json.dumps(scene), capture_output=True, text=True)
     if done.returncode not in (0, 1):
-        sys.exit(f"{verb} ends with {done.returncode}: {done.stderr}\n{json.dumps(scene)}")
+        sys.exit(f"explain ends with {done.returncode}: {done.stderr}\n{json.dumps(scene)}")
     return json.loads(done.stdout), done.returncode == 0
+
+
+class Maps:
+    """Whether scenes have feasible positions, of one process that keeps answering."""
+
+    def __init__(self, program):
+        self.pipe = subprocess.Popen([program, "serve", "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def ask(self, method, **parameters):
+        self.pipe.stdin.write(json.dumps({"id": 1, "method": method, "params": parameters}) + "\n")
+        self.pipe.stdin.flush()
+        answer = json.loads(self.pipe.stdout.readline())
+        if "result" not in answer:
+            sys.exit(f"{method}: {answer}\n{parameters}")
+        return answer["result"]
+
+    def room(self, scene):
+        self.ask("load", text=json.dumps(scene))
+        return not self.ask("map")["empty"]
 
 
 class Condition:
@@ -90,11 +110,11 @@ class Scene:
 
 class Check:
     def __init__(self, program):
-        self.program = program
+        self.program, self.maps = program, Maps(program)
         self.faults = []
 
     def room(self, scene, texts):
-        return run(self.program, "map", scene.scene(texts))[1]
+        return self.maps.room(scene.scene(texts))
 
     def expect(self, good, scene, what):
         if not good:
@@ -160,7 +180,7 @@ def main():
             continue
         if not left[check.room(scene, scene.texts())]:
             continue
-        answer, feasible = run(options.program, "explain", scene.scene(scene.texts()))
+        answer, feasible = explained(options.program, scene.scene(scene.texts()))
         left[feasible] -= 1
         check.expect(feasible == answer["feasible"], scene, "exit status")
         if not feasible:
