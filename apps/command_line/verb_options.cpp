@@ -115,6 +115,16 @@ void add_drawings(CLI::App& command, Options& o) {
           "--open-lines", [&o](std::int64_t) { o.drawings.open_lines = true; },
           "outlines that stay open are lines (default: an error)")
       ->group(kDrawing);
+  command
+      .add_flag_function(
+          "--one-part", [&o](std::int64_t) { o.drawings.one_part = true; },
+          "outlines within others are holes, whatever element draws them (default: in SVG those without a fill)")
+      ->group(kDrawing);
+  command
+      .add_flag_function(
+          "--no-one-part", [&o](std::int64_t) { o.drawings.one_part = false; },
+          "each element is the area that it encloses")
+      ->group(kDrawing);
   command.add_option("--repair", o.drawings.repair, "join what is not joined in a mesh, up to this width (default 0)")
       ->type_name("LENGTH")
       ->group(kDrawing);

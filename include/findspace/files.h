@@ -27,6 +27,7 @@ struct DrawingRules {
   std::optional<std::string> join = {};         // the widest gap that is closed
   std::optional<std::string> mend = {};         // the widest crossing of outlines that is mended; 0: none
   std::optional<bool> open_lines = {};          // open outlines are lines, not errors
+  std::optional<bool> one_part = {};            // all outlines of a drawing nest; unset: those of SVG without a fill
   std::optional<std::string> repair = {};       // of meshes: the width within which open edges are joined
   std::optional<std::string> close_holes = {};  // of meshes: how wide holes may be that are closed
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Any bytes are a mesh or an Error, read as STL, OBJ, OFF and PLY in turn; a mesh that is clean encloses the same
-// volume when cleaned again.
+// Any bytes are a mesh or an Error, read as STL, OBJ, OFF, PLY, 3MF and GLB in turn, and as the model of a 3MF package;
+// a mesh that is clean encloses the same volume when cleaned again.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "findspace/error.h"
 #include "io/mesh/read_mesh.h"
+#include "io/mesh/zip_archive.h"
 #include "space/mesh/mesh.h"
 
 namespace {
@@ -30,10 +31,20 @@ void read_as(const std::string& bytes, const char* ending) {
   }
 }
 
+// A 3MF package of this model. (Of mutated packages hardly one has the right sums.)
+std::string package(const std::string& model) {
+  return findspace::io::zip_bytes(
+      {{"_rels/.rels", R"(<Relationships><Relationship Target="/3D/3dmodel.model" Id="r" )"
+                       R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>)"
+                       R"(</Relationships>)"},
+       {"3D/3dmodel.model", model}});
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf", ".glb"}) read_as(bytes, ending);
+  if (bytes.starts_with('<')) read_as(package(bytes), ".3mf");
   return 0;
 }

@@ -57,6 +57,47 @@ TEST(ReadCurves, SvgAreas) {
   expect_svg("<path d='M0 0 C0 40 40 40 40 0 Z M18 10 A2 4 0 0 0 22 10 A2 4 0 0 0 18 10'/>", 960 - 8 * pi, 160);
 }
 
+/// A square of 10 with one of 4 in it, drawn by two elements of this look.
+double area_of_two(const std::string& look, ReadContext& context, const FileChoice& choice = {}) {
+  const std::string drawing = "<svg width='100mm' viewBox='0 0 100 100'><style>.cut {fill: none}</style><g id='g' " +
+                              look + "><rect width='10' height='10'/><path d='M3 3 H7 V7 H3 Z'/></g></svg>";
+  return area(read_svg(drawing, "f.svg", choice, context));
+}
+
+TEST(ReadCurves, OutlinesWithoutAFillNest) {
+  for (const char* look : {"fill='none'", "style='stroke: red; fill: none'", "class='cut'"}) {
+    Context context;
+    EXPECT_EQ(area_of_two(look, context), 84) << look;
+    ASSERT_EQ(context.notes.size(), 1u);
+    EXPECT_NE(context.notes[0].find("that lie in others are holes"), std::string::npos);
+    FileChoice second;
+    second.index = 1;
+    EXPECT_EQ(area_of_two(look, context, second), 16);
+    context.drawing.one_part = false;
+    EXPECT_EQ(area_of_two(look, context), 100);
+    EXPECT_EQ(context.notes.size(), 1u);
+  }
+  Context context;
+  EXPECT_EQ(area_of_two("fill='red'", context), 100);
+  EXPECT_EQ(area_of_two("", context), 100);
+  EXPECT_TRUE(context.notes.empty());
+  context.drawing.one_part = true;
+  EXPECT_EQ(area_of_two("", context), 84);
+}
+
+TEST(ReadCurves, OutlinesBesideEachOtherKeepTheirNames) {
+  Context context;
+  const plane::ShapePtr shape = read_svg(
+      "<svg width='9mm' viewBox='0 0 9 9' fill='none'><path id='a' d='M0 0 H9 V1 H1 V9 H0 Z M0.2 0.2 H0.8 V0.8 H0.2 "
+      "Z'/>"
+      "<circle id='b' cx='5' cy='5' r='2'/></svg>",
+      "f.svg", {}, context);  // b is in the box of a alone
+  ASSERT_EQ(shape->children.size(), 2u);
+  EXPECT_EQ(shape->children[0]->name, "a");
+  EXPECT_EQ(shape->children[1]->name, "b");
+  EXPECT_TRUE(context.notes.empty());
+}
+
 TEST(ReadCurves, TangentialCusps) {
   const std::string drop = "<path d='M50 10 C50 40 80 50 80 70 A30 30 0 0 1 20 70 C20 50 50 40 50 10 Z'/>";
   const std::string lens = "<path d='M10 50 C40 50 60 40 90 50 C60 60 40 50 10 50 Z'/>";

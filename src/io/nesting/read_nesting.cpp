@@ -138,7 +138,6 @@ class Reader : private NestingJson {
     ReadContext context(asked.read);
     context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
     context.grid = Grid(exact::Real(1) / exact::Real(steps));
-    context.one_part = true;
     const SceneReader json(name(), context);
     read_rules(json);
     JsonValue none;
@@ -171,6 +170,7 @@ class Reader : private NestingJson {
     if (const JsonValue* unit = tree().find("unit"))
       context.unit = json.placed({}, *unit, [&] { return parse_unit(unit->text); });
     context.scene_rules = read_drawing_rules(json, tree(), {});
+    if (!context.scene_rules.one_part) context.scene_rules.one_part = true;  // a part is a drawing
     json.placed({}, tree(), [&] { context.use(context.options.drawings.over(context.scene_rules)); });
   }
 

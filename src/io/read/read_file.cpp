@@ -80,7 +80,9 @@ plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& na
               name);
 }
 
-bool nests(const FileChoice& choice, const ReadContext& context) { return context.one_part && !choice.index; }
+bool nests(const FileChoice& choice, const ReadContext& context) {
+  return context.drawing.one_part.value_or(false) && !choice.index;
+}
 
 void refuse_choice(bool given, const char* key, const char* format, const std::string& name) {
   if (given) throw Error(ErrorCode::kBadValue, fmt::format("\"{}\" has no meaning for {}", key, format), name);

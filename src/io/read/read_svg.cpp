@@ -4,9 +4,9 @@
 // SVG drawings: path, polygon, polyline, line, rect, circle, ellipse, use, in groups, with transforms. SVG's y axis
 // points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
 // The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
-// element is the area it encloses (even-odd), whatever its fill; or all elements nest as one part, where that is asked.
-// What is open is joined over all elements, where ends meet or the gap is allowed. Layers are Inkscape's, groups by id,
-// and colours.
+// element is the area it encloses (even-odd). Elements without a fill are outlines: where one lies in another, all of
+// them nest. Or all elements nest, or none, where that is asked. What is open is joined over all elements, where ends
+// meet or the gap is allowed. Layers are Inkscape's, groups by id, and colours.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,6 +64,7 @@ class SvgReader {
     find_ids(root, 0);
     if (choice_.layer) colour_ = svg_colour(*choice_.layer);
     walk_children(root, Affine::scaling(1, -1), {!choice_.id, !choice_.layer, false}, 0);
+    add_elements();
     add_pooled();
     check_found();
     for (const auto& [element, count] : left_out_) {
@@ -79,6 +80,13 @@ class SvgReader {
     bool id, layer, undrawn;
     std::uint64_t operations = 0;  // of the transforms on the way to it
     SvgLook look{};                // of the group around it
+  };
+
+  /// What an element draws.
+  struct Element {
+    Drawing drawing;
+    std::string id, place;
+    bool filled;
   };
 
   std::string place(const pugi::xml_node& node) const {
@@ -128,7 +136,7 @@ class SvgReader {
       if (group) return walk_children(node, own, inside, depth + 1);
       if (inside.id && inside.layer && !inside.undrawn) {
         charge(node, inside.operations);
-        add(node, own, id);
+        draw(node, own, id, inside.look.fill != "none");
       }
     } catch (const Error& e) {
       if (group || e.place().find(name_) != std::string::npos) throw;
@@ -201,21 +209,52 @@ class SvgReader {
     }
   }
 
-  void add(const pugi::xml_node& node, const Affine& map, const std::string& id) {
+  void draw(const pugi::xml_node& node, const Affine& map, const std::string& id, bool filled) {
     Outline outline(context_, scale_);
     draw_svg_element(node, local_name(node), map, outline);
-    Drawing drawing = outline.take();
-    const bool empty = drawing.chains.empty() && drawing.discs.empty();
-    if (nests(choice_, context_) && !empty) return append(pool_, drawing);
+    elements_.push_back({outline.take(), id, place(node), filled});
+  }
+
+  void add_elements() {
+    const bool nested = !context_.drawing.one_part && !choice_.index && outlines_nest();
+    if (nested)
+      context_.notes.push_back(
+          fmt::format("{}: outlines without a fill that lie in others are holes (\"one_part\": false: areas)", name_));
+    for (Element& element : elements_) {
+      const bool pooled = nests(choice_, context_) || (nested && !element.filled);
+      if (pooled && !is_empty(element.drawing)) {
+        append(pool_, element.drawing);
+      } else {
+        add(std::move(element));
+      }
+    }
+  }
+
+  /// Whether an element without a fill lies in another such one.
+  bool outlines_nest() const {
+    std::vector<Drawing> outlines;
+    for (const Element& element : elements_)
+      if (!element.filled) outlines.push_back(element.drawing);
+    return outlines.size() > 1 && any_within_another(outlines, context_);
+  }
+
+  static bool is_empty(const Drawing& drawing) { return drawing.chains.empty() && drawing.discs.empty(); }
+
+  void add(Element element) try {
+    Drawing& drawing = element.drawing;
+    const bool empty = is_empty(drawing);
     if (!context_.drawing.open_lines || context_.drawing.join > 0) {
       for (Chain& chain : drawing.chains)
         if (!chain.closed) pool_.chains.push_back(std::move(chain));
       std::erase_if(drawing.chains, [](const Chain& c) { return c.edges.empty(); });
-      if (!empty && drawing.chains.empty() && drawing.discs.empty()) return;
+      if (!empty && is_empty(drawing)) return;
     }
-    Shape shape = *shape_of(std::move(drawing), context_, place(node));
-    shape.name = id;
+    Shape shape = *shape_of(std::move(drawing), context_, element.place);
+    shape.name = element.id;
     parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
+  } catch (const Error& e) {
+    if (e.place().find(name_) != std::string::npos) throw;
+    throw e.within(element.place);
   }
 
   /// Open outlines of all elements, joined; or all outlines, nested.
@@ -247,7 +286,8 @@ class SvgReader {
   SvgStyles styles_{pugi::xml_node()};
   std::map<std::string, pugi::xml_node, std::less<>> by_id_;
   std::string colour_;  // of the layer that is chosen
-  Drawing pool_;        // open outlines, or all
+  std::vector<Element> elements_;
+  Drawing pool_;  // open outlines, or all
   std::vector<ShapePtr> parts_;
   std::set<std::string> ids_, layers_;
   std::map<std::string, int> left_out_;

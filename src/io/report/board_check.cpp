@@ -28,7 +28,7 @@
 #include "plane/walk/unite.h"
 
 namespace findspace::io {
-namespace {
+namespace board_check {
 
 constexpr const char *kSelf = "self", *kHoles = "holes", *kKeepOuts = "keepouts";
 
@@ -381,7 +381,9 @@ std::string picture_of(const BoardRules& board, const std::vector<Broken>& broke
   return picture_svg(p);
 }
 
-}  // namespace
+}  // namespace board_check
+
+using namespace board_check;
 
 struct BoardCheck::Work {
   BoardRules rules;

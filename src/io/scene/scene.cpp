@@ -23,10 +23,10 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-constexpr std::array<std::string_view, 23> kKeys{
-    "mend",     "curves",   "tolerance", "join",   "open_lines", "repair", "close_holes", "y",
-    "groups",   "$schema",  "findspace", "unit",   "grid",       "shapes", "moving",      "where",
-    "minimize", "maximize", "free",      "motion", "place",      "about",  "angles"};
+constexpr std::array<std::string_view, 24> kKeys{
+    "mend",  "curves",   "tolerance", "join",      "open_lines", "one_part", "repair", "close_holes",
+    "y",     "groups",   "$schema",   "findspace", "unit",       "grid",     "shapes", "moving",
+    "where", "minimize", "maximize",  "free",      "motion",     "place",    "about",  "angles"};
 
 /// Decimals of a number as it is written.
 int decimals_of(std::string_view text) {

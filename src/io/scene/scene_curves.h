@@ -11,7 +11,7 @@ namespace findspace::io {
 std::span<const ShapeKind> curve_kinds();
 std::span<const ShapeKind> simplify_kinds();
 
-/// `curves`, `tolerance`, `join` and `open_lines` of an object, where they are there.
+/// `curves`, `tolerance`, `join`, `open_lines` and the like of an object, where they are there.
 DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object, const Label& label);
 
 /// Keeps the rules beside a shape in force while it lives.

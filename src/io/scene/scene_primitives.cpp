@@ -181,17 +181,17 @@ ShapePtr build_cells(ShapeReader& reader, const JsonValue&, const JsonValue& val
 }  // namespace
 
 std::span<const ShapeKind> primitive_kinds() {
-  static const std::array<ShapeKind, 8> kinds{
-      {{"polygon", {"holes"}, build_polygon},
-       {"disc", {}, build_disc},
-       {"box", {}, build_box},
-       {"points", {}, build_points},
-       {"polyline", {}, build_polyline},
-       {"path", {"curves", "tolerance"}, build_path},
-       {"cells", {}, build_cells},
-       {"file",
-        {"id", "layer", "index", "unit", "curves", "tolerance", "join", "mend", "open_lines", "repair", "close_holes"},
-        build_file}}};
+  static const std::array<ShapeKind, 8> kinds{{{"polygon", {"holes"}, build_polygon},
+                                               {"disc", {}, build_disc},
+                                               {"box", {}, build_box},
+                                               {"points", {}, build_points},
+                                               {"polyline", {}, build_polyline},
+                                               {"path", {"curves", "tolerance"}, build_path},
+                                               {"cells", {}, build_cells},
+                                               {"file",
+                                                {"id", "layer", "index", "unit", "curves", "tolerance", "join", "mend",
+                                                 "open_lines", "one_part", "repair", "close_holes"},
+                                                build_file}}};
   return kinds;
 }
 

@@ -49,6 +49,7 @@ DrawingRules DrawingRules::over(const DrawingRules& those) const {
           join ? join : those.join,
           mend ? mend : those.mend,
           open_lines ? open_lines : those.open_lines,
+          one_part ? one_part : those.one_part,
           repair ? repair : those.repair,
           close_holes ? close_holes : those.close_holes};
 }

@@ -85,6 +85,20 @@ struct Rings : Outlines {
   std::vector<plane::CapBox> caps;
 };
 
+/// The closed outlines, with arcs on either side of their curves.
+std::vector<Contour> outlines_near(const Drawing& drawing, const ReadContext& context) {
+  std::vector<Contour> outlines;
+  std::vector<plane::CapBox> none;
+  for (const Chain& chain : drawing.chains)
+    if (chain.closed) outlines.push_back(expanded(chain, context, plane::CurveSide::kNear, none));
+  for (const Disc& disc : drawing.discs) {
+    const auto radius = static_cast<std::int64_t>(round(disc.radius));
+    if (radius > 0) outlines.push_back(plane::circle_ring(disc.center, radius));
+  }
+  std::erase_if(outlines, [](const Contour& c) { return c.empty(); });
+  return outlines;
+}
+
 std::vector<Chain> take_closed(Drawing& drawing) {
   std::vector<Chain> closed;
   for (Chain& chain : drawing.chains)
@@ -252,6 +266,18 @@ std::vector<ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const 
   return parts_of(std::move(drawing), context, name);
 } catch (const Error& e) {
   throw e.within(name);
+}
+
+bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext& context) {
+  std::vector<Contour> all;
+  std::vector<std::size_t> alone;  // how deep each lies in outlines of its own drawing
+  for (const Drawing& drawing : drawings) {
+    const std::vector<Contour> own = outlines_near(drawing, context);
+    const std::vector<std::size_t> depths = plane::nesting_depths(own);
+    all.insert(all.end(), own.begin(), own.end());
+    alone.insert(alone.end(), depths.begin(), depths.end());
+  }
+  return plane::nesting_depths(all) != alone;
 }
 
 void append(Drawing& all, const Drawing& more) {

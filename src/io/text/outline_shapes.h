@@ -30,6 +30,8 @@ std::vector<plane::ShapePtr> parts_of(Drawing drawing, ReadContext& context, con
 plane::ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& place);
 /// The parts of a whole drawing, whose open chains are closed as the rules say. Errors name it.
 std::vector<plane::ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name);
+/// Whether an outline of one drawing lies within that of another. (No statement where outlines cross.)
+bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext& context);
 /// What is drawn besides.
 void append(Drawing& all, const Drawing& more);
 /// All chains as polylines, also those that come back to their first point, and the points.

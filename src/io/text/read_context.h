@@ -23,6 +23,7 @@ struct DrawingUse {
   double tolerance = 1000, join = 0;
   std::optional<double> mend{};  // the widest crossing that is mended, where it is stated
   bool open_lines = false;
+  std::optional<bool> one_part{};  // where it is stated
   space::MeshRepair repair{};
 };
 
@@ -46,7 +47,6 @@ struct ReadContext {
 
   DrawingRules scene_rules;  // as the scene states them
   DrawingUse drawing;        // of the shape that is read
-  bool one_part = false;     // the outlines of a drawing nest over all its elements, unless one is chosen by its index
   CurveLog curves;
 
   RoundingLog rounding;

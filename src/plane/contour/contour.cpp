@@ -271,12 +271,11 @@ std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {
   std::vector<std::size_t> depths(rings.size(), 0);
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (i == j) continue;
+      if (i == j || !boxes[j].holds(boxes[i].x0, boxes[i].y0) || !boxes[j].holds(boxes[i].x1, boxes[i].y1)) continue;
       const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
         return !std::binary_search(corners[j].begin(), corners[j].end(), p);
       });
-      if (apart == corners[i].end() || !boxes[j].holds(apart->x, apart->y)) continue;
-      if (encloses(rings[j], *apart)) ++depths[i];
+      if (apart != corners[i].end() && encloses(rings[j], *apart)) ++depths[i];
     }
   }
   return depths;
