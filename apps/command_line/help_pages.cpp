@@ -200,7 +200,7 @@ constexpr Line kSceneKeys[] = {
      "of angle and pose: the centre of the rotation, and the angles in degrees, in space also orientations"},
     {"curves, tolerance", "arcs for other curves: inside, outside or near (default), and how far off at most"},
     {"join, open_lines", "of drawings: gaps up to this length are closed; true: open lines are polylines"},
-    {"one_part", "of drawings: outlines within others are holes (true), or areas (false), whatever element draws them"},
+    {"parts", "of drawings: one (all outlines together), elements (each is its area), outlines (each with its holes)"},
     {"mend", "of drawings: outlines that cross by no more than this are mended; 0 refuses them"},
     {"repair, close_holes", "of meshes: what is no farther apart is joined; holes up to this width are closed"},
     {"motion", "shapes that move in time: way points, times, angles"},

@@ -116,14 +116,11 @@ void add_drawings(CLI::App& command, Options& o) {
           "outlines that stay open are lines (default: an error)")
       ->group(kDrawing);
   command
-      .add_flag_function(
-          "--one-part", [&o](std::int64_t) { o.drawings.one_part = true; },
-          "outlines within others are holes, whatever element draws them (default: in SVG those without a fill)")
-      ->group(kDrawing);
-  command
-      .add_flag_function(
-          "--no-one-part", [&o](std::int64_t) { o.drawings.one_part = false; },
-          "each element is the area that it encloses")
+      .add_option_function<std::string>(
+          "--parts", [&o](const std::string& word) { o.drawings.parts = io::parse_part_rule(word); },
+          "of a drawing: one (all outlines together), elements (each is its area) or outlines (each with its holes)")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"one", "elements", "outlines"}).description(""))
       ->group(kDrawing);
   command.add_option("--repair", o.drawings.repair, "join what is not joined in a mesh, up to this width (default 0)")
       ->type_name("LENGTH")

@@ -104,10 +104,10 @@ std::string item_json(const Drawing& drawing, const std::string& name, const Opt
       json_string(name), drawing.count, angles, o.mirrored, json_string(o.tilt.value_or("0")), file);
 }
 
-/// "600,400"
-std::string sheet_json(const std::string& size, int count) {
+/// "600,400", as many as are needed.
+std::string sheet_json(const std::string& size) {
   const std::size_t comma = size.find(',');
-  return fmt::format(R"("sheets": [{{"id": "sheet", "count": {}, "width": {}, "height": {}}}])", count,
+  return fmt::format(R"("sheets": [{{"id": "sheet", "count": {}, "width": {}, "height": {}}}])", kMostCopies,
                      json_string(size.substr(0, comma)), json_string(size.substr(comma + 1)));
 }
 
@@ -117,14 +117,12 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
     throw Error(ErrorCode::kUsage, "drawings are packed into a strip (--height H) or onto sheets (--sheet W,H)");
   StatedProblem result{{}, {}, true};
   std::string items;
-  int copies = 0;
   for (const Drawing& drawing : drawings) {
     const std::string name = name_of(drawing, drawings);
     items += (items.empty() ? "" : ",\n ") + item_json(drawing, name, o);
     result.name += (result.name.empty() ? "" : ", ") + name;
-    copies += drawing.count;
   }
-  const std::string container = o.sheet ? sheet_json(*o.sheet, copies) : "\"strip_height\": \"0\"";
+  const std::string container = o.sheet ? sheet_json(*o.sheet) : "\"strip_height\": \"0\"";
   result.text = fmt::format("{{\"name\": {}, \"unit\": {}, {},\n\"items\": [\n {}]}}\n", json_string(result.name),
                             json_string(o.unit.value_or("mm")), container, items);
   return result;

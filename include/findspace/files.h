@@ -20,6 +20,10 @@ enum class DxfVersion { kR12, k2000 };
 /// Where the arcs that stand for a curve lie: on either side, or so that the set is inside (outside) the true one.
 enum class CurveRule { kNear, kInside, kOutside };
 
+/// What the parts of a drawing are: all outlines together, each element as the area that it encloses, or each outline
+/// that lies in no other, with its holes.
+enum class PartRule { kOne, kElements, kOutlines };
+
 /// Rules of drawings and meshes. Those given here come before those beside a shape, which come before a scene's.
 struct DrawingRules {
   std::optional<CurveRule> curves = {};         // on which side arcs lie that stand for curves
@@ -27,7 +31,7 @@ struct DrawingRules {
   std::optional<std::string> join = {};         // the widest gap that is closed
   std::optional<std::string> mend = {};         // the widest crossing of outlines that is mended; 0: none
   std::optional<bool> open_lines = {};          // open outlines are lines, not errors
-  std::optional<bool> one_part = {};            // all outlines of a drawing nest; unset: those of SVG without a fill
+  std::optional<PartRule> parts = {};           // docs/scene.md says what holds where it is unset
   std::optional<std::string> repair = {};       // of meshes: the width within which open edges are joined
   std::optional<std::string> close_holes = {};  // of meshes: how wide holes may be that are closed
 

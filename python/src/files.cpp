@@ -18,11 +18,15 @@ namespace {
 
 constexpr std::array<const char*, 3> kCurveRules{"near", "inside", "outside"};
 
-std::optional<CurveRule> curve_rule(const std::optional<std::string>& word) {
+constexpr std::array<const char*, 3> kPartRules{"one", "elements", "outlines"};
+
+template <class Rule>
+std::optional<Rule> word_of(const std::optional<std::string>& word, const std::array<const char*, 3>& known,
+                            const char* what) {
   if (!word) return std::nullopt;
-  for (std::size_t k = 0; k < kCurveRules.size(); ++k)
-    if (*word == kCurveRules[k]) return CurveRule(k);
-  throw py::value_error("curves are 'near', 'inside' or 'outside'");
+  for (std::size_t k = 0; k < known.size(); ++k)
+    if (*word == known[k]) return Rule(k);
+  throw py::value_error(std::string(what) + " are '" + known[0] + "', '" + known[1] + "' or '" + known[2] + "'");
 }
 
 /// Lengths are text with a unit, or numbers.
@@ -45,9 +49,9 @@ mend : number or str, optional
     The widest crossing of outlines that is mended; 0: none.
 open_lines : bool, optional
     Open outlines are lines, not errors.
-one_part : bool, optional
-    Outlines within others are holes (True), or areas (False), whatever element draws them. None: holes where no element
-    of an SVG drawing has a fill.
+parts : 'one', 'elements' or 'outlines', optional
+    What the parts of a drawing are: all outlines together, each element as the area that it encloses, or each outline
+    that lies in no other, with its holes.
 repair : number or str, optional
     Of meshes: the width within which open edges are joined.
 close_holes : number or str, optional
@@ -61,16 +65,22 @@ Examples
 '2'
 )doc")
       .def(py::init([](const std::optional<std::string>& curves, const py::object& tolerance, const py::object& join,
-                       const py::object& mend, std::optional<bool> open_lines, std::optional<bool> one_part,
+                       const py::object& mend, std::optional<bool> open_lines, const std::optional<std::string>& parts,
                        const py::object& repair, const py::object& close_holes) {
-             return DrawingRules{curve_rule(curves), length(tolerance), length(join),   length(mend),
-                                 open_lines,         one_part,          length(repair), length(close_holes)};
+             return DrawingRules{word_of<CurveRule>(curves, kCurveRules, "curves"),
+                                 length(tolerance),
+                                 length(join),
+                                 length(mend),
+                                 open_lines,
+                                 word_of<PartRule>(parts, kPartRules, "parts"),
+                                 length(repair),
+                                 length(close_holes)};
            }),
            py::kw_only(), py::arg("curves") = py::none(), py::arg("tolerance") = py::none(),
            py::arg("join") = py::none(), py::arg("mend") = py::none(), py::arg("open_lines") = py::none(),
-           py::arg("one_part") = py::none(), py::arg("repair") = py::none(), py::arg("close_holes") = py::none())
+           py::arg("parts") = py::none(), py::arg("repair") = py::none(), py::arg("close_holes") = py::none())
       .def(pickled<DrawingRules>(&DrawingRules::curves, &DrawingRules::tolerance, &DrawingRules::join,
-                                 &DrawingRules::mend, &DrawingRules::open_lines, &DrawingRules::one_part,
+                                 &DrawingRules::mend, &DrawingRules::open_lines, &DrawingRules::parts,
                                  &DrawingRules::repair, &DrawingRules::close_holes))
       .def_property_readonly(
           "curves",
@@ -82,7 +92,12 @@ Examples
       .def_readonly("join", &DrawingRules::join, "The widest gap that is closed, as text, or None.")
       .def_readonly("mend", &DrawingRules::mend, "The widest crossing that is mended, as text, or None.")
       .def_readonly("open_lines", &DrawingRules::open_lines, "Whether open outlines are lines, or None.")
-      .def_readonly("one_part", &DrawingRules::one_part, "Whether outlines within others are holes, or None.")
+      .def_property_readonly(
+          "parts",
+          [](const DrawingRules& r) {
+            return r.parts ? std::optional<std::string>(kPartRules[std::size_t(*r.parts)]) : std::nullopt;
+          },
+          "What the parts of a drawing are, or None.")
       .def_readonly("repair", &DrawingRules::repair, "The width within which edges of meshes are joined, or None.")
       .def_readonly("close_holes", &DrawingRules::close_holes, "How wide holes of meshes are closed, or None.")
       .def("over", &DrawingRules::over, py::arg("those"), "These where they say something, else those.");

@@ -271,9 +271,10 @@ def test_reading_is_limited():
     with pytest.raises(fs.Error) as caught:
         fs.Scene.json(scene, reading=fs.ReadOptions(input_limit=20))
     assert caught.value.code == "limit"
-    rules = again(fs.DrawingRules(curves="inside", tolerance="0.1", open_lines=True, mend=0, repair=1, close_holes="2.5"))
+    rules = again(fs.DrawingRules(curves="inside", tolerance="0.1", open_lines=True, mend=0, parts="outlines", repair=1,
+                                  close_holes="2.5"))
     assert (rules.curves, rules.tolerance, rules.join, rules.mend) == ("inside", "0.1", None, "0")
-    assert (rules.open_lines, rules.repair, rules.close_holes) == (True, "1", "2.5")
+    assert (rules.open_lines, rules.parts, rules.repair, rules.close_holes) == (True, "outlines", "1", "2.5")
     with pytest.raises(ValueError, match="near"):
         fs.DrawingRules(curves="along")
     read = fs.Scene.json(scene, reading=fs.ReadOptions(root="/tmp", files=False, work_limit=10**6, drawings=rules))

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -119,6 +120,48 @@ TEST_F(Program, PackAnswersWhenItsTimeIsOver) {
   EXPECT_TRUE(contains(read("out.txt"), "9 parts, proved free of overlaps")) << read("out.txt") << read("err.txt");
 }
 
+/// How many copies of each part the layout has.
+std::map<std::string, int> copies(const json& layout) {
+  std::map<std::string, int> result;
+  for (const json& item : layout["layout"]["items"]) ++result[item["part"]];
+  return result;
+}
+
+TEST_F(Program, PacksAsManyAsNamesSay) {
+  using Copies = std::map<std::string, int>;
+  std::ofstream(folder_ / "kit.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="i" width="9cm" height="9cm" viewBox="0 0 90 90">)"
+         R"(<g id="bracket_x4"><path d="M0 0H8V6H0Z"/><circle cx="4" cy="3" r="2"/></g>)"
+         R"(<g inkscape:label="lid x2" id="g7"><path d="M10 0H14V4H10Z"/></g><path id="foot" d="M20 0H22V2H20Z"/>)"
+         R"(<path d="M30 0H31V1H30Z"/></svg>)";
+  std::ofstream(folder_ / "kit.geojson")
+      << R"({"type": "Feature", "id": "rail-x3", "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [5, 0], [5, 1],
+             [0, 1], [0, 0]]]}})";
+  const auto packed = [&](const std::string& words) {
+    const Result result = run("pack " + words + " --sheet 20,10 --work 1 --threads 1 -o layout.json");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(run("verify layout.json " + words + " --sheet 20,10").status, 0);
+    return copies(json::parse(read("layout.json")));
+  };
+  EXPECT_EQ(packed("kit.svg"), (Copies{{"bracket", 4}, {"lid", 2}, {"foot", 1}, {"kit", 1}}));
+  EXPECT_EQ(packed("kit.svg x2 kit.geojson"),
+            (Copies{{"bracket", 8}, {"lid", 4}, {"foot", 2}, {"kit.svg", 2}, {"rail", 3}}));
+  EXPECT_EQ(run("pack kit.svg --parts one --height 10 --work 1 -o layout.json").status, 0);
+  EXPECT_EQ(copies(json::parse(read("layout.json"))), (Copies{{"kit", 1}}));
+}
+
+TEST_F(Program, PacksTheOutlinesOfADrawingApart) {
+  std::ofstream(folder_ / "two.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H8V6H0Z"/>)"
+                                        R"(<path d="M2 2H4V4H2Z"/><circle cx="20" cy="3" r="2"/></svg>)";
+  const Result one = run("pack two.svg --height 10 --work 1 -o layout.json");
+  EXPECT_TRUE(contains(one.err, "its 2 outlines side by side are one part")) << one.err;
+  EXPECT_EQ(copies(json::parse(read("layout.json"))).size(), 1u);
+  const Result apart = run("pack two.svg x3 --parts outlines --height 10 --work 1 -o layout.json");
+  EXPECT_FALSE(contains(apart.err, "side by side")) << apart.err;
+  EXPECT_EQ(copies(json::parse(read("layout.json"))), (std::map<std::string, int>{{"two 1", 3}, {"two 2", 3}}));
+  EXPECT_EQ(run("pack two.svg --parts each --height 10").status, 2);
+}
+
 TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
   std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="4"/></svg>)";
   const auto expect_usage = [&](const std::string& words, const std::string& said) {
@@ -138,6 +181,9 @@ TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
   expect_usage("a.svg --height 9 --gap 2mm", "--gap: a number from 0 on is meant");
   expect_usage("a.svg --height 60mm", "--height: a number from 0 on is meant");
   expect_usage("a.svg x1234567 --height 9", "from 0 to 1000000");
+  std::ofstream(folder_ / "many.geojson") << R"({"type": "Feature", "id": "m x900000", "geometry": {"type": "Polygon",
+      "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
+  EXPECT_TRUE(contains(run("pack many.geojson x2 --height 9").err, "its counts together are above 1000000"));
   expect_usage("a.svg x900000 a.svg x900000 --height 9", "together are above 1000000");
   for (const char* other : {"kit.json x2", "bracket.step x2", "bracket.step", "c.pdf x2"})
     expect_usage(std::string(other) + " --height 9", "(.svg .dxf .wkt .geojson)");

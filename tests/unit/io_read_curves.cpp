@@ -12,6 +12,7 @@
 #include "io/read/read_file.h"
 #include "io/scene/scene.h"
 #include "io/text/drawing_rules.h"
+#include "io/text/quantity.h"
 #include "plane/build/build.h"
 #include "plane/query/summary.h"
 
@@ -73,7 +74,7 @@ TEST(ReadCurves, OutlinesWithoutAFillNest) {
     FileChoice second;
     second.index = 1;
     EXPECT_EQ(area_of_two(look, context, second), 16);
-    context.drawing.one_part = false;
+    context.drawing.parts = PartRule::kElements;
     EXPECT_EQ(area_of_two(look, context), 100);
     EXPECT_EQ(context.notes.size(), 1u);
   }
@@ -81,7 +82,7 @@ TEST(ReadCurves, OutlinesWithoutAFillNest) {
   EXPECT_EQ(area_of_two("fill='red'", context), 100);
   EXPECT_EQ(area_of_two("", context), 100);
   EXPECT_TRUE(context.notes.empty());
-  context.drawing.one_part = true;
+  context.drawing.parts = PartRule::kOne;
   EXPECT_EQ(area_of_two("", context), 84);
 }
 
@@ -96,6 +97,48 @@ TEST(ReadCurves, OutlinesBesideEachOtherKeepTheirNames) {
   EXPECT_EQ(shape->children[0]->name, "a");
   EXPECT_EQ(shape->children[1]->name, "b");
   EXPECT_TRUE(context.notes.empty());
+}
+
+std::string dxf_text(const std::string& entities) {
+  std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+  bool code = true;
+  for (char c : entities) {
+    if (c == '|') code = true;
+    const bool blank = c == ' ' && code;
+    if (blank) code = false;
+    text += c == '|' || blank ? '\n' : c;
+  }
+  return text + "0\nENDSEC\n0\nEOF\n";
+}
+
+TEST(ReadCurves, OutlinesOfDxfAreParts) {
+  const auto square = [](const std::string& layer, int x, int side) {
+    const auto line = [&](int x0, int y0, int x1, int y1) {
+      return "0 LINE|8 " + layer + "|10 " + std::to_string(x0) + "|20 " + std::to_string(y0) + "|11 " +
+             std::to_string(x1) + "|21 " + std::to_string(y1) + "|";
+    };
+    return line(x, 0, x + side, 0) + line(x + side, 0, x + side, side) + line(x + side, side, x, side) +
+           line(x, side, x, 0);
+  };
+  const std::string text = dxf_text(square("plate_x2", 0, 9) + "0 CIRCLE|8 holes|10 4.5|20 4.5|40 4|" + square("0", 20, 3));
+  Context context;
+  context.quantities = true;
+  const plane::ShapePtr all = read_dxf(text, "f.dxf", {}, context);
+  ASSERT_EQ(all->children.size(), 2u);
+  EXPECT_EQ(all->children[0]->name, "plate_x2");
+  EXPECT_NEAR(area(all->children[0]), 81 - 16 * pi, 1e-4);
+  EXPECT_EQ(all->children[1]->name, "");
+  EXPECT_EQ(area(all->children[1]), 9);
+}
+
+TEST(ReadCurves, NamesSayHowMany) {
+  EXPECT_EQ(quantity_in("bracket x12")->name, "bracket");
+  EXPECT_EQ(quantity_in("bracket x12")->count, 12);
+  EXPECT_EQ(quantity_in("top plate - X3")->name, "top plate");
+  EXPECT_EQ(quantity_in("a_x0")->count, 0);
+  for (const char* other : {"", "x", "x3", " x3", "box3", "max3", "bracket x", "bracket x1234567",
+                            "bracket x99999999999", "bracket x3 ", "12"})
+    EXPECT_FALSE(quantity_in(other)) << other;
 }
 
 TEST(ReadCurves, TangentialCusps) {
@@ -140,18 +183,6 @@ TEST(ReadCurves, ColoursAreLayers) {
   EXPECT_NEAR(of("#0000ff"), 12, 1e-6);
   EXPECT_NEAR(of("green"), 15, 1e-6);
   EXPECT_THROW(of("yellow"), Error);
-}
-
-std::string dxf_text(const std::string& entities) {
-  std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
-  bool code = true;
-  for (char c : entities) {
-    if (c == '|') code = true;
-    const bool blank = c == ' ' && code;
-    if (blank) code = false;
-    text += c == '|' || blank ? '\n' : c;
-  }
-  return text + "0\nENDSEC\n0\nEOF\n";
 }
 
 double dxf_area(const std::string& text, CurveRule rule = CurveRule::kNear) {

@@ -190,7 +190,7 @@ const std::string kSquare = "0 LWPOLYLINE|8 cut|90 4|70 1|10 0|20 0|10 20|20 0|1
 /// What is drawn by several elements, as one part: an outline within another is its hole.
 TEST(OnePart, NestsOverAllElements) {
   Context context;
-  context.drawing.one_part = true;
+  context.drawing.parts = PartRule::kOne;
   const auto rings = [](const ShapePtr& shape) {
     EXPECT_EQ(shape->kind, Shape::Kind::kRings);
     return shape->contours.size();

@@ -8,11 +8,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "io/nesting/nesting_json.h"
 #include "io/nesting/unread_keys.h"
 #include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
+#include "io/text/drawing_rules.h"
+#include "io/text/quantity.h"
 #include "plane/build/build.h"
 #include "plane/query/topology.h"
 
@@ -23,6 +27,104 @@ using packing::Fraction;
 using Kind = JsonValue::Kind;
 
 constexpr int kUsualShapeDigits = 6, kMostShapeDigits = 9;  // of the grid of shapes
+
+bool is_polygon(const JsonValue& shape) { return shape.is(Kind::kObject) && shape.find("type") != nullptr; }
+
+/// Shapes of the scene language in a problem, by name or as they are, on a grid that holds the numbers of all of them.
+class StatedShapes {
+ public:
+  StatedShapes(const NestingJson& problem, const NestingOptions& asked)
+      : problem_(problem), step_(1, packing::power_of_ten(digits())), context_(asked.read) {
+    context_.folder = asked.folder.empty() ? std::filesystem::path(problem.name()).parent_path() : asked.folder;
+    context_.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits())));
+    context_.quantities = true;
+    if (const JsonValue* unit = problem.tree().find("unit"))
+      context_.unit = json_.placed({}, *unit, [&] { return parse_unit(unit->text); });
+    context_.scene_rules = read_drawing_rules(json_, problem.tree(), {});
+    json_.placed({}, problem.tree(), [&] { context_.use(context_.options.drawings.over(context_.scene_rules)); });
+  }
+
+  plane::ShapePtr read(const JsonValue& value, const Label& label) {
+    plane::ShapePtr shape = shapes_.shape(value, label);
+    if (shapes_.dimension() == 3)
+      problem_.fail(value, fmt::format("this is a shape of space: {} needs one of the plane", label.text()));
+    return shape;
+  }
+
+  UnscaledShape built(const plane::ShapePtr& shape, const JsonValue& value, const Label& label) {
+    plane::BuildResult built = json_.placed(
+        label, value, [&] { return plane::build(*shape, context_.grid.step_size(), context_.options.work_limit); });
+    context_.rounding.points += built.rounding.points;
+    context_.rounding.largest = std::max(context_.rounding.largest, built.rounding.largest);
+    return {plane::closure(std::move(built.region)), step_};
+  }
+
+  /// The outlines of a drawing that are parts each, where that is asked for or their names say how many.
+  std::optional<std::vector<plane::ShapePtr>> parts_in(const plane::ShapePtr& shape, const JsonValue& value,
+                                                       const Label& label) {
+    if (!is_file(value)) return std::nullopt;
+    const bool called = value.is(Kind::kString);  // so the shape's name is the problem's, not the drawing's
+    if (called && !shape->collection) return std::nullopt;
+    const std::vector<plane::ShapePtr> all = shape->collection ? shape->children : std::vector{shape};
+    const auto counted = [](const plane::ShapePtr& one) { return quantity_in(one->name).has_value(); };
+    const std::optional<PartRule> rule = part_rule(value, label);
+    const bool apart = rule ? *rule == PartRule::kOutlines : std::any_of(all.begin(), all.end(), counted);
+    if (!rule && !apart && all.size() > 1)
+      context_.notes.push_back(
+          fmt::format("{}: its {} outlines side by side are one part (\"parts\": \"outlines\": each is one)",
+                      label.text(), all.size()));
+    return apart ? std::optional(all) : std::nullopt;
+  }
+
+  void add_notes(std::vector<std::string>& notes) const {
+    for (std::string& note : context_.summary()) notes.push_back(std::move(note));
+  }
+
+ private:
+  int digits() const {
+    int most = kUsualShapeDigits;
+    const auto see = [&](const JsonValue* value) {
+      if (value != nullptr && !is_polygon(*value)) most = std::max(most, problem_.digits_in(*value, kMostShapeDigits));
+    };
+    see(problem_.tree().find("shapes"));
+    for (const JsonValue& item : problem_.need(problem_.tree(), "items").items) see(item.find("shape"));
+    const JsonValue* sheets = problem_.tree().find("sheets");
+    if (sheets == nullptr) return most;
+    for (const JsonValue& sheet : sheets->items) {
+      see(sheet.find("shape"));
+      if (const JsonValue* zones = sheet.find("zones"))
+        for (const JsonValue& zone : zones->items) see(zone.find("shape"));
+    }
+    return most;
+  }
+
+  /// Of a shape by its name.
+  const JsonValue& stated(const JsonValue& value) const {
+    const JsonValue* shapes = problem_.tree().find("shapes");
+    const JsonValue* named = value.is(Kind::kString) && shapes != nullptr ? shapes->find(value.text) : nullptr;
+    return named != nullptr ? *named : value;
+  }
+  bool is_file(const JsonValue& value) const {
+    return stated(value).is(Kind::kObject) && stated(value).find("file") != nullptr;
+  }
+  std::optional<PartRule> part_rule(const JsonValue& value, const Label& label) const {
+    const DrawingRules own = read_drawing_rules(json_, stated(value), label);
+    return context_.options.drawings.over(own.over(context_.scene_rules)).parts;
+  }
+
+  const NestingJson& problem_;
+  Fraction step_;
+  ReadContext context_;
+  SceneReader json_{problem_.name(), context_};
+  JsonValue none_ = no_shapes();
+  ShapeReader shapes_{json_, problem_.tree().find("shapes") != nullptr ? *problem_.tree().find("shapes") : none_};
+
+  static JsonValue no_shapes() {
+    JsonValue none;
+    none.kind = Kind::kObject;
+    return none;
+  }
+};
 
 class Reader : private NestingJson {
  public:
@@ -39,17 +141,20 @@ class Reader : private NestingJson {
       fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     result.notes = unread_keys(*this);
+    StatedShapes shapes(*this, asked);
     for (const JsonValue& item : items.items) {
-      result.parts.push_back(part(item));
-      check_name(item, result.parts, "items");
+      for (UnscaledPart& one : parts_of(item, shapes)) {
+        result.parts.push_back(std::move(one));
+        check_name(item, result.parts, "items");
+      }
     }
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
       for (const JsonValue& value : list(*sheets).items) {
-        result.sheets.push_back(sheet(value, result.parts));
+        result.sheets.push_back(sheet(value, result.parts, shapes));
         check_name(value, result.sheets, "sheets");
       }
     if (!asked.height) check_container();
-    read_shapes(asked, result);
+    shapes.add_notes(result.notes);
     check_costs(result);
     if (const JsonValue* box = tree().find("box")) result.box = truth(*box) && result.sheets.empty() && !asked.height;
     if (result.sheets.empty() && !result.box)
@@ -103,78 +208,46 @@ class Reader : private NestingJson {
     return rings;
   }
 
-  static bool is_polygon(const JsonValue& shape) { return shape.is(Kind::kObject) && shape.find("type") != nullptr; }
-
-  /// A shape of the scene language, and whose it is.
-  struct Stated {
-    const JsonValue* value;
-    Label label;
-    std::optional<UnscaledShape>* to;
-  };
-
-  std::vector<Stated> stated_shapes(UnscaledProblem& problem) const {
-    std::vector<Stated> result;
-    const auto see = [&](const JsonValue& owner, const char* kind, const std::string& name, auto& to) {
-      const JsonValue* value = owner.find("shape");
-      if (value != nullptr && !is_polygon(*value)) result.push_back({value, Label{nullptr, kind, name}, &to.shape});
-    };
-    const JsonValue &items = need(tree(), "items"), *sheets = tree().find("sheets");
-    for (std::size_t k = 0; k < problem.parts.size(); ++k)
-      see(items.items[k], "item", problem.parts[k].name, problem.parts[k]);
-    for (std::size_t k = 0; k < problem.sheets.size(); ++k) {
-      UnscaledSheet& sheet = problem.sheets[k];
-      see(sheets->items[k], "sheet", sheet.name, sheet);
-      for (std::size_t z = 0; z < sheet.zones.size(); ++z)
-        see(sheets->items[k].find("zones")->items[z], "zone of sheet", sheet.name, sheet.zones[z]);
+  /// The parts of an item: one, or of a drawing those that it holds.
+  std::vector<UnscaledPart> parts_of(const JsonValue& item, StatedShapes& shapes) const {
+    const UnscaledPart whole = part(item);
+    const JsonValue& outline = need(item, "shape");
+    if (is_polygon(outline)) return {whole};
+    const Label label{nullptr, "item", whole.name};
+    const plane::ShapePtr shape = shapes.read(outline, label);
+    const auto outlines = shapes.parts_in(shape, outline, label);
+    std::vector<UnscaledPart> result;
+    for (const plane::ShapePtr& one : outlines.value_or(std::vector{shape})) {
+      UnscaledPart& part = result.emplace_back(whole);
+      part.shape = shapes.built(one, outline, label);
+      if (!outlines) continue;
+      const std::optional<Quantity> quantity = quantity_in(one->name);
+      part.name = quantity ? quantity->name : one->name;
+      if (quantity) part.demand = counted(item, whole.demand, quantity->count);
     }
+    if (outlines) name_apart(whole.name, result);
     return result;
   }
 
-  /// By name or as they are, on a grid that holds their numbers.
-  void read_shapes(const NestingOptions& asked, UnscaledProblem& problem) const {
-    const std::vector<Stated> stated = stated_shapes(problem);
-    if (stated.empty()) return;
-    const packing::int128 steps = packing::power_of_ten(digits_of_shapes(stated));
-    ReadContext context(asked.read);
-    context.folder = asked.folder.empty() ? std::filesystem::path(name()).parent_path() : asked.folder;
-    context.grid = Grid(exact::Real(1) / exact::Real(steps));
-    const SceneReader json(name(), context);
-    read_rules(json);
-    JsonValue none;
-    none.kind = Kind::kObject;
-    const JsonValue* named = tree().find("shapes");
-    ShapeReader shapes(json, named != nullptr ? *named : none);
-    for (const Stated& one : stated) {
-      const plane::ShapePtr shape = shapes.shape(*one.value, one.label);
-      if (shapes.dimension() == 3)
-        fail(*one.value, fmt::format("this is a shape of space: {} needs one of the plane", one.label.text()));
-      plane::BuildResult built = json.placed(
-          one.label, *one.value, [&] { return plane::build(*shape, context.grid.step_size(), asked.read.work_limit); });
-      *one.to = UnscaledShape{plane::closure(std::move(built.region)), Fraction(1, steps)};
-      context.rounding.points += built.rounding.points;
-      context.rounding.largest = std::max(context.rounding.largest, built.rounding.largest);
+  int counted(const JsonValue& item, int demand, int count) const {
+    constexpr std::int64_t kMost = 1000000;
+    const std::int64_t all = std::int64_t{demand} * count;
+    if (all > kMost) fail(item, fmt::format("its counts together are above {}", kMost));
+    return int(all);
+  }
+
+  /// Parts without a name are called as their drawing; of equal names each gets a number.
+  static void name_apart(const std::string& drawing, std::vector<UnscaledPart>& parts) {
+    std::map<std::string, int> all, seen;
+    for (UnscaledPart& one : parts) {
+      if (one.name.empty()) one.name = drawing;
+      ++all[one.name];
     }
-    for (std::string& note : context.summary()) problem.notes.push_back(std::move(note));
+    for (UnscaledPart& one : parts)
+      if (all[one.name] > 1) one.name = fmt::format("{} {}", one.name, ++seen[one.name]);
   }
 
-  int digits_of_shapes(const std::vector<Stated>& stated) const {
-    const JsonValue* named = tree().find("shapes");
-    int digits = std::max(kUsualShapeDigits, named != nullptr ? digits_in(*named, kMostShapeDigits) : 0);
-    for (const Stated& one : stated) digits = std::max(digits, digits_in(*one.value, kMostShapeDigits));
-    return digits;
-  }
-
-  /// The unit, and how drawings are read, as scenes say it.
-  void read_rules(const SceneReader& json) const {
-    ReadContext& context = json.context();
-    if (const JsonValue* unit = tree().find("unit"))
-      context.unit = json.placed({}, *unit, [&] { return parse_unit(unit->text); });
-    context.scene_rules = read_drawing_rules(json, tree(), {});
-    if (!context.scene_rules.one_part) context.scene_rules.one_part = true;  // a part is a drawing
-    json.placed({}, tree(), [&] { context.use(context.options.drawings.over(context.scene_rules)); });
-  }
-
-  UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
+  UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts, StatedShapes& shapes) const {
     UnscaledSheet result;
     result.name = need(value, "id").text;
     if (const JsonValue* count = value.find("count")) result.count = whole(*count);
@@ -183,21 +256,33 @@ class Reader : private NestingJson {
       if (*result.cost < 0) fail(*cost, "a cost below 0");
     }
     if (const JsonValue* outline = value.find("shape")) {
-      if (is_polygon(*outline)) result.rings = shape(*outline);
+      read_outline(*outline, {nullptr, "sheet", result.name}, shapes, result);
     } else {
       const Fraction w = number(need(value, "width")), h = number(need(value, "height"));
       if (w <= 0 || h <= 0) fail(value, "a sheet has a width and a height above 0");
       result.rings = {{{0, 0}, {w, 0}, {w, h}, {0, h}}};
     }
     if (const JsonValue* zones = value.find("zones"))
-      for (const JsonValue& item : list(*zones).items) result.zones.push_back(zone(item, parts));
+      for (const JsonValue& item : list(*zones).items) {
+        result.zones.push_back(zone(item, parts));
+        read_outline(need(item, "shape"), {nullptr, "zone of sheet", result.name}, shapes, result.zones.back());
+      }
     return result;
+  }
+
+  /// A polygon, or any shape of the scene language.
+  template <class Owner>
+  void read_outline(const JsonValue& outline, const Label& label, StatedShapes& shapes, Owner& owner) const {
+    if (is_polygon(outline)) {
+      owner.rings = shape(outline);
+    } else {
+      owner.shape = shapes.built(shapes.read(outline, label), outline, label);
+    }
   }
 
   /// Zones keep out the parts named, or all but those named; or they hold those named.
   UnscaledZone zone(const JsonValue& value, const std::vector<UnscaledPart>& parts) const {
     UnscaledZone result;
-    if (const JsonValue& outline = need(value, "shape"); is_polygon(outline)) result.rings = shape(outline);
     const JsonValue *only = value.find("only"), *kept_out = value.find("keeps_out"), *held = value.find("holds");
     if ((only != nullptr) + (kept_out != nullptr) + (held != nullptr) != 1)
       fail(value, "a zone has one of 'keeps_out', 'only' and 'holds': names of parts");

@@ -18,10 +18,10 @@ namespace {
 using Key = std::string_view;
 using Kind = JsonValue::Kind;
 
-constexpr std::array<Key, 22> kProblemKeys{"findspace",  "layout",   "name",    "items",     "strip_height", "sheets",
-                                           "box",        "fixed",    "shapes",  "unit",      "gaps",         "pairs",
-                                           "where",      "groups",   "curves",  "tolerance", "join",         "mend",
-                                           "open_lines", "one_part", "$schema", "comment"};
+constexpr std::array<Key, 22> kProblemKeys{"findspace",  "layout", "name",    "items",     "strip_height", "sheets",
+                                           "box",        "fixed",  "shapes",  "unit",      "gaps",         "pairs",
+                                           "where",      "groups", "curves",  "tolerance", "join",         "mend",
+                                           "open_lines", "parts",  "$schema", "comment"};
 constexpr std::array<Key, 8> kPartKeys{"id",    "demand", "allowed_orientations", "mirrored", "tilt", "value",
                                        "shape", "dxf"};
 constexpr std::array<Key, 7> kSheetKeys{"id", "count", "cost", "width", "height", "shape", "zones"};

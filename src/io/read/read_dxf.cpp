@@ -16,6 +16,7 @@
 #include "io/read/read_dxf_entities.h"
 #include "io/read/read_file.h"
 #include "io/text/outline_shapes.h"
+#include "io/text/quantity.h"
 #include "io/text/read_transform.h"
 #include "io/text/scene_reader.h"
 
@@ -63,7 +64,7 @@ class DxfReader {
       : document_(document), choice_(choice), context_(context), outline_(context, scale) {}
 
   std::vector<ShapePtr> read() {
-    for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, entity.layer(), 0);
+    for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, entity.layer(), {}, 0);
     draw_hatches();
     std::vector<ShapePtr> parts = closed_parts(outline_.take(), context_, document_.name);
     if (parts.empty() && choice_.layer) refuse_layer();
@@ -86,12 +87,14 @@ class DxfReader {
                 fmt::format("there is no layer '{}' with a shape in it{}", *choice_.layer, hint), document_.name);
   }
 
-  void draw(const DxfEntity& entity, const Affine& map, std::string_view layer, int depth) {
+  /// `block`: the name of the block around it.
+  void draw(const DxfEntity& entity, const Affine& map, std::string_view layer, std::string_view block, int depth) {
     layers_.insert(std::string(layer));
-    if (entity.type == "INSERT") return insert(entity, map, layer, depth);
+    if (entity.type == "INSERT") return insert(entity, map, layer, block, depth);
     if (choice_.layer && layer != *choice_.layer) return;
     if (document_.flags(entity, 67) == 1 || entity.type == "SEQEND")
       return;  // paper space: the frame around the drawing
+    outline_.set_name(std::string(!quantity_in(block) && quantity_in(layer) ? layer : block));
     placed(entity, [&] { draw_one(entity, map); });
   }
 
@@ -129,13 +132,14 @@ class DxfReader {
       placed(*entity, [&, e = entity, &m = map] { draw_dxf_hatch(document_, *e, m, outline_); });
   }
 
-  void insert(const DxfEntity& e, const Affine& map, std::string_view layer, int depth) {
+  void insert(const DxfEntity& e, const Affine& map, std::string_view layer, std::string_view around, int depth) {
     if (depth >= kMostBlockDepth)
       throw Error(ErrorCode::kUnsupported, "blocks nested more than 16 deep, or in themselves", document_.place(e));
     const DxfGroup* name = e.find(2);
     auto block = name ? document_.blocks.find(name->value) : document_.blocks.end();
     if (block == document_.blocks.end())
       throw Error(ErrorCode::kUnknownName, "it inserts an unknown block", document_.place(e));
+    const std::string_view part = quantity_in(around) || block->first.starts_with('*') ? around : block->first;
     placed(e, [&] {
       raised_ += is_raised(document_, e) ? 1 : 0;
       const DxfEntity& head = block->second.head;
@@ -148,15 +152,15 @@ class DxfReader {
       const Real dx = document_.number(e, 44, 0), dy = document_.number(e, 45, 0);
       for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
-          draw_block(block->second, base * Affine::translation(dx * Real(column), dy * Real(row)) * inner, layer,
+          draw_block(block->second, base * Affine::translation(dx * Real(column), dy * Real(row)) * inner, layer, part,
                      depth);
     });
   }
 
-  void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, int depth) {
+  void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, std::string_view part, int depth) {
     for (const DxfEntity& entity : block.entities) {
       if (++drawn_ > kMaxInserted) throw Error(ErrorCode::kUnsupported, "more than a million entities in blocks");
-      draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), depth + 1);
+      draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), part, depth + 1);
     }
   }
 

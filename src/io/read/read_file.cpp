@@ -81,7 +81,9 @@ plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& na
 }
 
 bool nests(const FileChoice& choice, const ReadContext& context) {
-  return context.drawing.one_part.value_or(false) && !choice.index;
+  if (context.drawing.parts == PartRule::kOutlines) return true;  // an index counts these
+  const bool one = context.drawing.parts ? context.drawing.parts == PartRule::kOne : context.quantities;
+  return one && !choice.index;
 }
 
 void refuse_choice(bool given, const char* key, const char* format, const std::string& name) {

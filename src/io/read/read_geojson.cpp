@@ -63,6 +63,7 @@ class GeoJsonReader {
       if (!own.empty()) ids_.push_back(own);
       object(json_.need(value, "geometry", {}), own);
     } else if (!choice_.id || *choice_.id == id) {
+      feature_ = id;
       Shape shape = *geometry(value);
       shape.name = id;
       parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
@@ -98,6 +99,7 @@ class GeoJsonReader {
       return united(std::move(parts), place(value));
     }
     Outline outline(context_, scale_);
+    outline.set_name(feature_);
     if (kind == "Point") {
       point(coordinates, outline);
     } else if (kind == "MultiPoint") {
@@ -142,6 +144,7 @@ class GeoJsonReader {
 
   ShapePtr polygon(const JsonValue& value) {
     Outline outline(context_, scale_);
+    outline.set_name(feature_);
     for (const JsonValue& ring : list(value, "a polygon")) {
       const std::size_t before = outline.drawn().chains.size();
       line(ring, outline);
@@ -156,7 +159,8 @@ class GeoJsonReader {
   const FileChoice& choice_;
   ReadContext& context_;
   Real scale_;
-  Drawing pool_;  // the outlines of all geometries
+  Drawing pool_;         // the outlines of all geometries
+  std::string feature_;  // that is read
   int outlines_ = 0;
   std::int64_t repeated_ = context_.repeated_points;  // before
   std::vector<ShapePtr> parts_;

@@ -22,6 +22,7 @@
 #include "io/read/read_svg_attributes.h"
 #include "io/read/read_svg_style.h"
 #include "io/text/outline_shapes.h"
+#include "io/text/quantity.h"
 #include "io/text/read_transform.h"
 #include "io/text/scene_reader.h"
 
@@ -80,6 +81,7 @@ class SvgReader {
     bool id, layer, undrawn;
     std::uint64_t operations = 0;  // of the transforms on the way to it
     SvgLook look{};                // of the group around it
+    std::string name{};            // of the nearest group whose name says how many
   };
 
   /// What an element draws.
@@ -136,7 +138,7 @@ class SvgReader {
       if (group) return walk_children(node, own, inside, depth + 1);
       if (inside.id && inside.layer && !inside.undrawn) {
         charge(node, inside.operations);
-        draw(node, own, id, inside.look.fill != "none");
+        draw(node, own, inside);
       }
     } catch (const Error& e) {
       if (group || e.place().find(name_) != std::string::npos) throw;
@@ -148,6 +150,7 @@ class SvgReader {
     std::string label = node.attribute("inkscape:label").value();
     for (const std::string& name : {label, id}) {
       if (!name.empty()) layers_.insert(name);
+      if (quantity_in(name)) inside.name = name;
     }
     if (choice_.layer && (label == *choice_.layer || id == *choice_.layer)) inside.layer = true;
   }
@@ -209,17 +212,26 @@ class SvgReader {
     }
   }
 
-  void draw(const pugi::xml_node& node, const Affine& map, const std::string& id, bool filled) {
+  void draw(const pugi::xml_node& node, const Affine& map, const Inside& inside) {
+    const std::string id = node.attribute("id").value(), label = node.attribute("inkscape:label").value();
     Outline outline(context_, scale_);
+    outline.set_name(part_name(id, label, inside));
     draw_svg_element(node, local_name(node), map, outline);
-    elements_.push_back({outline.take(), id, place(node), filled});
+    elements_.push_back({outline.take(), id, place(node), inside.look.fill != "none"});
+  }
+
+  /// The label or the id, or the name of a group where that says how many.
+  static std::string part_name(const std::string& id, const std::string& label, const Inside& inside) {
+    for (const std::string* name : {&label, &id, &inside.name})
+      if (quantity_in(*name)) return *name;
+    return label.empty() ? id : label;
   }
 
   void add_elements() {
-    const bool nested = !context_.drawing.one_part && !choice_.index && outlines_nest();
+    const bool nested = !context_.drawing.parts && !choice_.index && outlines_nest();
     if (nested)
-      context_.notes.push_back(
-          fmt::format("{}: outlines without a fill that lie in others are holes (\"one_part\": false: areas)", name_));
+      context_.notes.push_back(fmt::format(
+          "{}: outlines without a fill that lie in others are holes (\"parts\": \"elements\": areas)", name_));
     for (Element& element : elements_) {
       const bool pooled = nests(choice_, context_) || (nested && !element.filled);
       if (pooled && !is_empty(element.drawing)) {

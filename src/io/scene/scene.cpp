@@ -24,9 +24,9 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 constexpr std::array<std::string_view, 24> kKeys{
-    "mend",  "curves",   "tolerance", "join",      "open_lines", "one_part", "repair", "close_holes",
-    "y",     "groups",   "$schema",   "findspace", "unit",       "grid",     "shapes", "moving",
-    "where", "minimize", "maximize",  "free",      "motion",     "place",    "about",  "angles"};
+    "mend",  "curves",   "tolerance", "join",      "open_lines", "parts", "repair", "close_holes",
+    "y",     "groups",   "$schema",   "findspace", "unit",       "grid",  "shapes", "moving",
+    "where", "minimize", "maximize",  "free",      "motion",     "place", "about",  "angles"};
 
 /// Decimals of a number as it is written.
 int decimals_of(std::string_view text) {

@@ -246,8 +246,10 @@ DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object
   length("close_holes", rules.close_holes);
   if (const JsonValue* lines = object.find("open_lines"))
     rules.open_lines = read_flag(json, lines, false, label.part("open_lines"));
-  if (const JsonValue* one = object.find("one_part"))
-    rules.one_part = read_flag(json, one, false, label.part("one_part"));
+  if (const JsonValue* parts = object.find("parts")) {
+    const std::string& word = json.text(*parts, "\"parts\"", label);
+    rules.parts = json.placed(label.part("parts"), *parts, [&] { return parse_part_rule(word); });
+  }
   return rules;
 }
 

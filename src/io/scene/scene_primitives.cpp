@@ -190,7 +190,7 @@ std::span<const ShapeKind> primitive_kinds() {
                                                {"cells", {}, build_cells},
                                                {"file",
                                                 {"id", "layer", "index", "unit", "curves", "tolerance", "join", "mend",
-                                                 "open_lines", "one_part", "repair", "close_holes"},
+                                                 "open_lines", "parts", "repair", "close_holes"},
                                                 build_file}}};
   return kinds;
 }

@@ -13,6 +13,7 @@ namespace findspace::io {
 namespace {
 
 constexpr std::array<std::string_view, 3> kCurveRules{"near", "inside", "outside"};
+constexpr std::array<std::string_view, 3> kPartRules{"one", "elements", "outlines"};
 
 }  // namespace
 
@@ -21,6 +22,13 @@ CurveRule parse_curve_rule(std::string_view text) {
     if (text == kCurveRules[i]) return static_cast<CurveRule>(i);
   throw Error(ErrorCode::kUnknownName,
               fmt::format("curves become arcs that lie {}, not '{}'", fmt::join(kCurveRules, ", "), text));
+}
+
+PartRule parse_part_rule(std::string_view text) {
+  for (std::size_t i = 0; i < kPartRules.size(); ++i)
+    if (text == kPartRules[i]) return static_cast<PartRule>(i);
+  throw Error(ErrorCode::kUnknownName,
+              fmt::format("the parts of a drawing are {}, not '{}'", fmt::join(kPartRules, ", "), text));
 }
 
 std::string_view name(CurveRule rule) { return kCurveRules[static_cast<std::size_t>(rule)]; }
@@ -44,14 +52,9 @@ exact::Real parse_length(std::string_view text, std::optional<formula::Unit> uni
 namespace findspace {
 
 DrawingRules DrawingRules::over(const DrawingRules& those) const {
-  return {curves ? curves : those.curves,
-          tolerance ? tolerance : those.tolerance,
-          join ? join : those.join,
-          mend ? mend : those.mend,
-          open_lines ? open_lines : those.open_lines,
-          one_part ? one_part : those.one_part,
-          repair ? repair : those.repair,
-          close_holes ? close_holes : those.close_holes};
+  return {curves ? curves : those.curves, tolerance ? tolerance : those.tolerance,      join ? join : those.join,
+          mend ? mend : those.mend,       open_lines ? open_lines : those.open_lines,   parts ? parts : those.parts,
+          repair ? repair : those.repair, close_holes ? close_holes : those.close_holes};
 }
 
 }  // namespace findspace

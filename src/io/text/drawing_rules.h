@@ -16,6 +16,8 @@ namespace findspace::io {
 /// "near", "inside", "outside"; throws Error(kUnknownName).
 CurveRule parse_curve_rule(std::string_view name);
 std::string_view name(CurveRule rule);
+/// "one", "elements", "outlines"; throws Error(kUnknownName).
+PartRule parse_part_rule(std::string_view name);
 
 /// A length such as "0.01mm" or "0.01", in the unit of the scene. Throws Error: kSyntax, kUnknownName, kBadValue for a
 /// unit where the scene has none or a length that is negative.

@@ -14,6 +14,7 @@
 
 #include "findspace/error.h"
 #include "io/text/outline_shapes.h"
+#include "io/text/quantity.h"
 #include "plane/build/mended_rings.h"
 #include "plane/contour/contour.h"
 
@@ -26,7 +27,7 @@ using plane::GridPoint;
 
 /// An open chain the other way round: its end point comes first.
 Chain reversed_chain(const Chain& chain) {
-  Chain result{plane::reversed(chain.edges), chain.closed};
+  Chain result{plane::reversed(chain.edges), chain.closed, {}, chain.name};
   std::rotate(result.edges.begin(), result.edges.begin() + 1, result.edges.end());
   if (chain.curves.empty()) return result;
   result.curves.resize(result.edges.size());
@@ -39,6 +40,7 @@ Chain reversed_chain(const Chain& chain) {
 
 /// `piece` begins where `chain` ends.
 void append(Chain& chain, Chain piece) {
+  if (!quantity_in(chain.name) && (chain.name.empty() || quantity_in(piece.name))) chain.name = piece.name;
   if (!chain.curves.empty() || !piece.curves.empty()) {
     chain.curves.resize(chain.edges.size() - 1);
     piece.curves.resize(piece.edges.size());

@@ -8,6 +8,7 @@
 
 #include "findspace/error.h"
 #include "io/text/mended_outlines.h"
+#include "io/text/quantity.h"
 #include "plane/build/touching_rings.h"
 #include "plane/contour/contour.h"
 #include "plane/contour/nesting_depths.h"
@@ -85,17 +86,17 @@ struct Rings : Outlines {
   std::vector<plane::CapBox> caps;
 };
 
-/// The closed outlines, with arcs on either side of their curves.
+/// Closed outlines with arcs on either side of their curves: of the closed chains in order, then of the circles.
 std::vector<Contour> outlines_near(const Drawing& drawing, const ReadContext& context) {
   std::vector<Contour> outlines;
   std::vector<plane::CapBox> none;
-  for (const Chain& chain : drawing.chains)
-    if (chain.closed) outlines.push_back(expanded(chain, context, plane::CurveSide::kNear, none));
-  for (const Disc& disc : drawing.discs) {
-    const auto radius = static_cast<std::int64_t>(round(disc.radius));
-    if (radius > 0) outlines.push_back(plane::circle_ring(disc.center, radius));
+  for (const Chain& chain : drawing.chains) {
+    if (!chain.closed) continue;
+    Contour outline = expanded(chain, context, plane::CurveSide::kNear, none);
+    outlines.push_back(outline.size() < 2 ? chain.edges : std::move(outline));
   }
-  std::erase_if(outlines, [](const Contour& c) { return c.empty(); });
+  for (const Disc& disc : drawing.discs)
+    outlines.push_back(plane::circle_ring(disc.center, std::max<std::int64_t>(1, std::int64_t(round(disc.radius)))));
   return outlines;
 }
 
@@ -261,9 +262,65 @@ ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& plac
   return united(std::move(all), place);
 }
 
+namespace {
+
+/// Whether each outline that lies in no other is a part.
+bool splits(const Drawing& drawing, const ReadContext& context) {
+  if (context.drawing.parts) return context.drawing.parts == PartRule::kOutlines;
+  const auto counted = [](const auto& one) { return quantity_in(one.name).has_value(); };
+  return context.quantities && (std::any_of(drawing.chains.begin(), drawing.chains.end(), counted) ||
+                                std::any_of(drawing.discs.begin(), drawing.discs.end(), counted));
+}
+
+/// For each outline the one that it belongs to: itself, or where it is a hole the innermost around it.
+std::vector<std::size_t> outer_outlines(const std::vector<Contour>& outlines) {
+  const std::vector<std::vector<std::size_t>> around = plane::rings_around(outlines);
+  std::vector<std::size_t> outer(outlines.size());
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    outer[k] = k;
+    if (around[k].size() % 2 != 0)
+      outer[k] = *std::max_element(around[k].begin(), around[k].end(),
+                                   [&](std::size_t a, std::size_t b) { return around[a].size() < around[b].size(); });
+  }
+  return outer;
+}
+
+struct PartDrawing {
+  std::string name;
+  Drawing drawing;
+};
+
+/// A drawing for each outline that is no hole, with its holes; the last has the open lines and the points.
+std::vector<PartDrawing> by_outline(Drawing drawing, const ReadContext& context) {
+  const std::vector<std::size_t> outer = outer_outlines(outlines_near(drawing, context));
+  std::vector<PartDrawing> parts(outer.size());
+  std::size_t k = 0;
+  for (Chain& chain : take_closed(drawing)) {
+    if (outer[k] == k) parts[k].name = chain.name;
+    parts[outer[k++]].drawing.chains.push_back(std::move(chain));
+  }
+  for (Disc& disc : drawing.discs) {
+    if (outer[k] == k) parts[k].name = disc.name;
+    parts[outer[k++]].drawing.discs.push_back(std::move(disc));
+  }
+  drawing.discs.clear();
+  std::erase_if(parts, [](const PartDrawing& p) { return p.drawing.chains.empty() && p.drawing.discs.empty(); });
+  if (!drawing.chains.empty() || !drawing.points.empty()) parts.push_back({{}, std::move(drawing)});
+  return parts;
+}
+
+}  // namespace
+
 std::vector<ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name) try {
   close_outlines(drawing, context, name);
-  return parts_of(std::move(drawing), context, name);
+  if (!splits(drawing, context)) return parts_of(std::move(drawing), context, name);
+  std::vector<ShapePtr> parts;
+  for (PartDrawing& part : by_outline(std::move(drawing), context)) {
+    Shape shape = *shape_of(std::move(part.drawing), context, name);
+    shape.name = std::move(part.name);
+    parts.push_back(share(std::move(shape)));
+  }
+  return parts;
 } catch (const Error& e) {
   throw e.within(name);
 }

@@ -28,7 +28,8 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
 std::vector<plane::ShapePtr> parts_of(Drawing drawing, ReadContext& context, const std::string& place);
 /// The same as one shape: the part, or the union of the parts.
 plane::ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::string& place);
-/// The parts of a whole drawing, whose open chains are closed as the rules say. Errors name it.
+/// The parts of a whole drawing, whose open chains are closed as the rules say; where each outline is a part, it has
+/// the name that the file says. Errors name the drawing.
 std::vector<plane::ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name);
 /// Whether an outline of one drawing lies within that of another. (No statement where outlines cross.)
 bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext& context);

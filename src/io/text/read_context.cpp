@@ -62,7 +62,7 @@ void ReadContext::use(const DrawingRules& rules) {
   if (rules.join) drawing.join = steps_of("join", *rules.join, *this).to_double();
   if (rules.mend) drawing.mend = steps_of("mend", *rules.mend, *this).to_double();
   if (rules.open_lines) drawing.open_lines = *rules.open_lines;
-  drawing.one_part = rules.one_part;
+  drawing.parts = rules.parts;
   if (rules.repair) drawing.repair.width = whole_steps_of("repair", *rules.repair, *this);
   if (rules.close_holes) drawing.repair.hole = whole_steps_of("close_holes", *rules.close_holes, *this);
   if (drawing.tolerance < plane::kLeastBound)

@@ -23,7 +23,7 @@ struct DrawingUse {
   double tolerance = 1000, join = 0;
   std::optional<double> mend{};  // the widest crossing that is mended, where it is stated
   bool open_lines = false;
-  std::optional<bool> one_part{};  // where it is stated
+  std::optional<PartRule> parts{};  // where it is stated
   space::MeshRepair repair{};
 };
 
@@ -47,6 +47,7 @@ struct ReadContext {
 
   DrawingRules scene_rules;  // as the scene states them
   DrawingUse drawing;        // of the shape that is read
+  bool quantities = false;   // unless stated, outlines whose names say how many are parts, of any drawing
   CurveLog curves;
 
   RoundingLog rounding;

@@ -179,7 +179,7 @@ void Outline::ellipse(const EllipseArc& whole) {
 
 void Outline::end_chain(bool closed) {
   if (!curves_.empty()) curves_.resize(edges_.size());
-  drawing_.chains.push_back({std::move(edges_), closed, std::move(curves_)});
+  drawing_.chains.push_back({std::move(edges_), closed, std::move(curves_), name_});
 }
 
 void Outline::close() {
@@ -205,7 +205,7 @@ void Outline::finish() {
 
 void Outline::circle(const Real& x, const Real& y, const Real& radius) {
   if (radius.sign() <= 0) throw Error(ErrorCode::kBadValue, "a radius must be more than 0");
-  drawing_.discs.push_back({grid_point(x, y), context_.grid.steps(radius * scale_)});
+  drawing_.discs.push_back({grid_point(x, y), context_.grid.steps(radius * scale_), name_});
 }
 
 void Outline::point(const Real& x, const Real& y) { drawing_.points.push_back(grid_point(x, y)); }

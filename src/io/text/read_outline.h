@@ -8,6 +8,8 @@
 // them the material lies. Keywords: path builder, even-odd rule, contour.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/text/ellipse_arc.h"
@@ -21,11 +23,13 @@ struct Chain {
   plane::Contour edges;
   bool closed = false;
   std::vector<std::shared_ptr<const plane::Curve>> curves{};  // none, or one an edge: the curve that it stands for
+  std::string name{};                                         // of the part that it draws, where the file says one
 };
 
 struct Disc {
   plane::GridPoint center;
   exact::Real radius;  // in grid steps
+  std::string name{};
 };
 
 /// What was drawn; outline_shapes.h makes shapes of it.
@@ -39,6 +43,9 @@ class Outline {
  public:
   /// Lengths are multiplied by `scale` (> 0) to be in the scene's unit.
   explicit Outline(ReadContext& context, exact::Real scale = 1) : context_(context), scale_(std::move(scale)) {}
+
+  /// What is drawn from here on is called so.
+  void set_name(std::string name) { name_ = std::move(name); }
 
   /// Begins a chain. A chain of one point and no edge is dropped, as SVG does.
   void move_to(const exact::Real& x, const exact::Real& y);
@@ -83,6 +90,7 @@ class Outline {
 
   ReadContext& context_;
   exact::Real scale_;
+  std::string name_;
   bool running_ = false;  // a chain has edges or could get some
   plane::Contour edges_;
   std::vector<std::shared_ptr<const plane::Curve>> curves_;

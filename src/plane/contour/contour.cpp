@@ -259,7 +259,7 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   return sets;
 }
 
-std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {
+std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& rings) {
   std::vector<Box> boxes;
   std::vector<std::vector<GridPoint>> corners;
   for (const Contour& ring : rings) {
@@ -268,16 +268,23 @@ std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {
     for (const ContourEdge& e : ring) own.push_back(e.start);
     std::sort(own.begin(), own.end());
   }
-  std::vector<std::size_t> depths(rings.size(), 0);
+  std::vector<std::vector<std::size_t>> around(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (i == j || !boxes[j].holds(boxes[i].x0, boxes[i].y0) || !boxes[j].holds(boxes[i].x1, boxes[i].y1)) continue;
+      if (i == j || !boxes[j].meets(boxes[i])) continue;  // those of arcs may be wider than the arcs
       const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
         return !std::binary_search(corners[j].begin(), corners[j].end(), p);
       });
-      if (apart != corners[i].end() && encloses(rings[j], *apart)) ++depths[i];
+      if (apart == corners[i].end() || !boxes[j].holds(apart->x, apart->y)) continue;
+      if (encloses(rings[j], *apart)) around[i].push_back(j);
     }
   }
+  return around;
+}
+
+std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {
+  std::vector<std::size_t> depths;
+  for (const std::vector<std::size_t>& around : rings_around(rings)) depths.push_back(around.size());
   return depths;
 }
 

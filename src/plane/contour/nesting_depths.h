@@ -11,8 +11,10 @@
 
 namespace findspace::plane {
 
-/// How many of the other rings go round each ring. No two of them cross; corners may be common. Cost: pairs of boxes
-/// one of which holds the other, times the edges of the outer one.
+/// Which of the other rings go round each ring. No two of them cross; corners may be common. Cost: pairs of boxes
+/// that hold a corner, times the edges of the outer one.
+std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& rings);
+/// How many they are.
 std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings);
 
 }  // namespace findspace::plane
