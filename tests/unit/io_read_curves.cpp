@@ -86,6 +86,16 @@ TEST(ReadCurves, OutlinesWithoutAFillNest) {
   EXPECT_EQ(area_of_two("", context), 84);
 }
 
+TEST(ReadCurves, OutlinesThatCrossAreAreas) {
+  Context context;
+  EXPECT_EQ(area(read_svg("<svg width='9mm' viewBox='0 0 9 9' fill='none'><path d='M0 0 H4 V4 H0 Z'/>"
+                          "<path d='M3 3 H6 V6 H3 Z'/><path d='M1 1 H2 V2 H1 Z'/></svg>",
+                          "f.svg", {}, context)),
+            24);
+  ASSERT_EQ(context.notes.size(), 1u);
+  EXPECT_NE(context.notes[0].find("cross or are open"), std::string::npos);
+}
+
 TEST(ReadCurves, OutlinesBesideEachOtherKeepTheirNames) {
   Context context;
   const plane::ShapePtr shape = read_svg(
@@ -120,7 +130,8 @@ TEST(ReadCurves, OutlinesOfDxfAreParts) {
     return line(x, 0, x + side, 0) + line(x + side, 0, x + side, side) + line(x + side, side, x, side) +
            line(x, side, x, 0);
   };
-  const std::string text = dxf_text(square("plate_x2", 0, 9) + "0 CIRCLE|8 holes|10 4.5|20 4.5|40 4|" + square("0", 20, 3));
+  const std::string text =
+      dxf_text(square("plate_x2", 0, 9) + "0 CIRCLE|8 holes|10 4.5|20 4.5|40 4|" + square("0", 20, 3));
   Context context;
   context.quantities = true;
   const plane::ShapePtr all = read_dxf(text, "f.dxf", {}, context);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <new>
 #include <pugixml.hpp>
@@ -64,7 +65,9 @@ class SvgReader {
     styles_ = SvgStyles(root);
     find_ids(root, 0);
     if (choice_.layer) colour_ = svg_colour(*choice_.layer);
-    walk_children(root, Affine::scaling(1, -1), {!choice_.id, !choice_.layer, false}, 0);
+    Inside whole{!choice_.id, !choice_.layer, false};
+    whole.look = styles_.look(root, {});
+    walk_children(root, Affine::scaling(1, -1), whole, 0);
     add_elements();
     add_pooled();
     check_found();
@@ -228,13 +231,11 @@ class SvgReader {
   }
 
   void add_elements() {
-    const bool nested = !context_.drawing.parts && !choice_.index && outlines_nest();
-    if (nested)
-      context_.notes.push_back(fmt::format(
-          "{}: outlines without a fill that lie in others are holes (\"parts\": \"elements\": areas)", name_));
+    const bool stated = context_.drawing.parts.has_value() || nests(choice_, context_) || choice_.index;
+    const bool nested = !stated && add_nested_outlines();
     for (Element& element : elements_) {
-      const bool pooled = nests(choice_, context_) || (nested && !element.filled);
-      if (pooled && !is_empty(element.drawing)) {
+      if (nested && !element.filled) continue;
+      if (nests(choice_, context_) && !is_empty(element.drawing)) {
         append(pool_, element.drawing);
       } else {
         add(std::move(element));
@@ -242,12 +243,30 @@ class SvgReader {
     }
   }
 
-  /// Whether an element without a fill lies in another such one.
-  bool outlines_nest() const {
+  /// The outlines of elements without a fill, where one lies in another and none cross.
+  bool add_nested_outlines() {
     std::vector<Drawing> outlines;
     for (const Element& element : elements_)
       if (!element.filled) outlines.push_back(element.drawing);
-    return outlines.size() > 1 && any_within_another(outlines, context_);
+    if (outlines.size() < 2 || !any_within_another(outlines, context_)) return false;
+    Drawing all;
+    for (const Drawing& outline : outlines) append(all, outline);
+    ReadContext after = context_;
+    try {
+      std::vector<ShapePtr> nested = closed_parts(std::move(all), after, name_);
+      std::move(nested.begin(), nested.end(), std::back_inserter(parts_));
+    } catch (const Error& crossing) {
+      if (crossing.code() != ErrorCode::kGeometry) throw;
+      context_.notes.push_back(fmt::format(
+          "{}: outlines without a fill cross or are open, so each is the area that it encloses (\"parts\": \"one\": "
+          "those within others are holes)",
+          name_));
+      return false;
+    }
+    context_ = std::move(after);
+    context_.notes.push_back(fmt::format(
+        "{}: outlines without a fill that lie in others are holes (\"parts\": \"elements\": areas)", name_));
+    return true;
   }
 
   static bool is_empty(const Drawing& drawing) { return drawing.chains.empty() && drawing.discs.empty(); }
