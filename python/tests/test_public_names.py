@@ -51,7 +51,8 @@ PLAIN = {"BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Pos
          "PackSearch", "PackPeers", "PackReading", "PackGap", "PackCondition", "Region::Vertex"}
 # Names that Python has no need of, and why; of a type that holds for its members, too.
 NEEDLESS = {
-    "ErrorCode": "text", "LevelChange::Kind": "text", "DxfVersion": "text", "CurveRule": "text", "Limit": "text",
+    "ErrorCode": "text", "LevelChange::Kind": "text", "DxfVersion": "text", "CurveRule": "text", "PartRule": "text",
+    "Limit": "text",
     "PackFault::Kind": "text", "Phi::State": "text", "Phi::Form": "text", "AdjustedPhi::Limit": "text",
     "Region::Towards": "text", "Shape::Axis": "text", "SpaceRegion::Form": "text", "Feature::Kind": "text",
     "PredicateWord::Level": "text",
