@@ -162,6 +162,21 @@ TEST_F(Program, PacksTheOutlinesOfADrawingApart) {
   EXPECT_EQ(run("pack two.svg --parts each --height 10").status, 2);
 }
 
+TEST_F(Program, RefusesDrawingsOfSparrowThatAreBroken) {
+  const auto said = [&](const std::string& use) {
+    std::ofstream(folder_ / "layout.svg") << R"(<svg><g id="bin_0"><path d="M0,0 L4,0 L4,4 L0,4 z"/></g><g id="items">)"
+                                             R"(<defs><g id="item_0"><path d="M0,0 L2,0 L2,3 z"/></g></defs><use )"
+                                          << use << "/></g></svg>";
+    const Result result = run("verify layout.svg");
+    EXPECT_LE(result.status, 4) << use;
+    return result.status == 0 ? result.out : result.err;
+  };
+  EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(0)" href="#item_0")x"), "feasible"));
+  EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(=)" href="#item_0")x"), "not one angle"));
+  EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(1, 2)" href="#item_0")x"), "not one angle"));
+  EXPECT_FALSE(contains(said(R"x(transform="translate(0,0), rotate(0)" href="")x"), "substr"));
+}
+
 TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
   std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="4"/></svg>)";
   const auto expect_usage = [&](const std::string& words, const std::string& said) {

@@ -64,7 +64,10 @@ packing::Placed placed(const std::string& transform, std::size_t part, const std
   item.part = part;
   item.x = at[0];
   item.y = at[1];
-  if (turn != std::string::npos) item.angle = numbers(std::string_view(transform).substr(turn + 7)).at(0);
+  if (turn == std::string::npos) return item;
+  const std::vector<Fraction> angle = numbers(std::string_view(transform).substr(turn));
+  if (angle.size() != 1) throw Error(ErrorCode::kSyntax, "a rotation is not one angle", name);
+  item.angle = angle[0];
   return item;
 }
 
@@ -92,7 +95,8 @@ ProblemAndLayout read_sparrow_svg(const std::string& text, const std::string& na
   layout.length = strip[0][2].first;
   for (const pugi::xml_node& use : items.children("use")) {
     const pugi::xml_attribute plain = use.attribute("href"), href = plain ? plain : use.attribute("xlink:href");
-    const auto found = parts.find(std::string(href.as_string("#")).substr(1));
+    const std::string target = href.as_string();
+    const auto found = target.starts_with('#') ? parts.find(target.substr(1)) : parts.end();
     if (found == parts.end()) continue;  // outlines of another simplification
     layout.items.push_back(placed(use.attribute("transform").as_string(), found->second, name));
     UnscaledPart& part = problem.parts[found->second];
