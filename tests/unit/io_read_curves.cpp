@@ -142,6 +142,20 @@ TEST(ReadCurves, OutlinesOfDxfAreParts) {
   EXPECT_EQ(area(all->children[1]), 9);
 }
 
+TEST(ReadCurves, HatchesHaveTheNamesOfTheirLayers) {
+  const auto hatch = [](const std::string& layer, const std::string& x, const std::string& to) {
+    return "0 HATCH|8 " + layer + "|70 1|91 1|92 2|72 0|73 1|93 3|10 " + x + "|20 0|10 " + to + "|20 0|10 " + to +
+           "|20 5|97 0|";
+  };
+  Context context;
+  context.quantities = true;
+  const plane::ShapePtr all =
+      read_dxf(dxf_text(hatch("plate_x2", "0", "5") + hatch("lid_x3", "10", "15")), "f.dxf", {}, context);
+  ASSERT_EQ(all->children.size(), 2u);
+  EXPECT_EQ(all->children[0]->name, "plate_x2");
+  EXPECT_EQ(all->children[1]->name, "lid_x3");
+}
+
 TEST(ReadCurves, NamesSayHowMany) {
   EXPECT_EQ(quantity_in("bracket x12")->name, "bracket");
   EXPECT_EQ(quantity_in("bracket x12")->count, 12);

@@ -81,6 +81,12 @@ class DxfReader {
   }
 
  private:
+  struct Hatch {
+    const DxfEntity* entity;
+    Affine map;
+    std::string name;
+  };
+
   void refuse_layer() const {
     std::string hint = choice("layers", *choice_.layer, {layers_.begin(), layers_.end()});
     throw Error(ErrorCode::kUnknownName,
@@ -118,7 +124,7 @@ class DxfReader {
     } else if (refused.count(e.type) > 0) {
       throw Error(ErrorCode::kUnsupported, fmt::format("{} is not read; lines and curves in the plane are", e.type));
     } else if (e.type == "HATCH") {
-      hatches_.push_back({&e, map});
+      hatches_.push_back({&e, map, outline_.name()});
     } else {
       ++left_out_[std::string(e.type)];
     }
@@ -128,8 +134,10 @@ class DxfReader {
   void draw_hatches() {
     if (drawn_any_ && !hatches_.empty()) left_out_["HATCH"] += static_cast<int>(hatches_.size());
     if (drawn_any_) return;
-    for (const auto& [entity, map] : hatches_)
-      placed(*entity, [&, e = entity, &m = map] { draw_dxf_hatch(document_, *e, m, outline_); });
+    for (const Hatch& hatch : hatches_) {
+      outline_.set_name(hatch.name);
+      placed(*hatch.entity, [&] { draw_dxf_hatch(document_, *hatch.entity, hatch.map, outline_); });
+    }
   }
 
   void insert(const DxfEntity& e, const Affine& map, std::string_view layer, std::string_view around, int depth) {
@@ -175,7 +183,7 @@ class DxfReader {
   int raised_ = 0;
   int drawn_ = 0;
   bool drawn_any_ = false;
-  std::vector<std::pair<const DxfEntity*, Affine>> hatches_;
+  std::vector<Hatch> hatches_;
 };
 
 }  // namespace

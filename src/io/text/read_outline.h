@@ -46,6 +46,7 @@ class Outline {
 
   /// What is drawn from here on is called so.
   void set_name(std::string name) { name_ = std::move(name); }
+  const std::string& name() const { return name_; }
 
   /// Begins a chain. A chain of one point and no edge is dropped, as SVG does.
   void move_to(const exact::Real& x, const exact::Real& y);
