@@ -96,7 +96,7 @@ std::string name_of(const Drawing& drawing, const std::vector<Drawing>& all) {
 }
 
 std::string item_json(const Drawing& drawing, const std::string& name, const Options& o) {
-  std::string file = fmt::format("\"file\": {}", json_string(drawing.file.string()));
+  std::string file = fmt::format(R"("file": {}, "parts": "outlines")", json_string(drawing.file.string()));
   if (o.layer) file += fmt::format(", \"layer\": {}", json_string(*o.layer));
   const std::string angles = json_list(o.angles, [](const std::string& angle) { return json_string(angle); });
   return fmt::format(

@@ -153,13 +153,31 @@ TEST_F(Program, PacksAsManyAsNamesSay) {
 TEST_F(Program, PacksTheOutlinesOfADrawingApart) {
   std::ofstream(folder_ / "two.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H8V6H0Z"/>)"
                                         R"(<path d="M2 2H4V4H2Z"/><circle cx="20" cy="3" r="2"/></svg>)";
-  const Result one = run("pack two.svg --height 10 --work 1 -o layout.json");
-  EXPECT_TRUE(contains(one.err, "its 2 outlines side by side are one part")) << one.err;
-  EXPECT_EQ(copies(json::parse(read("layout.json"))).size(), 1u);
-  const Result apart = run("pack two.svg x3 --parts outlines --height 10 --work 1 -o layout.json");
-  EXPECT_FALSE(contains(apart.err, "side by side")) << apart.err;
-  EXPECT_EQ(copies(json::parse(read("layout.json"))), (std::map<std::string, int>{{"two 1", 3}, {"two 2", 3}}));
+  const auto packed = [&](const std::string& words) {
+    EXPECT_EQ(run("pack " + words + " --height 10 --work 1 -o layout.json").status, 0) << words;
+    return copies(json::parse(read("layout.json")));
+  };
+  using Copies = std::map<std::string, int>;
+  EXPECT_EQ(packed("two.svg x3"), (Copies{{"two 1", 3}, {"two 2", 3}}));
+  EXPECT_EQ(packed("two.svg x3 --parts one"), (Copies{{"two", 3}}));
+  std::ofstream(folder_ / "one.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><path id="p7" d="M0 0H8V6H0Z"/></svg>)";
+  EXPECT_EQ(packed("one.svg"), (Copies{{"one", 1}}));
+  std::ofstream(folder_ / "two.json") << R"({"name": "two", "strip_height": 10, "items": [{"id": "both", "demand": 1,
+      "allowed_orientations": [0], "shape": {"file": "two.svg"}}]})";
+  const Result rigid = run("pack two.json --work 1 -o layout.json");
+  EXPECT_TRUE(contains(rigid.err, "its 2 outlines side by side are one part")) << rigid.err;
+  EXPECT_EQ(copies(json::parse(read("layout.json"))), (Copies{{"both", 1}}));
   EXPECT_EQ(run("pack two.svg --parts each --height 10").status, 2);
+  std::ofstream(folder_ / "lines.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg" fill="none">)"
+         R"(<path d="M0 0H8V6H0Z"/><path d="M1 1H7"/><path d="M20 0H28V6H20Z"/></svg>)";
+  EXPECT_EQ(packed("lines.svg --open-lines"), (Copies{{"lines 1", 1}, {"lines 2", 1}}));  // the line lies in the first
+  std::ofstream(folder_ / "cross.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H8V6H0Z"/>)"
+                                          R"(<path d="M4 3H12V9H4Z"/></svg>)";
+  const Result crossing = run("pack cross.svg --height 10 --work 1");
+  EXPECT_EQ(crossing.status, 3);
+  EXPECT_TRUE(contains(crossing.err, "touches or crosses")) << crossing.err;
 }
 
 TEST_F(Program, RefusesDrawingsOfSparrowThatAreBroken) {

@@ -59,7 +59,8 @@ class StatedShapes {
     return {plane::closure(std::move(built.region)), step_};
   }
 
-  /// The outlines of a drawing that are parts each, where that is asked for or their names say how many.
+  /// The outlines of a drawing that are parts each, where that is asked for or their names say how many. A drawing of
+  /// one outline is one part, called as the drawing.
   std::optional<std::vector<plane::ShapePtr>> parts_in(const plane::ShapePtr& shape, const JsonValue& value,
                                                        const Label& label) {
     if (!is_file(value)) return std::nullopt;
@@ -68,7 +69,8 @@ class StatedShapes {
     const std::vector<plane::ShapePtr> all = shape->collection ? shape->children : std::vector{shape};
     const auto counted = [](const plane::ShapePtr& one) { return quantity_in(one->name).has_value(); };
     const std::optional<PartRule> rule = part_rule(value, label);
-    const bool apart = rule ? *rule == PartRule::kOutlines : std::any_of(all.begin(), all.end(), counted);
+    const bool any_counted = std::any_of(all.begin(), all.end(), counted);
+    const bool apart = rule ? *rule == PartRule::kOutlines && (all.size() > 1 || any_counted) : any_counted;
     if (!rule && !apart && all.size() > 1)
       context_.notes.push_back(
           fmt::format("{}: its {} outlines side by side are one part (\"parts\": \"outlines\": each is one)",

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "findspace/error.h"
@@ -272,41 +274,93 @@ bool splits(const Drawing& drawing, const ReadContext& context) {
                                 std::any_of(drawing.discs.begin(), drawing.discs.end(), counted));
 }
 
-/// For each outline the one that it belongs to: itself, or where it is a hole the innermost around it.
-std::vector<std::size_t> outer_outlines(const std::vector<Contour>& outlines) {
-  const std::vector<std::vector<std::size_t>> around = plane::rings_around(outlines);
-  std::vector<std::size_t> outer(outlines.size());
-  for (std::size_t k = 0; k < outlines.size(); ++k) {
-    outer[k] = k;
-    if (around[k].size() % 2 != 0)
-      outer[k] = *std::max_element(around[k].begin(), around[k].end(),
-                                   [&](std::size_t a, std::size_t b) { return around[a].size() < around[b].size(); });
+/// Which outlines belong together: those that lie in no other or in a hole, each with its holes.
+class OuterOutlines {
+ public:
+  explicit OuterOutlines(std::vector<Contour> outlines)
+      : outlines_(std::move(outlines)), around_(plane::rings_around(outlines_)) {
+    for (const Contour& outline : outlines_) edges_ += outline.size();
+    for (std::size_t k = 0; k < outlines_.size(); ++k)
+      outer_.push_back(around_[k].size() % 2 == 0 ? k : innermost(around_[k]));
   }
-  return outer;
-}
+
+  std::size_t size() const { return outer_.size(); }
+  /// The one that the outline belongs to: itself, or where it is a hole the innermost around it.
+  std::size_t of(std::size_t outline) const { return outer_[outline]; }
+  /// The one that has such a point in it or in its holes.
+  std::optional<std::size_t> about(std::span<const plane::GridPoint> points, plane::WorkBudget& work) const {
+    constexpr std::size_t kEdges = 100;  // a unit of work
+    for (const plane::GridPoint& p : points) {
+      work.charge(1 + edges_ / kEdges, "open lines among so many outlines");
+      std::vector<std::size_t> about;
+      for (std::size_t k = 0; k < outlines_.size(); ++k)
+        if (plane::encloses(outlines_[k], p)) about.push_back(k);
+      if (!about.empty()) return outer_[innermost(about)];
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t innermost(const std::vector<std::size_t>& about) const {
+    return *std::max_element(about.begin(), about.end(),
+                             [this](std::size_t a, std::size_t b) { return around_[a].size() < around_[b].size(); });
+  }
+
+  std::vector<Contour> outlines_;
+  std::vector<std::vector<std::size_t>> around_;
+  std::vector<std::size_t> outer_;
+  std::size_t edges_ = 0;
+};
 
 struct PartDrawing {
   std::string name;
   Drawing drawing;
 };
 
-/// A drawing for each outline that is no hole, with its holes; the last has the open lines and the points.
-std::vector<PartDrawing> by_outline(Drawing drawing, const ReadContext& context) {
-  const std::vector<std::size_t> outer = outer_outlines(outlines_near(drawing, context));
+/// Open lines and points go to the part that they lie in; those that lie in none are the last.
+void give_lines_and_points(Drawing drawing, const OuterOutlines& outer, plane::WorkBudget& work,
+                           std::vector<PartDrawing>& parts) {
+  Drawing apart;
+  const auto home = [&](const std::vector<plane::GridPoint>& points) -> Drawing& {
+    const std::optional<std::size_t> about = outer.about(points, work);
+    return about ? parts[*about].drawing : apart;
+  };
+  for (Chain& chain : drawing.chains) {
+    std::vector<plane::GridPoint> corners;
+    for (const plane::ContourEdge& edge : chain.edges) corners.push_back(edge.start);
+    home(corners).chains.push_back(std::move(chain));
+  }
+  for (const plane::GridPoint& p : drawing.points) home({p}).points.push_back(p);
+  parts.push_back({{}, std::move(apart)});
+}
+
+bool is_empty(const Drawing& drawing) {
+  return drawing.chains.empty() && drawing.discs.empty() && drawing.points.empty();
+}
+
+/// A drawing for each outline that is no hole, with its holes and what is drawn in it.
+std::vector<PartDrawing> by_outline(Drawing drawing, ReadContext& context) {
+  const OuterOutlines outer(outlines_near(drawing, context));
   std::vector<PartDrawing> parts(outer.size());
   std::size_t k = 0;
   for (Chain& chain : take_closed(drawing)) {
-    if (outer[k] == k) parts[k].name = chain.name;
-    parts[outer[k++]].drawing.chains.push_back(std::move(chain));
+    if (outer.of(k) == k) parts[k].name = chain.name;
+    parts[outer.of(k++)].drawing.chains.push_back(std::move(chain));
   }
   for (Disc& disc : drawing.discs) {
-    if (outer[k] == k) parts[k].name = disc.name;
-    parts[outer[k++]].drawing.discs.push_back(std::move(disc));
+    if (outer.of(k) == k) parts[k].name = disc.name;
+    parts[outer.of(k++)].drawing.discs.push_back(std::move(disc));
   }
   drawing.discs.clear();
-  std::erase_if(parts, [](const PartDrawing& p) { return p.drawing.chains.empty() && p.drawing.discs.empty(); });
-  if (!drawing.chains.empty() || !drawing.points.empty()) parts.push_back({{}, std::move(drawing)});
+  give_lines_and_points(std::move(drawing), outer, context.work, parts);
+  std::erase_if(parts, [](const PartDrawing& p) { return is_empty(p.drawing); });
   return parts;
+}
+
+/// Of outlines that cross it is not known which of them are holes.
+void refuse_crossing(const Drawing& drawing, const ReadContext& context, const std::string& name) {
+  ReadContext aside = context;
+  parts_of(drawing, aside, name);
 }
 
 }  // namespace
@@ -314,6 +368,7 @@ std::vector<PartDrawing> by_outline(Drawing drawing, const ReadContext& context)
 std::vector<ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name) try {
   close_outlines(drawing, context, name);
   if (!splits(drawing, context)) return parts_of(std::move(drawing), context, name);
+  refuse_crossing(drawing, context, name);
   std::vector<ShapePtr> parts;
   for (PartDrawing& part : by_outline(std::move(drawing), context)) {
     Shape shape = *shape_of(std::move(part.drawing), context, name);
