@@ -7,6 +7,7 @@
 
 #include "in_plane/rotation_command.h"
 #include "io/draw/draw_layout.h"
+#include "io/write/write_explanation.h"
 #include "io/write/write_panels.h"
 #include "io/write/write_poses.h"
 #include "plane/query/topology.h"
@@ -129,19 +130,50 @@ std::string stack_text(const Session& session, const PoseStack& stack) {
   return out;
 }
 
-void say_rounding(const Session& session, const PoseStack& stack) {
+void say_rotated(const Session& session, const plane::Rounding& all, std::string_view sectors = "") {
+  if (all.points == 0) return;
+  session.reporter().note(fmt::format("{} rotated vertices were put on the grid, moved by at most {:.2g} {}{}",
+                                      all.points, all.largest * session.scene().grid.step_size(), session.unit(),
+                                      sectors));
+}
+
+plane::Rounding rounding_of(const PoseStack& stack) {
   plane::Rounding all;
   for (const PoseSlice& s : stack.slices) {
     all.points += s.rounding.points;
     all.largest = std::max(all.largest, s.rounding.largest);
   }
-  if (all.points == 0) return;
-  session.reporter().note(
-      fmt::format("{} rotated vertices were put on the grid, moved by at most {:.2g} {}; the sectors allow for it",
-                  all.points, all.largest * session.scene().grid.step_size(), session.unit()));
+  return all;
+}
+
+/// As they are counted where they are seen.
+std::vector<double> seen(const std::vector<exact::Real>& degrees, bool down) {
+  std::vector<double> out;
+  for (const exact::Real& d : degrees) out.push_back(!down || d.sign() == 0 ? d.to_double() : 360 - d.to_double());
+  return out;
 }
 
 }  // namespace
+
+Outcome explain_poses(const Session& session) {
+  const io::Scene& scene = session.scene();
+  const formula::Formula formula = question_over_angles(session);
+  if (session.options().at)
+    throw Error(ErrorCode::kUnsupported, "over poses there is no explanation at a position; check has --angle",
+                scene.file);
+  const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
+  session.reporter().stage("explaining");
+  plane::Rounding rounding;
+  const std::vector<formula::SharedSolver> poses =
+      formula::solvers_at(session.world(), about, scene.free.angles, rounding);
+  say_rotated(session, rounding);
+  const formula::Explanation found = formula::explain(poses, formula);
+  const io::ExplanationReport report{
+      formula, found, nullptr, {}, session.step(), session.unit(), seen(scene.free.angles, scene.board != nullptr)};
+  write_outputs(session.options(), {{".json", [&] { return io::explanation_json(report); }}});
+  return {session.options().json ? io::explanation_json(report) : io::explanation_text(report),
+          found.feasible ? kDone : kEmpty};
+}
 
 Outcome map_of_poses(const Session& session) {
   check_outputs(session.options(), {".json", ".html", ".svg"});
@@ -154,7 +186,7 @@ Outcome map_of_poses(const Session& session) {
   PoseStack stack = planning::pose_stack(world, formula, about, free.angles);
   const bool down = session.scene().board != nullptr;
   if (down) stack = as_seen(std::move(stack));
-  say_rounding(session, stack);
+  say_rotated(session, rounding_of(stack), "; the sectors allow for it");
   const auto json = [&] { return io::poses_json(stack, session.step(), session.unit()); };
   const auto html = [&] { return pages(session, stack, world, formula, about, down); };
   const auto svg = [&] { return panels(session, stack, world, formula, about, down); };

@@ -14,7 +14,6 @@
 #include "io/write/draw_rotations.h"
 #include "io/write/write_json.h"
 #include "io/write/write_position.h"
-#include "io/write/write_rotations.h"
 #include "io/write/write_summary.h"
 #include "io/write/write_witness.h"
 #include "plane/query/measure_cells_twofold.h"
@@ -135,6 +134,8 @@ bool asks_for_angle(const Session& session) {
   if (session.scene().motion.given()) return false;
   return formula::has_rotations(session.where());
 }
+
+bool asks_for_poses(const Session& session) { return session.scene().free.kind == Kind::kPose && !session.in_space(); }
 
 Outcome measure_at_angle(const Session& session) {
   require_plane(session);

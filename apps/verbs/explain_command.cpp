@@ -4,12 +4,14 @@
 #include "common/asked_numbers.h"
 #include "common/commands.h"
 #include "common/session.h"
+#include "in_plane/rotation_command.h"
 
 namespace findspace::app {
 
 Outcome run_explain(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
   check_outputs(options, {".json"});
+  if (asks_for_poses(session)) return explain_poses(session);
   if (session.in_space())
     session.require_positions_in_space(false);
   else

@@ -111,7 +111,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   const bool at_place = free == io::Free::Kind::kTime || free == io::Free::Kind::kAngle;
   if (options.at && !at_place)
     throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
-  if (free == io::Free::Kind::kPose && !session.in_space()) return map_of_poses(session);
+  if (asks_for_poses(session)) return map_of_poses(session);
   if (free == io::Free::Kind::kAngle) return map_of_angles(session);
   if (session.in_space()) {
     const bool line = free == io::Free::Kind::kLine;

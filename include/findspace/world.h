@@ -128,6 +128,10 @@ class World {
   /// evenly over a turn. Of the plane.
   PoseMap poses(const Formula& formula, const std::vector<Number>& degrees, const Point& about = {0, 0}) const;
   PoseMap poses(const Formula& formula, int count, const Point& about = {0, 0}) const;
+  /// explain() where the moving shape stands at one of these angles, in degrees: there is room where there is at one of
+  /// them, and a conflict is one at all of them. Of the plane, without a motion.
+  Explanation explain_poses(const Formula& formula, const std::vector<Number>& degrees,
+                            const Point& about = {0, 0}) const;
   /// The same as solve(), also where shapes turn in time or distances are in rotation: between bounds.
   RegionBounds solve_bounds(const Formula& formula) const;
   /// The instants of the motion at which the formula holds at p.

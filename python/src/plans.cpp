@@ -153,6 +153,34 @@ Examples
 [(0.0, False), (90.0, True), (180.0, False), (270.0, True)]
 )doc")
       .def(
+          "explain_poses",
+          [](const World& w, const Formula& f, const py::iterable& angles, const py::sequence& about) {
+            const Point centre = point(about);
+            const std::vector<Number> degrees = numbers(angles);
+            return interruptible([&] { return w.explain_poses(f, degrees, centre); });
+          },
+          py::arg("formula"), py::arg("angles"), py::arg("about") = py::make_tuple(0, 0),
+          R"doc(The same as `explain` where the moving shape stands at one of some angles.
+
+There is room where there is at one of them, a conflict is one at all of them, and a level is the best of all of them.
+
+Parameters
+----------
+formula : Formula or str
+angles : sequence of numbers
+    In degrees.
+about : (x, y)
+    The point of the moving shape that stays where it is.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"room": fs.Shape.box((0, 0), (3, 5)), "bar": fs.Shape.box((-2, -1), (2, 1))}, moving="bar")
+>>> slack = world.explain_poses("margin(bar, room) >= 0", [0, 90]).slack[0]
+>>> slack.becomes, slack.at, slack.angle
+('margin(bar, room) >= 0.5', [1.5, 2.5], 90.0)
+)doc")
+      .def(
           "solve_bounds",
           [](const World& w, const Formula& f) {
             const RegionBounds found = interruptible([&] { return w.solve_bounds(f); });

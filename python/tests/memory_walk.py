@@ -68,6 +68,8 @@ def searches():
                           '{"center": [0, 0], "radius": 1}}}, "moving": "b", "where": "margin(b, a) >= 5"}')
     found = pickle.loads(pickle.dumps(scene.world.explain(scene.where, (3, 3))))
     assert not found.feasible and found.relax and found.text
+    turned = pickle.loads(pickle.dumps(scene.world.explain_poses("margin(b, a) >= 5", [0, 45])))
+    assert turned.relax[0].angle == 0 and turned.together.angle is not None
     signs = scene.world.sign_map("margin(b, a)", 1)
     assert signs.signs([[4, 4]])[0] == 1 and signs.where(positive=True).area
     brick = fs.PackSolid("brick", fs.Shape.box((0, 0, 0), (2, 1, 1)), count=2, orientations="upright")

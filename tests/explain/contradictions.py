@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Scenes whose formulas contradict themselves, explained, and every claim of the explanation asked of `map`.
 
-usage: contradictions.py PROGRAM [--count N] [--seed N]
+usage: contradictions.py PROGRAM [--count N] [--seed N] [--poses]
 
 Each scene is a disc or a box among two to four shapes and three to six random conditions, some joined by `or` and
 `not`. Of the infeasible ones:
@@ -11,7 +11,9 @@ Each scene is a disc or a box among two to four shapes and three to six random c
 * "becomes" makes room, and where the level is exact, a level a thousandth short of it does not;
 * with "to": null the other conditions are infeasible alone;
 * all levels moved by "upper" make room, by "lower" they do not.
-Of as many feasible ones, a level moved by less than its slack leaves room, and by more it does not."""
+Of as many feasible ones, a level moved by less than its slack leaves room, and by more it does not.
+With --poses B is an L at two to four right angles: `map` is asked at each, of B drawn as it stands there, and at
+`at` and `angle` the conditions hold."""
 import argparse
 import json
 import random
@@ -99,6 +101,10 @@ class Scene:
         where = " and ".join(t for t in texts if t is not None) or "true"
         return {"findspace": 1, "unit": "mm", "shapes": self.shapes, "moving": "B", "where": where}
 
+    def poses(self, texts):
+        """A scene for each pose of B."""
+        return [self.scene(texts)]
+
     def texts(self):
         return [c.text() for c in self.conditions]
 
@@ -108,13 +114,47 @@ class Scene:
         return texts
 
 
+class PosedScene(Scene):
+    L = [[-1, -1], [1.5, -1], [1.5, 0], [0, 0], [0, 1], [-1, 1]]  # lies in every other shape somewhere
+
+    def __init__(self, rng):
+        super().__init__(rng)
+        self.about = [rng.randint(-2, 2), rng.randint(-2, 2)]
+        self.angles = rng.sample([0, 90, 180, 270], rng.randint(2, 4))
+
+    def scene(self, texts):
+        self.shapes["B"] = {"polygon": self.L}
+        return super().scene(texts) | {"free": {"pose": {"about": self.about, "angles": self.angles}}}
+
+    def stands(self, angle):
+        (a, b), out = self.about, []
+        cosine, sine = {0: (1, 0), 90: (0, 1), 180: (-1, 0), 270: (0, -1)}[angle]
+        for x, y in self.L:
+            out.append([a + cosine * (x - a) - sine * (y - b), b + sine * (x - a) + cosine * (y - b)])
+        return {"polygon": out}
+
+    def poses(self, texts, angles=None):
+        drawn = super().scene(texts)
+        return [drawn | {"shapes": self.shapes | {"B": self.stands(a)}} for a in angles or self.angles]
+
+
 class Check:
     def __init__(self, program):
         self.program, self.maps = program, Maps(program)
         self.faults = []
 
     def room(self, scene, texts):
-        return self.maps.room(scene.scene(texts))
+        return any(self.maps.room(pose) for pose in scene.poses(texts))
+
+    def at(self, scene, texts, found):
+        """At the position and the angle that are named the conditions hold, but for the rounding of the position."""
+        if "angle" not in found:
+            return
+        (pose,) = scene.poses(texts, [found["angle"]])
+        self.maps.ask("load", text=json.dumps(pose))
+        if not self.maps.ask("check", at=found["at"])["true"]:
+            near = self.maps.ask("nearest", at=found["at"])["nearest_feasible"]
+            self.expect(near is not None and near["distance"] < 1e-9, scene, f"does not hold: {found}, {near}")
 
     def expect(self, good, scene, what):
         if not good:
@@ -148,6 +188,8 @@ class Check:
         word = "not " if c.negated else ""
         if "becomes" in change:
             self.expect(self.room(scene, scene.with_text(k, word + change["becomes"])), scene, f"no room: {change}")
+            if change["reached"]:
+                self.at(scene, scene.with_text(k, word + change["becomes"]), change)
         short = float(f"{change['to'] - SIDES[c.relation] * 1e-3:.12g}")
         self.expect(not self.room(scene, scene.with_text(k, c.text(short))), scene, f"not least: {change}")
 
@@ -156,6 +198,7 @@ class Check:
             return
         for by, room in ((t["upper"], True), (t["lower"], False)):
             self.expect(self.room(scene, [c.relaxed(by) for c in scene.conditions]) == room, scene, f"{t} at {by}")
+        self.at(scene, [c.relaxed(t["upper"]) for c in scene.conditions], t)
         self.expect(t["upper"] - t["lower"] <= t["upper"] / 500, scene, f"wide: {t}")
 
 
@@ -170,12 +213,13 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--poses", action="store_true")
     options = parser.parse_args()
     rng = random.Random(options.seed)
     check = Check(options.program)
     left = {True: options.count // 5, False: options.count}
     while any(left.values()):
-        scene = Scene(rng)
+        scene = PosedScene(rng) if options.poses else Scene(rng)
         if len({c.atom() for c in scene.conditions}) < len(scene.conditions):
             continue
         if not left[check.room(scene, scene.texts())]:

@@ -127,6 +127,22 @@ std::map<std::string, int> copies(const json& layout) {
   return result;
 }
 
+TEST_F(Program, ExplainsSomeAngles) {
+  const auto scene = [](const char* free) {
+    return std::string(R"({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0], "max": [3, 5]}},)"
+                       R"("bar": {"box": {"min": [-2, -1], "max": [2, 1]}}}, "moving": "bar", "free": )") +
+           free + R"x(, "where": "inside(bar, room)"})x";
+  };
+  const std::string some = scene(R"({"pose": {"angles": [0, 90]}})");
+  const Result found = run("explain scene.json", some);
+  EXPECT_EQ(found.status, 0) << found.err;
+  EXPECT_TRUE(contains(found.out, "slack 0.5, to 0.5; the last position is (1.5, 2.5) at 90°")) << found.out;
+  EXPECT_EQ(json::parse(run("explain scene.json --json", some).out)["slack"][0]["angle"], 90);
+  EXPECT_EQ(run("explain scene.json", scene(R"({"pose": {"angles": [0, 180]}})")).status, 1);
+  EXPECT_TRUE(contains(run("explain scene.json --at 1,1", some).err, "check has --angle"));
+  EXPECT_TRUE(contains(run("explain scene.json", scene(R"("angle")")).err, "is not computed"));
+}
+
 TEST_F(Program, PacksAsManyAsNamesSay) {
   using Copies = std::map<std::string, int>;
   std::ofstream(folder_ / "kit.svg")

@@ -149,4 +149,23 @@ TEST(PublicExplanation, OfWhatHasSlack) {
   EXPECT_THROW(world.explain("margin(peg, plate) >= 1", Point3{0, 0, 0}), Error);
 }
 
+TEST(PublicExplanation, OfSomeAngles) {
+  const World world({{"room", Shape::box({0, 0}, {3, 5})}, {"bar", Shape::box({-2, -1}, {2, 1})}}, "bar");
+  EXPECT_FALSE(world.explain("inside(bar, room)").feasible);
+  const Explanation found = world.explain_poses("margin(bar, room) >= 0", {0, 90});
+  EXPECT_TRUE(found.feasible);
+  ASSERT_EQ(found.slack.size(), 1u);
+  EXPECT_EQ(found.slack[0].to, 0.5);
+  EXPECT_EQ(found.slack[0].angle, 90);
+  EXPECT_EQ(found.slack[0].at, (std::vector<double>{1.5, 2.5}));
+  const Explanation none = world.explain_poses("margin(bar, room) >= 1", {0, 90, 180}, {2, 1});
+  EXPECT_FALSE(none.feasible);
+  EXPECT_EQ(none.conflict, (std::vector<std::string>{"margin(bar, room) >= 1"}));
+  ASSERT_TRUE(none.together.has_value());
+  EXPECT_EQ(none.together->angle, 90);
+  EXPECT_NE(none.text.find("no position is feasible at any of these angles"), std::string::npos);
+  EXPECT_FALSE(world.explain("gap(bar, room) <= 1").slack.at(0).angle.has_value());
+  EXPECT_THROW(world.explain_poses("inside(bar, room)", {}), Error);
+}
+
 }  // namespace io_public_scenes

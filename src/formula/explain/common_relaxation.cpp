@@ -38,25 +38,27 @@ Formula relaxed(const Demands& demands, std::size_t k, const Real& by) {
 
 class Bisection {
  public:
-  Bisection(const Solver& solver, const Demands& demands) : solver_(solver), demands_(demands) {}
+  Bisection(Poses poses, const Demands& demands) : poses_(poses), demands_(demands) {}
 
   /// Keeps what it learns of the enclosure.
   bool room(const Real& by) {
-    const plane::Region region =
-        feasible_near(solver_, demands_.with([&](std::size_t k) { return relaxed(demands_, k, by); }));
-    const plane::Summary summary = plane::summarize(region, solver_.world().step);
-    if (summary.empty) {
-      found_.lower = by;
-      return false;
+    const Formula near = demands_.with([&](std::size_t k) { return relaxed(demands_, k, by); });
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+      const Real& step = poses_[pose]->world().step;
+      const plane::Summary summary = plane::summarize(feasible_near(*poses_[pose], near), step);
+      if (summary.empty) continue;
+      found_.upper = by;
+      found_.at = distance::coordinates(distance::times(step, summary.components.front().sample_point));
+      found_.pose = pose;
+      return true;
     }
-    found_.upper = by;
-    found_.at = distance::coordinates(distance::times(solver_.world().step, summary.components.front().sample_point));
-    return true;
+    found_.lower = by;
+    return false;
   }
   const CommonRelaxation& found() const { return found_; }
 
  private:
-  const Solver& solver_;
+  Poses poses_;
   const Demands& demands_;
   CommonRelaxation found_;
 };
@@ -80,11 +82,11 @@ Real decimal_part(const Real& amount) {
   return part;
 }
 
-CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands, const std::optional<Real>& enough) {
-  Bisection search(solver, demands);
-  Real high = enough && enough->sign() > 0 ? *enough : first_amount(solver, demands);
+CommonRelaxation common_relaxation(Poses poses, const Demands& demands, const std::optional<Real>& enough) {
+  Bisection search(poses, demands);
+  Real high = enough && enough->sign() > 0 ? *enough : first_amount(*poses.front(), demands);
   Real part = decimal_part(high);
-  const Real finest = solver.world().step / Real(kParts);
+  const Real finest = poses.front()->world().step / Real(kParts);
   high = Real(floor(high / part) + 1) * part;
   for (int times = 0; !search.room(high); ++times) {
     if (times == kDoublings) return search.found();

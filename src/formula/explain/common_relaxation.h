@@ -11,9 +11,9 @@
 
 namespace findspace::formula {
 
-/// `enough`: an amount that is known to leave a position, if one is. Precondition: 0 leaves none.
-CommonRelaxation common_relaxation(const Solver& solver, const Demands& demands,
-                                   const std::optional<exact::Real>& enough);
+/// At some poses of the moving shapes, one at least. `enough`: an amount that is known to leave a position, if one is.
+/// Precondition: 0 leaves none.
+CommonRelaxation common_relaxation(Poses poses, const Demands& demands, const std::optional<exact::Real>& enough);
 
 /// A power of ten of which the amount, which is above 0, has a thousand parts and less than ten thousand.
 exact::Real decimal_part(const exact::Real& amount);

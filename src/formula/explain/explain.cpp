@@ -108,12 +108,17 @@ LevelChange changed(const Demands& demands, std::size_t k, const distance::Optim
 }
 
 Explanation explain(const Solver& solver, const Formula& formula) {
+  const std::shared_ptr<const Solver> drawn(std::shared_ptr<const Solver>(), &solver);  // keeps nothing alive
+  return explain(std::span(&drawn, 1), formula);
+}
+
+Explanation explain(Poses poses, const Formula& formula) {
   refuse_sums(formula);
-  if (solver.known_between_bounds(formula))
+  if (poses.front()->known_between_bounds(formula))
     throw Error(ErrorCode::kUnsupported,
-                "an explanation where shapes rotate, or of distances in rotation, is not computed by this version");
+                "an explanation where shapes rotate in time, or of distances in rotation, is not computed");
   const Demands demands(formula);
-  return Explainer(*planar_ground(solver, demands), demands).run();
+  return Explainer(*planar_ground(poses, demands), demands).run();
 }
 
 Explanation explain(const SpaceSolver& solver, const Formula& formula) {

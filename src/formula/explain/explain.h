@@ -17,7 +17,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,7 @@ struct LevelChange {
   Kind kind = Kind::kNone;
   distance::OptimalValue level;  // in the scene's unit, of the atom's canonical distance
   bool reached = false;          // there is room at this very level; else only beyond it, as near as you like
+  std::size_t pose = 0;          // of `at`: which of the poses that were asked about
   std::optional<distance::Coordinates> at;  // the last remaining position, in the scene's unit
   std::string refused;                      // of kUnknown: why
 
@@ -52,6 +55,7 @@ struct CommonRelaxation {
   exact::Real lower;
   std::optional<exact::Real> upper;         // nothing: no amount that was tried leaves a position
   std::optional<distance::Coordinates> at;  // a position for `upper`, in the scene's unit
+  std::size_t pose = 0;                     // of `at`
 };
 
 struct Explanation {
@@ -64,6 +68,11 @@ struct Explanation {
 
 /// Throws Error(kUnsupported) for what is refused as a whole.
 Explanation explain(const Solver& solver, const Formula& formula);
+/// Worlds that differ in the pose of the moving shapes alone; one at least.
+using Poses = std::span<const std::shared_ptr<const Solver>>;
+/// Of some poses. There is room where there is in
+/// one of them; a conflict is one in all of them; a level is the best of all of them.
+Explanation explain(Poses poses, const Formula& formula);
 Explanation explain(const SpaceSolver& solver, const Formula& formula);
 
 /// What stands in the way at one position.

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "exact/number/tried.h"
 #include "formula/explain/explain.h"
@@ -37,8 +38,8 @@ class Ground {
 /// The level of demand k goes to the best value of its distance, where there is one.
 LevelChange changed(const Demands& demands, std::size_t k, const distance::OptimalValue& best, bool attained);
 
-/// Both keep references to the arguments.
-std::unique_ptr<Ground> planar_ground(const Solver& solver, const Demands& demands);
+/// Both keep references to the arguments. Of the plane: all positions at some poses.
+std::unique_ptr<Ground> planar_ground(Poses poses, const Demands& demands);
 /// Boxes where all sign maps are made of them. Throws Error(kUnsupported) for distances that are not those of all
 /// directions, and for `-> min`.
 std::unique_ptr<Ground> space_ground(const SpaceSolver& solver, const Demands& demands);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <span>
+#include <vector>
 
 #include "formula/explain/common_relaxation.h"
 #include "formula/explain/ground.h"
@@ -62,10 +63,32 @@ class Cells {
   std::vector<plane::SignMap> maps_;
 };
 
+/// The better value of two, and a bound for the values of both places. Of equal ones the first.
+distance::OptimalValue best_of(const distance::OptimalValue& a, const distance::OptimalValue& b) {
+  if (a.unbounded || !b.value()) return a;
+  if (b.unbounded || !a.value()) return b;
+  const auto better = [&](const Real& x, const Real& y) { return a.maximum() ? x > y : x < y; };
+  const bool second = better(*b.value(), *a.value());
+  distance::OptimalValue out = second ? b : a;
+  const distance::OptimalValue& other = second ? a : b;
+  if (other.proven()) return out;
+  const std::optional<Real> far = other.bound(), near = out.proven() ? out.value() : out.bound();
+  if (!near || (far && !better(*far, *near))) return out;
+  const distance::Way way = out.answer->way;
+  out.set_enclosed(out.value(), far, way);
+  return out;
+}
+
 class PlanarGround : public Ground {
  public:
-  PlanarGround(const Solver& solver, const Demands& demands)
-      : solver_(solver), demands_(demands), cells_(solver.prepared(), demands), met_(cells_.all()) {}
+  PlanarGround(Poses poses, const Demands& demands) : poses_(poses), demands_(demands) {
+    std::set<MetDemands> distinct;
+    for (const auto& pose : poses) {
+      const std::vector<MetDemands> here = cells_.emplace_back(pose->prepared(), demands).all();
+      distinct.insert(here.begin(), here.end());
+    }
+    met_.assign(distinct.begin(), distinct.end());
+  }
 
   exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
     return std::any_of(met_.begin(), met_.end(), [&](MetDemands met) {
@@ -75,40 +98,58 @@ class PlanarGround : public Ground {
   }
   Conflict conflict() override { return find_conflict(demands_, met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
-    const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
-    const Optimum best = exact_optimum(solver_, without(k, sign), {objective, sense});
-    LevelChange out = changed(demands_, k, best, best.attained && best.proven());
-    const plane::Summary summary = plane::summarize(best.at, solver_.world().step);
-    if (out.kind == Kind::kTo && !summary.empty)
-      out.at = distance::coordinates(
-          distance::times(solver_.world().step, RealPoint(summary.components.front().sample_point)));
+    LevelChange out = best_at(0, k, sign, sense);
+    for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
+      const LevelChange other = best_at(pose, k, sign, sense);
+      const distance::OptimalValue level = best_of(out.level, other.level);
+      if (is_better(other, out)) out = other;
+      out.level = level;
+    }
     return out;
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
-    return common_relaxation(solver_, demands_, enough);
+    return common_relaxation(poses_, demands_, enough);
   }
 
  private:
+  LevelChange best_at(std::size_t pose, std::size_t k, int sign, Sense sense) const {
+    const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
+    const Optimum best = exact_optimum(*poses_[pose], without(cells_[pose], k, sign), {objective, sense});
+    LevelChange out = changed(demands_, k, best, best.attained && best.proven());
+    const Real& step = poses_[pose]->world().step;
+    const plane::Summary summary = plane::summarize(best.at, step);
+    out.pose = pose;
+    if (out.kind == Kind::kTo && !summary.empty)
+      out.at = distance::coordinates(distance::times(step, RealPoint(summary.components.front().sample_point)));
+    return out;
+  }
+  /// Of two with a level, at an equal one the change that reaches it.
+  static bool is_better(const LevelChange& a, const LevelChange& b) {
+    if (a.kind == Kind::kFree || b.kind == Kind::kFree) return b.kind != Kind::kFree;
+    if (a.kind != Kind::kTo || b.kind != Kind::kTo) return a.kind == Kind::kTo && b.kind != Kind::kTo;
+    const int order = compare(a.to(), b.to());
+    return order == 0 ? a.reached && !b.reached : (order > 0) == a.level.maximum();
+  }
   /// The positions that the formula has without demand k, of those where its distance minus the level has `sign`.
-  plane::Region without(std::size_t k, int sign) const {
-    return cells_.region([&](std::span<const Mark> signs) {
-      if (sign != 0 && cells_.sign(k, signs) != sign) return false;
-      MetDemands met = cells_.met(signs);
+  plane::Region without(const Cells& cells, std::size_t k, int sign) const {
+    return cells.region([&](std::span<const Mark> signs) {
+      if (sign != 0 && cells.sign(k, signs) != sign) return false;
+      MetDemands met = cells.met(signs);
       met[k] = true;
       return demands_.truth(met);
     });
   }
 
-  const Solver& solver_;
+  Poses poses_;
   const Demands& demands_;
-  Cells cells_;
-  std::vector<MetDemands> met_;
+  std::vector<Cells> cells_;     // at each pose
+  std::vector<MetDemands> met_;  // in the cells of all
 };
 
 }  // namespace
 
-std::unique_ptr<Ground> planar_ground(const Solver& solver, const Demands& demands) {
-  return std::make_unique<PlanarGround>(solver, demands);
+std::unique_ptr<Ground> planar_ground(Poses poses, const Demands& demands) {
+  return std::make_unique<PlanarGround>(poses, demands);
 }
 
 }  // namespace findspace::formula

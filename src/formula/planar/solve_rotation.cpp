@@ -85,6 +85,13 @@ World rotated_world(World world, const RealPoint& about, const Real& degrees, pl
   return world;
 }
 
+std::vector<SharedSolver> solvers_at(const World& world, const RealPoint& about, std::span<const Real> degrees,
+                                     plane::Rounding& rounding) {
+  std::vector<SharedSolver> out;
+  for (const Real& d : degrees) out.push_back(std::make_shared<const Solver>(rotated_world(world, about, d, rounding)));
+  return out;
+}
+
 RealPoint RotationSolver::point_of_rotation(const Formula& formula) const {
   if (pose_.about) return world_.steps(*pose_.about);
   std::optional<RealPoint> found;

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "formula/planar/rotation_maps.h"
@@ -66,5 +67,9 @@ bool has_rotations(const Formula& formula);
 
 /// The world with its moving shapes rotated about a point of the grid.
 World rotated_world(World world, const exact::RealPoint& about, const exact::Real& degrees, plane::Rounding& rounding);
+using SharedSolver = std::shared_ptr<const Solver>;
+/// One for each angle.
+std::vector<SharedSolver> solvers_at(const World& world, const exact::RealPoint& about,
+                                     std::span<const exact::Real> degrees, plane::Rounding& rounding);
 
 }  // namespace findspace::formula

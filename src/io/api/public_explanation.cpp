@@ -5,6 +5,7 @@
 
 #include "api/query/world_data.h"
 #include "formula/language/text.h"
+#include "formula/planar/solve_rotation.h"
 #include "io/write/write_explanation.h"
 
 namespace findspace {
@@ -16,12 +17,16 @@ std::vector<double> position(const distance::Coordinates& p) {
   return out;
 }
 
+std::optional<double> angle(const io::ExplanationReport& report, std::size_t pose) {
+  return report.degrees.empty() ? std::nullopt : std::optional(report.degrees[pose]);
+}
+
 LevelChange public_change(const io::ExplanationReport& report, const formula::LevelChange& change) {
   using Kind = LevelChange::Kind;
   static_assert(int(formula::LevelChange::Kind::kUnknown) == int(Kind::kUnknown));
   const io::SaidChange said = io::said(report, change);
-  LevelChange out{Kind(int(change.kind)), said.text, said.becomes,  0, 0, false, 0, 0,
-                  change.reached,         {},        change.refused};
+  LevelChange out{Kind(int(change.kind)), said.text, said.becomes, 0, 0, false, 0, 0, change.reached, {}, {},
+                  change.refused};
   if (out.kind != Kind::kTo) return out;
   const distance::OutwardEnds ends = distance::outward(said.level.answer->bounds());
   out.to = said.level.value()->to_double();
@@ -30,6 +35,7 @@ LevelChange public_change(const io::ExplanationReport& report, const formula::Le
   out.lower = ends.lower;
   out.upper = ends.upper;
   if (change.at) out.at = position(*change.at);
+  if (change.at) out.angle = angle(report, change.pose);
   return out;
 }
 
@@ -50,9 +56,10 @@ Explanation public_explanation(const io::ExplanationReport& report) {
   for (const formula::LevelChange& c : e.relax) out.relax.push_back(public_change(report, c));
   for (const formula::LevelChange& c : e.slack) out.slack.push_back(public_change(report, c));
   if (e.together) {
-    out.together = {e.together->lower.to_double(), {}, {}};
+    out.together = {e.together->lower.to_double(), {}, {}, {}};
     if (e.together->upper) out.together->upper = e.together->upper->to_double();
     if (e.together->at) out.together->at = position(*e.together->at);
+    if (e.together->at) out.together->angle = angle(report, e.together->pose);
   }
   if (report.here != nullptr) {
     out.here = api::public_check(report.here->check);
@@ -77,7 +84,32 @@ Explanation explained(const World::Data& world, const Solver& solver, const Form
   });
 }
 
+/// The world at some angles.
+std::vector<formula::SharedSolver> poses_of(const World::Data& world, const std::vector<exact::Real>& degrees,
+                                            const Point& about) {
+  const formula::World& drawn = world.plane("an explanation over angles").world();
+  if (world.motion) throw Error(ErrorCode::kUnsupported, "poses of shapes that move in time are not computed");
+  if (degrees.empty()) throw Error(ErrorCode::kBadValue, "no angles");
+  plane::RoundingLog moved;
+  const plane::GridPoint pole = world.grid.nearest(api::real_of(about.x), api::real_of(about.y), moved);
+  plane::Rounding rotated;
+  return formula::solvers_at(drawn, {pole.x, pole.y}, degrees, rotated);
+}
+
 }  // namespace
+
+Explanation World::explain_poses(const Formula& formula, const std::vector<Number>& degrees, const Point& about) const {
+  return api::limited(data_->options, [&] {
+    std::vector<exact::Real> angles;
+    for (const Number& d : degrees) angles.push_back(api::real_of(d));
+    const std::vector<formula::SharedSolver> poses = poses_of(*data_, angles, about);
+    const formula::Formula asked = data_->formula(formula.text());
+    const formula::Explanation found = formula::explain(poses, asked);
+    io::ExplanationReport report{asked, found, nullptr, {}, poses.front()->world().step, data_->unit()};
+    for (const exact::Real& d : angles) report.degrees.push_back(d.to_double());
+    return public_explanation(report);
+  });
+}
 
 Explanation World::explain(const Formula& formula, const std::optional<Point>& at) const {
   if (!at && data_->solid) return explained(*data_, *data_->solid, formula, std::optional<space::RealVector>());

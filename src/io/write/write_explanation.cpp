@@ -35,6 +35,12 @@ SaidChange said(const ExplanationReport& r, const LevelChange& change) {
 
 namespace {
 
+std::string at_members(const ExplanationReport& r, const distance::Coordinates& at, std::size_t pose) {
+  std::string out = fmt::format(R"(, "at": {})", json_point(at));
+  if (!r.degrees.empty()) put(out, R"(, "angle": {})", json_number(r.degrees[pose]));
+  return out;
+}
+
 std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   const SaidChange s = said(r, change);
   std::string out = fmt::format(R"({{"text": {}, )", json_string(s.text));
@@ -45,7 +51,7 @@ std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.value()->to_double()),
       how_known_members(s.level), json_number(s.by.to_double()), truth(change.reached));
   if (!s.becomes.empty()) put(out, R"(, "becomes": {})", json_string(s.becomes));
-  if (change.at) put(out, R"(, "at": {})", json_point(*change.at));
+  if (change.at) out += at_members(r, *change.at, change.pose);
   return out + "}";
 }
 
@@ -58,10 +64,10 @@ std::string atoms_json(const ExplanationReport& r, const std::vector<std::size_t
   return list(atoms, [&](std::size_t k) { return json_string(formula::written(r.formula.atoms()[k])); });
 }
 
-std::string together_json(const formula::CommonRelaxation& t) {
+std::string together_json(const ExplanationReport& r, const formula::CommonRelaxation& t) {
   if (!t.upper) return fmt::format(R"({{"lower": {}, "upper": null}})", json_number(t.lower.to_double()));
-  return fmt::format(R"({{"lower": {}, "upper": {}, "at": {}}})", json_number(t.lower.to_double()),
-                     json_number(t.upper->to_double()), json_point(*t.at));
+  return fmt::format(R"({{"lower": {}, "upper": {}{}}})", json_number(t.lower.to_double()),
+                     json_number(t.upper->to_double()), at_members(r, *t.at, t.pose));
 }
 
 std::string with_unit(double value, std::string_view unit) {
@@ -73,6 +79,10 @@ std::string bounds_text(const distance::OptimalValue& level) {
   if (level.proven()) return "";
   const distance::OutwardEnds ends = distance::outward(level.answer->bounds());
   return fmt::format(" (between {} and {})", shown(ends.lower), shown(ends.upper));
+}
+
+std::string place_text(const ExplanationReport& r, const distance::Coordinates& at, std::size_t pose) {
+  return r.degrees.empty() ? shown_point(at) : fmt::format("{} at {}°", shown_point(at), shown(r.degrees[pose]));
 }
 
 std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
@@ -92,12 +102,13 @@ std::string change_text(const ExplanationReport& r, const LevelChange& change, b
                                        : "just beyond ") +
                            shown(s.level.value()->to_double())) +
            bounds_text(s.level);
-  if (change.at) out += fmt::format("; {} {}", slack ? "the last position is" : "then", shown_point(*change.at));
+  if (change.at)
+    out += fmt::format("; {} {}", slack ? "the last position is" : "then", place_text(r, *change.at, change.pose));
   return out + "\n";
 }
 
 std::string empty_text(const ExplanationReport& r) {
-  std::string out = "no position is feasible\n";
+  std::string out = fmt::format("no position is feasible{}\n", r.degrees.empty() ? "" : " at any of these angles");
   if (r.explanation.conflict) {
     out += "these conditions contradict each other:\n";
     for (const std::size_t k : r.explanation.conflict->atoms)
@@ -108,7 +119,7 @@ std::string empty_text(const ExplanationReport& r) {
   const auto& t = r.explanation.together;
   if (t && t->upper)
     out += fmt::format("all levels together: between {} and {}; then {}\n", shown(t->lower.to_double()),
-                       with_unit(t->upper->to_double(), r.unit), shown_point(*t->at));
+                       with_unit(t->upper->to_double(), r.unit), place_text(r, *t->at, t->pose));
   return out;
 }
 
@@ -134,7 +145,7 @@ std::string explanation_json(const ExplanationReport& r) {
   if (e.conflict)
     put(out, ",\n  \"conflict\": {}, \"smallest\": {}", atoms_json(r, e.conflict->atoms), truth(e.conflict->smallest));
   if (!e.feasible) put(out, ",\n  \"relax\": {}", changes_json(r, e.relax));
-  if (e.together) put(out, ",\n  \"relax_all\": {}", together_json(*e.together));
+  if (e.together) put(out, ",\n  \"relax_all\": {}", together_json(r, *e.together));
   if (e.feasible) put(out, ",\n  \"slack\": {}", changes_json(r, e.slack));
   if (r.here != nullptr) {
     std::string check = check_json(r.here->check, r.at, "", std::nullopt, r.here->nearest);

@@ -21,6 +21,7 @@ struct ExplanationReport {
   distance::Coordinates at;  // of `here`, in the scene's unit
   exact::Real step;          // one grid step in the scene's unit
   std::string unit;
+  std::vector<double> degrees = {};  // of the poses that were asked about; empty: as drawn alone
 };
 
 /// A change of a level in the words of the formula's writer.
