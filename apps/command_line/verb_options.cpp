@@ -353,7 +353,7 @@ void add_board(CLI::App& command, std::string_view verb, Options& o) {
       ->delimiter(',');
   text("--group", o.groups, "a group of parts, beside those of the board (default: none); once a group",
        "NAME=PART[,PART]");
-  if (verb == "map" || verb == "place") {
+  if (verb == "map" || verb == "place" || verb == "explain") {
     text("--free", o.free, "angles to add to the part's own, in degrees (default: none)", "DEG[,DEG]")->delimiter(',');
   }
 }

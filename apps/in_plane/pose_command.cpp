@@ -149,7 +149,10 @@ plane::Rounding rounding_of(const PoseStack& stack) {
 /// As they are counted where they are seen.
 std::vector<double> seen(const std::vector<exact::Real>& degrees, bool down) {
   std::vector<double> out;
-  for (const exact::Real& d : degrees) out.push_back(!down || d.sign() == 0 ? d.to_double() : 360 - d.to_double());
+  for (const exact::Real& d : degrees) {
+    const exact::Real turned = down ? -d : d;
+    out.push_back((turned - exact::Real(360) * exact::Real(exact::floor(turned / exact::Real(360)))).to_double());
+  }
   return out;
 }
 

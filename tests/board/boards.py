@@ -321,6 +321,19 @@ class Words(Folder):
             self.assertEqual(after.count("(at 30 10)"), 1)
             self.assertEqual(self.run_program("check", self.path("placed.kicad_pcb")).returncode, 0)
 
+    def test_explained_over_angles(self):
+        form = FORMATS[8]
+        box = lines(form, "fp", "F.CrtYd", [(0, 0), (4, 0), (4, 2), (0, 2)])  # its corner is its origin
+        edge = lines(form, "gr", "Edge.Cuts", [(0, 0), (6, 0), (6, 8), (0, 8)])
+        text = (f'(kicad_pcb (version 20240108) (generator pcbnew)\n  (layers {form["layers"]})\n'
+                f'{part(form, "R1", "1 1", box)}  {edge}\n)\n')
+        found = self.answer("explain", text, "--move", "R1", "--free", "0,90", "--where", "inside(R1, board)")
+        (slack,) = found["slack"]
+        # Upright its middle, which is (2, 1) from its corner as drawn and (1, -2) as seen from there, is that of the board.
+        self.assertEqual((slack["to"], slack["at"], slack["angle"]), (2, [2, 6], 90))
+        none = self.answer("explain", text, "--move", "R1", "--free", "0,90", "--where", "inside(R1, board, 3)", status=1)
+        self.assertEqual(none["conflict"], ["inside(R1, board, 3)"])
+
     def test_fixed(self):
         text = boxes("10 10", "16 10", "30 10")
         for verb in (["map"], ["check", "--at", "10,10"], ["place"]):
