@@ -34,7 +34,7 @@ CLI::Option* add_orientation(CLI::App& command, Options& o) {
 /// Of maps on lines in space.
 void add_lines(CLI::App& command, std::string_view verb, Options& o) {
   const bool place = verb == "place";
-  if (verb == "map") add_orientation(command, o);
+  if (verb == "map" || verb == "explain") add_orientation(command, o);
   if (!place && verb != "map" && verb != "describe") return;
   auto* resolution = command.add_option("--resolution", o.resolution,
                                         place ? "seek positions on N x N lines, 1 to 16384 (default 128)"

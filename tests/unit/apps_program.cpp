@@ -143,6 +143,22 @@ TEST_F(Program, ExplainsSomeAngles) {
   EXPECT_TRUE(contains(run("explain scene.json", scene(R"("angle")")).err, "is not computed"));
 }
 
+TEST_F(Program, ExplainsOrientations) {
+  const std::string shapes = R"x({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [3, 5, 2]}},
+      "bar": {"box": {"min": [-2, -1, -1], "max": [2, 1, 1]}}}, "moving": "bar", "where": "inside(bar, room)")x";
+  EXPECT_EQ(run("explain scene.json", shapes + "}").status, 1);
+  const Result upright = run("explain scene.json --orientation z:90 --json", shapes + "}");
+  EXPECT_EQ(upright.status, 0) << upright.err;
+  EXPECT_EQ(json::parse(upright.out)["slack"][0]["to"], 0);
+  const Result both = run("explain scene.json --json", shapes + R"(, "free": {"pose": {"angles": [0, 90]}}})");
+  EXPECT_EQ(both.status, 0) << both.err;
+  const json answers = json::parse(both.out)["orientations"];
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_EQ(answers[0]["answer"]["feasible"], false);
+  EXPECT_EQ(answers[1]["answer"]["feasible"], true);
+  EXPECT_EQ(run("explain scene.json --orientation z:90").status, 2);  // in the plane
+}
+
 TEST_F(Program, PacksAsManyAsNamesSay) {
   using Copies = std::map<std::string, int>;
   std::ofstream(folder_ / "kit.svg")
