@@ -201,6 +201,13 @@ TEST_F(Program, PacksTheOutlinesOfADrawingApart) {
   EXPECT_TRUE(contains(rigid.err, "its 2 outlines side by side are one part")) << rigid.err;
   EXPECT_EQ(copies(json::parse(read("layout.json"))), (Copies{{"both", 1}}));
   EXPECT_EQ(run("pack two.svg --parts each --height 10").status, 2);
+  std::ofstream(folder_ / "bolts.svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><circle cx="2" cy="2" r="2"/><circle cx="9" cy="2" r="2"/>)"
+         R"(<circle cx="9" cy="9" r="3"/><path d="M20 0H23V2H20Z"/><path d="M33 2H30V0H33Z"/><path d="M40 0H42V3H40Z"/>)"
+         R"(<path id="lid x2" d="M50 0H53V2H50Z"/></svg>)";
+  EXPECT_EQ(packed("bolts.svg x2"),
+            (Copies{{"bolts 1", 4}, {"bolts 2", 2}, {"bolts 3", 4}, {"bolts 4", 2}, {"lid", 4}}));
+  EXPECT_EQ(run("verify layout.json bolts.svg x2 --height 10").status, 0);
   std::ofstream(folder_ / "lines.svg")
       << R"(<svg xmlns="http://www.w3.org/2000/svg" fill="none">)"
          R"(<path d="M0 0H8V6H0Z"/><path d="M1 1H7"/><path d="M20 0H28V6H20Z"/></svg>)";

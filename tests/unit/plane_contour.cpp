@@ -9,6 +9,7 @@
 #include <random>
 
 #include "findspace/error.h"
+#include "plane/contour/alike.h"
 #include "plane/contour/contour.h"
 
 namespace findspace::plane {
@@ -177,6 +178,52 @@ TEST(Contour, ManyHolesInAnyOrder) {
   EXPECT_EQ(make_rings(rings, 1).contours.size(), 901u);
   rings.push_back(square(10, 10, 12, 12));
   expect_refused(rings, "is inside hole");
+}
+
+ShapePtr rings(std::vector<Contour> contours) {
+  Shape shape;
+  shape.kind = Shape::Kind::kRings;
+  shape.contours = make_rings(std::move(contours), 1).contours;
+  return std::make_shared<const Shape>(std::move(shape));
+}
+
+ShapePtr disc(GridPoint center, std::int64_t radius) {
+  Shape shape;
+  shape.kind = Shape::Kind::kDisc;
+  shape.points = {center};
+  shape.amount = Real(radius);
+  return std::make_shared<const Shape>(std::move(shape));
+}
+
+TEST(Alike, IsTheSameButForATranslation) {
+  const Contour lens = {{.start = {0, 0}, .arc = std::make_shared<const ArcCircle>(ArcCircle{5, 0, 5}), .ccw = false},
+                        {.start = {10, 0}}};
+  const Contour fuller = {
+      {.start = {0, 0}, .arc = std::make_shared<const ArcCircle>(ArcCircle{5, 0, 5}), .ccw = false},
+      {.start = {10, 0}, .arc = std::make_shared<const ArcCircle>(ArcCircle{5, 0, 5}), .ccw = false}};
+  const Contour moved = {
+      {.start = {17, 3}},
+      {.start = {7, 3}, .arc = std::make_shared<const ArcCircle>(ArcCircle{12, 3, 5}), .ccw = false}};
+  Shape line;
+  line.kind = Shape::Kind::kPolyline;
+  line.contours = {ring({{0, 0}, {1, 0}})};
+  const ShapePtr open = std::make_shared<const Shape>(line);
+  const std::vector<ShapePtr> all{rings({square(0, 0, 9, 9), square(1, 1, 2, 2), square(4, 4, 6, 6)}),
+                                  rings({ring({{29, 9}, {29, 0}, {20, 0}, {20, 9}}), square(24, 4, 26, 6),
+                                         square(21, 1, 22, 2)}),  // from elsewhere
+                                  rings({square(0, 0, 9, 9), square(1, 1, 2, 2), square(4, 4, 6, 7)}),
+                                  rings({square(0, 0, 9, 9)}),
+                                  rings({lens}),
+                                  rings({moved}),
+                                  rings({fuller}),
+                                  disc({0, 0}, 5),
+                                  disc({40, 40}, 5),
+                                  disc({0, 0}, 6),
+                                  open,
+                                  open,
+                                  rings({ring({{0, 0}, {9, 0}, {9, 3}, {0, 3}})}),
+                                  rings({ring({{0, 0}, {3, 0}, {3, 9}, {0, 9}})})};
+  EXPECT_EQ(first_alike(all), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4, 6, 7, 7, 9, 10, 11, 12, 13}));
 }
 
 }  // namespace plane_contour

@@ -18,6 +18,7 @@
 #include "io/text/drawing_rules.h"
 #include "io/text/quantity.h"
 #include "plane/build/build.h"
+#include "plane/contour/alike.h"
 #include "plane/query/topology.h"
 
 namespace findspace::io {
@@ -217,25 +218,50 @@ class Reader : private NestingJson {
     if (is_polygon(outline)) return {whole};
     const Label label{nullptr, "item", whole.name};
     const plane::ShapePtr shape = shapes.read(outline, label);
-    const auto outlines = shapes.parts_in(shape, outline, label);
-    std::vector<UnscaledPart> result;
-    for (const plane::ShapePtr& one : outlines.value_or(std::vector{shape})) {
-      UnscaledPart& part = result.emplace_back(whole);
-      part.shape = shapes.built(one, outline, label);
-      if (!outlines) continue;
-      const std::optional<Quantity> quantity = quantity_in(one->name);
-      part.name = quantity ? quantity->name : one->name;
-      if (quantity) part.demand = counted(item, whole.demand, quantity->count);
-    }
-    if (outlines) name_apart(whole.name, result);
+    if (const auto outlines = shapes.parts_in(shape, outline, label))
+      return parts_of(item, whole, counted(item, whole, *outlines), shapes, label);
+    std::vector<UnscaledPart> result{whole};
+    result[0].shape = shapes.built(shape, outline, label);
     return result;
   }
 
-  int counted(const JsonValue& item, int demand, int count) const {
+  /// An outline, and how many of it are asked for.
+  struct Counted {
+    plane::ShapePtr outline;
+    std::string name;
+    std::int64_t demand;
+  };
+
+  std::vector<UnscaledPart> parts_of(const JsonValue& item, const UnscaledPart& whole,
+                                     const std::vector<Counted>& outlines, StatedShapes& shapes,
+                                     const Label& label) const {
+    std::vector<UnscaledPart> result;
+    for (const Counted& one : outlines) {
+      UnscaledPart& part = result.emplace_back(whole);
+      part.shape = shapes.built(one.outline, need(item, "shape"), label);
+      part.name = one.name;
+      part.demand = int(one.demand);
+    }
+    name_apart(whole.name, result);
+    return result;
+  }
+
+  /// Outlines of one name that are alike are one part.
+  std::vector<Counted> counted(const JsonValue& item, const UnscaledPart& whole,
+                               const std::vector<plane::ShapePtr>& outlines) const {
     constexpr std::int64_t kMost = 1000000;
-    const std::int64_t all = std::int64_t{demand} * count;
-    if (all > kMost) fail(item, fmt::format("its counts together are above {}", kMost));
-    return int(all);
+    const std::vector<std::size_t> first = plane::first_alike(outlines);
+    std::map<std::pair<std::size_t, std::string>, std::size_t> known;
+    std::vector<Counted> result;
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      const Quantity quantity = quantity_in(outlines[k]->name).value_or(Quantity{outlines[k]->name, 1});
+      const auto [at, is_new] = known.try_emplace({first[k], quantity.name}, result.size());
+      if (is_new) result.push_back({outlines[k], quantity.name, 0});
+      Counted& one = result[at->second];
+      one.demand += std::int64_t{whole.demand} * quantity.count;
+      if (one.demand > kMost) fail(item, fmt::format("its counts together are above {}", kMost));
+    }
+    return result;
   }
 
   /// Parts without a name are called as their drawing; of equal names each gets a number.
