@@ -41,6 +41,9 @@ class BoundarySearch {
                  std::span<const ConvexDistance> far, double size, const Incumbent& known)
       : constraints_(constraints), distance_(distance), far_(far), size_(size), known_(known) {
     best_.value = exact::kInfinity;
+    if (!constraints.more) return;
+    nearer_ = constraints.more->nearer();
+    last_cell_ = constraints.more->last_cell();
   }
 
   BoundaryPlace run(std::span<const Tetrahedron> domain, double floor, const Until* until = nullptr) {
@@ -55,8 +58,9 @@ class BoundarySearch {
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
     long count = 0;
+    bool ended = false;
     const auto settled = [&](const BoundaryCell& top) {
-      if (!(top.key < wanted())) return true;
+      if (ended || !(top.key < wanted())) return true;
       const bool enough = until && decided(*until, top.key);
       if (!enough && count++ == kAskAt) ask();
       best_.complete = enough || !(constraints_.more && constraints_.more->spent());
@@ -66,7 +70,9 @@ class BoundarySearch {
     };
     const auto end = queue_.run(kMostSearchCells, settled, [&](const BoundaryCell& top) {
       std::size_t a = 0, b = 1;
-      if (longest_edge(top.corner, a, b) >= margin::kSmallestCell * size_) return split(top, a, b);
+      const double edge = longest_edge(top.corner, a, b);
+      ended = edge < last_cell_ * size_;
+      if (!ended && edge >= margin::kSmallestCell * size_) return split(top, a, b);
       if (top.key < left) {
         left = top.key;
         best_.unresolved = centre(top.corner);
@@ -93,7 +99,7 @@ class BoundarySearch {
 
   /// What is not less than this need not be looked for.
   double wanted() const {
-    const double better = std::isfinite(best_.value) ? best_.value - margin::kNearerAtAll * size_ : best_.value;
+    const double better = std::isfinite(best_.value) ? best_.value - nearer_ * size_ : best_.value;
     if (!until_ || !(until_->blur > 0)) return better;
     const double off = best_.value - until_->level;
     if (off > until_->blur) return std::min(better, until_->level + until_->blur);
@@ -129,13 +135,16 @@ class BoundarySearch {
 
   void offer(const Vector& x, const BoundaryCell& cell) {
     const double value = objective(x);
-    if (!(value < best_.value) || !allowed(x, &cell)) return;
-    take(x, value);
-    if (distance_) go_nearer(x);
+    if (value < best_.value && allowed(x, &cell)) take_about(x, value);
   }
 
   bool in_domain(const Vector& x) const {
     return std::any_of(domain_.begin(), domain_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
+  }
+
+  void take_about(const Vector& x, double value) {
+    take(x, value);
+    if (distance_) go_nearer(x);
   }
 
   void take(const Vector& x, double value) {
@@ -150,7 +159,7 @@ class BoundarySearch {
   void go_nearer(const Vector& x) {
     const Touching at = (*distance_)(x);
     double allowed_by = 0, by = at.value;
-    for (int k = 0; k < 50 && by - allowed_by > margin::kNearerAtAll * size_; ++k) {
+    for (int k = 0; k < 50 && by - allowed_by > nearer_ * size_; ++k) {
       const double middle = k == 0 ? by : (allowed_by + by) / 2;
       const Vector y = x - space::scaled(middle, at.slope);
       if (in_domain(y) && allowed(y, nullptr)) {
@@ -200,10 +209,9 @@ class BoundarySearch {
 
   /// Likewise of LazyConstraints.
   bool keep_near_more(const Tetrahedron& corner, const std::vector<int>& known, double edge, BoundaryCell& cell,
-                      std::vector<Column>& columns) const {
+                      std::vector<Column>& columns) {
     const auto take = [&](int i) {
-      Column c{};
-      for (std::size_t v = 0; v < 4; ++v) c[v] = constraints_.more->beyond(i, corner[v]);
+      const Column c = constraints_.more->column(i, corner);
       if (most(c) < -margin::kDistanceNoise * size_) return false;
       if (least(c) > edge + margin::kDistanceNoise * size_) return true;
       cell.more.push_back(i);
@@ -211,6 +219,9 @@ class BoundarySearch {
       return true;
     };
     const std::vector<int> made = constraints_.more->near(corner, edge, known);
+    for (const Vector& x : constraints_.more->places(corner)) {
+      if (const double value = objective(x); value < best_.value) take_about(x, value);
+    }
     return std::all_of(made.begin(), made.end(), take);
   }
 
@@ -289,7 +300,7 @@ class BoundarySearch {
   std::span<const Tetrahedron> domain_;
   const TouchingConstraint* distance_;
   std::span<const ConvexDistance> far_;
-  double size_;
+  double size_, nearer_ = margin::kNearerAtAll, last_cell_ = 0;
   const Incumbent& known_;
   BoundaryPlace best_;
   const Until* until_ = nullptr;

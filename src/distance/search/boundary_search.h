@@ -22,6 +22,7 @@
 
 #include "distance/search/boundary_cells.h"
 #include "distance/search/solid_max_min.h"
+#include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
@@ -41,14 +42,24 @@ class LazyConstraints {
   virtual ~LazyConstraints() = default;
   /// This, and convex functions that count in all cells.
   virtual Constraints constraints() = 0;
-  /// By number a convex function that is at least 0 at all allowed places. Numbers of one search stay.
+  /// By number a function that is at least 0 at all allowed places. Numbers of one search stay.
   virtual double beyond(int number, const space::Vector& x) const = 0;
+  /// At the corners of a cell, what is linear between them and there nowhere less than the function, or another one
+  /// that is at least 0 at all allowed places.
+  virtual std::array<double, 4> column(int number, const Tetrahedron& cell) const {
+    return {beyond(number, cell[0]), beyond(number, cell[1]), beyond(number, cell[2]), beyond(number, cell[3])};
+  }
   /// Those for a cell, with its longest edge, of one that had those of `known`: the numbers.
   virtual std::vector<int> near(const Tetrahedron& cell, double edge, std::span<const int> known) = 0;
   /// Whether the place keeps all of them, known or not; `known` may tell at once that it does not.
   virtual bool allows(const space::Vector& x, std::span<const int> known) const = 0;
+  /// Places of such a cell that are known to be allowed.
+  virtual std::vector<space::Vector> places(const Tetrahedron& /*cell*/) const { return {}; }
   /// Whether so much was done that the search is to end.
   virtual bool spent() const = 0;
+  /// Of the sizes: what is better by less is not looked for; where a cell of this size is left the search ends.
+  virtual double nearer() const { return margin::kNearerAtAll; }
+  virtual double last_cell() const { return 0; }
 };
 
 struct Constraints {

@@ -79,15 +79,28 @@ std::size_t UnionProtrusion::piece_of(const Vector& point) const {
   return best;
 }
 
-UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double precision, int most) const {
+/// The distances to the parts of A of a point of B at x, up to so much.
+SolidMaxMin UnionProtrusion::max_min(const Vector& x, double slack, double share, int most) const {
   std::vector<ConvexDistance> sets;
   for (const TouchingConstraint& part : parts_)
     sets.emplace_back([&part, &x](const Vector& y) { return part(plus(x, y)).value; });
+  return solid_max_min(b_, sets, slack, share, most);
+}
+
+UnionProtrusion::Farthest UnionProtrusion::farthest(const Vector& x, double precision, int most) const {
   // Nothing is deeper than that: so all of it counts.
   const double depth = 2 * (size_ + space::length(x));
-  const SolidMaxMin max_min = solid_max_min(b_, sets, -depth, precision / (2 * depth), most);
-  return {max_min.value, max_min.complete ? std::max(max_min.bound, max_min.value + precision) : max_min.bound,
-          max_min.place, piece_of(max_min.place)};
+  const SolidMaxMin found = max_min(x, -depth, precision / (2 * depth), most);
+  return {found.value,
+          found.complete ? std::max(found.bound, found.value + precision) : found.bound,
+          {found.place, x, piece_of(found.place)}};
+}
+
+bool UnionProtrusion::deeper(const Vector& x, double than, int most, std::optional<Witness>& out) const {
+  const SolidMaxMin found = max_min(x, -than, 1, most);
+  if (!(found.value > -than)) return found.complete;
+  out = Witness{found.place, x, piece_of(found.place)};
+  return false;
 }
 
 double UnionProtrusion::beyond(const Vector& y) const {

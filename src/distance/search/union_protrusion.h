@@ -27,22 +27,22 @@ class UnionProtrusion {
  public:
   UnionProtrusion(const space::Body& b, const space::Body& a);
 
+  /// A point of B, drawn at 0, that protrudes at a position.
+  struct Witness {
+    space::Vector point, at;
+    std::size_t piece = 0;  // of B, that holds it
+  };
   struct Farthest {
     double value = 0, bound = 0;  // nothing protrudes farther than the bound
-    space::Vector point;          // that protrudes by the value, of B drawn at 0
-    std::size_t piece = 0;        // of B, that holds it
+    Witness witness;
   };
-  /// Until value and bound are so near, or with so many cells.
+  /// That protrudes farthest, but for so much, or as far as so many cells tell.
   Farthest farthest(const space::Vector& x, double precision, int most) const;
+  /// Whether all of B is deeper than that, as far as so many cells tell; if not, perhaps a point that is not.
+  bool deeper(const space::Vector& x, double than, int most, std::optional<Witness>& out) const;
 
   /// How far a point is out of A.
   double beyond(const space::Vector& y) const;
-
-  /// A point of B that protrudes at a position.
-  struct Witness {
-    space::Vector point, at;
-    std::size_t piece = 0;
-  };
   /// To another position, and the point to where it protrudes farther there, nearby.
   void follow(Witness& witness, const space::Vector& to, double reach) const;
   /// For each part of A that can hold the point at some position of the cell: at most its signed distance there, linear
@@ -54,6 +54,7 @@ class UnionProtrusion {
   double size() const { return size_; }
 
  private:
+  SolidMaxMin max_min(const space::Vector& x, double slack, double share, int most) const;
   Tetrahedron around(const Witness& witness, double reach) const;
   space::Vector farthest_out(const Tetrahedron& among, const space::Vector& x, std::span<const Touching> touching,
                              const space::Vector& at) const;

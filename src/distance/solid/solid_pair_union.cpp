@@ -13,6 +13,7 @@
 #include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/body_boxes.h"
 
 namespace findspace::distance {
 
@@ -21,9 +22,9 @@ using space::RealVector;
 
 /// What is kept from position to position.
 struct UnionContainers {
-  UnionProtrusion protrusion;
   std::vector<std::unique_ptr<SolidSide>> alone;  // with each part of A
-  space::Vector low, high;                        // of the box that E lies in
+  double size;
+  PositionSet fits;  // E
 };
 
 namespace {
@@ -40,12 +41,12 @@ std::optional<Answer> in_one_part(const UnionContainers& containers, const RealV
   return best;
 }
 
-TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size, int sense) {
-  const double slack = margin::kUnionFitError * size;
-  if (found.known && found.value - found.bound <= slack) return known;
-  if (found.found && found.value - found.bound <= slack) {
+TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size) {
+  const double slack = margin::kUnionFitError * size, off = std::fabs(found.value - found.bound);
+  if (found.known && off <= slack) return known;
+  if (found.found && off <= slack) {
     Answer out;
-    out.value = Real::from_double(sense * found.value);
+    out.value = Real::from_double(found.value);
     out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
                              Real::from_double(found.place.z)};
     out.set_unproven();
@@ -64,8 +65,9 @@ TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& kno
 }  // namespace
 
 std::shared_ptr<const UnionContainers> SolidSide::union_containers(const space::Bounds3& box) const {
+  const auto protrusion = std::make_shared<const UnionProtrusion>(*b_, *a_);
   auto out = std::make_shared<UnionContainers>(
-      UnionContainers{UnionProtrusion(*b_, *a_), {}, space::rounded(box.low), space::rounded(box.high)});
+      UnionContainers{{}, protrusion->size(), fits_in_union(protrusion, space::rounded(box))});
   for (const space::BodyPart& part : a_->parts) {
     auto one = std::make_shared<space::Body>();
     one->scale = a_->scale;
@@ -85,20 +87,18 @@ TriedAnswer SolidSide::into_union(const Fit& fit, const RealVector& p, const Ans
   }
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, false);
-  FitQuery query{space::rounded(p)};
-  query.floor = outside.value.to_double() - outside.error;
-  if (known) query.known = known->value.to_double();
-  return settled(best_fit(containers.protrusion, containers.low, containers.high, query), known,
-                 containers.protrusion.size(), 1);
+  PositionSet::Query query{outside.value.to_double() - outside.error};
+  if (known) query.known = [&] { return std::optional(known->value.to_double()); };
+  return settled(containers.fits.nearest_to(distance_to_point(space::rounded(p)), query), known, containers.size);
 }
 
 TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
-  FitQuery query{space::rounded(p), true};
-  if (known) query.known = -known->value.to_double();
-  auto out = settled(best_fit(containers.protrusion, containers.low, containers.high, query), known,
-                     containers.protrusion.size(), -1);
+  Incumbent best;
+  if (known) best = [&] { return std::optional(-known->value.to_double()); };
+  const auto away = [from = space::rounded(p)](const space::Vector& x) { return space::length(x - from); };
+  auto out = settled(containers.fits.farthest_from(away, best), known, containers.size);
   if (out && *out) (*out)->nearest.reset();
   return out;
 }

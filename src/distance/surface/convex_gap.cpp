@@ -3,15 +3,12 @@
 #include "distance/surface/convex_gap.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
 
 using space::BodyPart;
-using space::BoxTree;
 using space::GridBox;
 using space::Point;
 using space::Vector;
@@ -36,35 +33,6 @@ double box_gap(const GridBox& a, const GridBox& b, const Vector& p) {
   const Vector d{gap(a.low.x, a.high.x, b.low.x, b.high.x, p.x), gap(a.low.y, a.high.y, b.low.y, b.high.y, p.y),
                  gap(a.low.z, a.high.z, b.low.z, b.high.z, p.z)};
   return space::dot(d, d);
-}
-
-/// visit(index in the tree) of the triangles whose boxes are not farther from B than most(), nearest boxes first.
-template <class Most, class Visit>
-void near_triangles(const BoxTree& tree, const GridBox& b, const Vector& p, Most most, Visit visit) {
-  struct Task {
-    int node;
-    double gap;
-  };
-  std::array<Task, 128> stack;
-  std::size_t depth = 0;
-  const auto& nodes = tree.nodes();
-  const auto task = [&](int k) { return Task{k, box_gap(nodes[std::size_t(k)].box, b, p)}; };
-  stack[depth++] = task(0);
-  while (depth > 0) {
-    const Task top = stack[--depth];
-    if (top.gap > most()) continue;
-    const BoxTree::Node& node = nodes[std::size_t(top.node)];
-    if (node.count == 0) {
-      Task one = task(node.first), two = task(node.first + 1);
-      if (one.gap < two.gap) std::swap(one, two);
-      stack[depth++] = one;
-      stack[depth++] = two;
-      continue;
-    }
-    for (int k = node.first; k < node.first + node.count; ++k) {
-      if (box_gap(tree.box(k), b, p) <= most()) visit(k);
-    }
-  }
 }
 
 }  // namespace
@@ -108,15 +76,17 @@ double ConvexGap::operator()(const Vector& p) const {
   double least = exact::kInfinity;
   for (const ConvexDistance& f : balls_) least = std::min(least, f(p));
   // Boxes have no radius; beyond 0 none is nearer than touching.
-  const auto most = [&] {
+  const auto worth = [&](double gap) {
     const double reach = least + radius_ + error(p);
-    return reach > 0 ? reach * reach : 0;
+    return gap <= (reach > 0 ? reach * reach : 0);
   };
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Sheet& sheet = *a_->sheets()[i];
-    near_triangles(sheet.tree, box_, p, most, [&](int k) {
+    const auto gap = [&](const GridBox& box) { return box_gap(box, box_, p); };
+    sheet.tree.nearest_first(gap, worth, [&](int k) {
       const int face = sheet.tree.face(k);
       least = std::min(least, distance(sheet, triangles_[i][std::size_t(face)], face, p));
+      return true;
     });
   }
   return least;

@@ -11,7 +11,6 @@
 
 namespace findspace::distance {
 
-using space::BoxTree;
 using space::Vector;
 using Sheet = space::SurfaceSet::Sheet;
 
@@ -29,31 +28,9 @@ double box_gap(const space::GridBox& box, const Vector& x) {
 /// visit(face) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
 template <class Visit>
 void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) {
-  struct Task {
-    int node;
-    double gap;
-  };
-  std::array<Task, 128> stack;
-  std::size_t depth = 0;
-  const auto& nodes = sheet.tree.nodes();
-  stack[depth++] = {0, box_gap(nodes[0].box, x)};
-  while (depth > 0) {
-    const Task top = stack[--depth];
-    if (top.gap > most * most) continue;
-    const BoxTree::Node& node = nodes[std::size_t(top.node)];
-    if (node.count == 0) {
-      Task one{node.first, box_gap(nodes[std::size_t(node.first)].box, x)},
-          two{node.first + 1, box_gap(nodes[std::size_t(node.first) + 1].box, x)};
-      if (one.gap < two.gap) std::swap(one, two);
-      stack[depth++] = one;
-      stack[depth++] = two;
-      continue;
-    }
-    for (int k = node.first; k < node.first + node.count; ++k) {
-      if (box_gap(sheet.tree.box(k), x) > most * most) continue;
-      if (!visit(sheet.tree.face(k))) return;
-    }
-  }
+  sheet.tree.nearest_first([&](const space::GridBox& box) { return box_gap(box, x); },
+                           [&](double gap) { return gap <= most * most; },
+                           [&](int k) { return visit(sheet.tree.face(k)); });
 }
 
 /// + if p is left of the line from a to b, seen from above; 0 where doubles do not tell.

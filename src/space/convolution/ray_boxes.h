@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "space/convolution/ray_body.h"
@@ -53,6 +54,35 @@ class BoxTree {
       }
     }
     return false;
+  }
+
+  /// visit(k), which is box(k) of face(k), for the boxes that are worth(gap(box)), of two nodes the one of the lesser
+  /// gap first; stops where visit returns false. `gap` grows with distance, `worth` may ask for less and less.
+  template <class Gap, class Worth, class Visit>
+  void nearest_first(Gap gap, Worth worth, Visit visit) const {
+    struct Task {
+      int node;
+      double gap;
+    };
+    Task stack[128];
+    int depth = 0;
+    const auto task = [&](int k) { return Task{k, gap(nodes_[static_cast<std::size_t>(k)].box)}; };
+    stack[depth++] = task(0);
+    while (depth > 0) {
+      const Task top = stack[--depth];
+      if (!worth(top.gap)) continue;
+      const Node& node = nodes_[static_cast<std::size_t>(top.node)];
+      if (node.count == 0) {
+        Task one = task(node.first), two = task(node.first + 1);
+        if (one.gap < two.gap) std::swap(one, two);
+        stack[depth++] = one;
+        stack[depth++] = two;
+        continue;
+      }
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        if (worth(gap(boxes_[static_cast<std::size_t>(k)])) && !visit(k)) return;
+      }
+    }
   }
 
  private:

@@ -42,25 +42,15 @@ class Search {
   /// The centre of a ball, as seen by the sheet, and its radius.
   void point(const Sheet& sheet, const Vector& at, const Pair& pair, double radius) {
     radius_ = radius;
-    std::vector<int> stack{0};
-    const GridBox origin{};
-    while (!stack.empty()) {
-      const BoxTree::Node& node = sheet.tree.nodes()[std::size_t(stack.back())];
-      stack.pop_back();
-      if (!worth(box_gap(node.box, origin, at))) continue;
-      if (node.count == 0) {
-        const bool first = box_gap(sheet.tree.nodes()[std::size_t(node.first)].box, origin, at) <
-                           box_gap(sheet.tree.nodes()[std::size_t(node.first) + 1].box, origin, at);
-        stack.push_back(node.first + (first ? 1 : 0));
-        stack.push_back(node.first + (first ? 0 : 1));
-        continue;
-      }
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        Pair found = pair;
-        (pair.kind == Pair::Kind::kBallOfB ? found.a : found.b) = sheet.tree.face(k);
-        offer(found, squared_distance(sheet, sheet.tree.face(k), at));
-      }
-    }
+    const auto gap = [&](const GridBox& box) { return box_gap(box, {}, at); };
+    sheet.tree.nearest_first(
+        gap, [&](double least) { return worth(least); },
+        [&](int k) {
+          Pair found = pair;
+          (pair.kind == Pair::Kind::kBallOfB ? found.a : found.b) = sheet.tree.face(k);
+          offer(found, squared_distance(sheet, sheet.tree.face(k), at));
+          return true;
+        });
     radius_ = 0;
   }
 
