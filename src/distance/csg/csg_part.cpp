@@ -9,9 +9,12 @@
 
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/name_place.h"
+#include "space/polytope/convex_region.h"
 
 namespace findspace::distance {
 
+using exact::Real;
 using space::Body;
 using space::BodyPart;
 using space::CsgPart;
@@ -131,6 +134,125 @@ bool holds(const CsgPart& part, const RealVector& x) {
          std::none_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) {
            return GrownSet{set.planes(), space::real(set.center), set.radius}.holds(x);
          });
+}
+
+namespace {
+
+/// What the distance of a convex body to a part of a solid is at places that square roots name. Whether such a place
+/// belongs to the part is decided exactly; the search says which is the nearest.
+class Names {
+ public:
+  Names(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place, double size)
+      : a_(a), s_(s), p_(p), place_(place), blur_(margin::kNamedPlace * size) {}
+
+  std::vector<Answer> all() {
+    for (const BodyPart& set : a_.within) on_set(set);
+    on_spheres();
+    return std::move(found_);
+  }
+
+ private:
+  /// From the point b of s without its radius to the place, if that belongs.
+  void offer(const RealVector& b, const RealVector& place) {
+    if (!holds(a_, place)) return;
+    const RealVector way = space::minus(place, b);
+    const Real d = sqrt(dot(way, way));
+    Answer v;
+    v.value = d - s_.radius;
+    if (d.sign() > 0) {
+      const RealVector from = space::along(b, s_.radius / d, way);
+      v.witness = point_pair(from, place);
+      if (v.value.sign() > 0) v.nearest = space::plus(p_, space::minus(place, from));
+    }
+    found_.push_back(std::move(v));
+  }
+
+  /// The nearest places of one set of A alone.
+  void on_set(const BodyPart& set) {
+    const std::vector<HalfSpace> planes = space::difference_planes(set, s_);
+    RealVector q = space::real(set.center - s_.center);
+    if (!planes.empty()) {
+      const auto nearest = nearest_in(planes, p_);
+      if (!nearest) return;
+      q = *nearest;
+    }
+    const RealVector away = space::minus(p_, q);
+    const Real d = sqrt(dot(away, away));
+    if (d.sign() == 0) return;
+    for (const space::ConvexRegion::Vertex& v : shared_corners(set, q)) {
+      const RealVector b = space::plus(v.at, away);
+      offer(b, space::along(v.at, set.radius / d, away));
+    }
+  }
+
+  /// The corners of what the core of the set has in common with that of s moved by q.
+  std::vector<space::ConvexRegion::Vertex> shared_corners(const BodyPart& set, const RealVector& q) const {
+    const auto box = [](const BodyPart& part) {
+      Body one = space::body_of_part(part);
+      one.parts[0].radius = Real();
+      return bounds(one);
+    };
+    const space::Bounds3 of_set = box(set);
+    space::ConvexRegion region(of_set.low, of_set.high);
+    for (const HalfSpace& h : set.planes()) region.cut(h);
+    for (const std::vector<HalfSpace>& planes : {space::walls(box(s_)), s_.planes()}) {
+      for (const HalfSpace& h : planes) region.cut(HalfSpace(h.normal, h.offset - dot(h.normal, q)));
+    }
+    return {region.vertices().begin(), region.vertices().end()};
+  }
+
+  bool near(const RealVector& x) const { return space::length(space::rounded(x) - place_) < blur_; }
+
+  /// The planes of facets and the spheres that come near the place.
+  void surfaces(std::vector<HalfSpace>& planes, std::vector<space::Ball>& spheres) const {
+    for (const std::vector<BodyPart>* sets : {&a_.within, &a_.without}) {
+      for (const BodyPart& set : *sets) {
+        if (set.point()) {
+          const RealVector center = space::real(set.center);
+          const double off = space::length(place_ - space::rounded(center)) - set.radius.to_double();
+          if (std::fabs(off) < blur_) spheres.push_back({center, set.radius});  // no sign: places are tested
+        }
+        if (set.radius.sign() > 0) continue;
+        for (HalfSpace& h : set.planes()) {
+          if (std::fabs(h.approx_value(place_)) < blur_) planes.push_back(std::move(h));  // no sign, either
+        }
+      }
+    }
+  }
+
+  /// Where a corner of s is nearest to a sphere, from inside, or to what one has in common with another or a plane.
+  void on_spheres() {
+    std::vector<HalfSpace> planes;
+    std::vector<space::Ball> spheres;
+    surfaces(planes, spheres);
+    for (const space::Ball& sphere : spheres) from_corners({}, {sphere});
+    for (std::size_t k = 1; k < spheres.size(); ++k) from_corners({}, {spheres[0], spheres[k]});
+    if (spheres.empty()) return;
+    for (const HalfSpace& h : planes) from_corners({h}, {spheres[0]});
+  }
+
+  void from_corners(const std::vector<HalfSpace>& planes, const std::vector<space::Ball>& spheres) {
+    for (const space::Point& v : s_.vertices()) {
+      const RealVector b = space::plus(space::real(v), p_);
+      for (const RealVector& place : space::name_places(planes, spheres, b)) {
+        if (near(place)) offer(b, place);
+      }
+    }
+  }
+
+  const CsgPart& a_;
+  const BodyPart& s_;
+  RealVector p_;
+  Vector place_;
+  double blur_;
+  std::vector<Answer> found_;
+};
+
+}  // namespace
+
+std::vector<Answer> named_gaps(const CsgPart& a, const BodyPart& s, const RealVector& p, const Vector& place,
+                               double size) {
+  return Names(a, s, p, place, size).all();
 }
 
 }  // namespace findspace::distance

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A part of a solid that round ones are cut out of (csg_solid.h), as searches see it, and exact tests and candidates
-// for what they find. Internal to csg_pair. Guarantee: tests are exact; `empty` means no interior that doubles can see
-// (2^-44 of the sizes). Keywords: spherical cavity, candidate features.
+// for what they find, and the positions at which a body is free of such parts. Internal to csg_pair. Guarantee: tests
+// are exact; `empty` means no interior that doubles can see (2^-44 of the sizes). Keywords: spherical cavity, candidate
+// features.
 #pragma once
 
 #include <optional>
@@ -48,5 +49,9 @@ bool holds(const space::CsgPart& part, const space::RealVector& x);
 /// sphere from inside, on the circle of a sphere with another or a plane; those that are near `place`.
 std::vector<Answer> named_gaps(const space::CsgPart& a, const space::BodyPart& s, const space::RealVector& p,
                                const space::Vector& place, double size);
+
+/// The positions at which B is free of the parts, which have to outlive it. Refused for round polyhedra and for what
+/// has no interior.
+exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CsgPartSearch>& parts, double size);
 
 }  // namespace findspace::distance

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/rays/line_signs.h"
 
-#include "distance/rays/ray_place.h"
 #include "space/rays/oblique_line.h"
 
 namespace findspace::distance {

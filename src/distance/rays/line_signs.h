@@ -5,6 +5,8 @@
 // the sign changes, it is 0 at the place of the change; what is below 2^-62 of a step is lost. Keywords: ray map.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "space/polytope/real_vector.h"
@@ -28,5 +30,17 @@ struct SignStretch {
 /// Adds the line, whose stretches come by growing place without gaps; before and behind them the sign is `outer`, not
 /// 0. Where signs change there is a stretch of 0.
 void put_line(std::span<const SignStretch> known, double part, space::RayRow& row, int outer = 1);
+
+/// A place along a ray that a search found: the double itself, as a fraction; what is below 2^-62 is lost.
+inline space::RayPosition ray_place(double z) {
+  int exponent = 0;
+  const double mantissa = std::frexp(z, &exponent);
+  const int down = std::clamp(53 - exponent, 0, 62);
+  const auto numerator = static_cast<exact::int128>(std::ldexp(mantissa, exponent + down));
+  space::RayPosition at;
+  at.exact = exact::reduced({numerator, exact::int128(1) << down});
+  at.value = exact::to_double(at.exact);
+  return at;
+}
 
 }  // namespace findspace::distance

@@ -13,13 +13,35 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <span>
 
-#include "distance/search/protrusion_field.h"
+#include "distance/search/round_solid.h"
+#include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body.h"
+#include "space/convolution/ray_solids.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
+
+/// The body A that another protrudes from: by its convex parts, or by the triangles of its surface
+/// (surface_max_min.cpp).
+class ProtrusionField {
+ public:
+  virtual ~ProtrusionField() = default;
+  /// The length of its diagonal.
+  virtual double size() const = 0;
+  /// The point of the solids that is farthest out, as in solid_max_min.h.
+  virtual SolidMaxMin max_min(const Solids& solids, double slack, double share) const = 0;
+  /// How far x may run along the way and stay farther than `cut` from the body, at least, and about that; x is farther.
+  /// `size`: of all.
+  virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size) const = 0;
+};
+
+std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body);
+/// Of the union of solids, which are not too far out. Distances inside are at most 0.
+std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids);
 
 class ProtrusionRays : public space::RaySource {
  public:

@@ -7,7 +7,7 @@
 //   gamma1 < -t   where w < 0 on all of p + [-t, t] u;       eta1 < -t   where w > 0 on all of it;
 //   eta1 <= t     where w >= 0 somewhere on it;              eta2        from that and what lies farther off.
 // In a convex round A the greatest distance of B's corners takes the place of -w. On stretches these extremes
-// (way_values.h) change by no more than the length of a step of p, so value_rays.h tells their signs on lines.
+// change by no more than the length of a step of p, so value_rays.h tells their signs on lines.
 // Guarantee: as there: 0 within 2^-30 of the sizes. Refused where A is a union of round parts, and where fits
 // of zero clearance leave no sign. Cost: as value_rays.h. Source: distances.md 7.1. Keywords: directional
 // penetration depth, partial Minkowski sum.

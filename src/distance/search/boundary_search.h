@@ -98,4 +98,21 @@ BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constra
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                                std::span<const ConvexDistance> distances, double size, const Incumbent& known = {});
 
+/// The most slack of what functions allow: the greatest t with each of `reverse_convex` at least t and each of `convex`
+/// at most -t. More than 0 says that the allowed places have interior. The search is tetrahedral_max_min.h; the slack
+/// in a cell is at most a linear program of what the functions are at most and of their tangents. `value` is that at
+/// `place`, no place of the domain has more than `bound`.
+struct Slack {
+  double value = 0, bound = 0;
+  space::Vector place;
+  int cells = 0;  // that were divided
+};
+
+struct SlackEnd {
+  double enough = 0;   // the bound need not be less
+  double share = 0.5;  // of the bound: a value that is more than enough and so much of it need not be more
+  double blur = 0;     // as near as the bound has to come to the value
+};
+Slack most_slack(std::span<const Tetrahedron> domain, const Constraints& constraints, const SlackEnd& end);
+
 }  // namespace findspace::distance

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "distance/answer/answer.h"
 #include "space/polytope/real_vector.h"
@@ -20,5 +21,15 @@ inline constexpr int kMostValues = 20000;
 /// `value` is called from many threads; refused where it is.
 exact::Tried<Answer> least_in_box(const std::function<exact::Tried<exact::Real>(const space::RealVector&)>& value,
                                   const space::Vector& low, const space::Vector& high, double floor);
+
+inline constexpr int kMostTangents = 500;
+
+/// The least over all positions of a convex distance whose values come with the points that take them: mu to a convex
+/// shape, the Hausdorff distance of two. Where the value is |b - a| the distance grows along b - a as fast as the
+/// position moves, and lies above that tangent everywhere; the next position is where the highest tangent is lowest
+/// (Kelley 1960, cutting planes). `value` and `bound` agree to 2^-36 of the box, unless kMostTangents were not enough.
+/// The least is in the box. Nothing where a value has no points to tell the tangent; refused where one is.
+TriedAnswer convex_least(const std::function<exact::Tried<Answer>(const space::RealVector&)>& value,
+                         const space::Vector& low, const space::Vector& high);
 
 }  // namespace findspace::distance

@@ -30,7 +30,6 @@
 
 #include "distance/answer/answer.h"
 #include "distance/search/boundary_search.h"
-#include "distance/search/boundary_slack.h"
 #include "distance/search/grown_set.h"
 #include "space/body/body.h"
 #include "space/body/open_union.h"
@@ -91,6 +90,8 @@ class PositionSet {
   }
 
   const Box& box() const { return box_; }
+  /// Of the coordinates.
+  double size() const { return size_; }
   const Constraints& constraints() const { return constraints_; }
 
  private:

@@ -7,7 +7,9 @@
 //   in an offset polytope A = P (+) r, of parts no rounder than that: part by part and vertex by vertex an intersection
 //                         of rounded polytopes; else that of the parts less r in P, as (P (+) r) (-) r = P;
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
-//   in a union of round parts: solid_pair_union.cpp.
+//   in a union of round parts   where it lies in a single part, exactly, or where the search through all others
+//                         (union_fit.h) finds better ones, to 2^-36 of the sizes; where a fit of zero clearance, and
+//                         is none in a single part, may be nearer, it is refused.
 // Guarantee: as solid_pair.h; boundaries that are round are searched (position_set.h). Keywords: erosion, Minkowski
 // difference, containment.
 
@@ -17,7 +19,9 @@
 #include "distance/answer/answer.h"
 #include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
+#include "distance/search/union_fit.h"
 #include "distance/solid/solid_pair.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
 
 namespace findspace::distance {
@@ -203,6 +207,87 @@ TriedAnswer SolidSide::depth_inside(const RealVector& p) const {
     if (!least || v->value < least->value) least = *std::move(v);
   }
   return minus(*std::move(least));
+}
+
+/// What is kept from position to position.
+struct UnionContainers {
+  std::vector<std::unique_ptr<SolidSide>> alone;  // with each part of A
+  PositionSet fits;                               // E
+};
+
+namespace {
+
+/// The nearest (farthest) place in a single part, where that is known.
+std::optional<Answer> in_one_part(const UnionContainers& containers, const RealVector& p, bool farthest) {
+  std::optional<Answer> best;
+  for (const auto& pair : containers.alone) {
+    TriedAnswer tried = farthest ? pair->farthest_fit(p) : pair->fit(p);
+    if (!tried || !*tried) continue;  // the search will tell
+    Answer& v = **tried;
+    if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
+  }
+  return best;
+}
+
+TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size) {
+  const double slack = margin::kUnionFitError * size, off = std::fabs(found.value - found.bound);
+  if (found.known && off <= slack) return known;
+  if (found.found && off <= slack) {
+    Answer out;
+    out.value = Real::from_double(found.value);
+    out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
+                             Real::from_double(found.place.z)};
+    out.set_unproven();
+    out.error = slack;
+    return std::optional(std::move(out));
+  }
+  if (!found.complete)
+    return exact::Refusal(
+        "how far a shape is from fitting into a union of round parts was not found within the limit of the search");
+  if (!found.unresolved) return std::nullopt;
+  return exact::Refusal(
+      "whether a shape fits into a union of round parts with zero clearance "
+      "is not decided");
+}
+
+}  // namespace
+
+std::shared_ptr<const UnionContainers> SolidSide::union_containers(const space::Bounds3& box) const {
+  auto out = std::make_shared<UnionContainers>(UnionContainers{{}, fits_in_union(*b_, *a_, space::rounded(box))});
+  for (const space::BodyPart& part : a_->parts) {
+    auto one = std::make_shared<space::Body>();
+    one->scale = a_->scale;
+    one->parts.push_back(part);
+    out->alone.push_back(std::make_unique<SolidSide>(b_, std::move(one)));
+  }
+  return out;
+}
+
+TriedAnswer SolidSide::into_union(const Fit& fit, const RealVector& p, const Answer& outside) const {
+  // Moved by as much, the way that B protrudes by, it often fits, and no shorter way leads to where it does.
+  if (!outside.witness.empty() && outside.proven) {
+    const RealVector q = space::minus(p, space::minus(outside.witness[0].at, outside.witness[1].at));
+    const TriedAnswer there = protrusion(q, Depth::kSign);
+    if (!there) return there;
+    if ((*there)->value.sign() <= 0) return std::optional(signed_value(p, q, 1));
+  }
+  const UnionContainers& containers = *fit.in_union;
+  const auto known = in_one_part(containers, p, false);
+  PositionSet::Query query{outside.value.to_double() - outside.error};
+  if (known) query.known = [&] { return std::optional(known->value.to_double()); };
+  return settled(containers.fits.nearest_to(distance_to_point(space::rounded(p)), query), known,
+                 containers.fits.size());
+}
+
+TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
+  const UnionContainers& containers = *fit.in_union;
+  const auto known = in_one_part(containers, p, true);
+  Incumbent best;
+  if (known) best = [&] { return std::optional(-known->value.to_double()); };
+  const auto away = [from = space::rounded(p)](const space::Vector& x) { return space::length(x - from); };
+  auto out = settled(containers.fits.farthest_from(away, best), known, containers.fits.size());
+  if (out && *out) (*out)->nearest.reset();
+  return out;
 }
 
 }  // namespace findspace::distance

@@ -3,22 +3,143 @@
 #include "distance/surface/surface_contact.h"
 
 #include <algorithm>
+#include <deque>
 
+#include "distance/search/boundary_cells.h"
 #include "distance/search/plane_projections.h"
-#include "distance/surface/contact_boxes.h"
+#include "distance/surface/surface_depths.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
+#include "space/polytope/extent.h"
+#include "space/surface/contact_planes.h"
+#include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
 
 using exact::Real;
+using space::HalfSpace;
+using space::Plane;
 using space::RealVector;
 using space::SurfaceSet;
 using space::TouchSide;
 using space::Vector;
-using Box = ContactBoxes::Box;
+
+/// Boxes of positions of B about a solid A, divided where more has to be known: those at all of whose positions the
+/// interiors meet, surely, those that few planes of contact pass, of which none is missed, and those to be divided.
+/// What one search finds the next one knows.
+class ContactBoxes {
+ public:
+  /// Of one sheet each. Inside: in the complement of A. Keeps references.
+  ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side);
+
+  enum class State { kNew, kOverlap, kPlanes, kMany, kDivided };
+  struct Box {
+    space::Extent of;
+    int level = 0;
+    State state = State::kNew;
+    int first = -1;                        // of eight
+    std::vector<space::HalfSpace> planes;  // that pass it; none: it is all on one side of the frontier
+
+    space::Vector half() const { return space::scaled(0.5, of.high - of.low); }
+  };
+  /// The box number k, looked at; the first one holds all of the frontier. One that many planes pass is divided, but
+  /// where these may all pass through one place, which is asked now and then: its state is `many`.
+  const Box& look(int k);
+  /// The same without looking.
+  const Box& box(int k) const { return boxes_[static_cast<std::size_t>(k)]; }
+  /// Those of a box that many pass; nothing where they are too many.
+  std::optional<std::vector<space::HalfSpace>> many_planes(int k) const;
+  bool tiny(const Box& box) const { return space::length(box.half()) < margin::kSmallestContactBox * size_; }
+  /// One that is not tiny, in eight.
+  void divide(int k);
+
+  /// Whether the interiors meet.
+  bool overlap(const space::RealVector& p) { return overlap_.interiors_meet(p, recent_); }
+  /// Whether they do for sure at a position that is off by no more.
+  bool surely_overlap(const space::Vector& p, double off) const { return overlap_.surely_meet(p, off, recent_); }
+  /// That were made.
+  std::size_t count() const { return boxes_.size(); }
+  /// Of the coordinates and the boxes.
+  double size() const { return size_; }
+
+ private:
+  space::RealOverlap overlap_;
+  space::ContactPlanes planes_;
+  SurfaceDepths depths_;
+  double size_ = 0;
+  std::deque<Box> boxes_;
+  space::RealOverlap::Recent recent_;
+  int likely_ = SurfaceDepths::kNone;
+};
 
 namespace {
+
+/// Planes of a box, and pairs of triangles looked through for them.
+constexpr std::size_t kFewPlanes = 40, kFewPairs = 1000;
+/// The same where they may pass through one place, as in an exact fit, which is tried every so many divisions.
+constexpr std::size_t kManyPlanes = 2000, kManyPairs = 400000, kPairsEarly = 20000;
+constexpr int kOften = 7, kEarly = 12;
+
+std::vector<HalfSpace> half_spaces(const std::vector<Plane>& planes) { return {planes.begin(), planes.end()}; }
+
+}  // namespace
+
+ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
+    : overlap_(*a.sheets()[0], *b.sheets()[0], side == space::TouchSide::kInside),
+      planes_(overlap_.a(), a.sheets()[0]->tree, overlap_.b(), b.sheets()[0]->tree),
+      depths_(b, a, side) {
+  const auto approx = [](const space::Point& v) { return exact::approx(v); };
+  const bool inside = side == space::TouchSide::kInside;
+  const space::RayBody &of_a = overlap_.a(), &of_b = overlap_.b();
+  const Vector low = approx(inside ? of_a.low - of_b.low : of_a.low - of_b.high),
+               high = approx(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
+  // The bodies may be as large as each other: some more room for rounding.
+  const double tolerance = margin::kAroundContacts * space::length(approx(of_b.high - of_b.low));
+  const auto complete =
+      askew(low - Vector{tolerance, tolerance, tolerance}, space::plus(high, {tolerance, tolerance, tolerance}));
+  size_ = space::length(complete.first) + space::length(complete.second) + depths_.size();
+  // B's box may be larger than A's: then B lies in A nowhere.
+  const Vector wide = complete.second - complete.first;
+  const bool none = wide.x < 0 || wide.y < 0 || wide.z < 0;
+  boxes_.push_back({{complete.first, complete.second}, 0, none ? State::kOverlap : State::kNew, -1, {}});
+}
+
+const ContactBoxes::Box& ContactBoxes::look(int k) {
+  Box& box = boxes_[static_cast<std::size_t>(k)];
+  if (box.state != State::kNew) return box;
+  const Vector middle = box.of.middle();
+  const double half = space::length(box.half());
+  if (depths_.deeper(middle, half + margin::kDepthNoise * size_, likely_)) {
+    box.state = State::kOverlap;
+  } else if (const auto planes = planes_.near(middle, half, kFewPlanes, kFewPairs)) {
+    box.state = State::kPlanes;
+    box.planes = half_spaces(*planes);
+  } else if (tiny(box) || box.level % kOften == kOften - 1) {
+    box.state = State::kMany;
+  } else {
+    divide(k);
+  }
+  return box;
+}
+
+std::optional<std::vector<HalfSpace>> ContactBoxes::many_planes(int k) const {
+  const Box& box = boxes_[static_cast<std::size_t>(k)];
+  const std::size_t pairs = box.level > kEarly ? kManyPairs : kPairsEarly;
+  const auto planes = planes_.near(box.of.middle(), space::length(box.half()), kManyPlanes, pairs);
+  if (!planes) return std::nullopt;
+  return half_spaces(*planes);
+}
+
+void ContactBoxes::divide(int k) {
+  Box& box = boxes_[static_cast<std::size_t>(k)];
+  box.state = State::kDivided;
+  box.first = static_cast<int>(boxes_.size());
+  for (int part = 0; part < 8; ++part) boxes_.push_back({box.of.eighth(part), box.level + 1, State::kNew, -1, {}});
+}
+
+namespace {
+
+using Box = ContactBoxes::Box;
 
 /// Of a box that many planes pass: points in which some of them meet, at most.
 constexpr std::size_t kMostCorners = 2000000;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/rays/protrusion_rays.h"
 #include "distance/search/field_boxes.h"
-#include "distance/search/protrusion_field.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "distance/surface/surface_field.h"
 #include "exact/margins/space_distance.h"
