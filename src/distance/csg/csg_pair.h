@@ -3,7 +3,7 @@
 //
 // T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of either:
 //   gamma1, d1, penetration
-//                   the depth by search (csg_positions.h), of B and parts of A without round polyhedra;
+//                   the depth by search (csg_positions.cpp), of B and parts of A without round polyhedra;
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by set_protrusion.h; hausdorff where the

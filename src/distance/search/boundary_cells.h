@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Tetrahedra that searches divide (boundary_search.h, boundary_slack.h). Guarantee: doubles. Keywords: bisection.
+// Tetrahedra that searches divide (boundary_search.h, tetrahedral_max_min.h). Guarantee: doubles. Keywords: bisection.
 #pragma once
 
 #include <cstddef>

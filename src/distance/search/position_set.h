@@ -13,7 +13,8 @@
 //   inside     the positions at which a body lies in one convex round part, vertex by vertex;
 //   common     what such sets have in common;
 //   of_constraints   convex functions, as of a part of a solid that round ones are cut out of (csg_part.h);
-//   lazily     functions that each search makes for the cells it looks at (csg_positions.h).
+//   lazily     functions that each search makes for the cells it looks at (csg_positions.cpp, union_fit.h,
+//              surface_ball.h).
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
 // `error` says how far values may be off; whether a place belongs is decided exactly, where a provider can. A passage
 // or fit of zero clearance, which numbers cannot tell from none, is found among the planes along the faces of the sets,

@@ -6,7 +6,7 @@
 //   frontier
 //                          of U, or to the open sets that cover the complement of E (solid_max_min.h); mu where B fits;
 //   gamma2, eta2, delta2   the smallest ball about the vertices of X, E, D, exactly; d1, dstar, penetration: 0;
-//   mu to a convex A, the Hausdorff distance of convex bodies: by tangents (convex_least.h);
+//   mu to a convex A, the Hausdorff distance of convex bodies: by tangents (least_in_box.h);
 //   others                 cubes of positions, divided where the least is to be expected: a distance changes by no
 //                          more than the length of a step, so none in a cube is less than that at its centre minus
 //                          half the diagonal.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How far solids protrude from a set given by its surfaces: surface_field.h, and on lines protrusion_field.h.
+// How far solids protrude from a set given by its surfaces: surface_field.h, and on lines protrusion_rays.h.
 #include <algorithm>
 #include <cmath>
 
