@@ -72,53 +72,43 @@ TriedAnswer CsgSide::fit(const RealVector& p) const {
   const Tried<bool> whole = is_whole(**worst);
   if (!whole) return whole.refusal();
   if (*whole) return worst;
-  const Tried<const PositionSet*> fits = this->fits();
+  const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   return (*fits)->nearest(p, false);
 }
 
-/// Null: nothing fits.
-Tried<const PositionSet*> CsgSide::fits() const {
-  std::call_once(fits_made_, [&] {
-    std::optional<space::Bounds3> box;
-    std::vector<PositionSet> all;
-    const space::Bounds3 inner = bounds(*b_);
-    for (const Body& container : a_->containers) {
-      if (!container.convex()) {
-        no_fits_.emplace(
-            "how far a shape is from fitting into such a shape is computed where its containers are convex");
-        return;
-      }
-      const space::Bounds3 outer = bounds(container);
-      space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
-      if (!box) box = one;
-      for (std::size_t k = 0; k < 3; ++k) {
-        box->low[k] = std::max(box->low[k], one.low[k]);
-        box->high[k] = std::min(box->high[k], one.high[k]);
-      }
-    }
+CsgSide::TriedFits CsgSide::made_fits() const {
+  std::optional<space::Bounds3> box;
+  std::vector<PositionSet> all;
+  const space::Bounds3 inner = bounds(*b_);
+  for (const Body& container : a_->containers) {
+    if (!container.convex())
+      return Refusal("how far a shape is from fitting into such a shape is computed where its containers are convex");
+    const space::Bounds3 outer = bounds(container);
+    space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
+    if (!box) box = one;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (box->high[k] < box->low[k]) return;
+      box->low[k] = std::max(box->low[k], one.low[k]);
+      box->high[k] = std::min(box->high[k], one.high[k]);
     }
-    for (const Body& container : a_->containers)
-      all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
-    std::vector<GrownSet> sets;
-    for (const Body& obstacle : a_->obstacles) {
-      for (const BodyPart& t : obstacle.parts) {
-        for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
-      }
-    }
-    all.push_back(PositionSet::outside(std::move(sets), box->low, box->high));
-    fits_ = PositionSet::common(all, box->low, box->high);
-  });
-  if (no_fits_) return *no_fits_;
-  return fits_ ? &*fits_ : nullptr;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box->high[k] < box->low[k]) return std::nullopt;
+  }
+  for (const Body& container : a_->containers)
+    all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
+  std::vector<GrownSet> sets;
+  for (const Body& obstacle : a_->obstacles) {
+    for (GrownSet& set : differences(obstacle, *b_)) sets.push_back(std::move(set));
+  }
+  all.push_back(PositionSet::outside(std::move(sets), box->low, box->high));
+  return std::optional(PositionSet::common(all, box->low, box->high));
 }
 
 TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
   if (containers_.empty()) return farthest_in_union(p);
-  const Tried<const PositionSet*> fits = this->fits();
+  const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
   TriedAnswer v = (*fits)->farthest(p);
@@ -156,9 +146,9 @@ TriedAnswer CsgSide::diameter(const RealVector& /*p*/) const {
 
 /// How far B + p is from fitting, less a level above 0.
 TriedBetween CsgSide::nearly_fits(const RealVector& p, double level) const {
-  const exact::Tried<const PositionSet*> made = this->fits();
+  const TriedFits& made = this->fits();
   if (!made) return made.refusal();
-  const PositionSet* fits = *made;
+  const std::optional<PositionSet>& fits = *made;
   if (!fits) return std::nullopt;
   const double least = fits->beyond(space::rounded(p)), error = margin::kFoundError * size_;
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
@@ -224,14 +214,12 @@ class CsgBackSide : public PairSide {
   };
   Fits made_fits() const;
   const Fits& fits() const {
-    std::call_once(fits_made_, [this] { fits_ = made_fits(); });
-    return fits_;
+    return fits_.of([this] { return made_fits(); });
   }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
 
   std::shared_ptr<const CsgSide> side_;
-  mutable std::once_flag fits_made_;
-  mutable Fits fits_;
+  plane::Lazy<Fits> fits_;
 };
 
 /// In a union that is told up to 0.

@@ -25,6 +25,7 @@
 #include "distance/rays/value_rays.h"
 #include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
+#include "plane/base/lazy.h"
 #include "space/body/csg_solid.h"
 
 namespace findspace::distance {
@@ -70,7 +71,9 @@ class CsgSide : public PairSide {
   Answer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
   /// The positions at which B is free of A.
-  exact::Tried<const PositionSet*> free() const;
+  const exact::Tried<PositionSet>& free() const {
+    return free_.of([&] { return free_positions(*b_, parts_, size_); });
+  }
   TriedAnswer overlapping(const space::RealVector& p) const;
   TriedAnswer free_of_sets(const space::RealVector& p) const;
   /// Of A.
@@ -79,13 +82,23 @@ class CsgSide : public PairSide {
   exact::Tried<bool> is_whole(const Answer& worst) const;
   /// Without containers: by what A leaves of a box.
   struct Among;
-  exact::Tried<const Among*> among() const;
+  using TriedAmong = exact::Tried<std::shared_ptr<const Among>>;
+  TriedAmong made_among() const;
+  /// Null: B is larger than the box about A.
+  const TriedAmong& among() const {
+    return among_.of([&] { return made_among(); });
+  }
   bool in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;
-  exact::Tried<const PositionSet*> fits() const;
+  using TriedFits = exact::Tried<std::optional<PositionSet>>;
+  TriedFits made_fits() const;
+  /// With containers; nothing: nothing fits.
+  const TriedFits& fits() const {
+    return fits_.of([&] { return made_fits(); });
+  }
   std::vector<NearSet> near_sets() const;
   /// Of B + p out of A, where it is not in A.
   Answer protrusion_out(const space::RealVector& p) const;
@@ -97,10 +110,9 @@ class CsgSide : public PairSide {
   std::vector<CsgPartSearch> parts_;
   std::vector<PairDistances> containers_, obstacles_;
   double size_ = 1;
-  mutable std::once_flag fits_made_, among_made_, free_made_;
-  mutable std::optional<PositionSet> fits_, free_;
-  mutable std::optional<exact::Refusal> no_fits_, no_among_, no_free_;
-  mutable std::shared_ptr<const Among> among_;
+  plane::Lazy<TriedFits> fits_;
+  plane::Lazy<exact::Tried<PositionSet>> free_;
+  plane::Lazy<TriedAmong> among_;
 };
 
 /// B moves, or with `cut_moves` A.

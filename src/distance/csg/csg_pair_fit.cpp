@@ -17,18 +17,6 @@ using space::Point;
 using space::RealVector;
 using space::Vector;
 
-exact::Tried<const PositionSet*> CsgSide::free() const {
-  std::call_once(free_made_, [this] {
-    exact::Tried<PositionSet> made = free_positions(*b_, parts_, size_);
-    if (made)
-      free_ = *std::move(made);
-    else
-      no_free_ = made.refusal();
-  });
-  if (no_free_) return *no_free_;
-  return &*free_;
-}
-
 /// The distance to the nearest position at which B is free of a container, or in an obstacle, and so free of A.
 TriedAnswer CsgSide::free_of_sets(const RealVector& p) const {
   std::optional<Answer> best;
@@ -53,11 +41,11 @@ TriedAnswer CsgSide::free_of_sets(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::overlapping(const RealVector& p) const {
-  const exact::Tried<const PositionSet*> free = this->free();
+  const exact::Tried<PositionSet>& free = this->free();
   if (!free) return free.refusal();
   const TriedAnswer known = free_of_sets(p);
   if (!known) return known;
-  TriedAnswer found = (*free)->nearest(p, true, [&] { return *known; });
+  TriedAnswer found = free->nearest(p, true, [&] { return *known; });
   if (!found) return found;
   return minus(**std::move(found));
 }
@@ -79,36 +67,28 @@ struct CsgSide::Among {
 
   /// Of B in A.
   exact::Tried<PositionSet> fits() const {
-    const exact::Tried<const PositionSet*> free = left->free();
+    const exact::Tried<PositionSet>& free = left->free();
     if (!free) return free.refusal();
-    return (*free)->within(space::rounded(places));
+    return free->within(space::rounded(places));
   }
 };
 
-/// Null: B is larger than the box about A.
-exact::Tried<const CsgSide::Among*> CsgSide::among() const {
-  std::call_once(among_made_, [this] {
-    const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
-    auto out = std::make_shared<Among>();
-    const auto places = space::fitting(inner, outer);
-    if (!places) return;
-    out->places = *places;
-    std::array<std::int64_t, 3> low{}, high{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double from = outer.low[k].to_double(), to = outer.high[k].to_double(), tolerance = (to - from) / 4 + 2;
-      low[k] = static_cast<std::int64_t>(std::floor(from - tolerance));
-      high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
-    }
-    auto left = left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]});
-    if (!left) {
-      no_among_ = left.refusal();
-      return;
-    }
-    out->left = std::make_unique<const CsgSide>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)));
-    among_ = std::move(out);
-  });
-  if (no_among_) return *no_among_;
-  return among_.get();
+CsgSide::TriedAmong CsgSide::made_among() const {
+  const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
+  auto out = std::make_shared<Among>();
+  const auto places = space::fitting(inner, outer);
+  if (!places) return std::shared_ptr<const Among>();
+  out->places = *places;
+  std::array<std::int64_t, 3> low{}, high{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double from = outer.low[k].to_double(), to = outer.high[k].to_double(), tolerance = (to - from) / 4 + 2;
+    low[k] = static_cast<std::int64_t>(std::floor(from - tolerance));
+    high[k] = static_cast<std::int64_t>(std::ceil(to + tolerance));
+  }
+  auto left = left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]});
+  if (!left) return left.refusal();
+  out->left = std::make_unique<const CsgSide>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)));
+  return std::shared_ptr<const Among>(std::move(out));
 }
 
 /// Whether B + p is in A, and how deep.
@@ -122,9 +102,9 @@ bool CsgSide::in_union(const Among& all, const RealVector& p, Answer& depth) con
 }
 
 TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
-  const exact::Tried<const Among*> made = among();
+  const TriedAmong& made = among();
   if (!made) return made.refusal();
-  const Among* all = *made;
+  const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
   Answer out;
   if (in_union(*all, p, out)) return std::optional(std::move(out));
@@ -134,9 +114,9 @@ TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
-  const exact::Tried<const Among*> made = among();
+  const TriedAmong& made = among();
   if (!made) return made.refusal();
-  const Among* all = *made;
+  const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
   const exact::Tried<PositionSet> fits = all->fits();
   if (!fits) return fits.refusal();
@@ -147,9 +127,9 @@ TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
 
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
 TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
-  const exact::Tried<const Among*> made = among();
+  const TriedAmong& made = among();
   if (!made) return made.refusal();
-  const Among* all = *made;
+  const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
   const double error = margin::kFoundError * size_, least = space::rounded(all->places).distance(space::rounded(p));
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};

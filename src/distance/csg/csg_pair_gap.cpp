@@ -115,8 +115,7 @@ TriedAnswer CsgSide::reach(const RealVector& p) const {
       const double radius = s.radius.to_double();
       for (const CsgPartSearch& part : parts_) {
         if (best && part.box().farthest(near) + radius < best->value.to_double()) continue;
-        const auto away = [near](const Vector& x) { return space::length(x - near); };
-        const BoundaryPlace found = part.places.farthest_from(away);
+        const BoundaryPlace found = part.places.farthest_from(near);
         if (!found.found || (best && found.value + radius <= best->value.to_double())) continue;
         best = named_reach(*part.sets, at, found);
         best->value += s.radius;

@@ -100,30 +100,18 @@ void SweptPart::add_silhouette(std::span<const Point> corners, const Vector& cor
 }
 
 TouchingConstraint SweptPart::gap(const Vector& start, double from, double to) const {
-  if (point_) {
-    return [away = distance_to_segment(space::plus(start, center_), unit_, from, to), r = radius_](const Vector& x) {
-      Touching at = away(x);
-      at.value -= r;
-      return at;
-    };
-  }
+  if (point_) return less_radius(distance_to_segment(space::plus(start, center_), unit_, from, to), radius_);
   std::vector<NearPlane> planes = planes_;
   for (NearPlane& h : planes) {
     const double ahead = dot(h.unit, unit_);
     h.shift -= std::max(from * ahead, to * ahead);
   }
   if (from < to) planes.insert(planes.end(), along_.begin(), along_.end());
-  return [way = way_to(planes), planes, start, radius = radius_](const Vector& x) {
-    const Vector at = x - start;
-    if (radius == 0) {
-      const Touching inside = nearest_plane(planes, at);
-      if (inside.value < 0) return inside;
-    }
-    const Vector off = way(at);
-    const double d = space::length(off);
-    // So near the core the slope is rounding; 0 is one as well.
-    if (d <= margin::kNoSlope * (space::size_of(at) + 1)) return Touching{-radius, {}};
-    return Touching{d - radius, space::scaled(-1 / d, off)};
+  TouchingConstraint away = touching_way(way_to(planes), start, radius_);
+  if (radius_ > 0) return away;
+  return [planes = std::move(planes), away = std::move(away), start](const Vector& x) {
+    const Touching inside = nearest_plane(planes, x - start);
+    return inside.value < 0 ? inside : away(x);
   };
 }
 
@@ -230,11 +218,11 @@ class CsgSide::FreeNear : public NearRule {
     std::optional<Vector> out_of_one;
     std::optional<exact::Refusal> refused;
     const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
-    const exact::Tried<const PositionSet*> free = side_->free();
+    const exact::Tried<PositionSet>& free = side_->free();
     if (!free) return free.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
-        (*free)->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, {{low, high}}});
+        free->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, {{low, high}}});
     if (refused) return *refused;
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;

@@ -59,9 +59,7 @@ TouchingConstraint gap_to(const BodyPart& set, const Vector& p) {
 }
 
 ConvexDistance reverse_convex_constraint(const BodyPart& set, const Vector& p) {
-  return [rule = grown_distance({set.planes(), space::real(set.center), set.radius}), p](const Vector& x) {
-    return rule(x - p);
-  };
+  return [rule = grown_distance(grown_set(set)), p](const Vector& x) { return rule(x - p); };
 }
 
 CsgPartSearch csg_part_search(const CsgPart& part, double size) {
@@ -131,9 +129,8 @@ bool holds(const CsgPart& part, const RealVector& x) {
   const Vector near = space::rounded(x);
   return std::all_of(part.within.begin(), part.within.end(),
                      [&](const BodyPart& set) { return in_closed(set, x, near); }) &&
-         std::none_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) {
-           return GrownSet{set.planes(), space::real(set.center), set.radius}.holds(x);
-         });
+         std::none_of(part.without.begin(), part.without.end(),
+                      [&](const BodyPart& set) { return grown_set(set).holds(x); });
 }
 
 namespace {

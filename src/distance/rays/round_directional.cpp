@@ -235,9 +235,7 @@ Vector box_corner(const Body& a, const Body& b, bool high, bool fit) {
 /// The open sets of U.
 Positions overlaps(const Body& b, const Body& a) {
   Positions out{{}, {}, box_corner(a, b, false, false), box_corner(a, b, true, false)};
-  for (const BodyPart& t : a.parts) {
-    for (const BodyPart& s : b.parts) out.out.push_back(grown_distance(difference(t, s)));
-  }
+  for (const GrownSet& set : differences(a, b)) out.out.push_back(grown_distance(set));
   return out;
 }
 
@@ -251,7 +249,7 @@ ConvexDistance corner_distance(const Body& b, const BodyPart& a) {
   for (const BodyPart& part : b.parts) {
     for (const space::Point& v : part.vertices()) corners.push_back({exact::approx(v), part.radius.to_double()});
   }
-  return [corners, to = grown_distance({a.planes(), space::real(a.center), a.radius})](const Vector& p) {
+  return [corners, to = grown_distance(grown_set(a))](const Vector& p) {
     double most = -exact::kInfinity;
     for (const Corner& c : corners) most = std::max(most, to(space::plus(p, c.at)) + c.radius);
     return most;

@@ -6,10 +6,10 @@
 #include <array>
 #include <cassert>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "exact/margins/space_distance.h"
+#include "plane/base/lazy.h"
 #include "space/body/open_union.h"
 
 namespace findspace::distance {
@@ -188,11 +188,11 @@ class PlanesDistance {
 
   /// By the facets between exact corners, or exactly where the set goes on for ever.
   Vector way_by_facets(const Vector& x) const {
-    std::call_once(facets_made_, [this] { make_facets(); });
+    const std::vector<FlatSet>& facets = facets_.of([this] { return made_facets(); });
     Vector best;
     double least = exact::kInfinity;
     bool outside = false;
-    for (const FlatSet& facet : facets_) {
+    for (const FlatSet& facet : facets) {
       if (!(facet.beyond(x) > 0)) continue;
       outside = true;
       const Vector way = facet.nearest(x) - x;
@@ -201,27 +201,28 @@ class PlanesDistance {
       least = d;
       best = way;
     }
-    if (outside || !facets_.empty()) return best;
+    if (outside || !facets.empty()) return best;
     const space::RealVector p = space::real(x);
     const auto nearest = nearest_in(exact_, p);
     assert(nearest);  // the sets are not empty
     return space::rounded(space::minus(*nearest, p));
   }
 
-  void make_facets() const {
+  std::vector<FlatSet> made_facets() const {
+    std::vector<FlatSet> out;
     const exact::Real far(kFarCoordinate);
     space::ConvexRegion region({-far, -far, -far}, {far, far, far});
     for (const HalfSpace& h : exact_) region.cut(h);
     const auto bounded = [](const auto& v) { return space::size_of(v.near) < static_cast<double>(kFarCoordinate) / 2; };
-    if (region.dimension() < 3 || !std::all_of(region.vertices().begin(), region.vertices().end(), bounded)) return;
-    for (const int f : region.facets()) facets_.emplace_back(region, f);
+    if (region.dimension() < 3 || !std::all_of(region.vertices().begin(), region.vertices().end(), bounded)) return out;
+    for (const int f : region.facets()) out.emplace_back(region, f);
+    return out;
   }
 
   static constexpr std::int64_t kFarCoordinate = std::int64_t{1} << 50;
   std::vector<HalfSpace> exact_;
   bool sharp_ = false;
-  mutable std::once_flag facets_made_;
-  mutable std::vector<FlatSet> facets_;
+  plane::Lazy<std::vector<FlatSet>> facets_;
   std::vector<NearPlane> planes_;
 };
 

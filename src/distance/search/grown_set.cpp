@@ -38,15 +38,21 @@ ConvexDistance grown_distance(const GrownSet& set) {
   };
 }
 
+TouchingConstraint less_radius(TouchingConstraint away, double radius) {
+  return [away = std::move(away), radius](const Vector& x) {
+    Touching at = away(x);
+    at.value -= radius;
+    return at;
+  };
+}
+
 TouchingConstraint touching_distance(const space::BodyPart& part, const Vector& p, double radius) {
-  if (part.point()) {
-    return [away = distance_to_point(space::plus(exact::approx(part.center), p)), radius](const Vector& x) {
-      Touching at = away(x);
-      at.value -= radius;
-      return at;
-    };
-  }
-  return [way = way_to(part.planes()), p, radius](const Vector& x) {
+  if (part.point()) return less_radius(distance_to_point(space::plus(exact::approx(part.center), p)), radius);
+  return touching_way(way_to(part.planes()), p, radius);
+}
+
+TouchingConstraint touching_way(std::function<Vector(const Vector&)> way, const Vector& p, double radius) {
+  return [way = std::move(way), p, radius](const Vector& x) {
     const Vector at = x - p, off = way(at);
     const double d = space::length(off);
     // So near the core the slope is rounding; 0 is one as well.
@@ -103,6 +109,16 @@ TouchingConstraint distance_to_point(const Vector& p) {
     const double d = space::length(x - p);
     return Touching{d, d > 0 ? space::scaled(1 / d, x - p) : Vector{}};
   };
+}
+
+GrownSet grown_set(const space::BodyPart& part) { return {part.planes(), space::real(part.center), part.radius}; }
+
+std::vector<GrownSet> differences(const space::Body& a, const space::Body& b) {
+  std::vector<GrownSet> out;
+  for (const space::BodyPart& t : a.parts) {
+    for (const space::BodyPart& s : b.parts) out.push_back(difference(t, s));
+  }
+  return out;
 }
 
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b) {

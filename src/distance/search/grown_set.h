@@ -29,6 +29,11 @@ struct GrownSet {
 /// is convex.
 ConvexDistance grown_distance(const GrownSet& set);
 
+/// The distance less a radius.
+TouchingConstraint less_radius(TouchingConstraint away, double radius);
+/// That of a set moved by p, of which the way to the nearest place is known, with its slope.
+TouchingConstraint touching_way(std::function<space::Vector(const space::Vector&)> way, const space::Vector& p,
+                                double radius);
 /// d(x, core) - radius of a part moved by p, with its slope.
 TouchingConstraint touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
 
@@ -37,7 +42,10 @@ TouchingConstraint highest_plane(std::vector<space::HalfSpace> planes, const spa
 
 TouchingConstraint distance_to_point(const space::Vector& p);
 
-/// Of the positions at which the two parts meet, the open set.
+/// The inside of a part.
+GrownSet grown_set(const space::BodyPart& part);
+/// Of the positions at which the two parts meet, the open set; of two bodies those of all pairs.
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b);
+std::vector<GrownSet> differences(const space::Body& a, const space::Body& b);
 
 }  // namespace findspace::distance

@@ -73,6 +73,13 @@ PositionSet PositionSet::outside(std::vector<GrownSet> sets, const RealVector& l
   return out;
 }
 
+PositionSet PositionSet::outside_of(const space::Body& body) {
+  const space::Bounds3 box = bounds(body);
+  std::vector<GrownSet> sets;
+  for (const space::BodyPart& part : body.parts) sets.push_back(grown_set(part));
+  return outside(std::move(sets), box.low, box.high);
+}
+
 PositionSet PositionSet::inside(const space::Body& b, const space::BodyPart& a, const RealVector& low,
                                 const RealVector& high) {
   PositionSet out(low, high);
@@ -289,8 +296,7 @@ TriedAnswer PositionSet::farthest(const RealVector& p) const {
       return decided ? std::optional(-decided->value.to_double()) : std::nullopt;
     };
   }
-  const auto away = [from = space::rounded(p)](const Vector& x) { return space::length(x - from); };
-  return settled(farthest_from(away, ask), p, decided);
+  return settled(farthest_from(space::rounded(p), ask), p, decided);
 }
 
 }  // namespace findspace::distance

@@ -50,6 +50,8 @@ class PositionSet {
   using Known = std::function<std::optional<Answer>()>;
 
   static PositionSet outside(std::vector<GrownSet> sets, const space::RealVector& low, const space::RealVector& high);
+  /// What the insides of the body's parts leave.
+  static PositionSet outside_of(const space::Body& body);
   static PositionSet inside(const space::Body& b, const space::BodyPart& a, const space::RealVector& low,
                             const space::RealVector& high);
   /// The box holds the set.
@@ -85,6 +87,9 @@ class PositionSet {
   BoundaryPlace farthest_from(std::span<const ConvexDistance> from, const Incumbent& known = {}) const;
   BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const {
     return farthest_from(std::span(&from, 1), known);
+  }
+  BoundaryPlace farthest_from(const space::Vector& p, const Incumbent& known = {}) const {
+    return farthest_from([p](const space::Vector& x) { return space::length(x - p); }, known);
   }
   Slack deepest(const SlackEnd& end, std::optional<Box> box = {}) const {
     return most_slack(cells(box.value_or(box_)), constraints_, end);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "distance/search/convex_distance.h"
+#include "distance/search/grown_set.h"
 #include "distance/search/round_solid.h"
 #include "exact/margins/space_distance.h"
 
@@ -164,22 +165,15 @@ Solids solids_of(const Body& b, const RealVector& p) {
 
 namespace {
 
-/// A convex core and a radius, as what is protrusion out of.
-struct Target {
-  std::vector<HalfSpace> planes;  // none of a point
-  RealVector center;
-  Real radius;
-};
-
 /// To the nearest set.
-Answer exact_distance(std::span<const Target> targets, const RealVector& at) {
+Answer exact_distance(std::span<const GrownSet> targets, const RealVector& at) {
   NearestBall nearest(at);
-  for (const Target& t : targets)
+  for (const GrownSet& t : targets)
     nearest.offer(space::minus(t.planes.empty() ? t.center : *nearest_in(t.planes, at), at), t.radius);
   return *nearest.found();
 }
 
-Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const Target> targets,
+Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const GrownSet> targets,
                   const RealVector& p) {
   return protrusion_answer(solid_max_min(solids_of(b, p), distances, 0), sharp_corners(b), p,
                            [&](const RealVector& at) { return exact_distance(targets, at); });
@@ -224,13 +218,13 @@ Answer protrusion_answer(const SolidMaxMin& found, std::span<const space::Point>
 }
 
 Answer protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
-  std::vector<Target> targets;
-  for (const BodyPart& part : a.parts) targets.push_back({part.planes(), real(part.center), part.radius});
+  std::vector<GrownSet> targets;
+  for (const BodyPart& part : a.parts) targets.push_back(grown_set(part));
   return protrusion(b, distances_to_parts(a), targets, p);
 }
 
 Answer protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
-  std::vector<Target> targets;
+  std::vector<GrownSet> targets;
   std::vector<ConvexDistance> distances;
   for (const space::OutsideCell& cell : a) {
     targets.push_back({cell.planes, {}, Real()});

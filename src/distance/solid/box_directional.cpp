@@ -87,9 +87,9 @@ Which nearest_one(Which which) {
 
 Tried<BoxComplex> BoxMaps::directional_map(Which which, const Real& level, int axis, int way) const {
   const bool farthest = is_farthest(which);
-  const Tried<const Signs*> found = signs(nearest_one(which));
+  const Tried<Signs>& found = signs(nearest_one(which));
   if (!found) return found.refusal();
-  const Signs& s = **found;
+  const Signs& s = *found;
   const int side = level.sign();
   if (!s.defined || (farthest && side < 0)) return BoxComplex({}, 1);
   const auto set = [&](auto in) { return s.map.remarked([in](Mark m) { return Mark(in(m)); }); };
@@ -113,9 +113,9 @@ Tried<BoxComplex> BoxMaps::directional_map(Which which, const Real& level, int a
 /// The least value is set by two places of one line: half their distance (both ways) or all of it. Below the greatest
 /// of these levels below which there is nothing there is none.
 Tried<std::optional<BoxMaps::Least>> BoxMaps::directional_least(Which which, int axis, int way) const {
-  const Tried<const Signs*> found = signs(nearest_one(which));
+  const Tried<Signs>& found = signs(nearest_one(which));
   if (!found) return found.refusal();
-  const Signs& s = **found;
+  const Signs& s = *found;
   const bool farthest = is_farthest(which);
   if (!s.defined || (!farthest && s.map.mark(0, 0, 0) < 0)) return std::nullopt;
   std::vector<Real> levels = lengths(s.map.at()[static_cast<std::size_t>(axis)]);

@@ -71,12 +71,8 @@ BoxMaps::BoxMaps(BoxComplex b, BoxComplex a) : b_(std::move(b)), a_(std::move(a)
   if (b_.empty() || a_.empty()) throw Error(ErrorCode::kGeometry, "a shape of the scene is empty");
 }
 
-Tried<const BoxMaps::Signs*> BoxMaps::signs(Which base) const {
-  const std::size_t k = slot(base);
-  std::call_once(once_[k], [&] { signs_[k] = made(base); });
-  const Tried<Signs>& found = *signs_[k];
-  if (!found) return found.refusal();
-  return &*found;
+const Tried<BoxMaps::Signs>& BoxMaps::signs(Which base) const {
+  return signs_[slot(base)].of([&] { return made(base); });
 }
 
 Tried<BoxMaps::Signs> BoxMaps::made(Which base) const {
@@ -98,9 +94,9 @@ Tried<BoxMaps::Signs> BoxMaps::made(Which base) const {
 }
 
 Tried<BoxComplex> BoxMaps::base_map(Which base, const Real& level) const {
-  const Tried<const Signs*> found = signs(base);
+  const Tried<Signs>& found = signs(base);
   if (!found) return found.refusal();
-  const Signs& s = **found;
+  const Signs& s = *found;
   if (!s.defined) return BoxComplex({}, 1);
   if (level.sign() == 0) return s.map;
   if (level.sign() > 0)
@@ -126,9 +122,9 @@ Tried<BoxComplex> BoxMaps::sign_map(Which which, const Real& level) const {
   if (const auto d = cut_off_of(which)) {  // at a level: the map of the base, perhaps with marks turned
     if (level.sign() < 0) return BoxComplex({}, 1);
     if (d->base != Which::kMu && d->base != Which::kMuBack) {
-      const Tried<const Signs*> found = signs(d->base);
+      const Tried<Signs>& found = signs(d->base);
       if (!found) return found.refusal();
-      if (!(*found)->defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
+      if (!found->defined) return BoxComplex({}, d->negated ? Mark(-level.sign()) : Mark(1));
     }
     const int turn = d->negated ? -1 : 1;
     const bool above = level.sign() > 0;
@@ -187,15 +183,15 @@ std::optional<Answer> BoxMaps::farthest_value(const Signs& s, const RealVector& 
 }
 
 TriedAnswer BoxMaps::signed_value(Which base, const RealVector& p) const {
-  const Tried<const Signs*> s = signs(base);
+  const Tried<Signs>& s = signs(base);
   if (!s) return s.refusal();
-  return signed_value(**s, p);
+  return signed_value(*s, p);
 }
 
 TriedAnswer BoxMaps::farthest_value(Which base, const RealVector& p) const {
-  const Tried<const Signs*> s = signs(base);
+  const Tried<Signs>& s = signs(base);
   if (!s) return s.refusal();
-  return farthest_value(**s, p);
+  return farthest_value(*s, p);
 }
 
 TriedAnswer BoxMaps::diameter(const RealVector& p) const {
@@ -238,9 +234,9 @@ PairDistances BoxMaps::distances() const {
 
 Tried<std::optional<BoxMaps::Least>> BoxMaps::least(Which which) const {
   if (which != Which::kGamma1 && which != Which::kEta1 && which != Which::kDelta1) return std::nullopt;
-  const Tried<const Signs*> s = signs(which);
+  const Tried<Signs>& s = signs(which);
   if (!s) return s.refusal();
-  std::optional<Least> found = least(**s);
+  std::optional<Least> found = least(*s);
   if (!found) return found;
   Tried<BoxComplex> at = std::move(found->at).checked();
   if (!at) return at.refusal();

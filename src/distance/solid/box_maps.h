@@ -13,10 +13,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "distance/solid/pair_distances.h"
+#include "plane/base/lazy.h"
 #include "space/box/box_complex.h"
 
 namespace findspace::distance {
@@ -59,7 +59,7 @@ class BoxMaps {
     std::vector<space::IntervalBox> negative;      // the '-' set, if it is made of separate open boxes
     bool defined = true, has_negative = false;
   };
-  exact::Tried<const Signs*> signs(Which base) const;
+  const exact::Tried<Signs>& signs(Which base) const;
   exact::Tried<Signs> made(Which base) const;
   exact::Tried<space::BoxComplex> base_map(Which base, const exact::Real& level) const;
   static std::optional<Answer> signed_value(const Signs& s, const space::RealVector& p);
@@ -70,8 +70,7 @@ class BoxMaps {
   static std::optional<Least> least(const Signs& s);
 
   space::BoxComplex b_, a_;
-  mutable std::array<std::once_flag, 3> once_;
-  mutable std::array<std::optional<exact::Tried<Signs>>, 3> signs_;
+  std::array<plane::Lazy<exact::Tried<Signs>>, 3> signs_;
 };
 
 }  // namespace findspace::distance

@@ -24,9 +24,9 @@ using space::RealVector;
 
 TriedAnswer SolidSide::gap(const RealVector& p, Depth depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
-  std::call_once(overlap_made_, [&] { overlap_ = std::make_unique<space::OpenUnion>(overlap_cover(*b_, *a_)); });
-  if (overlap_->covers(p)) return signed_value(p, *overlap_->nearest_in_complement(p), -1);
-  return signed_value(p, *overlap_->nearest_touching(p), 1);
+  const space::OpenUnion& overlap = overlap_.of([&] { return overlap_cover(*b_, *a_); });
+  if (overlap.covers(p)) return signed_value(p, *overlap.nearest_in_complement(p), -1);
+  return signed_value(p, *overlap.nearest_touching(p), 1);
 }
 
 TriedAnswer SolidSide::round_gap(const RealVector& p, Depth depth) const {
@@ -51,15 +51,11 @@ TriedAnswer SolidSide::round_gap(const RealVector& p, Depth depth) const {
     if (!out) return Refusal("the nearest free position of the balls is not found");
     return signed_value(p, *out, -1);
   }
-  std::call_once(round_overlap_made_, [&] {
+  const auto& free = round_overlap_.of([&] {
     const space::Bounds3 box = space::meeting(bounds(*b_), bounds(*a_));
-    std::vector<GrownSet> sets;
-    for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts) sets.push_back(difference(t, s));
-    }
-    round_overlap_ = std::make_shared<const PositionSet>(PositionSet::outside(std::move(sets), box.low, box.high));
+    return std::make_shared<const PositionSet>(PositionSet::outside(differences(*a_, *b_), box.low, box.high));
   });
-  TriedAnswer out = round_overlap_->nearest(p, true);
+  TriedAnswer out = free->nearest(p, true);
   if (!out) return out;
   if (!*out) return Refusal("the nearest free position of the rounded shapes is not found");
   return minus(**std::move(out));
@@ -103,14 +99,11 @@ TriedAnswer SolidSide::reach_into_parts(const RealVector& p) const {
 /// The same, of a union: how far B protrudes from what that leaves free.
 Answer SolidSide::reach_into_round_parts(const RealVector& p) const {
   const space::Bounds3 box = bounds(*a_);
-  std::vector<GrownSet> sets;
-  NearSet left;
+  const PositionSet free = PositionSet::outside_of(*a_);
+  NearSet left{&free};
   for (const BodyPart& part : a_->parts) {
-    sets.push_back({part.planes(), real(part.center), part.radius});
     if (part.point()) left.add_ball(part);
   }
-  const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
-  left.places = &free;
   const Solids solids = solids_of(*b_, p);
   const space::Extent about = space::rounded(box);
   const double size = 1 + space::length(space::rounded(p)) + space::length(about.low) + space::length(about.high);

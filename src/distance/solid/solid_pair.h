@@ -16,13 +16,13 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "distance/answer/answer.h"
 #include "distance/search/solid_max_min.h"
 #include "distance/solid/pair_distances.h"
+#include "plane/base/lazy.h"
 #include "space/body/ball_meet.h"
 #include "space/body/body.h"
 #include "space/body/position_covers.h"
@@ -69,23 +69,28 @@ class SolidSide : public PairSide {
     std::optional<space::BallMeet> balls;
     bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
-    mutable std::once_flag level_made;
-    mutable std::shared_ptr<const PositionSet> boundary;
+    plane::Lazy<std::shared_ptr<const PositionSet>> boundary;
     std::shared_ptr<const UnionContainers> in_union;  // where the fixed one is a union of round parts
   };
 
   /// Distances as numbers know them, each made when first needed; empty where they would be too many.
+  using Distances = std::vector<ConvexDistance>;
+  struct NearFit {
+    Distances all;
+    bool known = false;  // it is the distance to E, without any where E is empty
+  };
   struct Near {
-    std::once_flag gap_made, fit_made, protrusion_made;
-    std::vector<ConvexDistance> gap, fit, protrusion;
-    bool fit_known = false;  // `fit` is the distance to E, without any where E is empty
-    double size = 0;         // of the coordinates of both
+    plane::Lazy<Distances> gap, protrusion;
+    plane::Lazy<NearFit> fit;
+    double size = 0;  // of the coordinates of both
   };
   static constexpr std::size_t kMostNear = 64;
-  void make_near_fit() const;
+  NearFit made_near_fit() const;
   exact::Interval about(double value, const space::Vector& p) const;
 
-  const Fit& positions() const;
+  const Fit& positions() const {
+    return *fit_.of([&] { return made_fit(); });
+  }
   std::unique_ptr<Fit> made_fit() const;
   const PositionSet& boundary_of(const Fit& fit) const;
   TriedAnswer to_fit(const space::RealVector& p) const;
@@ -102,11 +107,10 @@ class SolidSide : public PairSide {
   Answer reach_into_round_parts(const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_, a_;
-  mutable std::once_flag fit_made_, overlap_made_, round_overlap_made_;
-  mutable std::unique_ptr<Fit> fit_;
-  mutable std::unique_ptr<space::OpenUnion> overlap_;
-  mutable std::shared_ptr<const PositionSet> round_overlap_;
-  mutable Near near_;
+  plane::Lazy<std::unique_ptr<const Fit>> fit_;
+  plane::Lazy<space::OpenUnion> overlap_;
+  plane::Lazy<std::shared_ptr<const PositionSet>> round_overlap_;
+  Near near_;
 };
 
 /// max |v - w| + radii over two points of the body.

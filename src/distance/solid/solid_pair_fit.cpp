@@ -39,18 +39,16 @@ std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) { return spa
 }  // namespace
 
 const PositionSet& SolidSide::boundary_of(const Fit& fit) const {
-  std::call_once(fit.level_made, [&] {
-    const Body &b = *b_, &a = *a_;
-    const space::Bounds3 box = *fit_box(b, a);
+  return *fit.boundary.of([&] {
+    const space::Bounds3 box = *fit_box(*b_, *a_);
+    if (a_->convex())
+      return std::make_shared<const PositionSet>(PositionSet::inside(*b_, a_->parts[0], box.low, box.high));
     std::vector<GrownSet> sets;
     for (const Fit::Group& group : fit.groups) {
       for (std::size_t k = 0; k < group.cover.size(); ++k) sets.push_back({group.cover.planes(k), {}, group.radius});
     }
-    fit.boundary =
-        std::make_shared<const PositionSet>(a.convex() ? PositionSet::inside(b, a.parts[0], box.low, box.high)
-                                                       : PositionSet::outside(std::move(sets), box.low, box.high));
+    return std::make_shared<const PositionSet>(PositionSet::outside(std::move(sets), box.low, box.high));
   });
-  return *fit.boundary;
 }
 
 std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
@@ -104,11 +102,6 @@ std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
   made->round = b.round();
   made->none = b.round() && !fit_box(b, a);
   return made;
-}
-
-const SolidSide::Fit& SolidSide::positions() const {
-  std::call_once(fit_made_, [&] { fit_ = made_fit(); });
-  return *fit_;
 }
 
 /// The nearest position of E, which does not hold p.
@@ -196,10 +189,7 @@ TriedAnswer SolidSide::clearance(const RealVector& p) const {
 }
 
 TriedAnswer SolidSide::depth_inside(const RealVector& p) const {
-  const space::Bounds3 box = bounds(*a_);
-  std::vector<GrownSet> sets;
-  for (const BodyPart& part : a_->parts) sets.push_back({part.planes(), real(part.center), part.radius});
-  const PositionSet free = PositionSet::outside(std::move(sets), box.low, box.high);
+  const PositionSet free = PositionSet::outside_of(*a_);
   std::optional<Answer> least;
   for (const BodyPart& part : b_->parts) {
     exact::Tried<Answer> v = free.least(touching_distance(part, space::rounded(p), part.radius.to_double()));
@@ -284,8 +274,7 @@ TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
   const auto known = in_one_part(containers, p, true);
   Incumbent best;
   if (known) best = [&] { return std::optional(-known->value.to_double()); };
-  const auto away = [from = space::rounded(p)](const space::Vector& x) { return space::length(x - from); };
-  auto out = settled(containers.fits.farthest_from(away, best), known, containers.fits.size());
+  auto out = settled(containers.fits.farthest_from(space::rounded(p), best), known, containers.fits.size());
   if (out && *out) (*out)->nearest.reset();
   return out;
 }

@@ -63,15 +63,15 @@ exact::Interval SolidSide::about(double value, const Vector& p) const {
 }
 
 exact::Interval SolidSide::gap_within(const Vector& p) const {
-  std::call_once(near_.gap_made, [&] {
-    if (a_->parts.size() * b_->parts.size() > kMostNear) return;
-    for (const BodyPart& t : a_->parts) {
-      for (const BodyPart& s : b_->parts) near_.gap.push_back(grown_distance(difference(t, s)));
-    }
+  const Distances& all = near_.gap.of([&] {
+    Distances made;
+    if (a_->parts.size() * b_->parts.size() > kMostNear) return made;
+    for (const GrownSet& set : differences(*a_, *b_)) made.push_back(grown_distance(set));
+    return made;
   });
-  if (near_.gap.empty()) return exact::whole_line();
-  exact::Interval out = about(least_of(near_.gap, p), p);
-  if (near_.gap.size() > 1 && !(out.lo > 0)) out.lo = -exact::kInfinity;
+  if (all.empty()) return exact::whole_line();
+  exact::Interval out = about(least_of(all, p), p);
+  if (all.size() > 1 && !(out.lo > 0)) out.lo = -exact::kInfinity;
   return out;
 }
 
@@ -92,18 +92,20 @@ exact::Interval SolidSide::reach_within(const Vector& p) const {
 
 exact::Interval SolidSide::protrusion_within(const Vector& p) const {
   if (!a_->convex()) return exact::whole_line();
-  std::call_once(near_.protrusion_made, [&] {
-    if (count_vertices(*b_) > kMostNear) return;
+  const Distances& all = near_.protrusion.of([&] {
+    Distances made;
+    if (count_vertices(*b_) > kMostNear) return made;
     const BodyPart& part = a_->parts[0];
     for (const BodyPart& s : b_->parts) {
       const ConvexDistance f = grown_distance({part.planes(), real(part.center), part.radius - s.radius});
       for (const space::Point& v : s.vertices())
-        near_.protrusion.push_back([f, at = exact::approx(v)](const Vector& x) { return f(space::plus(x, at)); });
+        made.push_back([f, at = exact::approx(v)](const Vector& x) { return f(space::plus(x, at)); });
     }
+    return made;
   });
-  if (near_.protrusion.empty()) return exact::whole_line();
+  if (all.empty()) return exact::whole_line();
   double most = -exact::kInfinity;
-  for (const ConvexDistance& f : near_.protrusion) most = std::max(most, f(p));
+  for (const ConvexDistance& f : all) most = std::max(most, f(p));
   return about(most, p);
 }
 
@@ -121,38 +123,39 @@ std::optional<ConvexDistance> fit_of_polytopes(const Body& b, const Body& a, con
 }  // namespace
 
 exact::Interval SolidSide::fit_within(const Vector& p) const {
-  std::call_once(near_.fit_made, [&] { make_near_fit(); });
-  if (near_.fit_known)
-    return near_.fit.empty() ? exact::Interval{exact::kInfinity, exact::kInfinity} : about(near_.fit[0](p), p);
+  const NearFit& fit = near_.fit.of([&] { return made_near_fit(); });
+  if (fit.known) return fit.all.empty() ? exact::Interval{exact::kInfinity, exact::kInfinity} : about(fit.all[0](p), p);
   exact::Interval out = a_->convex() ? protrusion_within(p) : exact::whole_line();
-  if (!near_.fit.empty()) out = about(-least_of(near_.fit, p), p);
+  if (!fit.all.empty()) out = about(-least_of(fit.all, p), p);
   if (!(out.hi < 0)) out.hi = exact::kInfinity;
   return out;
 }
 
 /// Of a ball in a ball, and in one polytope, the distance itself.
-void SolidSide::make_near_fit() const {
+SolidSide::NearFit SolidSide::made_near_fit() const {
+  NearFit out;
   const BodyPart &s = b_->parts[0], &t = a_->parts[0];
   if (a_->convex() && t.point()) {
-    near_.fit_known = b_->convex() && s.point();
-    if (near_.fit_known && t.radius >= s.radius)
-      near_.fit.push_back(grown_distance({{}, real(t.center - s.center), t.radius - s.radius}));
-    return;
+    out.known = b_->convex() && s.point();
+    if (out.known && t.radius >= s.radius)
+      out.all.push_back(grown_distance({{}, real(t.center - s.center), t.radius - s.radius}));
+    return out;
   }
-  if (a_->round()) return;
+  if (a_->round()) return out;
   const std::vector<Fit::Group>& groups = positions().groups;
   std::size_t count = 0;
   for (const Fit::Group& group : groups) count += group.cover.size();
-  if (count > kMostNear) return;
+  if (count > kMostNear) return out;
   if (a_->convex() && t.core && groups.size() == 1 && groups[0].radius.sign() == 0) {
-    near_.fit_known = true;
-    if (auto f = fit_of_polytopes(*b_, *a_, groups[0].cover)) near_.fit.push_back(*std::move(f));
-    return;
+    out.known = true;
+    if (auto f = fit_of_polytopes(*b_, *a_, groups[0].cover)) out.all.push_back(*std::move(f));
+    return out;
   }
   for (const Fit::Group& group : groups) {
     for (std::size_t k = 0; k < group.cover.size(); ++k)
-      near_.fit.push_back(grown_distance({group.cover.planes(k), {}, group.radius}));
+      out.all.push_back(grown_distance({group.cover.planes(k), {}, group.radius}));
   }
+  return out;
 }
 
 }  // namespace findspace::distance

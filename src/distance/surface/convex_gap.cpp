@@ -63,13 +63,12 @@ ConvexGap::ConvexGap(std::shared_ptr<const space::SurfaceSet> a, BodyPart b)
 
 double ConvexGap::error(const Vector& p) const { return margin::kNumbersOff * (size_ + space::size_of(p)); }
 
-double ConvexGap::distance(const Sheet& sheet, Triangle& triangle, int face, const Vector& p) const {
-  std::call_once(triangle.made, [&] {
+double ConvexGap::distance(const Sheet& sheet, const Triangle& triangle, int face, const Vector& p) const {
+  return triangle.of([&] {
     BodyPart part{std::nullopt, sheet.body.corner(face, 0), exact::Real()};
     for (int k = 0; k < 3; ++k) part.flat.push_back(sheet.body.corner(face, k));
-    triangle.distance = grown_distance(difference(part, b_));
-  });
-  return triangle.distance(p);
+    return grown_distance(difference(part, b_));
+  })(p);
 }
 
 double ConvexGap::operator()(const Vector& p) const {

@@ -9,10 +9,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "distance/search/grown_set.h"
+#include "plane/base/lazy.h"
 #include "space/surface/surface_set.h"
 
 namespace findspace::distance {
@@ -31,11 +31,9 @@ class ConvexGap {
   double error(const space::Vector& p) const;
 
  private:
-  struct Triangle {
-    std::once_flag made;
-    ConvexDistance distance;
-  };
-  double distance(const space::SurfaceSet::Sheet& sheet, Triangle& triangle, int face, const space::Vector& p) const;
+  using Triangle = plane::Lazy<ConvexDistance>;
+  double distance(const space::SurfaceSet::Sheet& sheet, const Triangle& triangle, int face,
+                  const space::Vector& p) const;
 
   std::shared_ptr<const space::SurfaceSet> a_;
   space::BodyPart b_;

@@ -233,7 +233,7 @@ class BallSearch {
     const TouchingConstraint away = distance_to_point(space::rounded(x_));
     BoundaryPlace found;
     if (farthest) {
-      found = places.farthest_from([&](const Vector& y) { return away(y).value; });
+      found = places.farthest_from(space::rounded(x_));
     } else {
       std::optional<Answer> first = pushed();
       PositionSet::Query query;

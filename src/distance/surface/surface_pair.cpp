@@ -63,11 +63,11 @@ SurfaceSide::Near SurfaceSide::made_near() const {
   return out;
 }
 
-exact::Interval SurfaceSide::surfaces_within(const Vector& p) const {
+exact::Interval SurfaceSide::surfaces_within(const Near& known, const Vector& p) const {
   const auto about = [](double value, double error) { return exact::Interval{value - error, value + error}; };
-  if (near_->of_b) return about((*near_->of_b)(p), near_->of_b->error(p));
+  if (known.of_b) return about((*known.of_b)(p), known.of_b->error(p));
   const Vector back = space::scaled(-1, p);
-  if (near_->of_a) return about((*near_->of_a)(back), near_->of_a->error(p));
+  if (known.of_a) return about((*known.of_a)(back), known.of_a->error(p));
   const space::SurfaceGaps::Near near = gaps_->near(p);
   return about(near.value, near.error);
 }
@@ -75,10 +75,10 @@ exact::Interval SurfaceSide::surfaces_within(const Vector& p) const {
 // Where the surfaces do not touch, each piece of the one lies outside the other or within it, as any place of it does.
 exact::Interval SurfaceSide::gap_within(const Vector& p) const {
   if (!gaps_) return exact::whole_line();
-  std::call_once(near_made_, [&] { near_.emplace(made_near()); });
-  exact::Interval out = surfaces_within(p);
-  const bool apart = out.lo > 0 && near_->a.surely_outside(near_->b.pieces, p, out.lo) &&
-                     near_->b.surely_outside(near_->a.pieces, space::scaled(-1, p), out.lo);
+  const Near& near = near_.of([&] { return made_near(); });
+  exact::Interval out = surfaces_within(near, p);
+  const bool apart = out.lo > 0 && near.a.surely_outside(near.b.pieces, p, out.lo) &&
+                     near.b.surely_outside(near.a.pieces, space::scaled(-1, p), out.lo);
   if (!apart) out.lo = -exact::kInfinity;
   return out;
 }
@@ -179,6 +179,11 @@ TriedAnswer of_ball(const space::SurfaceSet::Ball& ball, const Surfaced& fixed, 
   return std::move(place.value);
 }
 
+const SurfaceContacts& contacts(const plane::Lazy<std::unique_ptr<const SurfaceContacts>>& of, const Surfaced& b,
+                                const Surfaced& a, TouchSide from) {
+  return *of.of([&] { return std::make_unique<const SurfaceContacts>(*b.surface, *a.surface, from); });
+}
+
 /// Each one surface, not both convex: then parts are the quick way.
 bool decided_by_contacts(const Surfaced& b, const Surfaced& a) {
   const auto one = [](const Surfaced& s) { return s.surface && s.surface->one_sheet(); };
@@ -198,11 +203,6 @@ TriedAnswer of_contact(const SurfaceContact& contact, const RealVector& p, int s
 
 }  // namespace
 
-const SurfaceContacts& SurfaceSide::Contacts::of(const Surfaced& b, const Surfaced& a, TouchSide from) {
-  std::call_once(made, [&] { contacts = std::make_unique<const SurfaceContacts>(*b.surface, *a.surface, from); });
-  return *contacts;
-}
-
 /// The one with fewer faces moves.
 TriedAnswer SurfaceSide::depth(const RealVector& p) const {
   const bool back = faces(a_) < faces(b_);
@@ -213,7 +213,7 @@ TriedAnswer SurfaceSide::depth(const RealVector& p) const {
     out = of_ball(*ball, fixed, TouchSide::kOutside, false, at);
     if (out && *out) (*out)->value = -(*out)->value;
   } else if (decided_by_contacts(moving, fixed)) {
-    out = of_contact(outside_.of(moving, fixed, TouchSide::kOutside).nearest(at), at, -1);
+    out = of_contact(contacts(outside_, moving, fixed, TouchSide::kOutside).nearest(at), at, -1);
   }
   if (!out || !*out) return not_touching();
   return back ? exchanged_back(std::move(out), p) : out;
@@ -224,7 +224,7 @@ TriedAnswer SurfaceSide::to_fit(bool farthest, const RealVector& p) const {
   if (const auto* ball = only_ball(b_)) {
     out = of_ball(*ball, a_, TouchSide::kInside, farthest, p);
   } else if (decided_by_contacts(b_, a_)) {
-    const SurfaceContacts& of = inside_.of(b_, a_, TouchSide::kInside);
+    const SurfaceContacts& of = contacts(inside_, b_, a_, TouchSide::kInside);
     out = of_contact(farthest ? of.farthest(p) : of.nearest(p), p, 1);
   }
   if (farthest && out && *out) (*out)->nearest.reset();

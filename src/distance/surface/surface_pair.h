@@ -18,12 +18,11 @@
 // facets suffice), 15, 19. Keywords: clearance, mesh distance, penetration depth.
 #pragma once
 
-#include <mutex>
-
 #include "distance/solid/solid_pair.h"
 #include "distance/surface/convex_gap.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_field.h"
+#include "plane/base/lazy.h"
 #include "space/surface/surface_gap.h"
 
 namespace findspace::distance {
@@ -56,11 +55,7 @@ class SurfaceSide : public PairSide {
 
  private:
   /// Positions at which the one touches the other from one side, made when first needed.
-  struct Contacts {
-    std::once_flag made;
-    std::unique_ptr<const SurfaceContacts> contacts;
-    const SurfaceContacts& of(const Surfaced& b, const Surfaced& a, space::TouchSide from);
-  };
+  using Contacts = plane::Lazy<std::unique_ptr<const SurfaceContacts>>;
   /// How the two lie, and their distance where that is one.
   std::optional<space::SurfaceGaps::Relation> relation(const space::RealVector& p, std::optional<Answer>& gap) const;
   /// How deep they overlap; how far B, which does not lie in A, is from it, and the farthest position at which it does.
@@ -86,13 +81,12 @@ class SurfaceSide : public PairSide {
   };
   Near made_near() const;
   /// The least distance of the surfaces, or less than 0 where they cross.
-  exact::Interval surfaces_within(const space::Vector& p) const;
+  exact::Interval surfaces_within(const Near& near, const space::Vector& p) const;
 
   Surfaced b_, a_;
-  mutable std::once_flag near_made_;
-  mutable std::optional<Near> near_;
+  plane::Lazy<Near> near_;
   std::unique_ptr<const space::SurfaceGaps> gaps_;
-  mutable Contacts outside_, inside_;
+  Contacts outside_, inside_;
 };
 
 }  // namespace findspace::distance
