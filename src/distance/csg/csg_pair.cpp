@@ -100,7 +100,7 @@ CsgSide::TriedFits CsgSide::made_fits() const {
     all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
   std::vector<GrownSet> sets;
   for (const Body& obstacle : a_->obstacles) {
-    for (GrownSet& set : differences(obstacle, *b_)) sets.push_back(std::move(set));
+    for (GrownSet& set : differences_of_parts(obstacle, *b_)) sets.push_back(std::move(set));
   }
   all.push_back(PositionSet::outside(std::move(sets), box->low, box->high));
   return std::optional(PositionSet::common(all, box->low, box->high));

@@ -212,9 +212,8 @@ class CsgSide::FreeNear : public NearRule {
     const Vector &start = line.start, &unit = line.unit;
     const Vector p = space::plus(start, space::scaled(from, unit)), q = space::plus(start, space::scaled(to, unit));
     const double reach = depth_ * margin::kNearReach + error;
-    const Vector tolerance{reach, reach, reach};
-    const Vector low = Vector{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)} - tolerance,
-                 high = space::plus({std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}, tolerance);
+    space::Extent way{p, p};
+    way.add({q, q});
     std::optional<Vector> out_of_one;
     std::optional<exact::Refusal> refused;
     const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
@@ -222,7 +221,7 @@ class CsgSide::FreeNear : public NearRule {
     if (!free) return free.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
-        free->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, {{low, high}}});
+        free->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, grown(way, reach)});
     if (refused) return *refused;
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;

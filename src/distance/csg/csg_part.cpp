@@ -63,16 +63,12 @@ ConvexDistance reverse_convex_constraint(const BodyPart& set, const Vector& p) {
 }
 
 CsgPartSearch csg_part_search(const CsgPart& part, double size) {
-  const space::Bounds3 box = bounds(part);
-  const double slack = margin::kAroundPart * size;
-  const Vector by{slack, slack, slack};
   Constraints constraints;
   for (const BodyPart& set : part.within) constraints.convex.push_back(convex_constraint(set, {}));
   for (const BodyPart& set : part.without) constraints.reverse_convex.push_back(reverse_convex_constraint(set, {}));
-  CsgPartSearch out{
-      &part, PositionSet::of_constraints(std::move(constraints),
-                                         {space::rounded(box.low) - by, space::plus(space::rounded(box.high), by)},
-                                         size, [&part](const RealVector& x) { return holds(part, x); })};
+  CsgPartSearch out{&part, PositionSet::of_constraints(std::move(constraints),
+                                                       grown(space::rounded(bounds(part)), margin::kAroundPart * size),
+                                                       size, [&part](const RealVector& x) { return holds(part, x); })};
   const double none = margin::kNoInterior * size;
   out.empty = out.places.deepest({none}).value <= none;
   return out;

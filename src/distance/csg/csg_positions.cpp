@@ -35,9 +35,9 @@ constexpr long kMostCellsInAll = 200000;
 constexpr std::size_t kRecent = 8, kMostCuts = 8;
 
 /// A tetrahedron about the box.
-Tetrahedron about_box(const Vector& low, const Vector& high) {
-  const Vector wide = space::scaled(3.0625, high - low),
-               from = low - space::scaled(margin::kAroundTetrahedron, high - low);
+Tetrahedron about_box(const space::Extent& box) {
+  const Vector wide = space::scaled(3.0625, box.high - box.low),
+               from = box.low - space::scaled(margin::kAroundTetrahedron, box.high - box.low);
   return {from, space::plus(from, {wide.x, 0, 0}), space::plus(from, {0, wide.y, 0}),
           space::plus(from, {0, 0, wide.z})};
 }
@@ -55,7 +55,7 @@ namespace {
 struct CsgPosition {
   std::vector<MeetSet> moving, fixed;
   Tetrahedron about;                    // holds the part of B
-  Vector low, high;                     // likewise
+  space::Extent box;                    // likewise
   TouchingConstraint in;                // the part of B
   std::vector<TouchingConstraint> out;  // what is cut out, negative inside
   const CsgPartSearch* part = nullptr;
@@ -156,7 +156,7 @@ class CsgConstraints : public LazyConstraints {
   /// By more than `edge`, or touching.
   bool apart(std::size_t k, const Vector& p, double edge = 0) const {
     const CsgPosition& pair = all_->pairs[k];
-    const Vector by{edge, edge, edge}, low = space::plus(pair.low, p) - by, high = space::plus(pair.high, p),
+    const Vector by{edge, edge, edge}, low = space::plus(pair.box.low, p) - by, high = space::plus(pair.box.high, p),
                                        &from = pair.part->box().low, to = space::plus(pair.part->box().high, by);
     return high.x <= from.x - edge || high.y <= from.y - edge || high.z <= from.z - edge || to.x <= low.x + edge ||
            to.y <= low.y + edge || to.z <= low.z + edge;
@@ -251,7 +251,7 @@ class CsgConstraints : public LazyConstraints {
   Slack most(std::size_t k, const Vector& p, const SlackEnd& end) const {
     at_ = p;
     const CsgPosition& pair = all_->pairs[k];
-    const Vector low = space::plus(pair.low, p), high = space::plus(pair.high, p), &from = pair.part->box().low,
+    const Vector low = space::plus(pair.box.low, p), high = space::plus(pair.box.high, p), &from = pair.part->box().low,
                  &to = pair.part->box().high;
     const PositionSet::Box box{{std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
                                {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)}};
@@ -273,16 +273,16 @@ class CsgConstraints : public LazyConstraints {
 exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CsgPartSearch>& parts, double size) {
   auto all = std::make_shared<CsgPositions>();
   all->size = size;
-  Vector low{exact::kInfinity, exact::kInfinity, exact::kInfinity}, high = space::scaled(-1, low);
+  const Vector far{exact::kInfinity, exact::kInfinity, exact::kInfinity};
+  PositionSet::Box around{far, space::scaled(-1, far)};
   for (const BodyPart& s : b.parts) {
     const space::Extent box = space::rounded(bounds(space::body_of_part(s)));
     auto moving = meet_sets(s);
     if (!moving) return moving.refusal();
     for (const CsgPartSearch& part : parts) {
       CsgPosition& pair = all->pairs.emplace_back();
-      pair.low = box.low;
-      pair.high = box.high;
-      pair.about = about_box(pair.low, pair.high);
+      pair.box = box;
+      pair.about = about_box(box);
       pair.moving = *moving;
       for (const BodyPart& set : part.sets->within) {
         const auto fixed = meet_sets(set);
@@ -292,14 +292,12 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
       for (const BodyPart& set : part.sets->without) pair.out.push_back(gap_to(set, {}));
       pair.in = convex_constraint(s, {});
       pair.part = &part;
-      const Vector from = part.box().low - pair.high, to = part.box().high - pair.low;
-      low = {std::min(low.x, from.x), std::min(low.y, from.y), std::min(low.z, from.z)};
-      high = {std::max(high.x, to.x), std::max(high.y, to.y), std::max(high.z, to.z)};
+      around.add(space::difference(part.box(), box));
     }
   }
   return PositionSet::lazily(
       [all = std::shared_ptr<const CsgPositions>(std::move(all))] { return std::make_unique<CsgConstraints>(all); },
-      {low, high}, size,
+      around, size,
       "how deep a shape is in one that round ones are cut out of was not found within the limit of the search");
 }
 

@@ -235,7 +235,7 @@ Vector box_corner(const Body& a, const Body& b, bool high, bool fit) {
 /// The open sets of U.
 Positions overlaps(const Body& b, const Body& a) {
   Positions out{{}, {}, box_corner(a, b, false, false), box_corner(a, b, true, false)};
-  for (const GrownSet& set : differences(a, b)) out.out.push_back(grown_distance(set));
+  for (const GrownSet& set : differences_of_parts(a, b)) out.out.push_back(grown_distance(set));
   return out;
 }
 

@@ -6,10 +6,10 @@ namespace findspace::distance {
 
 using space::Vector;
 
-std::pair<Vector, Vector> askew(const Vector& low, const Vector& high) {
-  const Vector wide = high - low;
-  return {low - Vector{0.0371 * wide.x, 0.0493 * wide.y, 0.0287 * wide.z},
-          space::plus(high, {0.0231 * wide.x, 0.0419 * wide.y, 0.0527 * wide.z})};
+space::Extent askew(const space::Extent& box) {
+  const Vector wide = box.high - box.low;
+  return {box.low - Vector{0.0371 * wide.x, 0.0493 * wide.y, 0.0287 * wide.z},
+          space::plus(box.high, {0.0231 * wide.x, 0.0419 * wide.y, 0.0527 * wide.z})};
 }
 
 double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b) {

@@ -5,16 +5,19 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 
 #include "distance/search/solid_max_min.h"
 #include "plane/base/stage_observer.h"
+#include "space/polytope/extent.h"
 
 namespace findspace::distance {
 
 /// A box about the box. Cells whose faces lie in those of the sets would touch what is allowed and never be settled;
 /// cells of this one stand askew.
-std::pair<space::Vector, space::Vector> askew(const space::Vector& low, const space::Vector& high);
+space::Extent askew(const space::Extent& box);
+inline space::Extent grown(const space::Extent& box, double by) {
+  return {box.low - space::Vector{by, by, by}, space::plus(box.high, {by, by, by})};
+}
 
 /// Its length, and its ends.
 double longest_edge(const Tetrahedron& t, std::size_t& a, std::size_t& b);

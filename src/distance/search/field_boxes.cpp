@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/boundary_cells.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
@@ -19,7 +20,7 @@ struct FieldBoxes::Box {
 
 /// A tetrahedron: the box about it, and the planes of its faces.
 struct FieldBoxes::Asked {
-  Vector low, high;
+  space::Extent box;
   struct Plane {
     Vector normal;  // outward
     double offset = 0, spread = 0;
@@ -27,25 +28,21 @@ struct FieldBoxes::Asked {
   std::array<Plane, 4> planes;
   double most = 0, least_half = 0;
 
-  Asked(const Tetrahedron& t, double most_, double smallest) : low(t[0]), high(t[0]), most(most_) {
-    for (const Vector& v : t) {
-      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    }
+  Asked(const Tetrahedron& t, double most_, double smallest) : box{t[0], t[0]}, most(most_) {
+    for (const Vector& v : t) box.add({v, v});
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector &a = t[(k + 1) % 4], e = t[(k + 2) % 4] - a, g = t[(k + 3) % 4] - a, f = t[k] - a;
       Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
       if (space::dot(n, f) > 0) n = space::scaled(-1, n);
       // Of a flat one the planes say nothing that is known for certain.
-      const double tolerance = margin::kFacePlane * space::size_of(n) * (space::size_of(low) + space::size_of(high));
+      const double tolerance =
+          margin::kFacePlane * space::size_of(n) * (space::size_of(box.low) + space::size_of(box.high));
       planes[k] = {n, space::dot(n, a) + tolerance, space::size_of(n)};
     }
-    least_half = std::max(smallest, space::length(high - low) / 64);
+    least_half = std::max(smallest, space::length(box.high - box.low) / 64);
   }
   bool misses(const Vector& middle, double half) const {
-    if (middle.x - half > high.x || middle.x + half < low.x || middle.y - half > high.y || middle.y + half < low.y ||
-        middle.z - half > high.z || middle.z + half < low.z)
-      return true;
+    if (!box.holds(middle, half)) return true;
     return std::any_of(planes.begin(), planes.end(),
                        [&](const Plane& p) { return space::dot(p.normal, middle) - half * p.spread > p.offset; });
   }
@@ -95,10 +92,8 @@ bool FieldBoxes::within(const Box& box, const Vector& middle, double half, const
 
 bool FieldBoxes::within(const Tetrahedron& corners, double most) const {
   const Asked asked(corners, most, least_half_);
-  const Vector by{half_, half_, half_}, low = middle_ - by, high = space::plus(middle_, by);
-  if (asked.low.x < low.x || asked.low.y < low.y || asked.low.z < low.z || asked.high.x > high.x ||
-      asked.high.y > high.y || asked.high.z > high.z)
-    return false;
+  const space::Extent all = grown({middle_, middle_}, half_);
+  if (!all.holds(asked.box.low, 0) || !all.holds(asked.box.high, 0)) return false;
   return within(*root_, middle_, half_, asked);
 }
 

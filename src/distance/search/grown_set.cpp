@@ -113,7 +113,7 @@ TouchingConstraint distance_to_point(const Vector& p) {
 
 GrownSet grown_set(const space::BodyPart& part) { return {part.planes(), space::real(part.center), part.radius}; }
 
-std::vector<GrownSet> differences(const space::Body& a, const space::Body& b) {
+std::vector<GrownSet> differences_of_parts(const space::Body& a, const space::Body& b) {
   std::vector<GrownSet> out;
   for (const space::BodyPart& t : a.parts) {
     for (const space::BodyPart& s : b.parts) out.push_back(difference(t, s));

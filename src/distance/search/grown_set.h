@@ -46,6 +46,6 @@ TouchingConstraint distance_to_point(const space::Vector& p);
 GrownSet grown_set(const space::BodyPart& part);
 /// Of the positions at which the two parts meet, the open set; of two bodies those of all pairs.
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b);
-std::vector<GrownSet> differences(const space::Body& a, const space::Body& b);
+std::vector<GrownSet> differences_of_parts(const space::Body& a, const space::Body& b);
 
 }  // namespace findspace::distance

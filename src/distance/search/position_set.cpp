@@ -111,8 +111,7 @@ PositionSet PositionSet::common(std::span<const PositionSet> sets, const RealVec
     out.sets_.insert(out.sets_.end(), one.sets_.begin(), one.sets_.end());
     all.push_back(one.holds_);
   }
-  const Vector by = out.around_box();
-  out.box_ = {out.box_.low - by, space::plus(out.box_.high, by)};
+  out.box_ = out.around_box(out.box_);
   out.holds_ = [all](const RealVector& p) {
     return std::all_of(all.begin(), all.end(), [&](const Holds& holds) { return holds(p); });
   };
@@ -150,18 +149,10 @@ PositionSet PositionSet::also_in(TouchingConstraint set) const {
 }
 
 std::vector<Tetrahedron> PositionSet::cells(const Box& box) const {
-  if (askew_) {
-    const auto [low, high] = askew(box.low, box.high);
-    return tetrahedra_of_box(low, high);
-  }
-  const Vector by = around_box();
-  return tetrahedra_of_box(box.low - by, space::plus(box.high, by));
+  return tetrahedra_of_box(askew_ ? askew(box) : around_box(box));
 }
 
-Vector PositionSet::around_box() const {
-  const double tolerance = margin::kAroundBox * size_;
-  return {tolerance, tolerance, tolerance};
-}
+PositionSet::Box PositionSet::around_box(const Box& box) const { return grown(box, margin::kAroundBox * size_); }
 
 /// A cube about p, which is in the box, that reaches out of it.
 PositionSet::Box PositionSet::around(const Vector& p) const {
@@ -169,9 +160,7 @@ PositionSet::Box PositionSet::around(const Vector& p) const {
   for (const double d :
        {p.x - box_.low.x, box_.high.x - p.x, p.y - box_.low.y, box_.high.y - p.y, p.z - box_.low.z, box_.high.z - p.z})
     out = std::min(out, d);
-  out = std::max(0.0, out) + margin::kAroundCube * size_;
-  const Vector by{out, out, out};
-  return {p - by, space::plus(p, by)};
+  return grown({p, p}, std::max(0.0, out) + margin::kAroundCube * size_);
 }
 
 BoundaryPlace PositionSet::nearest_to(const TouchingConstraint& to, const Query& query) const {

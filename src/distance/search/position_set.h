@@ -104,7 +104,7 @@ class PositionSet {
   PositionSet(const space::RealVector& low, const space::RealVector& high);
 
   std::vector<Tetrahedron> cells(const Box& box) const;
-  space::Vector around_box() const;
+  Box around_box(const Box& box) const;
   Box around(const space::Vector& p) const;
   double deepest_at(const space::Vector& p) const;
   TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p, const std::optional<Answer>& known) const;

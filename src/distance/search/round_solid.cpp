@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "distance/search/boundary_cells.h"
+
 namespace findspace::distance {
 
 using space::dot;
@@ -34,14 +36,9 @@ std::optional<std::array<double, 4>> RoundSolid::beyond_plane(const Vector& x, c
 
 /// A box, cut along the six ways from its lowest to its highest corner.
 std::vector<Tetrahedron> around(const RoundSolid& solid) {
-  const Vector tolerance{solid.radius, solid.radius, solid.radius};
-  const auto low = Vector{std::min(solid.from.x, solid.to.x), std::min(solid.from.y, solid.to.y),
-                          std::min(solid.from.z, solid.to.z)} -
-                   tolerance;
-  const auto high = space::plus(
-      {std::max(solid.from.x, solid.to.x), std::max(solid.from.y, solid.to.y), std::max(solid.from.z, solid.to.z)},
-      tolerance);
-  return tetrahedra_of_box(low, high);
+  space::Extent box{solid.from, solid.from};
+  box.add({solid.to, solid.to});
+  return tetrahedra_of_box(grown(box, solid.radius));
 }
 
 }  // namespace findspace::distance

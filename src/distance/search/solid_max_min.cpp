@@ -101,9 +101,9 @@ SolidMaxMin solid_max_min(const Solids& solids, std::span<const ConvexDistance> 
   return tetrahedral_max_min(solids, ConvexSets(sets), MaxMinBest(std::min(0.0, slack), slack, share, 0), most);
 }
 
-std::vector<Tetrahedron> tetrahedra_of_box(const Vector& low, const Vector& high) {
+std::vector<Tetrahedron> tetrahedra_of_box(const space::Extent& box) {
   const auto corner = [&](int k) {
-    return Vector{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z};
+    return Vector{(k & 1 ? box.high : box.low).x, (k & 2 ? box.high : box.low).y, (k & 4 ? box.high : box.low).z};
   };
   std::vector<Tetrahedron> out;
   for (const int a : {1, 2, 4}) {

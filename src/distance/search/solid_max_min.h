@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "space/polytope/real_vector.h"
+#include "space/polytope/extent.h"
 
 namespace findspace::space {
 class Polytope;
@@ -31,7 +31,7 @@ inline constexpr int kMostCells = 200000;
 using Tetrahedron = std::array<space::Vector, 4>;
 
 /// The box in six, along the ways from its lowest to its highest corner.
-std::vector<Tetrahedron> tetrahedra_of_box(const space::Vector& low, const space::Vector& high);
+std::vector<Tetrahedron> tetrahedra_of_box(const space::Extent& box);
 /// The distance to a closed convex set, or another convex function of which no step changes more than its length.
 using ConvexDistance = std::function<double(const space::Vector&)>;
 

@@ -55,12 +55,14 @@ RoundSolid round_solid(const BodyPart& part, const Vector& by) {
     return out;
   }
   out.way = [way = way_to(part.planes()), by](const Vector& x) { return way(x - by); };
-  out.from = out.to = space::plus(exact::approx(part.vertices()[0]), by);
-  for (const space::Point& v : part.vertices()) {
+  const Vector first = space::plus(exact::approx(ends.front()), by);
+  space::Extent box{first, first};
+  for (const space::Point& v : ends) {
     const Vector at = space::plus(exact::approx(v), by);
-    out.from = {std::min(out.from.x, at.x), std::min(out.from.y, at.y), std::min(out.from.z, at.z)};
-    out.to = {std::max(out.to.x, at.x), std::max(out.to.y, at.y), std::max(out.to.z, at.z)};
+    box.add({at, at});
   }
+  out.from = box.low;
+  out.to = box.high;
   return out;
 }
 

@@ -346,10 +346,9 @@ class FitConstraints : public LazyConstraints {
 
 PositionSet fits_in_union(const space::Body& b, const space::Body& a, const PositionSet::Box& box) {
   auto protrusion = std::make_shared<const UnionProtrusion>(b, a);
-  const double size = protrusion->size(), tolerance = margin::kAroundBox * size;
-  const Vector by{tolerance, tolerance, tolerance};
+  const double size = protrusion->size();
   return PositionSet::lazily([protrusion] { return std::make_unique<FitConstraints>(protrusion); },
-                             {box.low - by, plus(box.high, by)}, size, {});
+                             grown(box, margin::kAroundBox * size), size, {});
 }
 
 }  // namespace findspace::distance

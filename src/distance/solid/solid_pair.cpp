@@ -53,7 +53,7 @@ TriedAnswer SolidSide::round_gap(const RealVector& p, Depth depth) const {
   }
   const auto& free = round_overlap_.of([&] {
     const space::Bounds3 box = space::meeting(bounds(*b_), bounds(*a_));
-    return std::make_shared<const PositionSet>(PositionSet::outside(differences(*a_, *b_), box.low, box.high));
+    return std::make_shared<const PositionSet>(PositionSet::outside(differences_of_parts(*a_, *b_), box.low, box.high));
   });
   TriedAnswer out = free->nearest(p, true);
   if (!out) return out;

@@ -66,7 +66,7 @@ exact::Interval SolidSide::gap_within(const Vector& p) const {
   const Distances& all = near_.gap.of([&] {
     Distances made;
     if (a_->parts.size() * b_->parts.size() > kMostNear) return made;
-    for (const GrownSet& set : differences(*a_, *b_)) made.push_back(grown_distance(set));
+    for (const GrownSet& set : differences_of_parts(*a_, *b_)) made.push_back(grown_distance(set));
     return made;
   });
   if (all.empty()) return exact::whole_line();

@@ -222,8 +222,7 @@ class BallSearch {
   BallSearch(const SurfaceBall& ball, const RealVector& x) : ball_(ball), x_(x), field_(*ball.surface, {}) {
     const space::RayBody& body = ball.surface->sheets()[0]->body;
     const double tolerance = ball.side == space::TouchSide::kOutside ? ball.radius.to_double() : 0;
-    const Vector by{tolerance, tolerance, tolerance};
-    box_ = {exact::approx(body.low) - by, space::plus(exact::approx(body.high), by)};
+    box_ = grown({exact::approx(body.low), exact::approx(body.high)}, tolerance);
     size_ = std::max(space::length(box_.low), space::length(box_.high)) + space::length(space::rounded(x));
   }
 
@@ -239,8 +238,7 @@ class BallSearch {
       PositionSet::Query query;
       if (first) {
         const double reach = first->value.to_double() + margin::kAroundCube * size_;
-        const Vector near = space::rounded(x_), by{reach, reach, reach};
-        query.box = space::Extent{near - by, space::plus(near, by)};
+        query.box = grown({space::rounded(x_), space::rounded(x_)}, reach);
         query.known = [&] { return std::optional(first->value.to_double()); };
       }
       found = places.nearest_to(away, query);

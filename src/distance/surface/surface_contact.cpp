@@ -95,13 +95,12 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
                high = approx(inside ? of_a.high - of_b.high : of_a.high - of_b.low);
   // The bodies may be as large as each other: some more room for rounding.
   const double tolerance = margin::kAroundContacts * space::length(approx(of_b.high - of_b.low));
-  const auto complete =
-      askew(low - Vector{tolerance, tolerance, tolerance}, space::plus(high, {tolerance, tolerance, tolerance}));
-  size_ = space::length(complete.first) + space::length(complete.second) + depths_.size();
+  const space::Extent complete = askew(grown({low, high}, tolerance));
+  size_ = space::length(complete.low) + space::length(complete.high) + depths_.size();
   // B's box may be larger than A's: then B lies in A nowhere.
-  const Vector wide = complete.second - complete.first;
+  const Vector wide = complete.high - complete.low;
   const bool none = wide.x < 0 || wide.y < 0 || wide.z < 0;
-  boxes_.push_back({{complete.first, complete.second}, 0, none ? State::kOverlap : State::kNew, -1, {}});
+  boxes_.push_back({complete, 0, none ? State::kOverlap : State::kNew, -1, {}});
 }
 
 const ContactBoxes::Box& ContactBoxes::look(int k) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "exact/margins/space_distance.h"
-#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -86,22 +85,21 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
 }
 
 void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
-  Vector low = places[0].at, high = low;
+  space::Extent box{places[0].at, places[0].at};
   Node made;
   made.least = made.most = places[0].clearance;
   for (const auto& [v, clearance] : places) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    box.add({v, v});
     made.least = std::min(made.least, clearance);
     made.most = std::max(made.most, clearance);
   }
-  made.middle = space::scaled(0.5, space::plus(low, high));
+  made.middle = box.middle();
   for (const Place& p : places) made.radius = std::max(made.radius, space::length(p.at - made.middle));
   if (places.size() > 1) made.first = static_cast<int>(tree.nodes.size());
   tree.nodes[static_cast<std::size_t>(node)] = made;
   if (made.first < 0) return;
   tree.nodes.resize(tree.nodes.size() + 2);
-  const Vector wide = high - low;
+  const Vector wide = box.high - box.low;
   const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
   const std::size_t half = places.size() / 2;
   std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(half), places.end(),
@@ -122,9 +120,9 @@ bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than
   struct Task {
     double depth;
     int node;
-    bool operator<(const Task& o) const { return depth != o.depth ? depth < o.depth : node > o.node; }
   };
-  plane::Subdivision<Task> queue;
+  std::array<Task, 128> stack;  // of those to be divided, the deepest of two on top
+  std::size_t left = 0;
   int looks = 0;
   const auto look = [&](int k) {
     const Node& node = tree.nodes[static_cast<std::size_t>(k)];
@@ -134,16 +132,17 @@ bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than
       likely = k;
       return true;
     }
-    if (at + node.radius + node.most > than && node.first >= 0) queue.push({at + node.most, k});
+    if (at + node.radius + node.most > than && node.first >= 0) stack[left++] = {at + node.most, k};
     return false;
   };
-  bool found = look(0);
-  queue.run([&](const Task&) { return found || looks >= kMostLooks; },
-            [&](const Task& top) {
-              const int first = tree.nodes[static_cast<std::size_t>(top.node)].first;
-              found = look(first) || look(first + 1);
-            });
-  return found;
+  if (look(0)) return true;
+  while (left > 0 && looks < kMostLooks) {
+    const std::size_t below = --left;
+    const int first = tree.nodes[static_cast<std::size_t>(stack[below].node)].first;
+    if (look(first) || look(first + 1)) return true;
+    if (left == below + 2 && stack[below].depth > stack[below + 1].depth) std::swap(stack[below], stack[below + 1]);
+  }
+  return false;
 }
 
 bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) const {

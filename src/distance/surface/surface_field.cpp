@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "distance/search/boundary_cells.h"
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
 #include "space/polytope/near_features.h"
@@ -106,9 +107,8 @@ space::Extent SurfaceField::box() const {
     for (const Vector& v : triangle) out.add({v, v});
   }
   for (const auto& ball : set_.balls()) {
-    const double r = ball.radius.to_double();
-    const Vector center = space::plus(exact::approx(ball.center), by_), by{r, r, r};
-    out.add({center - by, space::plus(center, by)});
+    const Vector center = space::plus(exact::approx(ball.center), by_);
+    out.add(grown({center, center}, ball.radius.to_double()));
   }
   return out;
 }

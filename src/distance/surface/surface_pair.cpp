@@ -249,8 +249,7 @@ Solids solids_about(const SurfaceField& field) {
   if (field.set().sheets().empty()) return out;
   for (const space::Point& v : corners_of(field.set()))
     out.corners.push_back(space::plus(exact::approx(v), field.by()));
-  const space::Extent box = field.box();
-  out.cells = tetrahedra_of_box(box.low, box.high);
+  out.cells = tetrahedra_of_box(field.box());
   return out;
 }
 
