@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "findspace/error.h"
+#include "io/text/drawing_rules.h"
 #include "io/text/mended_outlines.h"
 #include "io/text/quantity.h"
 #include "plane/build/touching_rings.h"
