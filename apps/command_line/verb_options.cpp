@@ -34,7 +34,7 @@ CLI::Option* add_orientation(CLI::App& command, Options& o) {
 /// Of maps on lines in space.
 void add_lines(CLI::App& command, std::string_view verb, Options& o) {
   const bool place = verb == "place";
-  if (verb == "map" || verb == "explain") add_orientation(command, o);
+  if (verb == "map") add_orientation(command, o);
   if (!place && verb != "map" && verb != "describe") return;
   auto* resolution = command.add_option("--resolution", o.resolution,
                                         place ? "seek positions on N x N lines, 1 to 16384 (default 128)"
@@ -283,12 +283,14 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
         ->type_name("D")
         ->group(kCommon);
   }
-  if (values) {
+  if (values || verb == "explain") {
     auto* angle = command.add_option(
         "--angle", o.angle,
         "rotate the moving shape by DEG degrees, counter-clockwise, in space about the z axis (default 0)");
     angle->type_name("DEG")->group(kCommon);
     add_orientation(command, o)->excludes(angle);
+  }
+  if (values) {
     command.add_option("--time", o.time, "an instant of the motion, in its own time (default: over all its time)")
         ->type_name("T")
         ->group(kPlaneGroup);

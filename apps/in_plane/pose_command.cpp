@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/asked_numbers.h"
 #include "in_plane/rotation_command.h"
 #include "io/draw/draw_layout.h"
 #include "io/write/write_explanation.h"
@@ -161,21 +162,29 @@ std::vector<double> seen(const std::vector<exact::Real>& degrees, bool down) {
 Outcome explain_poses(const Session& session) {
   const io::Scene& scene = session.scene();
   const formula::Formula formula = question_over_angles(session);
-  if (session.options().at)
-    throw Error(ErrorCode::kUnsupported, "over poses there is no explanation at a position; check has --angle",
-                scene.file);
+  const bool one = session.options().angle.has_value();
+  const std::vector<exact::Real> angles = one ? std::vector{asked_angle(session)} : scene.free.angles;
+  if (session.options().at && !one)
+    throw Error(ErrorCode::kUsage, "--at is for one angle: --angle says which", scene.file);
   const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
   session.reporter().stage("explaining");
   plane::Rounding rounding;
-  const std::vector<formula::SharedSolver> poses =
-      formula::solvers_at(session.world(), about, scene.free.angles, rounding);
+  const std::vector<formula::SharedSolver> poses = formula::solvers_at(session.world(), about, angles, rounding);
   say_rotated(session, rounding);
   const formula::Explanation found = formula::explain(poses, formula);
-  const io::ExplanationReport report{
-      formula, found, nullptr, {}, session.step(), session.unit(), seen(scene.free.angles, scene.board != nullptr)};
+  std::optional<formula::PositionExplanation> here;
+  exact::RealPoint at;
+  if (session.options().at) here = formula::explain_at(*poses[0], formula, at = asked_position(session));
+  const io::ExplanationReport report{formula,
+                                     found,
+                                     here ? &*here : nullptr,
+                                     distance::coordinates(at),
+                                     session.step(),
+                                     session.unit(),
+                                     seen(angles, scene.board != nullptr && !one)};
   write_outputs(session.options(), {{".json", [&] { return io::explanation_json(report); }}});
-  return {session.options().json ? io::explanation_json(report) : io::explanation_text(report),
-          found.feasible ? kDone : kEmpty};
+  const bool holds = here ? here->check.holds : found.feasible;
+  return {session.options().json ? io::explanation_json(report) : io::explanation_text(report), holds ? kDone : kEmpty};
 }
 
 Outcome map_of_poses(const Session& session) {

@@ -32,7 +32,7 @@ Outcome run_explain(const Options& options, Reporter& reporter) {
     return at_orientations(session, explain_positions);
   }
   refuse_orientation(options);
-  if (asks_for_poses(session)) return explain_poses(session);
+  if (options.angle || asks_for_poses(session)) return explain_poses(session);
   session.require_positions(false);
   return explain_positions(session);
 }

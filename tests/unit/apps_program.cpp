@@ -139,7 +139,11 @@ TEST_F(Program, ExplainsSomeAngles) {
   EXPECT_TRUE(contains(found.out, "slack 0.5, to 0.5; the last position is (1.5, 2.5) at 90°")) << found.out;
   EXPECT_EQ(json::parse(run("explain scene.json --json", some).out)["slack"][0]["angle"], 90);
   EXPECT_EQ(run("explain scene.json", scene(R"({"pose": {"angles": [0, 180]}})")).status, 1);
-  EXPECT_TRUE(contains(run("explain scene.json --at 1,1", some).err, "check has --angle"));
+  EXPECT_TRUE(contains(run("explain scene.json --at 1,1", some).err, "--angle says which"));
+  EXPECT_EQ(run("explain scene.json --angle 0", some).status, 1);
+  EXPECT_TRUE(contains(run("explain scene.json --at 1.5,2.5 --angle 90", some).out, "(1.5, 2.5) is feasible"));
+  const json there = json::parse(run("explain scene.json --at 1,1 --angle 90 --json", some).out);
+  EXPECT_EQ(there["change"][0], "inside(bar, room)");
   EXPECT_TRUE(contains(run("explain scene.json", scene(R"("angle")")).err, "is not computed"));
 }
 
