@@ -130,6 +130,37 @@ TEST(CutValues, ProtrusionIsThatOfSamples) {
   EXPECT_GT(out, 10);
 }
 
+/// A point protrudes by its gap, also above a pit: there the bottom may be nearer than the rim.
+TEST(CutValues, APointProtrudesByItsGap) {
+  std::mt19937 random(13);
+  const Shape::Kind without = Kind::kDifference;
+  std::vector<plane::ShapePtr> shapes{
+      node(without, {box({-20, -20, -20}, {20, 20, 20}), ball({0, 0, 28}, 15)}),
+      node(without, {box({-20, -20, -20}, {20, 20, 20}), ball({3, 1, 12}, 15)}),
+      node(without, {ball({0, 0, 0}, 20), ball({4, 2, 26}, 15)}),
+      node(without, {ball({0, 0, 0}, 20), ball({4, 2, 10}, 15)}),
+  };
+  for (const Case& c : cases()) shapes.push_back(c.shape);
+  const auto point = std::make_shared<Body>();
+  point->parts.emplace_back();
+  int out = 0;
+  for (const plane::ShapePtr& shape : shapes) {
+    const PairDistances pair = csg_pair(
+        std::make_shared<const CsgSide>(point, std::make_shared<const CsgSolid>(space::csg_solid(*shape))), false);
+    for (int k = 0; k < 60; ++k) {
+      const RealVector p = on_grid(k % 2 == 0 ? any(random, 28) : space::plus(any(random, 4), {1, 1, 22}));
+      const double gap = pair.value(Which::kGamma1, p)->value.to_double();
+      if (gap < 0.01) continue;
+      ++out;
+      const Answer v = *pair.value(Which::kMu, p);
+      EXPECT_LE(v.bounds().lower->to_double(), gap + 1e-9) << space::rounded(p).x << " " << space::rounded(p).z;
+      EXPECT_GE(v.bounds().upper->to_double(), gap - 1e-9) << space::rounded(p).x << " " << space::rounded(p).z;
+      EXPECT_NEAR(v.value.to_double(), gap, 0.01);
+    }
+  }
+  EXPECT_GT(out, 200);
+}
+
 /// The cube is in the solid where its corners and no place of what is cut out are: E is known by formula.
 TEST(CutValues, SayHowFarTheCubeIsFromFitting) {
   std::mt19937 random(8);

@@ -77,6 +77,7 @@ CsgPartSearch csg_part_search(const CsgPart& part, double size) {
 NearSet CsgPartSearch::near_set() const {
   NearSet out{&places};
   for (const BodyPart& set : sets->within) {
+    if (set.point()) out.outer.push_back(NearSet::ball(set));
     if (set.radius.sign() > 0) continue;
     const std::vector<HalfSpace> planes = set.planes();
     out.planes.insert(out.planes.end(), planes.begin(), planes.end());

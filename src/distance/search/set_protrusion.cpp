@@ -31,31 +31,61 @@ struct Projection {
   Vector at;
 };
 
-using BallOut = NearSet::BallOut;
+using Ball = NearSet::Ball;
 
-/// Of x in the ball, or behind the plane's part in the ball, onto what the half-space has out of the ball: onto the
-/// sphere, or the circle in which the plane meets it. Along the sphere the distance from x grows with the angle.
-std::optional<Projection> out_of_ball(const space::HalfSpace& plane, const BallOut& ball, const Vector& x) {
+/// Of the circle about the axis, of a square of its radius.
+Projection on_circle(const Vector& middle, const Vector& axis, double square, const Vector& x) {
+  const Vector off = x - middle;
+  Vector along = off - space::scaled(space::dot(off, axis), axis);
+  double size = space::length(along);
+  if (size == 0) {  // no sign: on the axis any place of the circle is as near
+    along = space::cross(axis, std::fabs(axis.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+    size = space::length(along);
+  }
+  const Vector y = space::plus(middle, space::scaled(std::sqrt(square) / size, along));
+  return {space::length(x - y), y};
+}
+
+/// The nearest place of the sphere.
+Vector on_sphere(const Ball& ball, const Vector& way, double far) {
+  return space::plus(ball.center, space::scaled(ball.radius / far, way));
+}
+
+/// Of x in the ball, or behind the plane's part in the ball, onto what the half-space has out of the ball: from inside
+/// the ball onto the sphere, or the circle in which the plane meets it. Along the sphere the distance from x grows with
+/// the angle.
+std::optional<Projection> out_of_ball(const space::HalfSpace& plane, const Ball& ball, const Vector& x) {
   const double high = plane.approx_value(x);
   const Vector on = x - space::scaled(std::max(high, 0.0), plane.unit);
   if (space::length(on - ball.center) >= ball.radius) return std::nullopt;
   const Vector way = x - ball.center;
   const double far = space::length(way);
-  if (high <= 0 && far > 0) {
-    const Vector y = space::plus(ball.center, space::scaled(ball.radius / far, way));
+  if (far > 0 && far < ball.radius) {
+    const Vector y = on_sphere(ball, way, far);
     if (plane.approx_value(y) <= 0) return Projection{ball.radius - far, y};
   }
   const double above = plane.approx_value(ball.center), square = ball.radius * ball.radius - above * above;
   if (!(square > 0)) return std::nullopt;
-  const Vector middle = ball.center - space::scaled(above, plane.unit);
-  Vector along = on - middle - space::scaled(plane.approx_value(on), plane.unit);
-  double size = space::length(along);
-  if (size == 0) {  // no sign: on the axis any place of the circle is as near
-    along = space::cross(plane.unit, std::fabs(plane.unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
-    size = space::length(along);
+  return on_circle(ball.center - space::scaled(above, plane.unit), plane.unit, square, x);
+}
+
+/// The same of what another ball has out of the ball: where neither sphere holds the nearest place alone it is on the
+/// circle in which they meet, if they do so at an angle that doubles tell.
+std::optional<Projection> out_of_ball(const Ball& outer, const Ball& ball, const Vector& x) {
+  const Vector from = x - outer.center, way = x - ball.center, apart = ball.center - outer.center;
+  const double high = space::length(from) - outer.radius, far = space::length(way), d = space::length(apart);
+  const Vector on = high > 0 ? on_sphere(outer, from, space::length(from)) : x;
+  if (space::length(on - ball.center) >= ball.radius) return std::nullopt;
+  if (far > 0 && far < ball.radius) {
+    const Vector y = on_sphere(ball, way, far);
+    if (space::length(y - outer.center) <= outer.radius) return Projection{ball.radius - far, y};
   }
-  const Vector y = space::plus(middle, space::scaled(std::sqrt(square) / size, along));
-  return Projection{space::length(x - y), y};
+  if (!(d > 0)) return std::nullopt;
+  const double ahead = (d * d + outer.radius * outer.radius - ball.radius * ball.radius) / (2 * d),
+               square = outer.radius * outer.radius - ahead * ahead;
+  if (!(square > 0) || std::sqrt(square) * d < margin::kSharpEdge * outer.radius * ball.radius) return std::nullopt;
+  const Vector axis = space::scaled(1 / d, apart);
+  return on_circle(space::plus(outer.center, space::scaled(ahead, axis)), axis, square, x);
 }
 
 /// Of a convex set that holds the set, of what is out of a ball, or of both: where it belongs to the set it is the
@@ -67,15 +97,15 @@ std::optional<Projection> projected(const NearSet& set, const Vector& x, double 
     const Touching at = constraint(x);
     if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
   }
-  for (const BallOut& ball : set.balls) {
+  const auto take = [&](const std::optional<Projection>& found) {
+    if (found && found->least > most.least) most = *found;
+  };
+  for (const Ball& ball : set.balls) {
     const Vector way = x - ball.center;
     const double far = space::length(way);
-    if (ball.radius - far > most.least && far > 0)
-      most = {ball.radius - far, space::plus(ball.center, space::scaled(ball.radius / far, way))};
-    for (const space::HalfSpace& plane : set.planes) {
-      const auto both = out_of_ball(plane, ball, x);
-      if (both && both->least > most.least) most = *both;
-    }
+    if (far > 0) take(Projection{ball.radius - far, on_sphere(ball, way, far)});
+    for (const space::HalfSpace& plane : set.planes) take(out_of_ball(plane, ball, x));
+    for (const Ball& outer : set.outer) take(out_of_ball(outer, ball, x));
   }
   const double noise = margin::kDistanceNoise * size;
   const bool belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),

@@ -17,18 +17,19 @@
 
 namespace findspace::distance {
 
-/// A set of places; some of the planes that hold it, and of the balls that it is out of, say without a search which
-/// place is nearest, mostly.
+/// A set of places; some of the planes and balls that hold it, and of the balls that it is out of, say without a search
+/// which place is nearest, mostly.
 struct NearSet {
-  struct BallOut {
+  struct Ball {
     space::Vector center;
     double radius;
   };
   const PositionSet* places = nullptr;
   std::vector<space::HalfSpace> planes{};
-  std::vector<BallOut> balls{};
+  std::vector<Ball> outer{}, balls{};
 
-  void add_ball(const space::BodyPart& ball) { balls.push_back({exact::approx(ball.center), ball.radius.to_double()}); }
+  static Ball ball(const space::BodyPart& part) { return {exact::approx(part.center), part.radius.to_double()}; }
+  void add_ball(const space::BodyPart& part) { balls.push_back(ball(part)); }
 };
 
 struct SetProtrusion {

@@ -100,7 +100,8 @@ TriedAnswer SolidSide::reach_into_parts(const RealVector& p) const {
 Answer SolidSide::reach_into_round_parts(const RealVector& p) const {
   const space::Bounds3 box = bounds(*a_);
   const PositionSet free = PositionSet::outside_of(*a_);
-  NearSet left{&free};
+  NearSet left;
+  left.places = &free;
   for (const BodyPart& part : a_->parts) {
     if (part.point()) left.add_ball(part);
   }
