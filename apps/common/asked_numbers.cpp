@@ -10,23 +10,6 @@ namespace findspace::app {
 
 using exact::Real;
 
-std::optional<Real> asked_instant(const Session& session) {
-  if (!session.options().time) return std::nullopt;
-  const io::Motion& motion = session.scene().motion;
-  if (!motion.given()) throw Error(ErrorCode::kUsage, "--time: the scene has no \"motion\"");
-  Real t;
-  try {
-    t = Real::parse_decimal(*session.options().time);
-  } catch (const Error&) {
-    throw Error(ErrorCode::kUsage, fmt::format("--time wants a decimal number, not '{}'", *session.options().time));
-  }
-  if (t < motion.start || motion.end < t) {
-    throw Error(ErrorCode::kUsage, fmt::format("--time {}: the motion is from {} to {}", *session.options().time,
-                                               motion.start.text(), motion.end.text()));
-  }
-  return t;
-}
-
 namespace {
 
 /// Decimals with commas between them.
@@ -102,58 +85,64 @@ std::array<Real, 3> asked_position_in_space(const Session& session) {
   return {p[0], p[1], p[2]};
 }
 
-Real asked_angle(const Session& session) {
-  if (!session.options().angle) return {};
-  constexpr int kMostDegrees = 1'000'000'000;
-  try {
-    const Real degrees = Real::parse_decimal(*session.options().angle);
-    if (degrees > Real(kMostDegrees) || degrees < Real(-kMostDegrees))
-      throw Error(ErrorCode::kOutOfRange, "too far round");
-    return degrees;
-  } catch (const Error&) {
-    throw Error(ErrorCode::kUsage,
-                fmt::format("--angle wants a decimal number of degrees, not '{}'", *session.options().angle));
-  }
-}
-
 namespace {
 
-/// An axis, x y z or three decimals, and degrees: "1,1,1:120".
-space::Rotation about_axis(const std::string& text, std::size_t colon, const space::Point& about) {
-  const std::string axis = text.substr(0, colon);
-  const std::size_t letter = axis.size() == 1 ? std::string_view("xyz").find(axis) : std::string_view::npos;
-  space::RealVector direction;
-  if (letter != std::string_view::npos) {
-    direction[letter] = Real(1);
-  } else {
-    const std::vector<Real> numbers = decimals(axis);
-    if (numbers.size() != 3) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
-    std::copy(numbers.begin(), numbers.end(), direction.begin());
+/// Throws where --angle is no number of degrees.
+void check_angle(const std::string& angle) {
+  constexpr int kMostDegrees = 1'000'000'000;
+  try {
+    const Number degrees(angle);
+    if (degrees > kMostDegrees || degrees < -kMostDegrees) throw Error(ErrorCode::kOutOfRange, "too far round");
+  } catch (const Error&) {
+    throw Error(ErrorCode::kUsage, fmt::format("--angle wants a decimal number of degrees, not '{}'", angle));
   }
-  return space::Rotation::about_direction(direction, Real::parse_decimal(text.substr(colon + 1)), about);
 }
 
-space::Rotation rotation_of(const std::string& text, const space::Point& about) {
-  if (const std::size_t colon = text.find(':'); colon != std::string::npos) return about_axis(text, colon, about);
-  const std::vector<Real> n = decimals(text);
-  if (n.size() == 4) return space::Rotation::of_quaternion({n[0], n[1], n[2], n[3]}, about);
-  if (n.size() != 9) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
-  return space::Rotation::of_matrix({space::RealVector{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}},
-                                    about);
+/// --time, an instant of the scene's motion.
+Number instant(const Session& session, const std::string& time) {
+  const std::optional<Motion> motion = session.asked().motion();
+  if (!motion) throw Error(ErrorCode::kUsage, "--time: the scene has no \"motion\"");
+  const Number t(time);
+  bool inside = false;
+  try {
+    inside = t >= motion->start && t <= motion->end;
+  } catch (const Error&) {
+    throw Error(ErrorCode::kUsage, fmt::format("--time wants a decimal number, not '{}'", time));
+  }
+  if (!inside)
+    throw Error(ErrorCode::kUsage,
+                fmt::format("--time {}: the motion is from {} to {}", time, motion->start.text(), motion->end.text()));
+  return t;
 }
 
 }  // namespace
 
-std::optional<io::Orientation> asked_orientation(const Session& session) {
+Pose asked_pose(const Session& session) {
   const Options& options = session.options();
-  const io::GridPosition& c = session.scene().free.about;
-  const space::Point about{c[0], c[1], c[2]};
-  if (options.angle)
-    return io::Orientation{space::Rotation::about_axis(2, asked_angle(session), about), "--angle " + *options.angle};
+  Pose pose;
+  if (session.in_space())
+    asked_position_in_space(session);  // refuses what is too far away
+  else
+    asked_position(session);
+  pose.at = asked_coordinates(session, session.in_space() ? 3 : 2);
+  if (options.angle && !session.in_space()) {
+    check_angle(*options.angle);
+    pose.degrees = *options.angle;
+  }
+  if (options.time) pose.time = instant(session, *options.time);
+  return pose;
+}
+
+std::optional<Rotation> asked_rotation(const Session& session) {
+  const Options& options = session.options();
+  if (options.angle) {
+    check_angle(*options.angle);
+    return Rotation::read("z:" + *options.angle);
+  }
   if (!options.orientation) return std::nullopt;
   const std::string text = "--orientation " + *options.orientation;
   try {
-    return io::Orientation{rotation_of(*options.orientation, about), text};
+    return Rotation::read(*options.orientation);
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kBadValue) throw Error(ErrorCode::kUsage, fmt::format("{}: {}", text, e.message()));
     throw Error(ErrorCode::kUsage,

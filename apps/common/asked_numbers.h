@@ -22,11 +22,9 @@ std::optional<Point3> asked_point_in_space(const Session& session);
 std::array<exact::Real, 3> asked_position_in_space(const Session& session);
 /// `count` numbers of --at as they were written; none without it. Not held to the grid's range.
 std::vector<Number> asked_coordinates(const Session& session, std::size_t count);
-/// --orientation, or --angle about the z axis, of a scene in space: about the scene's "about".
-std::optional<io::Orientation> asked_orientation(const Session& session);
-/// --angle, or 0, in degrees.
-exact::Real asked_angle(const Session& session);
-/// --time, an instant of the scene's motion; nothing without it.
-std::optional<exact::Real> asked_instant(const Session& session);
+/// --orientation, or --angle about the z axis, of a scene in space.
+std::optional<Rotation> asked_rotation(const Session& session);
+/// --at, --angle and --time; of a scene in space --at alone.
+Pose asked_pose(const Session& session);
 
 }  // namespace findspace::app

@@ -7,29 +7,18 @@
 #include <algorithm>
 
 #include "common/asked_numbers.h"
-#include "io/write/write_json.h"
-#include "io/write/write_placement.h"
-#include "space/shape/rotated_shape.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
 
-/// The scene of positions in which what moves is rotated.
-io::Scene rotated(const Session& session, const io::Orientation& orientation) {
-  io::Scene out = session.scene();
-  out.free.kind = io::Free::Kind::kPosition;
-  plane::Rounding rounding;
-  for (plane::ShapePtr& shape : out.shapes) {
-    if (std::find(out.moving.begin(), out.moving.end(), shape->name) == out.moving.end()) continue;
-    plane::Shape turned = *space::rotated(*shape, orientation.rotation, rounding);
-    turned.name = shape->name;
-    shape = std::make_shared<const plane::Shape>(std::move(turned));
-  }
-  if (rounding.points > 0)
-    session.reporter().note(fmt::format("{}: {} points were put on the grid, moved by at most {:.2g} {}",
-                                        orientation.text, rounding.points, rounding.largest * out.grid.step_size(),
-                                        session.unit()));
-  return out;
+/// The same session over positions of what moves, rotated; `called`: what notes call the rotation.
+Session rotated(const Session& session, const Options& options, const Rotation& rotation, const std::string& called) {
+  const Scene& scene = session.asked();
+  Scene out = scene.rotated(rotation);
+  for (std::size_t k = scene.notes().size(); k < out.notes().size(); ++k)
+    session.reporter().note(fmt::format("{}: {}", called, out.notes()[k]));
+  return Session(options, session.reporter(), std::move(out));
 }
 
 std::string text_of(Outcome outcome) {
@@ -44,10 +33,10 @@ ExitStatus joined(ExitStatus all, ExitStatus one) {
   return all == one ? all : kLimit;
 }
 
-std::string json_entry(const io::Orientation& orientation, const std::string& answer) {
+std::string json_entry(const Rotation& rotation, const std::string& answer) {
+  const auto row = [](const std::array<double, 3>& entries) { return json_list(entries, json_number); };
   return fmt::format("{{\"orientation\": {}, \"matrix\": {}, \"exact_angle\": {}, \"answer\": {}}}",
-                     io::json_string(orientation.text), io::matrix_json(orientation.rotation),
-                     !orientation.rotation.rounded, answer);
+                     json_string(rotation.text()), json_list(rotation.matrix(), row), rotation.exact(), answer);
 }
 
 Outcome at_each(const Session& session, Outcome (*ask)(const Session&)) {
@@ -58,15 +47,15 @@ Outcome at_each(const Session& session, Outcome (*ask)(const Session&)) {
   quiet.json = session.options().json || written;
   std::vector<std::string> entries, lines;
   std::optional<ExitStatus> status;
-  for (const io::Orientation& orientation : session.scene().free.orientations) {
-    const Session one(quiet, session.reporter(), rotated(session, orientation));
+  for (const Rotation& rotation : session.asked().free().rotations) {
+    const Session one = rotated(session, quiet, rotation, rotation.text());
     Outcome outcome = ask(one);
     status = status ? joined(*status, outcome.status) : outcome.status;
     const char* answer = outcome.status == kDone ? "yes" : outcome.status == kEmpty ? "no" : "not decided";
     const std::string text = text_of(std::move(outcome));
-    if (quiet.json) entries.push_back(json_entry(orientation, text));
-    lines.push_back(quiet.json ? fmt::format("{}: {}", orientation.text, answer)
-                               : fmt::format("{}\n{}", orientation.text, text));
+    if (quiet.json) entries.push_back(json_entry(rotation, text));
+    lines.push_back(quiet.json ? fmt::format("{}: {}", rotation.text(), answer)
+                               : fmt::format("{}\n{}", rotation.text(), text));
   }
   const std::string json = fmt::format("{{\"orientations\": [\n{}]}}\n", fmt::join(entries, ",\n"));
   write_outputs(session.options(), {{".json", [&] { return json; }}});
@@ -81,10 +70,12 @@ void refuse_orientation(const Options& options) {
 }
 
 Outcome at_orientations(const Session& session, Outcome (*ask)(const Session&)) {
-  if (const auto asked = asked_orientation(session))
-    return ask(Session(session.options(), session.reporter(), rotated(session, *asked)));
-  const io::Scene& scene = session.scene();
-  return scene.free.kind == io::Free::Kind::kPose ? at_each(session, ask) : ask(session);
+  const Options& options = session.options();
+  if (const auto rotation = asked_rotation(session)) {
+    const std::string called = options.angle ? "--angle " + *options.angle : "--orientation " + *options.orientation;
+    return ask(rotated(session, options, *rotation, called));
+  }
+  return session.asked().free().kind == Scene::Free::Kind::kPose ? at_each(session, ask) : ask(session);
 }
 
 }  // namespace findspace::app

@@ -162,14 +162,6 @@ std::pair<space::Point, space::Point> shown_box(const RaySet& set, const space::
 
 }  // namespace
 
-formula::RayWorld ray_world(const Session& session) {
-  formula::RayWorld world;
-  for (const auto& shape : session.scene().shapes) world.shapes.emplace(shape->name, formula::RayShape(shape));
-  world.moving = session.scene().moving;
-  world.step = session.step();
-  return world;
-}
-
 exact::Real cell_radius(const RaySet& set) { return space::cell_radius(set.lines.grid(set.low, set.high)); }
 
 void take_side(const Session& session, RaySet& set) {

@@ -40,9 +40,6 @@ struct RaySet {
   std::function<formula::RegionOnLines(const space::RayGrid&)> source;  // at most 0 in the set
 };
 
-/// The scene's shapes for rays; refers to them.
-formula::RayWorld ray_world(const Session& session);
-
 /// What --side asks for.
 void take_side(const Session& session, RaySet& set);
 /// How far a place of a line's cell may be from the line, rounded up; in grid steps.

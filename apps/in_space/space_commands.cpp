@@ -8,14 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "formula/solid/faults.h"
 #include "in_space/ray_outcome.h"
 #include "in_space/space_map.h"
 #include "in_space/space_outcome.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
 #include "io/write/write_summary.h"
-#include "plane/base/parallel.h"
 #include "space/box/box_operations.h"
 
 namespace findspace::app {
@@ -45,34 +43,6 @@ std::string title_of(const Session& session) {
 }
 
 }  // namespace
-
-std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
-                                                        const std::vector<plane::ShapePtr>& shapes) {
-  session.reporter().stage("building the shapes");
-  std::vector<formula::SpaceShape> built(shapes.size());
-  plane::parallel_for(built.size(), [&](std::size_t k) {
-    auto made = formula::throwing_faults(formula::try_space_shape(*shapes[k]));
-    if (made)
-      built[k] = *std::move(made);
-    else
-      built[k].refused = made.refusal().error.what();  // its surface may do
-  });
-  std::map<std::string, formula::SpaceShape> out;
-  for (std::size_t k = 0; k < built.size(); ++k) {
-    note_rounding(session, shapes[k]->name, built[k]);
-    out.emplace(shapes[k]->name, std::move(built[k]));
-  }
-  return out;
-}
-
-formula::SpaceWorld space_world(const Session& session) {
-  formula::SpaceWorld world;
-  world.shapes = space_shapes(session, session.scene().shapes);
-  world.moving = session.scene().moving;
-  world.step = session.step();
-  world.rays = std::make_shared<const formula::RayWorld>(ray_world(session));
-  return world;
-}
 
 Outcome map_space(const Session& session) {
   const Options& options = session.options();

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs map, check, measure, describe, convert and place for 3D scenes: the same options and the same results as in
+// The verbs map, describe, convert and place for 3D scenes: the same options and the same results as in
 // the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
 #include "common/line_choice.h"
 #include "common/session.h"
 #include "formula/solid/solve_region.h"
-#include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
-#include "io/write/write_json.h"
+#include "io/question/space_shapes.h"
 #include "plane/query/locate_line.h"
 #include "planning/order/problem.h"
 
 namespace findspace::app {
-
-/// Shapes of the scene, and such made of them, as sets and bodies, by name; what had to be rounded is said.
-std::map<std::string, formula::SpaceShape> space_shapes(const Session& session,
-                                                        const std::vector<plane::ShapePtr>& shapes);
-formula::SpaceWorld space_world(const Session& session);
 
 Outcome map_space(const Session& session);
 Outcome map_rays(const Session& session, const LineChoice& lines);
@@ -34,8 +28,6 @@ SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& 
                             const formula::Formula& formula);
 /// As `map --json` prints it.
 std::string space_line_json(const Session& session, const SpaceLineMap& map);
-Outcome check_space(const Session& session);
-Outcome measure_space(const Session& session);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
 /// The placement of a scene in the plane or in space.

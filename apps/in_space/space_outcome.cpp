@@ -30,13 +30,6 @@ Writers space_writers(std::function<std::string()> json, std::function<io::Surfa
   return out;
 }
 
-void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape) {
-  if (!shape.body.made() || shape.body->rounded == 0) return;
-  session.reporter().note(
-      fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}", name,
-                  shape.body->rounded, shape.body->moved * session.scene().grid.step_size(), session.unit()));
-}
-
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const Real& step,
                          const std::string& title, const distance::OptimalValue* best) {
   const Options& options = session.options();

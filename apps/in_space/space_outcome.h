@@ -21,7 +21,6 @@ std::vector<std::string> space_formats();
 /// JSON, and the surface in every format.
 Writers space_writers(std::function<std::string()> json, std::function<io::Surface()> surface, const std::string& title,
                       const std::string& unit);
-void note_rounding(const Session& session, const std::string& name, const formula::SpaceShape& shape);
 /// `best` may be null.
 Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, const exact::Real& step,
                          const std::string& title, const distance::OptimalValue* best);

@@ -13,11 +13,11 @@
 #include "in_space/space_commands.h"
 #include "io/board/write_board.h"
 #include "io/export/write_drawing.h"
+#include "io/question/scenery.h"
 #include "io/write/write_placement.h"
 #include "placing/placement_problem.h"
 #include "planning/planar/sequential.h"
 #include "planning/planar/simultaneous.h"
-#include "report/scenery.h"
 
 namespace findspace::app {
 namespace {

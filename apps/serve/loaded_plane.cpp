@@ -11,10 +11,9 @@
 #include "findspace/text.h"
 #include "formula/explain/explain.h"
 #include "formula/planar/rotation_bounds.h"
-#include "formula/planar/solve_region.h"
 #include "formula/planar/solve_rotation.h"
-#include "in_plane/planar_map.h"
 #include "io/draw/draw_region.h"
+#include "io/question/planar_map.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_rotations.h"
@@ -93,7 +92,7 @@ const LoadedPlane::Rotated& LoadedPlane::rotated(const std::optional<Real>& degr
 std::shared_ptr<const RegionAnswers> LoadedPlane::solved(const formula::Solver& solver,
                                                          const formula::Formula& formula) const {
   const bool line = scene().free.kind == Kind::kLine;
-  const auto kept = [&](plane::Region region) { return line ? on_line(region, scene().free) : std::move(region); };
+  const auto kept = [&](plane::Region region) { return line ? io::on_line(region, scene().free) : std::move(region); };
   const Real& step = solver.world().step;
   formula::SolvedRegion found = formula::solve_region(solver, formula);
   if (found.outer) found.outer = kept(*std::move(found.outer));
@@ -147,20 +146,18 @@ std::string LoadedPlane::map_json(const RegionQuery& query) const {
   const formula::Formula& wanted = query.where ? other : formula();
   const bool plain = scene().minimize.empty() && scene().maximize.empty() && query.apply.empty();
   if (query.brief && plain) return brief_json(query.where ? *solved(*world.solver, wanted) : answers(world));
-  Options options;
-  options.apply = query.apply;
-  return with_session(options, [&](const Session& session) {
+  return with_session([&](const Session& session) {
     std::optional<formula::SolvedRegion> known;
     if (!query.where) {
       const RegionAnswers& all = answers(world);
       known = {all.in_order()};
       if (all.outer()) known->outer = plane::in_order(*all.outer());
     }
-    PlanarMap map = planar_map(session, *world.solver, wanted, known ? &*known : nullptr);
+    io::PlanarMap map = io::planar_map(session, *world.solver, wanted, {query.apply, "--"}, known ? &*known : nullptr);
     if (query.brief) {
       return brief_json(RegionAnswers(std::move(map.region), std::move(map.outer), solver().world().step));
     }
-    std::string out = planar_map_json(session, map);
+    std::string out = io::planar_map_json(session, map, false);
     if (!query.drawing) return out;
     out = with_member(std::move(out), "drawing", drawing_json(map.region));
     return map.outer ? with_member(std::move(out), "outer_drawing", drawing_json(*map.outer)) : out;
@@ -249,7 +246,7 @@ std::string LoadedPlane::angles_json(const Spot& spot) const {
 std::string LoadedPlane::instants_json(const Spot& spot) const {
   require_moving();
   if (!scene().motion.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", scene().file);
-  return planar_instants(solver(), formula(), point_of(spot)).json();
+  return io::planar_instants(solver(), formula(), point_of(spot)).json();
 }
 
 std::string LoadedPlane::between_json(const Spot& spot, const std::array<RealPoint, 2>& places) const {

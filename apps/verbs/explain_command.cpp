@@ -4,37 +4,21 @@
 #include "common/asked_numbers.h"
 #include "common/commands.h"
 #include "common/session.h"
+#include "common/told.h"
+#include "findspace/error.h"
 #include "in_plane/orientation_command.h"
-#include "in_plane/rotation_command.h"
 
 namespace findspace::app {
-
-namespace {
-
-Outcome explain_positions(const Session& session) {
-  const Options& options = session.options();
-  const Formula where = session.public_where();
-  const World world = session.public_world();
-  session.reporter().stage("explaining");
-  const Explanation found = options.at && session.in_space() ? world.explain(where, *asked_point_in_space(session))
-                                                             : world.explain(where, asked_point(session));
-  write_outputs(options, {{".json", [&] { return found.json; }}});
-  return {options.json ? found.json : found.text, (found.here ? found.here->holds : found.feasible) ? kDone : kEmpty};
-}
-
-}  // namespace
 
 Outcome run_explain(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
   check_outputs(options, {".json"});
-  if (session.in_space()) {
-    session.require_positions_in_space(false, true);
-    return at_orientations(session, explain_positions);
-  }
+  const auto explain = [](const Session& s) { return told(s, s.asked().explain(asked_pose(s))); };
+  if (session.in_space()) return at_orientations(session, explain);
   refuse_orientation(options);
-  if (options.angle || asks_for_poses(session)) return explain_poses(session);
-  session.require_positions(false);
-  return explain_positions(session);
+  if (options.at && !options.angle && session.asked().free().kind == Scene::Free::Kind::kPose)
+    throw Error(ErrorCode::kUsage, "--at is for one angle: --angle says which", session.asked().name());
+  return explain(session);
 }
 
 }  // namespace findspace::app

@@ -8,6 +8,7 @@
 //   formula.h   what is asked: distances compared with levels, as objects or as text
 //   world.h     which shape moves, and the questions: distances, sign maps, formulas, optima, queries
 //   values.h    what is said about one position
+//   scene.h, answer.h   scene files, and the program's questions about them
 //   motion.h, line_map.h   shapes that move in time, poses; regions of space on lines
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
@@ -22,6 +23,7 @@
 //   error.h     what is thrown for bad input
 #pragma once
 
+#include "findspace/answer.h"
 #include "findspace/board.h"
 #include "findspace/contour.h"
 #include "findspace/error.h"

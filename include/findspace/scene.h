@@ -1,35 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A scene file (docs/scene.md) as values: its shapes, its world, and what it asks. Formulas may name its groups and
-// lists. Guarantee: the same questions have the same answers as in the program. Cost: of reading, then that of a World.
-// Error: kFile, kSyntax and others with the place in the file. Keywords: input, project file.
+// A scene file (docs/scene.md) as values: its shapes, its world, what is free, what it asks; and the program's
+// questions about it, in the program's words. Formulas may name its groups and lists. Guarantee: the same questions
+// have the same answers as in the program. Cost: of reading, then that of a World, or of the question. Error: kFile,
+// kSyntax and others with the place in the file. Keywords: input, project file.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "findspace/answer.h"
 #include "findspace/files.h"
 #include "findspace/formula.h"
+#include "findspace/motion.h"
+#include "findspace/options.h"
 #include "findspace/shape.h"
 #include "findspace/world.h"
 
 namespace findspace {
 
-/// Immutable and cheap to copy.
+/// How a shape of space is turned, counter-clockwise seen from the axis' positive end. Immutable, cheap to copy.
+class Rotation {
+ public:
+  /// A quaternion "w,x,y,z" of any length but 0; an axis and degrees, "z:90" or "1,1,0:45"; or a matrix of nine
+  /// numbers, row by row. Error(kSyntax) for other text, Error(kBadValue) for a zero axis and for what is not a
+  /// rotation.
+  static Rotation read(std::string_view text);
+  /// The same, or in a scene's words.
+  const std::string& text() const;
+  /// Its rows, rounded.
+  std::array<std::array<double, 3>, 3> matrix() const;
+  /// Whether the angle is taken exactly; else the nearest one of a rational matrix, off by less than 2^-48 of itself.
+  bool exact() const;
+
+  struct Data;
+  explicit Rotation(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Where what moves is asked about.
+struct Pose {
+  std::vector<Number> at{};         // two coordinates, three in space; none: where it is drawn
+  std::optional<Number> degrees{};  // of the plane: turned by so much first, about the scene's "about", or (0, 0)
+  std::optional<Number> time{};     // an instant of the motion; nothing: over all its time
+};
+
+/// What a map is asked for.
+struct MapQuestion {
+  Pose pose{};           // over angles and over time: its position
+  std::string apply{};   // what is made of a region: interior closure boundary regularize complement, or nothing
+  bool pictures = true;  // the answer may be drawn; else it takes less memory
+  std::string before{};  // what messages put before "apply"
+};
+
+/// Immutable and cheap to copy; asking one from many threads is safe.
 class Scene {
  public:
   /// Files of shapes are looked for beside it. What is not trusted may be read without files, from one folder alone, or
   /// at less cost: Error(kUnsupported), Error(kFile), Error(kLimit).
   static Scene file(const std::string& path, const ReadOptions& reading = {});
-  /// The text of a scene; files of shapes are looked for in the folder.
-  static Scene json(std::string_view text, const std::string& folder = ".", const ReadOptions& reading = {});
+  /// The text of a scene; files of shapes are looked for in the folder. Messages call it by the name.
+  static Scene json(std::string_view text, const std::string& folder = ".", const ReadOptions& reading = {},
+                    const std::string& name = "scene");
 
+  // ---- what it says
   /// By name; a group is one as well.
   const std::map<std::string, Shape>& shapes() const;
+  /// Their names in the order of the file.
+  std::vector<std::string> names() const;
+  /// 2 or 3.
+  int dimension() const;
+  /// Of lengths, or empty.
+  std::string unit() const;
+  /// What moves, together; none where the scene does not say.
+  const std::vector<std::string>& moving() const;
   /// With what moves, in time too. Error(kBadValue) where the scene does not say what does.
   const World& world() const;
   /// "where", "true" without it.
@@ -37,16 +91,80 @@ class Scene {
   /// "minimize" and "maximize", or empty.
   const std::string& minimize() const;
   const std::string& maximize() const;
+  /// Over what its answers range.
+  struct Free {
+    /// Positions, those on a line, angles at a position, instants at a position, or positions at some angles.
+    enum class Kind { kPosition, kLine, kAngle, kTime, kPose };
+    Kind kind = Kind::kPosition;        // which of them
+    std::vector<Number> through{};      // of a line: a point of it,
+    std::vector<Number> direction{};    // and integers without a common factor
+    std::vector<Number> about{};        // of angles and poses: what it turns about, in its own coordinates
+    std::vector<Number> angles{};       // of poses of the plane: in degrees, in the order of the file
+    std::vector<Rotation> rotations{};  // of poses of space, in that order
+  };
+  /// What that is in this scene.
+  const Free& free() const;
+  /// Paths of shapes that move in time.
+  std::optional<Motion> motion() const;
   /// What it was read from, and the folder of its files.
   const std::string& text() const;
   const std::string& folder() const;
+  /// As messages call it.
+  const std::string& name() const;
   /// What might be opened, and at what cost.
   const ReadOptions& reading() const;
   /// What was changed on the way: points that were rounded, rings that were reversed.
   const std::vector<std::string>& notes() const;
 
+  // ---- the same scene, changed
+  /// What is asked instead of what the file says; what is not given stays.
+  struct Question {
+    std::optional<std::string> where{};     // of the formula language; errors stand at "where:1:5"
+    std::optional<std::string> minimize{};  // an objective: instead of both of the file's
+    std::optional<std::string> maximize{};  // or this one
+    std::string before{};                   // what messages put before these three words
+  };
+  /// With another question. Error(kBadValue) where there would be two objectives.
+  Scene asking(const Question& question) const;
+  /// Of space: what moves is turned about the scene's "about"; points that leave the grid are put on it once, which
+  /// notes() says after those of the file. It ranges over positions then. Error(kUnsupported) in the plane.
+  Scene rotated(const Rotation& rotation) const;
+  /// What asking() and rotated() have changed since it was read, one of the two at a time, in order.
+  struct Change {
+    /// Of asking().
+    std::optional<Question> question{};
+    /// Of rotated().
+    std::optional<Rotation> rotation{};
+  };
+  /// All of them.
+  const std::vector<Change>& changes() const;
+  /// With other limits.
+  Scene with(const Options& options) const;
+  /// Who hears of a question while it is answered, in the thread that asks.
+  struct Listener {
+    std::function<void(const std::string&)> note{};   // what Answer::notes() will say
+    std::function<void(const std::string&)> stage{};  // what is being done: "building the shapes"
+  };
+  /// With somebody who hears.
+  Scene with(const Listener& listener) const;
+
+  // ---- questions. Error(kBadValue) where nothing moves, or a pose is none of this scene; kUnsupported for what is not
+  // computed; Stopped at a limit
+  /// Whether the formula holds at a pose, condition by condition; where it does not, the nearest feasible position too.
+  Answer check(const Pose& pose = {}) const;
+  /// Distances of what moves to the other shapes. `words`: which (vocabulary.h); none: all. Error(kUnknownName).
+  Answer measure(const Pose& pose = {}, const std::vector<std::string>& words = {}) const;
+  /// Where the formula holds, or is best where there is an objective, among all that is free(). Of the plane. The
+  /// second is of a scene that is not needed any more: it may let go of its shapes.
+  Answer map(const MapQuestion& question = {}) const&;
+  Answer map(const MapQuestion& question = {}) &&;
+  /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the
+  /// angles of free() where there are some; and what stands in the way at a position, where one is given.
+  Answer explain(const Pose& pose = {}) const;
+
   struct Data;
   explicit Scene(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
 
  private:
   std::shared_ptr<const Data> data_;

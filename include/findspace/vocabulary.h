@@ -46,6 +46,8 @@ struct PredicateWord {
 
 /// All words for distances; those of the literature come first, one a distance.
 std::vector<DistanceWord> distance_words();
+/// Those that most people ask for: `measure` prints them first.
+std::vector<std::string> usual_distance_words();
 /// All words for predicates.
 std::vector<PredicateWord> predicate_words();
 /// Of lengths: "um", "mm", and so on.

@@ -9,30 +9,30 @@
 >>> (11.5, 3) in region, (11.4, 3) in region
 (True, False)
 """
-from ._findspace import (AdjustedPhi, AdjustedPhiValue, AtomValue, Board, BoardVerdict, Body, Cancel, Check, Component,
+from ._findspace import (AdjustedPhi, AdjustedPhiValue, Answer, AtomValue, Board, BoardVerdict, Body, Cancel, Check, Component,
                          Distance, DistanceValue, DistanceWord, DrawingRules, Edge, Error, Explanation, Feature,
-                         FixedPart, FixedSolid, Formula, Instants, Interval, LeftOutPart, LevelChange, LineMap,
+                         FixedPart, FixedSolid, Formula, Instants, Interval, LeftOutPart, LevelChange, LineMap, Measured,
                          Optimum, Options, Orientation, PackContainer, PackFault, PackGroup, PackLayout, PackPart,
                          PackProblem, PackProgress, PackRemnant, PackSheet, PackSolid, PackVerdict, PackZone, Packing,
                          Phi, PhiValue, PlacedPart, PlacedSolid, Placement, PoseMap, PredicateWord, Query, ReadOptions,
-                         Region, Ring, Scene, Shape, SignMap, SolidPackLayout, SolidPackProblem, SolidPacking,
+                         Region, Ring, Rotation, Scene, Shape, SignMap, SolidPackLayout, SolidPackProblem, SolidPacking,
                          SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
                          distance, distance_words, far, gap, group, hausdorff, inside, keepout, margin, near,
                          nearest_word, overlaps, pack, place, predicate_words, protrusion, reach, touches, unit_words,
-                         within)
+                         usual_distance_words, within)
 from . import _page, _plot, _shapely
 
-__all__ = ["AdjustedPhi", "AdjustedPhiValue", "AtomValue", "Board", "BoardVerdict", "Body", "Cancel", "Check",
+__all__ = ["AdjustedPhi", "AdjustedPhiValue", "Answer", "AtomValue", "Board", "BoardVerdict", "Body", "Cancel", "Check",
            "Component", "Distance", "DistanceValue", "DistanceWord", "DrawingRules", "Edge", "Error", "Explanation",
            "Feature", "FixedPart", "FixedSolid", "Formula", "Instants", "Interval", "LeftOutPart", "LevelChange",
-           "LineMap", "Optimum", "Options", "Orientation", "PackContainer", "PackFault", "PackGroup", "PackLayout",
+           "LineMap", "Measured", "Optimum", "Options", "Orientation", "PackContainer", "PackFault", "PackGroup", "PackLayout",
            "PackPart", "PackProblem", "PackProgress", "PackRemnant", "PackSheet", "PackSolid", "PackVerdict",
            "PackZone", "Packing", "Phi", "PhiValue", "PlacedPart", "PlacedSolid", "Placement", "PoseMap",
-           "PredicateWord", "Query", "ReadOptions", "Region", "Ring", "Scene", "Shape", "SignMap", "SolidPackLayout",
+           "PredicateWord", "Query", "ReadOptions", "Region", "Ring", "Rotation", "Scene", "Shape", "SignMap", "SolidPackLayout",
            "SolidPackProblem", "SolidPacking", "SpaceRegion", "Stopped", "Surface", "World", "clear", "cover",
            "covers", "depth", "diameter", "disjoint", "distance", "distance_words", "far", "gap", "group", "hausdorff",
            "inside", "keepout", "margin", "near", "nearest_word", "overlaps", "pack", "place", "predicate_words",
-           "protrusion", "reach", "shape", "touches", "unit_words", "within"]
+           "protrusion", "reach", "shape", "touches", "unit_words", "usual_distance_words", "within"]
 
 shape = _shapely.shape
 Region.plot = _plot.plot_region

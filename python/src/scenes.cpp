@@ -3,13 +3,182 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
+
+#include "files.h"
 #include "findspace/scene.h"
 #include "interruptible.h"
+#include "numbers.h"
+#include "options.h"
+#include "pickles.h"
 
 namespace findspace::python {
+namespace {
+
+std::vector<std::string> texts(const std::vector<Number>& numbers) {
+  std::vector<std::string> out;
+  for (const Number& n : numbers) out.push_back(n.text());
+  return out;
+}
+
+Pose pose_of(const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time) {
+  Pose out{{}, amount(degrees), amount(time)};
+  if (!at) return out;
+  refuse_text(*at, "a position is (x, y) or (x, y, z)");
+  for (const py::handle c : *at) out.at.push_back(number(c));
+  return out;
+}
+
+void bind_answer(py::module_& m) {
+  py::class_<Measured>(m, "Measured", "One distance of a measurement.")
+      .def(pickled<Measured>(&Measured::text, &Measured::value, &Measured::refused))
+      .def_readonly("text", &Measured::text, "'gap(B, A)'.")
+      .def_readonly("value", &Measured::value, "Its value with its bounds; None where it is not computed.")
+      .def_readonly("refused", &Measured::refused, "Why it is not computed, or ''.")
+      .def("__repr__", [](const Measured& d) { return "<Measured " + d.text + ">"; });
+  py::class_<Answer>(m, "Answer", "What a scene answers: the numbers, and the words, JSON and files of the program.")
+      .def_property_readonly(
+          "found",
+          [](const Answer& a) {
+            static constexpr std::array<const char*, 3> kWords{"yes", "no", "undecided"};
+            return kWords[std::size_t(a.found())];
+          },
+          "'yes'; 'no', which is proven; or 'undecided', as only bounds are known or a limit came first.")
+      .def(
+          "text", [](const Answer& a, bool all, bool explain) { return a.text({.all = all, .explain = explain}); },
+          py::arg("all") = false, py::arg("explain") = false,
+          "In words. `all`: every distance of a measurement, not only the usual ones; `explain`: which way decided "
+          "each "
+          "condition, and how long it took.")
+      .def(
+          "json",
+          [](const Answer& a, bool all, bool explain, bool exact) {
+            return a.json({.all = all, .explain = explain, .exact = exact});
+          },
+          py::arg("all") = false, py::arg("explain") = false, py::arg("exact") = false,
+          "As the program prints it with --json; `exact`: of maps with the exact cells.")
+      .def_property_readonly("endings", &Answer::endings, "The endings of the files that it can be.")
+      .def(
+          "file",
+          [](const Answer& a, const std::string& ending, const std::string& version) {
+            const Region::Drawn drawn = a.file(ending, {.dxf = dxf_version(version)});
+            return std::make_pair(drawn.text, drawn.lost);
+          },
+          py::arg("ending"), py::arg("version") = "R12",
+          "The text of a file with that ending, and what it does not say; `version`: of DXF, 'R12' or '2000'.")
+      .def_property_readonly("notes", &Answer::notes, "What was rounded, and how far, or is not computed.")
+      .def_property_readonly("check", &Answer::check, "Of a check: every condition.")
+      .def_property_readonly(
+          "nearest",
+          [](const Answer& a) -> py::object {
+            const auto near = a.nearest();
+            return near ? py::object(py::make_tuple(py::tuple(py::cast(near->at)), near->distance, near->attained))
+                        : py::none();
+          },
+          "Of a check that fails: the nearest feasible position, how far it is, and whether it is feasible itself.")
+      .def_property_readonly("measured", &Answer::measured, "Of a measurement: its distances, pair by pair.")
+      .def_property_readonly(
+          "region",
+          [](const Answer& a) -> py::object {
+            const auto r = a.region();
+            return r ? py::object(py::make_tuple(r->inner, r->outer)) : py::none();
+          },
+          "Of a map of positions: those that certainly belong, and those that possibly do; the same where it is exact.")
+      .def_property_readonly("best", &Answer::best, "Of a map with an objective: the best value, or None.")
+      .def_property_readonly("intervals", &Answer::intervals,
+                             "Of a map of a line, of angles, in degrees, or of instants: what certainly belongs.")
+      .def_property_readonly("possible", &Answer::possible, "The same of what possibly does.")
+      .def_property_readonly("poses", &Answer::poses, "Of a map of poses of the plane, or None.")
+      .def_property_readonly("explanation", &Answer::explanation, "Of an explanation, or None.")
+      .def("__bool__", [](const Answer& a) { return a.found() == Answer::Found::kYes; })
+      .def("__repr__", [](const Answer& a) { return "<Answer " + a.text() + ">"; })
+      .def("_repr_svg_", [](const Answer& a) { return a.file(".svg").text; });
+}
+
+void bind_rotation(py::module_& m) {
+  py::class_<Rotation>(m, "Rotation", R"doc(How a shape of space is turned.
+
+Parameters
+----------
+text : str
+    A quaternion "w,x,y,z"; an axis and degrees, "z:90" or "1,1,0:45"; or a matrix of nine numbers, row by row.
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.Rotation("z:90").matrix[0]
+[0.0, -1.0, 0.0]
+)doc")
+      .def(py::init(&Rotation::read), py::arg("text"))
+      .def_static("read", &Rotation::read, py::arg("text"), "The same.")
+      .def_property_readonly("text", &Rotation::text, "The text, or the words of a scene.")
+      .def_property_readonly("matrix", &Rotation::matrix, "Its rows, rounded.")
+      .def_property_readonly("exact", &Rotation::exact, "Whether the angle is taken exactly.")
+      .def("__repr__", [](const Rotation& r) { return "<Rotation " + r.text() + ">"; });
+}
+
+void bind_free(py::class_<Scene>& scene) {
+  using Free = Scene::Free;
+  py::class_<Free>(scene, "Free", "Over what the answers of a scene range.")
+      .def_property_readonly(
+          "kind",
+          [](const Free& f) {
+            static constexpr std::array<const char*, 5> kWords{"position", "line", "angle", "time", "pose"};
+            return kWords[std::size_t(f.kind)];
+          },
+          "'position', 'line', 'angle', 'time' or 'pose'.")
+      .def_property_readonly(
+          "through", [](const Free& f) { return texts(f.through); }, "Of a line: a point of it.")
+      .def_property_readonly(
+          "direction", [](const Free& f) { return texts(f.direction); }, "Of a line: integers.")
+      .def_property_readonly(
+          "about", [](const Free& f) { return texts(f.about); }, "Of angles and poses: the point that it turns about.")
+      .def_property_readonly(
+          "angles", [](const Free& f) { return texts(f.angles); }, "Of poses of the plane, in degrees.")
+      .def_readonly("rotations", &Free::rotations, "Of poses of space.");
+}
+
+/// A scene as a pickle has it: what it was read from, and what was changed since then.
+py::tuple state_of(const Scene& s) {
+  py::list changes;
+  for (const Scene::Change& change : s.changes()) {
+    if (change.rotation) {
+      changes.append(py::make_tuple(change.rotation->text()));
+    } else {
+      const Scene::Question& q = *change.question;
+      changes.append(py::make_tuple(q.where, q.minimize, q.maximize, q.before));
+    }
+  }
+  return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes);
+}
+
+/// One of the scene's by its words, or another one.
+Rotation rotation_named(const Scene& scene, const std::string& text) {
+  for (const Rotation& r : scene.free().rotations)
+    if (r.text() == text) return r;
+  return Rotation::read(text);
+}
+
+Scene scene_of(const py::tuple& t) {
+  Scene out = Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>(), t[2].cast<ReadOptions>(),
+                          t[3].cast<std::string>());
+  using Text = std::optional<std::string>;
+  for (const py::handle each : t[4]) {
+    const auto c = each.cast<py::tuple>();
+    if (c.size() == 1)
+      out = out.rotated(rotation_named(out, c[0].cast<std::string>()));
+    else
+      out = out.asking({c[0].cast<Text>(), c[1].cast<Text>(), c[2].cast<Text>(), c[3].cast<std::string>()});
+  }
+  return out;
+}
+
+}  // namespace
 
 void bind_scenes(py::module_& m) {
-  py::class_<Scene>(m, "Scene", R"doc(A scene file: its shapes, its world, and what it asks.
+  bind_answer(m);
+  bind_rotation(m);
+  py::class_<Scene> scene(m, "Scene", R"doc(A scene file: its shapes, its world, what it asks, and the answers.
 
 Examples
 --------
@@ -18,7 +187,12 @@ Examples
 ...     "B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B", "where": "inside(B, A)"}''')
 >>> scene.world.solve(scene.where).area
 49.0
-)doc")
+>>> answer = scene.check((0, 5))
+>>> answer.found, answer.nearest
+('no', ((1.0, 5.0), 1.0, True))
+)doc");
+  bind_free(scene);
+  scene
       .def_static(
           "file",
           [](const std::string& path, const std::optional<ReadOptions>& reading) {
@@ -28,11 +202,12 @@ Examples
           "Files of shapes are looked for beside it; `reading` says what may be opened, and at what cost.")
       .def_static(
           "json",
-          [](const std::string& text, const std::string& folder, const std::optional<ReadOptions>& reading) {
-            return interruptible([&] { return Scene::json(text, folder, reading.value_or(ReadOptions())); });
+          [](const std::string& text, const std::string& folder, const std::optional<ReadOptions>& reading,
+             const std::string& name) {
+            return interruptible([&] { return Scene::json(text, folder, reading.value_or(ReadOptions()), name); });
           },
-          py::arg("text"), py::arg("folder") = ".", py::arg("reading") = py::none(),
-          "The text of a scene; files are looked for in the folder.")
+          py::arg("text"), py::arg("folder") = ".", py::arg("reading") = py::none(), py::arg("name") = "scene",
+          "The text of a scene; files are looked for in the folder. Messages call it by the name.")
       .def_property_readonly("shapes", &Scene::shapes, "By name.")
       .def_property_readonly(
           "world", [](const Scene& s) { return interruptible([&] { return s.world(); }); },
@@ -44,11 +219,100 @@ Examples
       .def_property_readonly("text", &Scene::text, "What it was read from.")
       .def_property_readonly("folder", &Scene::folder, "Where its files are looked for.")
       .def_property_readonly("reading", &Scene::reading, "What may be opened, and at what cost.")
-      .def(py::pickle([](const Scene& s) { return py::make_tuple(s.text(), s.folder(), s.reading()); },
-                      [](const py::tuple& t) {
-                        return Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>(),
-                                           t[2].cast<ReadOptions>());
-                      }));
+      .def_property_readonly("names", &Scene::names, "Names of its shapes in the order of the file.")
+      .def_property_readonly("dimension", &Scene::dimension, "2 or 3.")
+      .def_property_readonly("unit", &Scene::unit, "Of lengths, or ''.")
+      .def_property_readonly("moving", &Scene::moving, "What moves, together.")
+      .def_property_readonly("name", &Scene::name, "As messages call it.")
+      .def_property_readonly("free", &Scene::free, "Over what its answers range.")
+      .def(
+          "asking",
+          [](const Scene& s, const std::optional<std::string>& where, const std::optional<std::string>& minimize,
+             const std::optional<std::string>& maximize, const std::string& before) {
+            return s.asking({where, minimize, maximize, before});
+          },
+          py::arg("where") = py::none(), py::arg("minimize") = py::none(), py::arg("maximize") = py::none(),
+          py::kw_only(), py::arg("before") = "",
+          "The same scene with another question; `before` stands before these words in messages.")
+      .def(
+          "rotated", [](const Scene& s, const Rotation& r) { return interruptible([&] { return s.rotated(r); }); },
+          py::arg("rotation"),
+          "Of space: what moves is turned about the scene's \"about\"; notes say what was rounded.")
+      .def(
+          "limited",
+          [](const Scene& s, const std::optional<Options>& options, const py::kwargs& words) {
+            return s.with(options_of(options, words));
+          },
+          py::arg("options") = py::none(), "The same scene with other limits: an Options, or its words.")
+      .def(
+          "check",
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time) {
+            const Pose pose = pose_of(at, degrees, time);
+            return interruptible([&] { return s.check(pose); });
+          },
+          py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
+          R"doc(Whether the formula holds at a pose, and the nearest feasible position where it does not.
+
+Parameters
+----------
+at : sequence of numbers, optional
+    The position; (0, 0) without it.
+degrees : number, optional
+    Of the plane: what moves is turned by so much first.
+time : number, optional
+    An instant of the motion; over all its time without it.
+)doc")
+      .def(
+          "measure",
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time,
+             const std::vector<std::string>& words) {
+            const Pose pose = pose_of(at, degrees, time);
+            return interruptible([&] { return s.measure(pose, words); });
+          },
+          py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
+          py::arg("words") = std::vector<std::string>(),
+          "Distances of what moves to the other shapes at a pose; `words`: which, none: all.")
+      .def(
+          "map",
+          [](const Scene& s, const std::optional<py::sequence>& at, const std::string& apply, bool pictures,
+             const std::string& before) {
+            const MapQuestion question{pose_of(at, py::none(), py::none()), apply, pictures, before};
+            return interruptible([&] { return s.map(question); });
+          },
+          py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
+          py::arg("before") = "",
+          R"doc(Where the formula holds, or is best, among all that is free. Of the plane.
+
+Parameters
+----------
+at : sequence of numbers, optional
+    The position of a map of angles or of instants.
+apply : str
+    What is made of a region: 'interior', 'closure', 'boundary', 'regularize', 'complement', or nothing.
+pictures : bool
+    The answer may be drawn; else it takes less memory.
+before : str
+    What messages put before "apply".
+
+Examples
+--------
+>>> import findspace as fs
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}}, '
+...     '"B": {"box": {"min": [0, 0], "max": [2, 1]}}}, "moving": "B", "where": "inside(B, A)"}')
+>>> answer = scene.map()
+>>> answer.found, answer.region[0].area
+('yes', 56.0)
+)doc")
+      .def(
+          "explain",
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees) {
+            const Pose pose = pose_of(at, degrees, py::none());
+            return interruptible([&] { return s.explain(pose); });
+          },
+          py::arg("at") = py::none(), py::arg("degrees") = py::none(),
+          "Why the formula holds nowhere, or how far its levels can be tightened; and what is in the way at a "
+          "position.")
+      .def(py::pickle(&state_of, &scene_of));
 }
 
 }  // namespace findspace::python

@@ -46,6 +46,7 @@ Examples
 >>> next((w.distance, w.symbol) for w in fs.distance_words() if w.word == "gap")
 ('gamma1', 'γ₁')
 )doc");
+  m.def("usual_distance_words", &usual_distance_words, "Those that most people ask for.");
   m.def("predicate_words", &predicate_words, R"doc(All words for predicates.
 
 Examples

@@ -237,6 +237,28 @@ def test_options(world):
     assert (ring.sample(50) != ring.sample(50, seed=7)).any() and ring.contains(ring.sample(50)).all()
 
 
+def test_scenes_answer():
+    scene = fs.Scene.json("""{"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 2]}},
+        "plank": {"box": {"min": [0, 0, 0], "max": [1, 1, 8]}}}, "moving": "plank", "where": "inside(plank, room)",
+        "free": "pose", "angles": [{"axis": "y", "degrees": 90}]}""")
+    assert (scene.dimension, scene.names, scene.moving, scene.unit, scene.name) == (3, ["room", "plank"], ["plank"], "", "scene")
+    assert scene.free.kind == "pose" and scene.free.about == ["0", "0", "0"]
+    answer = scene.rotated(scene.free.rotations[0]).check((1, 0, 1))
+    assert answer and answer.found == "yes" and answer.check.holds and answer.nearest is None and "<svg" in answer.file(".svg")[0]
+    other = scene.rotated(scene.free.rotations[0]).asking(where="gap(plank, room) > 3")
+    again = pickle.loads(pickle.dumps(other))
+    assert not other.check((1, 0, 1)) and not again.check((1, 0, 1)) and again.where.text == other.where.text
+    assert again.check((1, 0, 20)).text() == other.check((1, 0, 20)).text()
+    distances = again.measure((1, 0, 1), words=["gap"]).measured
+    assert [d.text for d in distances] == ["gap(plank, room)"] and distances[0].value.value == -1
+    with pytest.raises(fs.Stopped):
+        cancel = fs.Cancel()
+        cancel.request()
+        scene.limited(cancel=cancel).check((1, 0, 1))
+    with pytest.raises(fs.Error, match="did you mean 'gap'"):
+        scene.measure(words=["gpa"])
+
+
 def test_scenes_and_explanations():
     folder = pathlib.Path(__file__).resolve().parents[2] / "examples"
     scene = fs.Scene.file(str(folder / "peg.json"))

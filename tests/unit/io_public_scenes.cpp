@@ -108,6 +108,175 @@ TEST(PublicScene, SaysWhatIsWrong) {
   EXPECT_THROW(still.world(), Error);
 }
 
+TEST(PublicScene, SaysWhatIsFree) {
+  const Scene scene = Scene::json(kScene, ".", {}, "a name");
+  EXPECT_EQ(scene.names(), (std::vector<std::string>{"plate", "a", "b", "peg", "both"}));
+  EXPECT_EQ(scene.moving(), (std::vector<std::string>{"peg"}));
+  EXPECT_EQ(scene.dimension(), 2);
+  EXPECT_EQ(scene.unit(), "mm");
+  EXPECT_EQ(scene.name(), "a name");
+  EXPECT_EQ(scene.free().kind, Scene::Free::Kind::kPosition);
+  EXPECT_FALSE(scene.motion().has_value());
+  const Scene line = Scene::json(R"json({"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0], "max": [1, 1]}}},
+    "moving": "a", "free": {"line": {"through": [0.5, -3], "direction": [2, 4]}}})json");
+  EXPECT_EQ(line.free().kind, Scene::Free::Kind::kLine);
+  EXPECT_EQ(line.free().through, (std::vector<Number>{"0.5", -3}));
+  EXPECT_EQ(line.free().direction, (std::vector<Number>{1, 2}));
+}
+
+TEST(PublicScene, ChecksAPose) {
+  const Scene scene = Scene::json(kScene);
+  const Answer good = scene.check({{9, 7}});
+  EXPECT_EQ(good.found(), Answer::Found::kYes);
+  EXPECT_FALSE(good.nearest().has_value());
+  EXPECT_TRUE(good.check().holds);
+  const Answer bad = scene.check({{"9.5", 7}});
+  EXPECT_EQ(bad.found(), Answer::Found::kNo);
+  ASSERT_TRUE(bad.nearest().has_value());
+  EXPECT_EQ(bad.nearest()->at, (Place{9, 7}));
+  EXPECT_EQ(bad.nearest()->distance, 0.5);
+  EXPECT_TRUE(bad.nearest()->attained);
+  EXPECT_NE(bad.text().find("not feasible"), std::string::npos);
+  EXPECT_NE(bad.text({.explain = true}).find(" ms"), std::string::npos);
+  EXPECT_EQ(bad.endings(), (std::vector<std::string>{".json", ".svg"}));
+  EXPECT_EQ(bad.file(".json").text, bad.json());
+  EXPECT_NE(bad.file(".svg").text.find("Not feasible"), std::string::npos);
+  EXPECT_THROW(bad.file(".doc"), Error);
+  EXPECT_TRUE(bad.measured().empty());
+  EXPECT_EQ(scene.check({{5, 1}, 90}).found(), Answer::Found::kYes);
+  EXPECT_THROW(scene.check({{1, 2, 3}}), Error);
+  EXPECT_THROW(scene.check({{"1e30", 0}}), Error);
+  EXPECT_THROW(scene.check({{0, 0}, {}, 1}), Error);  // there is no motion
+}
+
+TEST(PublicScene, MeasuresAtAPose) {
+  const Scene scene = Scene::json(kScene);
+  const Answer all = scene.measure({{2, 2}});
+  EXPECT_EQ(all.found(), Answer::Found::kYes);
+  EXPECT_THROW(all.check(), Error);
+  const Answer gaps = scene.measure({{2, 2}}, {"gap"});
+  EXPECT_LT(gaps.measured().size(), all.measured().size());
+  for (const Measured& one : gaps.measured()) EXPECT_EQ(one.text.rfind("gap(peg, ", 0), 0u) << one.text;
+  for (const Measured& one : all.measured())
+    if (one.text == "margin(peg, plate)") {
+      EXPECT_EQ(*one.value->value, 1);
+    }
+  EXPECT_THROW(scene.measure({}, {"gpa"}), Error);
+}
+
+TEST(PublicScene, MapsPositions) {
+  const Scene scene = Scene::json(kScene);
+  const Answer best = scene.map();
+  EXPECT_EQ(best.found(), Answer::Found::kYes);
+  ASSERT_TRUE(best.best().has_value());
+  EXPECT_EQ(*best.best()->value, 1);
+  EXPECT_TRUE(best.best()->attained);
+  EXPECT_EQ(best.region()->inner, best.best()->at);
+  EXPECT_FALSE(best.region()->inner.contains(Point{9, 7}));
+  const Answer all = scene.asking({.minimize = ""}).map();
+  EXPECT_TRUE(all.region()->inner.contains(Point{9, 7}));
+  EXPECT_EQ(all.region()->inner, all.region()->outer);
+  EXPECT_FALSE(all.best().has_value());
+  EXPECT_TRUE(all.intervals().empty());
+  EXPECT_EQ(all.endings(), (std::vector<std::string>{".json", ".dxf", ".svg", ".wkt"}));
+  EXPECT_GT(all.json({.exact = true}).size(), all.json().size());
+  EXPECT_NE(all.file(".wkt").text.find("POLYGON"), std::string::npos);
+  EXPECT_NE(all.file(".dxf", {.dxf = DxfVersion::k2000}).text.find("AC1015"), std::string::npos);
+  EXPECT_EQ(scene.asking({.minimize = ""}).map({.pictures = false}).endings(),
+            (std::vector<std::string>{".json", ".dxf", ".wkt"}));
+  EXPECT_EQ(scene.asking({.minimize = ""}).map({.apply = "boundary"}).region()->inner, all.region()->inner.boundary());
+  EXPECT_EQ(scene.asking({.where = "gap(peg, a) < -9"}).map().found(), Answer::Found::kNo);
+}
+
+TEST(PublicScene, MapsALineAnglesInstantsAndPoses) {
+  const auto scene = [](const std::string& rest) {
+    return Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [-3, -1.5], "max": [3, 1.5]}},
+      "bar": {"box": {"min": [-2, -1], "max": [2, 1]}}}, "moving": "bar", "where": "inside(bar, room)", )json" +
+                       rest + "}");
+  };
+  const Answer line = scene(R"json("free": {"line": {"through": [0, 0], "direction": [1, 0]}})json").map();
+  ASSERT_EQ(line.intervals().size(), 1u);
+  EXPECT_EQ(*line.intervals()[0].from, -1);
+  EXPECT_TRUE(line.intervals()[0].to_belongs);
+  EXPECT_EQ(line.possible().size(), 1u);
+  EXPECT_EQ(line.endings(), (std::vector<std::string>{".json"}));
+  const Answer angles = scene(R"json("free": "angle")json").map();
+  ASSERT_EQ(angles.intervals().size(), 2u);  // about 0 and about 180 degrees
+  EXPECT_LT(*angles.intervals()[0].from, *angles.intervals()[0].to);
+  EXPECT_FALSE(angles.region().has_value());
+  EXPECT_THROW(scene(R"json("free": "angle")json").map({.apply = "closure"}), Error);
+  const Scene posed = scene(R"json("free": "pose", "angles": [0, 90])json");
+  const Answer poses = posed.map();
+  ASSERT_EQ(poses.poses()->slices.size(), 2u);
+  EXPECT_EQ(*poses.poses()->slices[0].region.area(), 2);
+  EXPECT_TRUE(poses.poses()->slices[1].region.empty());
+  EXPECT_NE(poses.file(".html").text.find("<html"), std::string::npos);
+  EXPECT_TRUE(posed.explain().explanation()->feasible);
+  EXPECT_THROW(posed.explain({{0, 0}}), Error);
+  EXPECT_EQ(posed.explain({{}, 90}).found(), Answer::Found::kNo);
+  EXPECT_EQ(posed.explain({{0, 0}, 0}).found(), Answer::Found::kYes);
+  const Answer instants =
+      scene(R"json("free": "time", "motion": {"time": [0, 1], "bar": {"path": [[0, 0], [4, 0]]}})json").map({{{0, 0}}});
+  ASSERT_EQ(instants.intervals().size(), 1u);
+  EXPECT_EQ(*instants.intervals()[0].to, 0.25);
+}
+
+TEST(PublicScene, ExplainsItself) {
+  const Scene scene = Scene::json(kScene).asking({.where = "inside(peg, plate) and gap(peg, b) >= 6"});
+  const Answer found = scene.explain({{1, 1}});
+  EXPECT_EQ(found.found(), Answer::Found::kNo);
+  EXPECT_EQ(found.explanation()->conflict.size(), 2u);
+  EXPECT_EQ(found.text(), found.explanation()->text);
+  EXPECT_EQ(found.json(), scene.world().explain(scene.where(), Point{1, 1}).json);
+  EXPECT_FALSE(scene.map().explanation().has_value());
+}
+
+TEST(PublicScene, AsksSomethingElse) {
+  const Scene scene = Scene::json(kScene);
+  const Scene other = scene.asking({.where = "gap(peg, a) >= 20"});
+  EXPECT_EQ(other.where().text(), "gap(peg, a) >= 20");
+  EXPECT_EQ(other.minimize(), "y");
+  EXPECT_EQ(other.check({{9, 7}}).found(), Answer::Found::kNo);
+  EXPECT_EQ(scene.check({{9, 7}}).found(), Answer::Found::kYes);
+  EXPECT_EQ(scene.asking({.maximize = "x"}).minimize(), "");
+  try {
+    scene.asking({.where = "gap(peg, nothing) > 0", .before = "--"}).check();
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.place(), "--where:1:10");
+  }
+}
+
+TEST(PublicScene, IsTurnedInSpace) {
+  const Scene scene =
+      Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 2]}},
+    "plank": {"box": {"min": [0, 0, 0], "max": [1, 1, 8]}}}, "moving": "plank", "where": "inside(plank, room)"})json");
+  EXPECT_EQ(scene.check({{0, 0, 0}}).found(), Answer::Found::kNo);
+  const Rotation lying = Rotation::read("y:90");
+  EXPECT_TRUE(lying.exact());
+  EXPECT_EQ(lying.matrix()[0][2], 1);
+  const Scene turned = scene.rotated(lying);
+  EXPECT_TRUE(turned.notes().empty());
+  EXPECT_EQ(turned.check({{1, 0, 1}}).found(), Answer::Found::kYes);
+  EXPECT_FALSE(scene.rotated(Rotation::read("1,1,0:45")).notes().empty());  // points off the grid
+  EXPECT_FALSE(Rotation::read("z:30").exact());
+  EXPECT_THROW(Rotation::read("z:"), Error);
+  EXPECT_THROW(Rotation::read("0,0,0,0"), Error);
+  EXPECT_THROW(scene.check({{0, 0, 0}, 90}), Error);
+  EXPECT_THROW(Scene::json(kScene).rotated(lying), Error);
+}
+
+TEST(PublicScene, IsHeardAndEndsAtLimits) {
+  std::vector<std::string> stages;
+  const Scene scene =
+      Scene::json(kScene).with(Scene::Listener{{}, [&](const std::string& stage) { stages.push_back(stage); }});
+  scene.check({{9, 7}});
+  EXPECT_EQ(stages, (std::vector<std::string>{"building the shapes", "checking"}));
+  const Options stopped;
+  stopped.cancel.request();
+  EXPECT_THROW(scene.with(stopped).check({{9, 7}}), Stopped);
+}
+
 TEST(PublicExplanation, OfWhatHoldsNowhere) {
   const World world = Scene::json(kScene).world();
   const Explanation found = world.explain("inside(peg, plate) and gap(peg, b) >= 6", Point{1, 1});

@@ -6,6 +6,8 @@
 #include "api/query/world_data.h"
 #include "formula/language/text.h"
 #include "formula/planar/solve_rotation.h"
+#include "io/api/public_scene.h"
+#include "io/question/map_answer.h"
 #include "io/write/write_explanation.h"
 
 namespace findspace {
@@ -96,7 +98,41 @@ std::vector<formula::SharedSolver> poses_of(const World::Data& world, const std:
   return formula::solvers_at(drawn, {pole.x, pole.y}, degrees, rotated);
 }
 
+/// As they are counted where they are seen: clockwise in coordinates that run downwards.
+std::vector<double> seen(const std::vector<exact::Real>& degrees, bool down) {
+  std::vector<double> out;
+  for (const exact::Real& d : degrees) {
+    const exact::Real turned = down ? -d : d;
+    out.push_back((turned - exact::Real(360) * exact::Real(exact::floor(turned / exact::Real(360)))).to_double());
+  }
+  return out;
+}
+
 }  // namespace
+
+namespace io {
+
+Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Real>& degrees,
+                          const std::optional<exact::RealPoint>& at) {
+  const Scene& scene = asked.scene();
+  const formula::Formula formula = question_over_angles(asked);
+  if (at && !degrees)
+    throw Error(ErrorCode::kUnsupported, "over several angles there is no explanation at a position", scene.file);
+  const std::vector<exact::Real> angles = degrees ? std::vector{*degrees} : scene.free.angles;
+  const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
+  asked.stage("explaining");
+  plane::Rounding rounding;
+  const std::vector<formula::SharedSolver> poses = formula::solvers_at(asked.world(), about, angles, rounding);
+  say_rotated(asked, rounding);
+  const formula::Explanation found = formula::explain(poses, formula);
+  std::optional<formula::PositionExplanation> here;
+  if (at) here = formula::explain_at(*poses[0], formula, *at);
+  return public_explanation({formula, found, here ? &*here : nullptr,
+                             distance::coordinates(at.value_or(exact::RealPoint())), asked.step(), asked.unit(),
+                             seen(angles, scene.board != nullptr && !degrees)});
+}
+
+}  // namespace io
 
 Explanation World::explain_poses(const Formula& formula, const std::vector<Number>& degrees, const Point& about) const {
   return api::limited(data_->options, [&] {

@@ -7,12 +7,19 @@
 #include <findspace/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <mutex>
 
 #include "api/query/world_data.h"
+#include "api/values/limits.h"
+#include "io/question/answer_data.h"
+#include "io/question/asked_scene.h"
+#include "io/question/map_answer.h"
+#include "io/question/position_answer.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
+#include "space/shape/rotated_shape.h"
 
 namespace findspace {
 namespace io {
@@ -52,16 +59,6 @@ World::Data data_of(const Scene& scene) {
 
 }  // namespace
 
-formula::Motion motion_of(const Scene& scene) {
-  formula::Motion out{scene.motion.start, scene.motion.end, {}};
-  for (const Movement& m : scene.motion.movements) {
-    formula::Trajectory t{m.times, {}, m.angles};
-    for (const GridPosition& p : m.path) t.path.push_back({exact::Real(p[0]), exact::Real(p[1])});
-    out.of.emplace(m.shape, std::move(t));
-  }
-  return out;
-}
-
 Shape public_shape(const Scene& scene, std::string_view name) { return shape_of(scene, scene.shape(name)); }
 
 World public_world(const Scene& scene, formula::World built) {
@@ -78,21 +75,152 @@ World public_world(const Scene& scene) {
 
 }  // namespace io
 
+struct Rotation::Data {
+  std::string text;
+  space::Rotation rotation;
+  bool whole = false;  // it has its point; else it is about the scene's
+};
+
+namespace {
+
+Number grid_number(const io::Scene& scene, std::int64_t steps) {
+  return io::number(exact::Real(steps) * scene.grid.step());
+}
+
+std::vector<Number> grid_numbers(const io::Scene& scene, const io::GridPosition& p) {
+  std::vector<Number> out;
+  for (int k = 0; k < scene.dimension; ++k) out.push_back(grid_number(scene, p[std::size_t(k)]));
+  return out;
+}
+
+Scene::Free free_of(const io::Scene& scene) {
+  using Kind = Scene::Free::Kind;
+  static_assert(int(io::Free::Kind::kPose) == int(Kind::kPose));
+  const io::Free& free = scene.free;
+  Scene::Free out{Kind(free.kind)};
+  if (out.kind == Kind::kLine) {
+    out.through = grid_numbers(scene, free.through);
+    for (int k = 0; k < scene.dimension; ++k) out.direction.emplace_back(free.direction[std::size_t(k)]);
+  }
+  if (out.kind == Kind::kAngle || out.kind == Kind::kPose) out.about = grid_numbers(scene, free.about);
+  for (const exact::Real& angle : free.angles) out.angles.push_back(io::number(angle));
+  for (const io::Orientation& o : free.orientations)
+    out.rotations.push_back(Rotation(std::make_shared<const Rotation::Data>(Rotation::Data{o.text, o.rotation, true})));
+  return out;
+}
+
+/// As the program takes it: errors are kSyntax, but kBadValue for what is no rotation.
+space::Rotation rotation_of(std::string_view text) {
+  const auto decimals = [](std::string_view list) {
+    std::vector<exact::Real> out;
+    for (std::size_t at = 0; at <= list.size();) {
+      const std::size_t end = std::min(list.find(',', at), list.size());
+      out.push_back(exact::Real::parse_decimal(list.substr(at, end - at)));
+      at = end + 1;
+    }
+    return out;
+  };
+  const auto refuse = [] { throw Error(ErrorCode::kSyntax, "too few or too many numbers"); };
+  const space::Point origin{};
+  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
+    const std::string_view axis = text.substr(0, colon);
+    const std::size_t letter = axis.size() == 1 ? std::string_view("xyz").find(axis) : std::string_view::npos;
+    space::RealVector direction;
+    if (letter != std::string_view::npos) {
+      direction[letter] = exact::Real(1);
+    } else {
+      const std::vector<exact::Real> numbers = decimals(axis);
+      if (numbers.size() != 3) refuse();
+      std::copy(numbers.begin(), numbers.end(), direction.begin());
+    }
+    return space::Rotation::about_direction(direction, exact::Real::parse_decimal(text.substr(colon + 1)), origin);
+  }
+  const std::vector<exact::Real> n = decimals(text);
+  if (n.size() == 4) return space::Rotation::of_quaternion({n[0], n[1], n[2], n[3]}, origin);
+  if (n.size() != 9) refuse();
+  return space::Rotation::of_matrix({space::RealVector{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}},
+                                    origin);
+}
+
+/// The scene of positions in which what moves is rotated.
+io::Scene rotated_scene(io::Scene scene, const Rotation::Data& given) {
+  if (scene.dimension != 3)
+    throw Error(ErrorCode::kUnsupported, "orientations are for 3D scenes; in the plane an angle says all", scene.file);
+  space::Rotation rotation = given.rotation;
+  if (!given.whole) {
+    const io::GridPosition& c = scene.free.about;
+    const space::RealVector about{exact::Real(c[0]), exact::Real(c[1]), exact::Real(c[2])};
+    const space::RealVector moved = rotation.linear(about);
+    for (std::size_t k = 0; k < 3; ++k) rotation.by[k] = about[k] - moved[k];
+  }
+  scene.free.kind = io::Free::Kind::kPosition;
+  plane::Rounding rounding;
+  for (plane::ShapePtr& shape : scene.shapes) {
+    if (std::find(scene.moving.begin(), scene.moving.end(), shape->name) == scene.moving.end()) continue;
+    plane::Shape turned = *space::rotated(*shape, rotation, rounding);
+    turned.name = shape->name;
+    shape = std::make_shared<const plane::Shape>(std::move(turned));
+  }
+  if (rounding.points > 0)
+    scene.notes.push_back(fmt::format("{} points were put on the grid, moved by at most {:.2g} {}", rounding.points,
+                                      rounding.largest * scene.grid.step_size(),
+                                      scene.unit ? formula::name(*scene.unit) : ""));
+  return scene;
+}
+
+io::Scene asking_scene(io::Scene scene, const Scene::Question& question) {
+  if (question.minimize && question.maximize && !question.minimize->empty() && !question.maximize->empty())
+    throw Error(ErrorCode::kBadValue, "\"minimize\" and \"maximize\": one objective is meant");
+  if (question.where) {
+    scene.where = {*question.where, question.before + "where", 1, 1};
+    scene.conditions.clear();
+  }
+  if (question.minimize || question.maximize) {
+    scene.minimize = {question.minimize.value_or(""), question.before + "minimize", 1, 1};
+    scene.maximize = {question.maximize.value_or(""), question.before + "maximize", 1, 1};
+  }
+  return scene;
+}
+
+}  // namespace
+
+Rotation Rotation::read(std::string_view text) {
+  return Rotation(std::make_shared<const Data>(Data{std::string(text), rotation_of(text)}));
+}
+const std::string& Rotation::text() const { return data_->text; }
+std::array<std::array<double, 3>, 3> Rotation::matrix() const {
+  std::array<std::array<double, 3>, 3> out{};
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t k = 0; k < 3; ++k) out[r][k] = data_->rotation.rows[r][k].to_double();
+  return out;
+}
+bool Rotation::exact() const { return !data_->rotation.rounded; }
+
 struct Scene::Data {
+  /// Where it comes from, and how it is asked.
+  struct Source {
+    std::string text, folder;
+    ReadOptions reading{};
+    std::vector<Change> changes{};
+    Options options{};
+    Listener listener{};
+  };
+
   io::Scene read;
-  std::string text, folder;
-  ReadOptions reading;
-  std::map<std::string, Shape> shapes;
+  Source source;
   Formula where;
+  Free free;
 
-  Data(std::string from, std::string beside, const std::string& name, const ReadOptions& how)
-      : read(io::read_scene_text(from, beside, name, how)),
-        text(std::move(from)),
-        folder(std::move(beside)),
-        reading(how),
-        shapes(io::shapes_of(read)),
-        where(read.where.empty() ? Formula("true") : Formula(read.where.text)) {}
+  Data(io::Scene scene, Source from)
+      : read(std::move(scene)),
+        source(std::move(from)),
+        where(read.where.empty() ? Formula("true") : Formula(read.where.text)),
+        free(free_of(read)) {}
 
+  const std::map<std::string, Shape>& shapes() const {
+    std::call_once(shown_, [&] { shapes_ = io::shapes_of(read); });
+    return shapes_;
+  }
   const World& world() const {
     std::call_once(made_, [&] {
       if (read.moving.empty())
@@ -101,30 +229,264 @@ struct Scene::Data {
     });
     return *world_;
   }
+  /// As many numbers as the scene has dimensions, within the grid's reach.
+  std::vector<exact::Real> position(const Pose& pose) const {
+    if (pose.at.empty()) return std::vector<exact::Real>(std::size_t(read.dimension));
+    if (pose.at.size() != std::size_t(read.dimension))
+      throw Error(ErrorCode::kBadValue, fmt::format("a position of this scene has {} numbers", read.dimension),
+                  read.file);
+    std::vector<exact::Real> out;
+    for (const Number& c : pose.at) {
+      out.push_back(api::real_of(c));
+      read.grid.steps(out.back());  // refuses what is out of reach
+    }
+    return out;
+  }
+  std::optional<exact::Real> instant(const Pose& pose) const {
+    if (!pose.time) return std::nullopt;
+    if (!read.motion.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", read.file);
+    exact::Real time = api::real_of(*pose.time);
+    if (time < read.motion.start || read.motion.end < time)
+      throw Error(ErrorCode::kBadValue, "that instant lies outside the motion", read.file);
+    return time;
+  }
 
  private:
-  mutable std::once_flag made_{};
+  mutable std::once_flag made_{}, shown_{};
   mutable std::optional<World> world_{};
+  mutable std::map<std::string, Shape> shapes_{};
 };
+
+namespace {
+
+/// What ask(scene) says, under the limits, and heard. The data are let go of before.
+template <class Ask>
+Answer asked(std::shared_ptr<const Scene::Data> data, std::optional<exact::Real> time, const Ask& ask) {
+  struct Heard {
+    std::mutex guard{};
+    std::vector<std::string> notes{};
+  };
+  const auto heard = std::make_shared<Heard>();
+  const Options options = data->source.options;
+  Scene::Listener listener = data->source.listener;
+  listener.note = [heard, told = listener.note](const std::string& text) {
+    const std::lock_guard held(heard->guard);
+    heard->notes.push_back(text);
+    if (told) told(text);
+  };
+  io::AskedScene scene(data->read, std::move(listener), std::move(time));
+  data.reset();
+  return api::limited(options, [&] {
+    auto out = std::make_shared<Answer::Data>(ask(std::move(scene)));
+    const std::lock_guard held(heard->guard);
+    out->notes = heard->notes;
+    return Answer(std::move(out));
+  });
+}
+
+/// What in_plane(scene, pose) or in_space(scene, position) says.
+template <class InPlane, class InSpace>
+Answer at_pose(const std::shared_ptr<const Scene::Data>& data, const Pose& pose, const InPlane& in_plane,
+               const InSpace& in_space) {
+  const bool solid = data->read.dimension == 3;
+  const std::vector<exact::Real> at = data->position(pose);
+  if (solid && pose.degrees)
+    throw Error(ErrorCode::kUnsupported, "in space an orientation says how a shape is turned", data->read.file);
+  return asked(data, data->instant(pose), [&](io::AskedScene scene) {
+    if (solid) return in_space(std::move(scene), space::RealVector{at[0], at[1], at[2]});
+    io::PlanarPose where_it_is{{at[0], at[1]}};
+    if (pose.degrees) where_it_is.degrees = api::real_of(*pose.degrees);
+    return in_plane(std::move(scene), where_it_is);
+  });
+}
+
+Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& question) {
+  using Kind = Scene::Free::Kind;
+  const Kind free = data->free.kind;
+  if (data->read.dimension == 3)
+    throw Error(ErrorCode::kUnsupported, "a map of a 3D scene is not computed here", data->read.file);
+  if (free != Kind::kPosition && !question.apply.empty())
+    throw Error(ErrorCode::kBadValue, question.before + "apply is for maps of the plane", data->read.file);
+  const std::vector<exact::Real> p = data->position(question.pose);
+  const exact::RealPoint at{p[0], p[1]};
+  return asked(std::move(data), std::nullopt, [&](io::AskedScene scene) {
+    if (free == Kind::kPose) return io::map_of_poses(std::move(scene));
+    if (free == Kind::kAngle) return io::map_of_angles(std::move(scene), at);
+    if (free != Kind::kTime)
+      return io::map_of_positions(std::move(scene), {question.apply, question.before}, question.pictures);
+    std::vector<std::string> numbers;
+    for (const Number& n : question.pose.at) numbers.push_back(n.text());
+    return io::map_of_instants(std::move(scene), at,
+                               numbers.empty() ? "0,0" : fmt::format("{}", fmt::join(numbers, ",")));
+  });
+}
+
+Explanation explained(const io::AskedScene& scene, const Pose& pose) {
+  const std::vector<Number>& at = pose.at;
+  if (!scene.in_space() && (pose.degrees || scene.scene().free.kind == io::Free::Kind::kPose)) {
+    std::optional<exact::Real> degrees;
+    std::optional<exact::RealPoint> p;
+    if (pose.degrees) degrees = api::real_of(*pose.degrees);
+    if (!at.empty()) p = exact::RealPoint{api::real_of(at[0]), api::real_of(at[1])};
+    return io::explain_poses(scene, degrees, p);
+  }
+  if (scene.in_space())
+    scene.require_positions_in_space(false, true);
+  else
+    scene.require_positions(false);
+  scene.where();  // says where a mistake is
+  const Formula where = scene.scene().where.empty() ? Formula("true") : Formula(scene.scene().where.text);
+  const World world =
+      scene.in_space() ? io::public_world(scene.scene()) : io::public_world(scene.scene(), scene.world());
+  scene.stage("explaining");
+  if (at.empty()) return world.explain(where);
+  return at.size() == 3 ? world.explain(where, Point3{at[0], at[1], at[2]}) : world.explain(where, Point{at[0], at[1]});
+}
+
+}  // namespace
+
+namespace io {
+
+const Scene& scene_of(const findspace::Scene& scene) { return scene.data().read; }
+
+findspace::Scene public_scene(Scene scene) {
+  findspace::Scene::Data::Source nowhere;
+  return findspace::Scene(std::make_shared<const findspace::Scene::Data>(std::move(scene), std::move(nowhere)));
+}
+
+}  // namespace io
 
 Scene Scene::file(const std::string& path, const ReadOptions& reading) {
   std::string text = io::read_text(path, reading.input_limit);  // refuses what is no path
-  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  return Scene(std::make_shared<const Data>(std::move(text), folder.string(), path, reading));
+  return json(text, std::filesystem::absolute(path).parent_path().string(), reading, path);
 }
 
-Scene Scene::json(std::string_view text, const std::string& folder, const ReadOptions& reading) {
-  return Scene(std::make_shared<const Data>(std::string(text), folder, "scene", reading));
+Scene Scene::json(std::string_view text, const std::string& folder, const ReadOptions& reading,
+                  const std::string& name) {
+  return Scene(std::make_shared<const Data>(io::read_scene_text(text, folder, name, reading),
+                                            Data::Source{std::string(text), folder, reading}));
 }
 
-const std::map<std::string, Shape>& Scene::shapes() const { return data_->shapes; }
+const std::map<std::string, Shape>& Scene::shapes() const { return data_->shapes(); }
+std::vector<std::string> Scene::names() const {
+  std::vector<std::string> out;
+  for (const plane::ShapePtr& s : data_->read.shapes) out.push_back(s->name);
+  return out;
+}
+int Scene::dimension() const { return data_->read.dimension; }
+std::string Scene::unit() const {
+  return data_->read.unit ? std::string(formula::name(*data_->read.unit)) : std::string();
+}
+const std::vector<std::string>& Scene::moving() const { return data_->read.moving; }
 const World& Scene::world() const { return data_->world(); }
 const Formula& Scene::where() const { return data_->where; }
 const std::string& Scene::minimize() const { return data_->read.minimize.text; }
 const std::string& Scene::maximize() const { return data_->read.maximize.text; }
-const std::string& Scene::text() const { return data_->text; }
-const std::string& Scene::folder() const { return data_->folder; }
-const ReadOptions& Scene::reading() const { return data_->reading; }
+const Scene::Free& Scene::free() const { return data_->free; }
+std::optional<Motion> Scene::motion() const {
+  return data_->read.motion.given() ? std::optional(io::public_motion(data_->read)) : std::nullopt;
+}
+const std::string& Scene::text() const { return data_->source.text; }
+const std::string& Scene::folder() const { return data_->source.folder; }
+const std::string& Scene::name() const { return data_->read.file; }
+const ReadOptions& Scene::reading() const { return data_->source.reading; }
 const std::vector<std::string>& Scene::notes() const { return data_->read.notes; }
+const std::vector<Scene::Change>& Scene::changes() const { return data_->source.changes; }
+
+Scene Scene::asking(const Question& question) const {
+  Data::Source source = data_->source;
+  source.changes.push_back({question, {}});
+  return Scene(std::make_shared<const Data>(asking_scene(data_->read, question), std::move(source)));
+}
+
+Scene Scene::rotated(const Rotation& rotation) const {
+  Data::Source source = data_->source;
+  source.changes.push_back({{}, rotation});
+  return Scene(std::make_shared<const Data>(rotated_scene(data_->read, rotation.data()), std::move(source)));
+}
+
+Scene Scene::with(const Options& options) const {
+  Data::Source source = data_->source;
+  source.options = options;
+  return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
+}
+
+Scene Scene::with(const Listener& listener) const {
+  Data::Source source = data_->source;
+  source.listener = listener;
+  return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
+}
+
+Answer Scene::check(const Pose& pose) const {
+  if (data_->read.free.kind == io::Free::Kind::kTime && !pose.time)
+    throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data_->read.file);
+  return at_pose(data_, pose, io::check_in_plane, io::check_in_space);
+}
+
+Answer Scene::measure(const Pose& pose, const std::vector<std::string>& words) const {
+  const io::WantedDistances wanted = io::wanted_distances(words);
+  return at_pose(
+      data_, pose,
+      [&](io::AskedScene scene, const io::PlanarPose& at) {
+        return io::measure_in_plane(std::move(scene), at, wanted);
+      },
+      [&](io::AskedScene scene, const space::RealVector& at) {
+        return io::measure_in_space(std::move(scene), at, wanted);
+      });
+}
+
+Answer Scene::map(const MapQuestion& question) const& { return map_of(data_, question); }
+Answer Scene::map(const MapQuestion& question) && { return map_of(std::move(data_), question); }
+
+Answer Scene::explain(const Pose& pose) const {
+  data_->position(pose);  // refuses what is none
+  if (pose.time || (pose.degrees && dimension() == 3))
+    throw Error(ErrorCode::kUnsupported, "an explanation has no instant, and in space no degrees", name());
+  return asked(data_, std::nullopt, [&](const io::AskedScene& scene) {
+    Answer::Data out;
+    out.explanation = explained(scene, pose);
+    const Explanation& found = *out.explanation;
+    out.found = (found.here ? found.here->holds : found.feasible) ? Answer::Found::kYes : Answer::Found::kNo;
+    out.text = [text = found.text](const Telling&) { return text; };
+    out.json = [text = found.json](const Telling&) { return text; };
+    return out;
+  });
+}
+
+Answer::Found Answer::found() const { return data_->found; }
+std::string Answer::text(const Telling& telling) const { return data_->text(telling); }
+std::string Answer::json(const Telling& telling) const { return data_->json(telling); }
+std::vector<std::string> Answer::endings() const {
+  std::vector<std::string> out{".json"};
+  for (const auto& [ending, make] : data_->files) out.push_back(ending);
+  return out;
+}
+Region::Drawn Answer::file(std::string_view ending, const Telling& telling) const {
+  if (ending == ".json") return {json(telling), {}};
+  const auto found = data_->files.find(ending);
+  if (found == data_->files.end())
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("the ending '{}' is none of {}", ending, fmt::join(endings(), " ")));
+  return found->second(telling);
+}
+const std::vector<std::string>& Answer::notes() const { return data_->notes; }
+Check Answer::check() const {
+  if (!data_->check) throw Error(ErrorCode::kBadValue, "this is no answer to a check");
+  return data_->check();
+}
+std::optional<NearestPlace> Answer::nearest() const { return data_->nearest ? data_->nearest() : std::nullopt; }
+std::vector<Measured> Answer::measured() const { return data_->measured ? data_->measured() : std::vector<Measured>(); }
+
+std::optional<RegionBounds> Answer::region() const {
+  return data_->region ? std::optional(data_->region()) : std::nullopt;
+}
+std::optional<Optimum> Answer::best() const { return data_->best ? std::optional(data_->best()) : std::nullopt; }
+std::vector<Interval> Answer::intervals() const {
+  return data_->intervals ? data_->intervals() : std::vector<Interval>();
+}
+std::vector<Interval> Answer::possible() const { return data_->possible ? data_->possible() : std::vector<Interval>(); }
+std::optional<PoseMap> Answer::poses() const { return data_->poses ? std::optional(data_->poses()) : std::nullopt; }
+
+std::optional<Explanation> Answer::explanation() const { return data_->explanation; }
 
 }  // namespace findspace

@@ -4,23 +4,30 @@
 // A scene that was read, as the public headers show it.
 #pragma once
 
+#include <findspace/scene.h>
 #include <findspace/world.h>
 
 #include <string_view>
 
 #include "formula/planar/world.h"
+#include "io/question/asked_scene.h"
 #include "io/scene/scene.h"
 #include "io/scene/scene_formulas.h"
 
 namespace findspace::io {
 
-/// The motion of its shapes, in grid steps.
-formula::Motion motion_of(const Scene& scene);
+/// What a public scene is of, and a public scene that was read otherwise than from its text.
+const Scene& scene_of(const findspace::Scene& scene);
+findspace::Scene public_scene(Scene scene);
 /// A shape of the scene. Throws Error(kUnknownName).
 Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the sets that were built of its shapes.
 World public_world(const Scene& scene, formula::World built);
 /// Of the plane or of space.
 World public_world(const Scene& scene);
+
+/// Of the plane: its formula over all angles of the scene, or at one; and there at a position too.
+Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Real>& degrees,
+                          const std::optional<exact::RealPoint>& at);
 
 }  // namespace findspace::io

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: findspace contributors
 
 #include <findspace/text.h>
+#include <findspace/vocabulary.h>
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "io/report/position_report.h"
 #include "io/text/put.h"
 
 namespace findspace {
@@ -27,5 +29,7 @@ std::string json_string(std::string_view text) {
   }
   return out + "\"";
 }
+
+std::vector<std::string> usual_distance_words() { return {io::kUsualDistances.begin(), io::kUsualDistances.end()}; }
 
 }  // namespace findspace

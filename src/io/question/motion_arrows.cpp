@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "report/motion_arrows.h"
+#include "io/question/motion_arrows.h"
 
 #include <algorithm>
 
 #include "plane/complex/extent.h"
 #include "plane/query/topology.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 using exact::RealPoint;
-using io::Arrow;
 using plane::Place;
 
 namespace {
@@ -69,10 +68,10 @@ void add_distance(std::vector<Arrow>& out, const formula::Distance& d) {
 
 }  // namespace
 
-std::vector<Arrow> motion_arrows(const io::Scene& scene, const formula::World& world, const formula::Formula* formula) {
+std::vector<Arrow> motion_arrows(const Scene& scene, const formula::World& world, const formula::Formula* formula) {
   std::vector<Arrow> out;
   if (!world.instant) add_ways(out, world, formula);
-  if (scene.free.kind == io::Free::Kind::kAngle) {
+  if (scene.free.kind == Free::Kind::kAngle) {
     const double step = world.step.to_double();
     out.push_back(
         {Arrow::Kind::kRotation, {{double(scene.free.about[0]) * step, double(scene.free.about[1]) * step}}, true});
@@ -83,4 +82,4 @@ std::vector<Arrow> motion_arrows(const io::Scene& scene, const formula::World& w
   return out;
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

@@ -10,10 +10,9 @@
 #include "io/draw/draw_arrows.h"
 #include "io/scene/scene.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 /// `formula` may be null. Ways begin in the middle of the shapes as the world has them.
-std::vector<io::Arrow> motion_arrows(const io::Scene& scene, const formula::World& world,
-                                     const formula::Formula* formula);
+std::vector<Arrow> motion_arrows(const Scene& scene, const formula::World& world, const formula::Formula* formula);
 
-}  // namespace findspace::app
+}  // namespace findspace::io

@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "common/session.h"
 #include "formula/planar/solve.h"
+#include "io/question/asked_scene.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 /// Distances that fail in red, and the nearest feasible position in dashes (null: not known, or `at` is feasible).
 /// @p world in steps of its grid, @p at in the scene's unit.
-std::string check_picture(const Session& session, const formula::World& world, const formula::Formula& formula,
+std::string check_picture(const AskedScene& asked, const formula::World& world, const formula::Formula& formula,
                           const exact::RealPoint& at, const formula::Check& check,
                           const formula::NearestFeasible* nearest);
 
 /// With gamma1 of every pair.
-std::string measure_picture(const Session& session, const formula::World& world, const exact::RealPoint& at,
+std::string measure_picture(const AskedScene& asked, const formula::World& world, const exact::RealPoint& at,
                             const std::vector<formula::DistanceAt>& distances);
 
-}  // namespace findspace::app
+}  // namespace findspace::io

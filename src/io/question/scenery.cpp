@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "report/scenery.h"
+#include "io/question/scenery.h"
 
 #include <algorithm>
 #include <cctype>
 #include <set>
 
-#include "report/motion_arrows.h"
+#include "io/question/motion_arrows.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 namespace {
 
 /// Whether a member of a list is called so: holes and tracks of a board have numbers only.
-bool has_own_name(const io::Board* board, std::string_view member) {
+bool has_own_name(const Board* board, std::string_view member) {
   if (board == nullptr || board->find(member) != nullptr) return true;
   return std::any_of(board->keep_outs.begin(), board->keep_outs.end(), [&](const auto& k) { return k.name == member; });
 }
 
 }  // namespace
 
-void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
+void add_scenery(const AskedScene& asked, Picture& picture, const formula::World& world,
                  const formula::Formula* formula) {
   picture.step = world.step;
-  picture.unit = session.unit();
-  picture.y_down = session.scene().y_down;
-  const io::Board* const board = session.scene().board.get();
+  picture.unit = asked.unit();
+  picture.y_down = asked.scene().y_down;
+  const Board* const board = asked.scene().board.get();
   picture.small_names = board != nullptr;
   for (int c : {0, 1})
-    picture.home[c] = static_cast<double>(session.scene().drawn_at[c]) * session.scene().grid.step_size();
-  picture.arrows = motion_arrows(session.scene(), world, formula);
-  if (board != nullptr) picture.copper = io::copper_of(*board, world.moving, session.scene().grid.step_size());
+    picture.home[c] = static_cast<double>(asked.scene().drawn_at[c]) * asked.scene().grid.step_size();
+  picture.arrows = motion_arrows(asked.scene(), world, formula);
+  if (board != nullptr) picture.copper = copper_of(*board, world.moving, asked.scene().grid.step_size());
   const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
-  const bool named_only = session.scene().named_only;
+  const bool named_only = asked.scene().named_only;
   // The parts of a collection carry their own names; one whose parts have none carries its own.
   const auto all_of = [&](const std::string& name) {
     const auto parts = world.parts.find(name);
@@ -44,16 +44,16 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
       return picture.fixed.push_back({name, &*world.shapes.at(name)});
     for (const auto& [part, region] : parts->second) {
       if (named_only && named.count(part) > 0) continue;  // it is drawn itself
-      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, io::is_behind(board, part)});
+      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, is_behind(board, part)});
     }
   };
   // The names of a board's pads are said where the formula speaks of them.
   const auto shown_name = [&](const std::string& name) {
     return named_only && name.find('.') != std::string::npos && named.count(name) == 0 ? std::string() : name;
   };
-  for (const plane::ShapePtr& s : session.scene().shapes) {
+  for (const plane::ShapePtr& s : asked.scene().shapes) {
     const bool moves = std::find(world.moving.begin(), world.moving.end(), s->name) != world.moving.end();
-    if (moves && session.scene().groups.count(s->name) > 0) continue;  // its members are drawn
+    if (moves && asked.scene().groups.count(s->name) > 0) continue;  // its members are drawn
     if (moves)
       picture.moving.push_back({shown_name(s->name), &*world.shapes.at(s->name)});
     else if ((named.empty() || named.count(s->name) != 0) && world.shapes.count(s->name) != 0)
@@ -61,4 +61,4 @@ void add_scenery(const Session& session, io::Picture& picture, const formula::Wo
   }
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

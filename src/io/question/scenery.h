@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "common/session.h"
+#include "io/question/asked_scene.h"
 #include "io/report/board_picture.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 /// The moving shapes of a picture, and the fixed ones of which the formula speaks (all without one). The regions are
 /// those of `world`.
-void add_scenery(const Session& session, io::Picture& picture, const formula::World& world,
+void add_scenery(const AskedScene& asked, Picture& picture, const formula::World& world,
                  const formula::Formula* formula);
 
-}  // namespace findspace::app
+}  // namespace findspace::io

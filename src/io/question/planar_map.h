@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The map of a scene of the plane: the region of its formula, on the scene's line where it has one, the best positions
-// where it has an objective, made into what --apply asks for; and the instants of a motion. Guarantee: exact, or
+// where it has an objective, made into what is asked for; and the instants of a motion. Guarantee: exact, or
 // between bounds where shapes rotate in time (docs/results.md). Keywords: feasible region, answer.
 #pragma once
 
@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "common/session.h"
-#include "formula/planar/solve.h"
+#include "formula/planar/solve_region.h"
+#include "io/question/asked_scene.h"
 #include "io/write/write_json.h"
 #include "plane/query/locate_line.h"
 #include "plane/query/summary.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 /// The answer to a scene's question.
 struct PlanarMap {
@@ -27,24 +27,33 @@ struct PlanarMap {
   std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
 };
 
+/// What is made of a region.
+struct Applied {
+  std::string operation{};  // interior closure boundary regularize complement, or nothing
+  std::string before{};     // what messages put before "apply"
+};
+
 /// `known`: the region of the formula where it has been made already, its cells in order.
-PlanarMap planar_map(const Session& session, const formula::Solver& solver, const formula::Formula& formula,
-                     const formula::SolvedRegion* known = nullptr);
-/// As `map --json` prints it. `known`: the summary of the map's region, where it has been made already.
-std::string planar_map_json(const Session& session, const PlanarMap& map, const plane::Summary* known = nullptr);
+PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, const formula::Formula& formula,
+                     const Applied& apply = {}, const formula::SolvedRegion* known = nullptr);
+/// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
+/// made already.
+std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact,
+                            const plane::Summary* known = nullptr);
 /// The part of a region on the scene's line.
-plane::Region on_line(const plane::Region& region, const io::Free& free);
+plane::Region on_line(const plane::Region& region, const Free& free);
 /// The lengths along the scene's line that belong to a region.
-std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const io::Free& free);
+std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const Free& free);
 
 /// The instants at which a formula holds at a position.
-struct Instants {
+struct PlanarInstants {
   std::vector<plane::LineInterval> intervals;
   std::optional<std::vector<plane::LineInterval>> outer;  // where the intervals are certain, and these possible
 
   std::string json() const;
 };
 /// `at` in the scene's unit.
-Instants planar_instants(const formula::Solver& solver, const formula::Formula& formula, const exact::RealPoint& at);
+PlanarInstants planar_instants(const formula::Solver& solver, const formula::Formula& formula,
+                               const exact::RealPoint& at);
 
-}  // namespace findspace::app
+}  // namespace findspace::io

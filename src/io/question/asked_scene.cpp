@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/question/asked_scene.h"
+
+#include <findspace/error.h>
+#include <fmt/format.h>
+
+#include <set>
+
+#include "io/scene/scene_formulas.h"
+#include "io/scene/scene_regions.h"
+
+namespace findspace::io {
+namespace {
+
+void add_names(const formula::Distance& distance, std::set<std::string>& names) {
+  names.insert(distance.first.begin(), distance.first.end());
+  names.insert(distance.second.begin(), distance.second.end());
+}
+
+/// The motion of its shapes, in grid steps.
+formula::Motion motion_of(const Scene& scene) {
+  formula::Motion out{scene.motion.start, scene.motion.end, {}};
+  for (const Movement& m : scene.motion.movements) {
+    formula::Trajectory t{m.times, {}, m.angles};
+    for (const GridPosition& p : m.path) t.path.push_back({exact::Real(p[0]), exact::Real(p[1])});
+    out.of.emplace(m.shape, std::move(t));
+  }
+  return out;
+}
+
+}  // namespace
+
+void AskedScene::note(const std::string& text) const {
+  if (listener_.note) listener_.note(text);
+}
+
+void AskedScene::stage(const std::string& text) const {
+  if (listener_.stage) listener_.stage(text);
+}
+
+std::string AskedScene::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+
+std::vector<plane::Region> AskedScene::regions(const std::vector<plane::ShapePtr>& shapes) const {
+  std::vector<std::string> notes;
+  std::vector<plane::Region> out = regions_of(scene_, shapes, notes);
+  for (const std::string& text : notes) note(text);
+  return out;
+}
+
+void AskedScene::require_positions(bool line) const {
+  using Kind = Free::Kind;
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
+  };
+  if (scene_.dimension != 2) refuse("a map of a 3D scene");
+  if (scene_.free.kind != Kind::kPosition &&
+      !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
+    refuse("this kind of \"free\"");
+  require_moving();
+}
+
+void AskedScene::require_positions_in_space(bool line, bool poses) const {
+  auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
+  };
+  if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  using Kind = Free::Kind;
+  if (scene_.free.kind != Kind::kPosition && !(poses && scene_.free.kind == Kind::kPose) &&
+      !(line && scene_.free.kind == Kind::kLine))
+    refuse("this kind of \"free\"");
+  require_moving();
+}
+
+void AskedScene::require_moving() const {
+  if (scene_.moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+}
+
+void AskedScene::require_question() const {
+  if (scene_.where.empty() && !goal())
+    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene_.file);
+}
+
+formula::Context AskedScene::context() const { return context_of(scene_); }
+
+formula::Formula AskedScene::formula(const FormulaText& text, const formula::Context& context) const {
+  return read_formula(text, context);
+}
+
+formula::Goal AskedScene::goal(const FormulaText& text, const formula::Context& context) const {
+  return read_goal(text, context);
+}
+
+formula::Formula AskedScene::where() const {
+  const formula::Context known = context();
+  if (scene_.conditions.empty()) return formula(scene_.where, known);
+  std::vector<formula::Formula> all;
+  for (const FormulaText& text : scene_.conditions) all.push_back(formula(text, known));
+  return formula::conjunction(all);
+}
+
+std::optional<AskedScene::Goal> AskedScene::goal() const {
+  const bool least = !scene_.minimize.empty();
+  const FormulaText& text = least ? scene_.minimize : scene_.maximize;
+  if (text.empty()) return std::nullopt;
+  if (least && !scene_.maximize.empty()) {
+    throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_.file);
+  }
+  try {
+    return Goal{formula::parse_objective(text.text, context()),
+                least ? distance::Sense::kMinimum : distance::Sense::kMaximum, text.text};
+  } catch (const Error& e) {
+    throw placed(e, text);
+  }
+}
+
+formula::World AskedScene::world() const {
+  return scene_.named_only ? world_of(where()) : world_with(scene_.shapes, true);
+}
+
+formula::World AskedScene::world_of(const formula::Formula& formula, bool parts) const {
+  std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
+  const std::optional<Goal> goal = this->goal();
+  named.merge(formula.shapes());
+  if (goal)
+    for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
+  for (const Movement& m : scene_.motion.movements) named.insert(m.shape);
+  std::set<const plane::Shape*> of_others;
+  std::vector<const plane::Shape*> todo;
+  for (const plane::ShapePtr& s : scene_.shapes) todo.push_back(s.get());
+  while (!todo.empty()) {
+    const plane::Shape* shape = todo.back();
+    todo.pop_back();
+    for (const plane::ShapePtr& child : shape->children)
+      if (of_others.insert(child.get()).second) todo.push_back(child.get());
+  }
+  std::vector<plane::ShapePtr> wanted;
+  for (const plane::ShapePtr& s : scene_.shapes)
+    if (named.count(s->name) != 0 || (!scene_.named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
+  return world_with(wanted, parts);
+}
+
+formula::World AskedScene::world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const {
+  stage("building the shapes");
+  formula::World world;
+  std::vector<plane::Region> built = regions(shapes);
+  for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
+  world.moving = scene_.moving;
+  world.step = step();
+  world.motion = motion_of(scene_);
+  world.instant = instant_;
+  for (const plane::ShapePtr& s : shapes) {
+    if (!s->collection || !parts) continue;
+    std::vector<plane::Region> built_parts = regions(s->children);
+    for (std::size_t k = 0; k < built_parts.size(); ++k) {
+      const std::string& name = s->children[k]->name;
+      world.parts[s->name].emplace_back(name.empty() ? std::to_string(k) : name, std::move(built_parts[k]));
+    }
+  }
+  return world;
+}
+
+void AskedScene::forget_shapes() {
+  for (plane::ShapePtr& s : scene_.shapes) {
+    auto bare = std::make_shared<plane::Shape>();
+    bare->name = s->name;
+    s = std::move(bare);
+  }
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+#include "io/question/planar_map.h"
+
+#include "findspace/error.h"
+#include "io/write/write_summary.h"
+#include "plane/query/in_order.h"
+#include "plane/query/topology.h"
+
+namespace findspace::io {
+namespace {
+
+plane::Region applied(plane::Region region, const std::string& operation) {
+  if (operation == "interior") return plane::interior(std::move(region));
+  if (operation == "closure") return plane::closure(std::move(region));
+  if (operation == "boundary") return plane::boundary(std::move(region));
+  if (operation == "regularize") return plane::regularize(std::move(region));
+  if (operation == "complement") return plane::complement(std::move(region));
+  return region;
+}
+
+formula::PlanarLine line_of(const Free& free) {
+  return {{free.through[0], free.through[1]}, {free.direction[0], free.direction[1]}};
+}
+
+}  // namespace
+
+plane::Region on_line(const plane::Region& region, const Free& free) { return formula::on_line(region, line_of(free)); }
+
+std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const Free& free) {
+  return plane::along_line(region, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
+}
+
+namespace {
+
+constexpr const char* kNoRoots =
+    "the optimum is not a number that square roots express: given to 13 digits, with one position each";
+constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
+
+constexpr const char* kRotating =
+    "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones";
+constexpr const char* kCompared =
+    "distances are equal along a curve that is neither a line nor a circle: certainly feasible positions, and in "
+    "\"outer\" "
+    "the possible ones";
+
+/// What is said about an optimum that is enclosed, by the way that found it.
+void note_enclosed(const formula::Optimum& best, const AskedScene& asked) {
+  if (best.exists() && !best.proven()) asked.note(best.answer->way == distance::Way::kMap ? kNoRoots : kBetweenBounds);
+}
+
+/// The region of the formula on the scene's line, and its best positions.
+PlanarMap best_map(const AskedScene& asked, const formula::Solver& solver, formula::SolvedRegion found,
+                   const AskedScene::Goal& goal) {
+  asked.stage("optimizing");
+  formula::BestQuery query{goal.objective, goal.sense, std::nullopt};
+  if (asked.scene().free.kind == Free::Kind::kLine) {
+    query.line = line_of(asked.scene().free);
+    found = formula::on_line(found, *query.line);
+  }
+  formula::Optimum best = formula::optimize(solver, found, query);
+  note_enclosed(best, asked);
+  PlanarMap map{std::move(best.at), std::nullopt, best, std::nullopt};
+  map.feasible = plane::in_order(found.outer ? *std::move(found.outer) : std::move(found.region));
+  return map;
+}
+
+}  // namespace
+
+PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, const formula::Formula& formula,
+                     const Applied& apply, const formula::SolvedRegion* known) {
+  const std::optional<AskedScene::Goal> goal = asked.goal();
+  asked.stage("solving");
+  formula::SolvedRegion found = known != nullptr ? *known : formula::solve_region(solver, formula);
+  if (found.outer && !apply.operation.empty())
+    throw Error(
+        ErrorCode::kUnsupported,
+        apply.before +
+            "apply: only bounds of the region are known, as shapes rotate or distances are compared with each other",
+        asked.scene().file);
+  if (found.outer && !goal) asked.note(found.compared ? kCompared : kRotating);
+  PlanarMap map;
+  if (goal) {
+    map = best_map(asked, solver, std::move(found), *goal);
+  } else {
+    map.region = std::move(found.region);
+    if (found.outer) map.outer = plane::in_order(*std::move(found.outer));
+    if (const auto least = formula::minimum_of(formula, solver)) {
+      note_enclosed(*least, asked);
+      map.extreme = *least;
+    }
+  }
+  // What is known has its order.
+  if (known == nullptr || goal || !apply.operation.empty())
+    map.region = plane::in_order(applied(std::move(map.region), apply.operation));
+  return map;
+}
+
+std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known) {
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  const bool line = asked.scene().free.kind == Free::Kind::kLine;
+  const auto json = [&](const plane::Region& region, const distance::OptimalValue* best, bool with_cells) {
+    if (line) return intervals_json(intervals_on_line(region, asked.scene().free), asked.step(), asked.unit(), best);
+    if (known != nullptr && &region == &map.region)
+      return region_json(region, *known, asked.step(), asked.unit(), best, with_cells);
+    const plane::Summary summary = plane::summarize(region, asked.step());
+    return region_json(region, summary, asked.step(), asked.unit(), best, with_cells);
+  };
+  std::string text = json(map.region, extreme, exact);
+  return map.outer ? bounded_json(std::move(text), json(*map.outer, nullptr, false)) : text;
+}
+
+std::string PlanarInstants::json() const {
+  std::string text = intervals_json(intervals, exact::Real(1), "");
+  return outer ? bounded_json(std::move(text), intervals_json(*outer, exact::Real(1), "")) : text;
+}
+
+PlanarInstants planar_instants(const formula::Solver& solver, const formula::Formula& formula,
+                               const exact::RealPoint& at) {
+  const auto in_time = [](const plane::Section& line) { return plane::intervals(line, exact::Real(1)); };
+  const formula::SolvedInstants found = solver.solve_instants(formula, at);
+  PlanarInstants out{in_time(found.instants), std::nullopt};
+  if (found.outer) out.outer = in_time(*found.outer);
+  return out;
+}
+
+}  // namespace findspace::io

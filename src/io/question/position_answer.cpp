@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/question/position_answer.h"
+
+#include <findspace/error.h>
+#include <findspace/vocabulary.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "api/query/world_data.h"
+#include "formula/language/text.h"
+#include "formula/planar/solve_rotation.h"
+#include "io/question/position_picture.h"
+#include "io/report/position_report.h"
+#include "io/write/write_position.h"
+#include "io/write/write_witness.h"
+
+namespace findspace::io {
+namespace {
+
+using Found = Answer::Found;
+
+formula::Kind kind_of(std::string_view word) {
+  if (const formula::DistanceName* row = formula::find_distance(word)) return row->kind;
+  std::vector<std::string> names;
+  for (const formula::DistanceName& row : formula::distance_names()) names.emplace_back(row.name);
+  const std::string near = formula::nearest(word, names);
+  throw Error(ErrorCode::kUnknownName, fmt::format("there is no distance '{}'{}", word,
+                                                   near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+}
+
+std::vector<formula::DistanceAt> only(std::vector<formula::DistanceAt> distances,
+                                      const std::vector<formula::Kind>& kinds) {
+  if (kinds.empty()) return distances;
+  std::erase_if(distances, [&](const formula::DistanceAt& d) {
+    const formula::PlainText plain = formula::plain(d.text);
+    return std::find(kinds.begin(), kinds.end(), kind_of(distance_word(plain.text))) == kinds.end();
+  });
+  return distances;
+}
+
+bool ranges_over_angles(const Free& free) { return free.kind == Free::Kind::kAngle || free.kind == Free::Kind::kPose; }
+
+/// Whether the moving shape turns: an angle is given, or the scene or its formula turns it.
+bool turns(const AskedScene& asked, const PlanarPose& pose) {
+  if (pose.degrees || ranges_over_angles(asked.scene().free)) return true;
+  return !asked.scene().motion.given() && formula::has_rotations(asked.where());
+}
+
+void require_turning(const AskedScene& asked) {
+  if (asked.scene().motion.given())
+    throw Error(ErrorCode::kUnsupported, "an angle in a scene with \"motion\" is not computed", asked.scene().file);
+  asked.require_moving();
+}
+
+formula::Pose rotation_pose(const AskedScene& asked, const PlanarPose& pose) {
+  formula::Pose out{pose.at, pose.degrees.value_or(exact::Real()), std::nullopt};
+  const GridPosition& about = asked.scene().free.about;
+  if (ranges_over_angles(asked.scene().free))
+    out.about = {exact::Real(about[0]) * asked.step(), exact::Real(about[1]) * asked.step()};
+  return out;
+}
+
+/// What a question about one position of the plane needs for its texts and pictures.
+struct PlanarQuestion {
+  AskedScene asked;
+  formula::Formula formula{};
+  exact::RealPoint at;
+  std::optional<formula::Solver> solver{};
+  std::optional<formula::RotationSolver> rotated{};  // where the moving shape turns
+  formula::Pose pose{};
+  formula::AskedNearest nearest{};
+  std::shared_ptr<const formula::Check> check{};
+  std::shared_ptr<const std::vector<formula::DistanceAt>> distances{};
+
+  PlanarQuestion(AskedScene given, const exact::RealPoint& place) : asked(std::move(given)), at(place) {}
+
+  distance::Coordinates place() const { return distance::coordinates(at); }
+  std::optional<double> degrees() const {
+    return rotated ? std::optional(pose.degrees.to_double()) : std::optional<double>();
+  }
+  /// The shapes as they are drawn: of a shape that turns with its vertices rounded to the grid.
+  template <class Draw>
+  std::string drawn(const Draw& draw) const {
+    if (!rotated) return draw(solver->world());
+    plane::Rounding rounding;
+    return draw(formula::rotated_world(solver->world(), rotated->about(), pose.degrees, rounding));
+  }
+  void say_rounding() const {
+    const plane::Rounding& rounding = rotated->rounding();
+    if (rounding.points == 0) return;
+    asked.note(fmt::format("{} vertices of the rotated shape were put on the grid, moved by at most {:.2g} {}",
+                           rounding.points, rounding.largest * asked.scene().grid.step_size(), asked.unit()));
+  }
+};
+
+/// All shapes, or those that the formula needs. It does not move any more.
+std::shared_ptr<PlanarQuestion> planar_question(AskedScene given, const PlanarPose& pose, bool all) {
+  auto out = std::make_shared<PlanarQuestion>(std::move(given), pose.at);
+  const AskedScene& asked = out->asked;
+  const bool turning = turns(asked, pose);
+  if (turning)
+    require_turning(asked);
+  else
+    asked.require_positions(true);
+  out->formula = asked.where();
+  out->solver.emplace(all || turning ? asked.world() : asked.world_of(out->formula));
+  if (turning) {
+    out->pose = rotation_pose(asked, pose);
+    out->rotated.emplace(*out->solver, out->pose);
+  }
+  return out;
+}
+
+}  // namespace
+
+WantedDistances wanted_distances(const std::vector<std::string>& words) {
+  WantedDistances out;
+  for (const std::string& word : words) out.kinds.push_back(kind_of(word));
+  out.told = !words.empty() && words != usual_distance_words();
+  return out;
+}
+
+Answer::Data check_in_plane(AskedScene given, const PlanarPose& pose) {
+  const auto q = planar_question(std::move(given), pose, false);
+  q->asked.stage("checking");
+  if (q->rotated) {
+    q->check = std::make_shared<const formula::Check>(q->rotated->check(q->formula));
+    q->say_rounding();
+  } else {
+    q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, q->at));
+    if (!q->check->holds) {
+      q->asked.stage("looking for the nearest feasible position");
+      q->nearest = q->solver->nearest_feasible(q->formula, q->at);
+    }
+  }
+  Answer::Data out;
+  out.found = q->check->holds ? Found::kYes : Found::kNo;
+  out.json = [q](const Telling& telling) {
+    return check_json(*q->check, q->place(), q->asked.unit(), q->degrees(), q->nearest, telling.explain);
+  };
+  out.text = [q](const Telling& telling) {
+    return check_text(*q->check, shown_point(q->place()), q->place(), q->asked.unit(), q->nearest, telling.explain);
+  };
+  out.files[".svg"] = [q](const Telling&) {
+    return Region::Drawn{q->drawn([&](const formula::World& world) {
+                           return check_picture(q->asked, world, q->formula, q->at, *q->check,
+                                                formula::found(q->nearest));
+                         }),
+                         {}};
+  };
+  show_check(out, q->check, q->nearest);
+  return out;
+}
+
+Answer::Data measure_in_plane(AskedScene given, const PlanarPose& pose, const WantedDistances& wanted) {
+  const auto q = planar_question(std::move(given), pose, true);
+  q->asked.stage("measuring");
+  std::vector<formula::DistanceAt> all =
+      q->rotated ? q->rotated->measure(q->formula) : q->solver->measure(q->at, q->formula);
+  if (q->rotated) q->say_rounding();
+  q->distances = std::make_shared<const std::vector<formula::DistanceAt>>(only(std::move(all), wanted.kinds));
+  Answer::Data out;
+  out.json = [q](const Telling&) { return measure_json(*q->distances, q->place(), q->asked.unit(), q->degrees()); };
+  out.text = [q, told = wanted.told](const Telling& telling) {
+    return measure_text(*q->distances, shown_point(q->place()), q->place(), q->asked.unit(), telling.all || told);
+  };
+  out.files[".svg"] = [q](const Telling&) {
+    return Region::Drawn{
+        q->drawn([&](const formula::World& world) { return measure_picture(q->asked, world, q->at, *q->distances); }),
+        {}};
+  };
+  show_measured(out, q->distances);
+  return out;
+}
+
+void show_check(Answer::Data& answer, std::shared_ptr<const formula::Check> check, formula::AskedNearest nearest) {
+  answer.check = [check = std::move(check)] { return api::public_check(*check); };
+  answer.nearest = [nearest = std::move(nearest)]() -> std::optional<NearestPlace> {
+    const formula::NearestFeasible* near = formula::found(nearest);
+    if (near == nullptr) return std::nullopt;
+    NearestPlace out{{}, near->distance.to_double(), near->attained};
+    for (const exact::Real& c : near->at) out.at.push_back(c.to_double());
+    return out;
+  };
+}
+
+void show_measured(Answer::Data& answer, std::shared_ptr<const std::vector<formula::DistanceAt>> distances) {
+  answer.measured = [distances = std::move(distances)] {
+    std::vector<Measured> out;
+    for (const formula::DistanceAt& d : *distances) {
+      const formula::PlainText plain = formula::plain(d.text);
+      Measured& one = out.emplace_back(Measured{plain.text, {}, d.refused});
+      if (d.refused.empty()) one.value = api::public_value(plain.negated ? formula::minus(d) : d);
+    }
+    return out;
+  };
+}
+
+}  // namespace findspace::io

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// check and measure in space: at one position.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formula/language/text.h"
+#include "io/draw/draw_bodies.h"
+#include "io/question/position_answer.h"
+#include "io/question/space_shapes.h"
+#include "io/report/position_report.h"
+#include "io/write/write_position.h"
+
+namespace findspace::io {
+
+namespace {
+
+/// Of bodies that were made only when a distance asked for them.
+void note_late_rounding(const AskedScene& asked, const formula::SpaceSolver& solver) {
+  for (const auto& [name, shape] : solver.world().shapes) {
+    if (shape.surfaces && !shape.convex) note_rounding(asked, name, shape);
+  }
+}
+
+std::string where_text(const space::RealVector& at) {
+  return fmt::format("({}, {}, {})", at[0].to_double(), at[1].to_double(), at[2].to_double());
+}
+
+std::array<double, 3> space_place(const distance::Coordinates& p) {
+  return {p[0].to_double(), p[1].to_double(), p[2].to_double()};
+}
+
+/// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
+std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) {
+  if (!shape.cut) return shape.body.pointer();
+  space::Body all;
+  all.scale = shape.cut->scale;
+  for (const space::CsgPart& part : shape.cut->parts) {
+    all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
+    all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
+  }
+  return std::make_shared<const space::Body>(std::move(all));
+}
+
+/// The bodies with the moving ones at `at`, and pairs of points that take a distance.
+std::string picture_at(const AskedScene& asked, const formula::SpaceSolver& solver, const space::RealVector& at,
+                       std::string title, std::vector<std::string> lines,
+                       const std::vector<formula::DistanceAt>& distances) {
+  const formula::SpaceWorld& world = solver.world();
+  BodiesPicture picture{std::move(title), asked.unit(), std::move(lines), {}, {}, world.step.to_double()};
+  std::vector<std::shared_ptr<const space::Body>> drawn;
+  for (const bool moving : {false, true}) {
+    for (const auto& [name, shape] : world.shapes) {
+      const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
+      if (moves != moving || (!shape.body && !shape.cut)) continue;
+      drawn.push_back(drawn_body(shape));
+      picture.bodies.push_back({drawn.back().get(), {}, moving});
+      if (moving) picture.bodies.back().by = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
+    }
+  }
+  for (const auto& d : distances) {
+    if (!d.answer) continue;
+    const auto& points = d.answer->witness;
+    if (points.size() == 2) picture.pairs.push_back({space_place(points[0].at), space_place(points[1].at)});
+    if (d.answer->nearest)
+      picture.pairs.push_back({space_place(distance::coordinates(at)), space_place(*d.answer->nearest)});
+  }
+  return bodies_svg(picture);
+}
+
+/// A line for each reason, with the distances that it is the reason for.
+void note_refused(const AskedScene& asked, const std::vector<formula::DistanceAt>& distances) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  for (const auto& d : distances) {
+    if (d.refused.empty()) continue;
+    const auto known =
+        std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == d.refused; });
+    auto& reason = known == reasons.end() ? reasons.emplace_back(d.refused, std::vector<std::string>{}) : *known;
+    reason.second.push_back(formula::plain(d.text).text);
+  }
+  for (const auto& [reason, texts] : reasons) asked.note(fmt::format("{}: {}", fmt::join(texts, ", "), reason));
+}
+
+/// What a question about one position of space needs for its texts and pictures.
+struct SpaceQuestion {
+  AskedScene asked;
+  space::RealVector at;
+  formula::Formula formula{};
+  std::optional<formula::SpaceSolver> solver{};
+  formula::AskedNearest nearest{};
+  std::shared_ptr<const formula::Check> check{};
+  std::shared_ptr<const std::vector<formula::DistanceAt>> distances{};
+
+  SpaceQuestion(AskedScene given, const space::RealVector& place) : asked(std::move(given)), at(place) {}
+
+  distance::Coordinates place() const { return distance::coordinates(at); }
+  std::string moving() const { return fmt::format("{}", fmt::join(asked.scene().moving, ", ")); }
+  std::string picture_of_check() const {
+    std::vector<std::string> lines;
+    std::vector<formula::DistanceAt> shown;
+    for (const formula::AtomAt& a : check->atoms) {
+      lines.push_back(fmt::format("{}: {}", formula::written(a.atom), a.holds ? "true" : "false"));
+      shown.push_back(a.distance);
+    }
+    return picture_at(asked, *solver, at,
+                      fmt::format("{} at {}: {}", moving(), where_text(at), check->holds ? "feasible" : "not feasible"),
+                      std::move(lines), shown);
+  }
+  std::string picture_of_measurement() const {
+    return picture_at(asked, *solver, at, fmt::format("{} at {}", moving(), where_text(at)), {}, {});
+  }
+};
+
+std::shared_ptr<SpaceQuestion> space_question(AskedScene given, const space::RealVector& at, bool of_formula) {
+  given.require_positions_in_space(true, true);
+  auto out = std::make_shared<SpaceQuestion>(std::move(given), at);
+  if (of_formula) out->formula = out->asked.where();
+  out->solver.emplace(space_world(out->asked));
+  return out;
+}
+
+}  // namespace
+
+Answer::Data check_in_space(AskedScene given, const space::RealVector& at) {
+  const auto q = space_question(std::move(given), at, true);
+  q->asked.stage("checking");
+  q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, at));
+  if (!q->check->holds) q->nearest = formula::nearest_feasible(*q->solver, q->formula, at);
+  note_late_rounding(q->asked, *q->solver);
+  Answer::Data out;
+  out.found = q->check->holds ? Answer::Found::kYes : Answer::Found::kNo;
+  out.json = [q](const Telling& telling) {
+    return check_json(*q->check, q->place(), q->asked.unit(), std::nullopt, q->nearest, telling.explain);
+  };
+  out.text = [q](const Telling& telling) {
+    return check_text(*q->check, where_text(q->at), q->place(), q->asked.unit(), q->nearest, telling.explain);
+  };
+  out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture_of_check(), {}}; };
+  show_check(out, q->check, q->nearest);
+  return out;
+}
+
+Answer::Data measure_in_space(AskedScene given, const space::RealVector& at, const WantedDistances& wanted) {
+  const auto q = space_question(std::move(given), at, false);
+  q->asked.stage("measuring");
+  q->distances = std::make_shared<const std::vector<formula::DistanceAt>>(q->solver->measure(at, wanted.kinds));
+  note_late_rounding(q->asked, *q->solver);
+  note_refused(q->asked, *q->distances);
+  Answer::Data out;
+  out.json = [q](const Telling&) { return measure_json(*q->distances, q->place(), q->asked.unit()); };
+  out.text = [q, told = wanted.told](const Telling& telling) {
+    return measure_text(*q->distances, where_text(q->at), q->place(), q->asked.unit(), telling.all || told);
+  };
+  out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture_of_measurement(), {}}; };
+  show_measured(out, q->distances);
+  return out;
+}
+
+}  // namespace findspace::io
