@@ -29,6 +29,43 @@ Pose pose_of(const std::optional<py::sequence>& at, const py::object& degrees, c
   return out;
 }
 
+/// An answer, with what it was asked of.
+struct AnswerOf {
+  Scene scene;
+  std::string verb;
+  py::tuple asked;
+  Answer answer;
+};
+
+std::optional<py::sequence> position_of(const py::handle& at) {
+  return at.is_none() ? std::nullopt : std::optional(at.cast<py::sequence>());
+}
+
+/// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
+/// its position, `apply`, `pictures` and `before`.
+Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
+  if (verb == "map") {
+    const MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
+                               asked[2].cast<bool>(), asked[3].cast<std::string>()};
+    return interruptible([&] { return scene.map(question); });
+  }
+  const Pose pose = pose_of(position_of(asked[0]), asked[1], asked[2]);
+  if (verb == "check") return interruptible([&] { return scene.check(pose); });
+  if (verb == "explain") return interruptible([&] { return scene.explain(pose); });
+  const auto words = asked[3].cast<std::vector<std::string>>();
+  return interruptible([&] { return scene.measure(pose, words); });
+}
+
+/// A pickle has the question, and asks it again.
+AnswerOf answered(const Scene& scene, const std::string& verb, const py::tuple& asked) {
+  return {scene, verb, asked, answer_of(scene, verb, asked)};
+}
+
+template <class Value>
+auto read(Value (Answer::*of)() const) {
+  return [of](const AnswerOf& a) { return (a.answer.*of)(); };
+}
+
 void bind_answer(py::module_& m) {
   py::class_<Measured>(m, "Measured", "One distance of a measurement.")
       .def(pickled<Measured>(&Measured::text, &Measured::value, &Measured::refused))
@@ -36,67 +73,79 @@ void bind_answer(py::module_& m) {
       .def_readonly("value", &Measured::value, "Its value with its bounds; None where it is not computed.")
       .def_readonly("refused", &Measured::refused, "Why it is not computed, or ''.")
       .def("__repr__", [](const Measured& d) { return "<Measured " + d.text + ">"; });
-  py::class_<Answer>(m, "Answer", "What a scene answers: the numbers, and the words, JSON and files of the program.")
+  py::class_<AnswerOf>(m, "Answer", "What a scene answers: the numbers, and the words, JSON and files of the program.")
+      .def(py::pickle([](const AnswerOf& a) { return py::make_tuple(a.scene, a.verb, a.asked); },
+                      [](const py::tuple& t) {
+                        return answered(t[0].cast<Scene>(), t[1].cast<std::string>(), t[2].cast<py::tuple>());
+                      }))
       .def_property_readonly(
           "found",
-          [](const Answer& a) {
+          [](const AnswerOf& a) {
             static constexpr std::array<const char*, 3> kWords{"yes", "no", "undecided"};
-            return kWords[std::size_t(a.found())];
+            return kWords[std::size_t(a.answer.found())];
           },
           "'yes'; 'no', which is proven; or 'undecided', as only bounds are known or a limit came first.")
       .def(
-          "text", [](const Answer& a, bool all, bool explain) { return a.text({.all = all, .explain = explain}); },
+          "text",
+          [](const AnswerOf& a, bool all, bool explain) { return a.answer.text({.all = all, .explain = explain}); },
           py::arg("all") = false, py::arg("explain") = false,
           "In words. `all`: every distance of a measurement, not only the usual ones; `explain`: which way decided "
-          "each "
-          "condition, and how long it took.")
+          "each condition, and how long it took.")
       .def(
           "json",
-          [](const Answer& a, bool all, bool explain, bool exact) {
-            return a.json({.all = all, .explain = explain, .exact = exact});
+          [](const AnswerOf& a, bool all, bool explain, bool exact) {
+            return a.answer.json({.all = all, .explain = explain, .exact = exact});
           },
           py::arg("all") = false, py::arg("explain") = false, py::arg("exact") = false,
           "As the program prints it with --json; `exact`: of maps with the exact cells.")
-      .def_property_readonly("endings", &Answer::endings, "The endings of the files that it can be.")
+      .def_property_readonly("endings", read(&Answer::endings), "The endings of the files that it can be.")
       .def(
           "file",
-          [](const Answer& a, const std::string& ending, const std::string& version) {
-            const Region::Drawn drawn = a.file(ending, {.dxf = dxf_version(version)});
+          [](const AnswerOf& a, const std::string& ending, const std::string& version) {
+            const Region::Drawn drawn = a.answer.file(ending, {.dxf = dxf_version(version)});
             return std::make_pair(drawn.text, drawn.lost);
           },
           py::arg("ending"), py::arg("version") = "R12",
           "The text of a file with that ending, and what it does not say; `version`: of DXF, 'R12' or '2000'.")
-      .def_property_readonly("notes", &Answer::notes, "What was rounded, and how far, or is not computed.")
-      .def_property_readonly("check", &Answer::check, "Of a check: every condition.")
+      .def_property_readonly("notes", read(&Answer::notes), "What was rounded, and how far, or is not computed.")
+      .def_property_readonly("check", read(&Answer::check), "Of a check: every condition.")
       .def_property_readonly(
           "nearest",
-          [](const Answer& a) -> py::object {
-            const auto near = a.nearest();
+          [](const AnswerOf& a) -> py::object {
+            const auto near = a.answer.nearest();
             return near ? py::object(py::make_tuple(py::tuple(py::cast(near->at)), near->distance, near->attained))
                         : py::none();
           },
           "Of a check that fails: the nearest feasible position, how far it is, and whether it is feasible itself.")
-      .def_property_readonly("measured", &Answer::measured, "Of a measurement: its distances, pair by pair.")
+      .def_property_readonly("measured", read(&Answer::measured), "Of a measurement: its distances, pair by pair.")
       .def_property_readonly(
           "region",
-          [](const Answer& a) -> py::object {
-            const auto r = a.region();
+          [](const AnswerOf& a) -> py::object {
+            const auto r = a.answer.region();
             return r ? py::object(py::make_tuple(r->inner, r->outer)) : py::none();
           },
           "Of a map of positions: those that certainly belong, and those that possibly do; the same where it is exact.")
-      .def_property_readonly("best", &Answer::best, "Of a map with an objective: the best value, or None.")
-      .def_property_readonly("intervals", &Answer::intervals,
+      .def_property_readonly("best", read(&Answer::best), "Of a map with an objective: the best value, or None.")
+      .def_property_readonly("intervals", read(&Answer::intervals),
                              "Of a map of a line, of angles, in degrees, or of instants: what certainly belongs.")
-      .def_property_readonly("possible", &Answer::possible, "The same of what possibly does.")
-      .def_property_readonly("poses", &Answer::poses, "Of a map of poses of the plane, or None.")
-      .def_property_readonly("explanation", &Answer::explanation, "Of an explanation, or None.")
-      .def("__bool__", [](const Answer& a) { return a.found() == Answer::Found::kYes; })
-      .def("__repr__", [](const Answer& a) { return "<Answer " + a.text() + ">"; })
-      .def("_repr_svg_", [](const Answer& a) { return a.file(".svg").text; });
+      .def_property_readonly("possible", read(&Answer::possible), "The same of what possibly does.")
+      .def_property_readonly("poses", read(&Answer::poses), "Of a map of poses of the plane, or None.")
+      .def_property_readonly("explanation", read(&Answer::explanation), "Of an explanation, or None.")
+      .def("__bool__", [](const AnswerOf& a) { return a.answer.found() == Answer::Found::kYes; })
+      .def("__repr__", [](const AnswerOf& a) { return "<Answer " + a.answer.text() + ">"; })
+      .def("_repr_svg_", [](const AnswerOf& a) { return a.answer.file(".svg").text; });
+}
+
+/// One of a scene knows its scene and its place there: its words alone do not say it all.
+py::object rotation_of(const Scene& scene, std::size_t index) {
+  py::object out = py::cast(scene.free().rotations.at(index));
+  out.attr("_scene") = scene;
+  out.attr("_index") = index;
+  return out;
 }
 
 void bind_rotation(py::module_& m) {
-  py::class_<Rotation>(m, "Rotation", R"doc(How a shape of space is turned.
+  py::class_<Rotation>(m, "Rotation", py::dynamic_attr(), R"doc(How a shape of space is turned.
 
 Parameters
 ----------
@@ -114,28 +163,53 @@ Examples
       .def_property_readonly("text", &Rotation::text, "The text, or the words of a scene.")
       .def_property_readonly("matrix", &Rotation::matrix, "Its rows, rounded.")
       .def_property_readonly("exact", &Rotation::exact, "Whether the angle is taken exactly.")
-      .def("__repr__", [](const Rotation& r) { return "<Rotation " + r.text() + ">"; });
+      .def("__repr__", [](const Rotation& r) { return "<Rotation " + r.text() + ">"; })
+      .def(py::pickle([](const py::object& r) { return py::make_tuple(r.attr("text"), r.attr("__dict__")); },
+                      [](const py::tuple& t) {
+                        const auto of = t[1].cast<py::dict>();
+                        if (!of.contains("_scene")) return std::make_pair(Rotation::read(t[0].cast<std::string>()), of);
+                        const auto index = of["_index"].cast<std::size_t>();
+                        return std::make_pair(of["_scene"].cast<Scene>().free().rotations.at(index), of);
+                      }));
 }
 
+/// Over what the answers range, with the scene that says so.
+struct FreeOf {
+  Scene scene;
+  Scene::Free free;
+};
+
 void bind_free(py::class_<Scene>& scene) {
-  using Free = Scene::Free;
-  py::class_<Free>(scene, "Free", "Over what the answers of a scene range.")
+  py::class_<FreeOf>(scene, "Free", "Over what the answers of a scene range.")
+      .def(py::pickle([](const FreeOf& f) { return py::make_tuple(f.scene); },
+                      [](const py::tuple& t) {
+                        const auto of = t[0].cast<Scene>();
+                        return FreeOf{of, of.free()};
+                      }))
       .def_property_readonly(
           "kind",
-          [](const Free& f) {
+          [](const FreeOf& f) {
             static constexpr std::array<const char*, 5> kWords{"position", "line", "angle", "time", "pose"};
-            return kWords[std::size_t(f.kind)];
+            return kWords[std::size_t(f.free.kind)];
           },
           "'position', 'line', 'angle', 'time' or 'pose'.")
       .def_property_readonly(
-          "through", [](const Free& f) { return texts(f.through); }, "Of a line: a point of it.")
+          "through", [](const FreeOf& f) { return texts(f.free.through); }, "Of a line: a point of it.")
       .def_property_readonly(
-          "direction", [](const Free& f) { return texts(f.direction); }, "Of a line: integers.")
+          "direction", [](const FreeOf& f) { return texts(f.free.direction); }, "Of a line: integers.")
       .def_property_readonly(
-          "about", [](const Free& f) { return texts(f.about); }, "Of angles and poses: the point that it turns about.")
+          "about", [](const FreeOf& f) { return texts(f.free.about); },
+          "Of angles and poses: the point that it turns about.")
       .def_property_readonly(
-          "angles", [](const Free& f) { return texts(f.angles); }, "Of poses of the plane, in degrees.")
-      .def_readonly("rotations", &Free::rotations, "Of poses of space.");
+          "angles", [](const FreeOf& f) { return texts(f.free.angles); }, "Of poses of the plane, in degrees.")
+      .def_property_readonly(
+          "rotations",
+          [](const FreeOf& f) {
+            py::list out;
+            for (std::size_t k = 0; k < f.free.rotations.size(); ++k) out.append(rotation_of(f.scene, k));
+            return out;
+          },
+          "Of poses of space.");
 }
 
 /// A scene as a pickle has it: what it was read from, and what was changed since then.
@@ -224,7 +298,12 @@ Examples
       .def_property_readonly("unit", &Scene::unit, "Of lengths, or ''.")
       .def_property_readonly("moving", &Scene::moving, "What moves, together.")
       .def_property_readonly("name", &Scene::name, "As messages call it.")
-      .def_property_readonly("free", &Scene::free, "Over what its answers range.")
+      .def_property_readonly(
+          "free",
+          [](const Scene& s) {
+            return FreeOf{s, s.free()};
+          },
+          "Over what its answers range.")
       .def(
           "asking",
           [](const Scene& s, const std::optional<std::string>& where, const std::optional<std::string>& minimize,
@@ -247,8 +326,7 @@ Examples
       .def(
           "check",
           [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time) {
-            const Pose pose = pose_of(at, degrees, time);
-            return interruptible([&] { return s.check(pose); });
+            return answered(s, "check", py::make_tuple(at, degrees, time));
           },
           py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
           R"doc(Whether the formula holds at a pose, and the nearest feasible position where it does not.
@@ -266,8 +344,7 @@ time : number, optional
           "measure",
           [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time,
              const std::vector<std::string>& words) {
-            const Pose pose = pose_of(at, degrees, time);
-            return interruptible([&] { return s.measure(pose, words); });
+            return answered(s, "measure", py::make_tuple(at, degrees, time, words));
           },
           py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
           py::arg("words") = std::vector<std::string>(),
@@ -275,10 +352,7 @@ time : number, optional
       .def(
           "map",
           [](const Scene& s, const std::optional<py::sequence>& at, const std::string& apply, bool pictures,
-             const std::string& before) {
-            const MapQuestion question{pose_of(at, py::none(), py::none()), apply, pictures, before};
-            return interruptible([&] { return s.map(question); });
-          },
+             const std::string& before) { return answered(s, "map", py::make_tuple(at, apply, pictures, before)); },
           py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
           py::arg("before") = "",
           R"doc(Where the formula holds, or is best, among all that is free. Of the plane.
@@ -306,8 +380,7 @@ Examples
       .def(
           "explain",
           [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees) {
-            const Pose pose = pose_of(at, degrees, py::none());
-            return interruptible([&] { return s.explain(pose); });
+            return answered(s, "explain", py::make_tuple(at, degrees, py::none()));
           },
           py::arg("at") = py::none(), py::arg("degrees") = py::none(),
           "Why the formula holds nowhere, or how far its levels can be tightened; and what is in the way at a "

@@ -206,6 +206,28 @@ def test_every_class_pickles():
         assert issubclass(of, Exception) or "__setstate__" in vars(of), of
 
 
+def test_answers_pickle():
+    scene = fs.Scene.json("""{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}},
+        "B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B", "where": "inside(B, A)"}""")
+    for answer in (scene.check((0, 5)), scene.check(np.array([3, 5])), scene.measure((1, "0.5"), words=["gap"]),
+                   scene.map(apply="boundary"), scene.explain(), scene.explain((0, 0), degrees=90)):
+        same = again(answer)
+        assert (same.found, same.text(), same.json(), same.notes) == (
+            answer.found, answer.text(), answer.json(), answer.notes)
+
+
+def test_rotations_pickle():
+    assert again(again(fs.Rotation("1,2,3:30"))).matrix == fs.Rotation("1,2,3:30").matrix
+    scene = fs.Scene.json("""{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [3, 5, 2]}},
+        "B": {"box": {"min": [0, 0, 0], "max": [4, 2, 1]}}}, "moving": "B", "where": "inside(B, A)",
+        "free": {"pose": {"angles": [0, {"axis": [1, 1, 1], "degrees": 120}, 30]}}}""")
+    free = again(scene.free)
+    assert free.kind == "pose" and [r.text for r in free.rotations] == [r.text for r in scene.free.rotations]
+    for r in free.rotations:
+        assert again(again(r)).matrix == r.matrix
+        assert again(scene.rotated(again(r))).explain().text() == scene.rotated(r).explain().text()
+
+
 def test_many_polygons_at_once():
     rings = np.array([[[0, 0], [k + 1, 0], [k + 0.1, k + 0.25]] for k in range(200)])
     made = fs.Shape.polygons(rings)
