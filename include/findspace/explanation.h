@@ -29,7 +29,7 @@ struct LevelChange {
   double lower = 0, upper = 0;            // what it lies between
   bool reached = false;                   // there is room at this very level; else only beyond it, as near as you like
   std::optional<std::vector<double>> at;  // the last position that remains: x, y, in space z
-  std::optional<double> angle;            // of World::explain_poses: in degrees, there
+  std::optional<double> angle;            // of World::explain_poses: in degrees from 0 on and below 360, there
   std::string refused;                    // of kUnknown: why
 };
 

@@ -70,8 +70,8 @@ struct Explanation {
 Explanation explain(const Solver& solver, const Formula& formula);
 /// Worlds that differ in the pose of the moving shapes alone; one at least.
 using Poses = std::span<const std::shared_ptr<const Solver>>;
-/// Of some poses. There is room where there is in
-/// one of them; a conflict is one in all of them; a level is the best of all of them.
+/// Of some poses. There is room where there is in one of them; a conflict is one in all of them; a level is the best of
+/// all of them.
 Explanation explain(Poses poses, const Formula& formula);
 Explanation explain(const SpaceSolver& solver, const Formula& formula);
 

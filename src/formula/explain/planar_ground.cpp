@@ -75,7 +75,11 @@ distance::OptimalValue best_of(const distance::OptimalValue& a, const distance::
   const std::optional<Real> far = other.bound(), near = out.proven() ? out.value() : out.bound();
   if (!near || (far && !better(*far, *near))) return out;
   const distance::Way way = out.answer->way;
-  out.set_enclosed(out.value(), far, way);
+  const Real value = *out.value();
+  if (out.answer->side == distance::Side::kNone)
+    out.set_nearby(value, far, way);
+  else
+    out.set_enclosed(value, far, way);
   return out;
 }
 

@@ -141,9 +141,8 @@ Explanation World::explain_poses(const Formula& formula, const std::vector<Numbe
     const std::vector<formula::SharedSolver> poses = poses_of(*data_, angles, about);
     const formula::Formula asked = data_->formula(formula.text());
     const formula::Explanation found = formula::explain(poses, asked);
-    io::ExplanationReport report{asked, found, nullptr, {}, poses.front()->world().step, data_->unit()};
-    for (const exact::Real& d : angles) report.degrees.push_back(d.to_double());
-    return public_explanation(report);
+    return public_explanation(
+        {asked, found, nullptr, {}, poses.front()->world().step, data_->unit(), seen(angles, false)});
   });
 }
 
