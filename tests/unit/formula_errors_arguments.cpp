@@ -131,6 +131,14 @@ TEST(FormulaErrors, Numbers) {
          "1:23: a number too long or too large for any coordinate\n"
          "  gamma1(chip, board) > 1e999\n"
          "                        ^~~~~");
+  expect("gamma1(chip, board) > 2 + 1e30*1e30",
+         "1:1: a number too long or too large for any coordinate\n"
+         "  gamma1(chip, board) > 2 + 1e30*1e30\n"
+         "  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~");
+  expect("0 < gamma1(chip, board) < 1e-40/3 - 1",
+         "1:27: a number too long or too large for any coordinate\n"
+         "  0 < gamma1(chip, board) < 1e-40/3 - 1\n"
+         "                            ^~~~~~~~~~~");
   expect("gamma1(chip, board) > 1/(2 - 2)",
          "1:25: a division by 0\n"
          "  gamma1(chip, board) > 1/(2 - 2)\n"

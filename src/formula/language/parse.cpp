@@ -303,6 +303,7 @@ void read_distances(Cursor& cursor, const Context& context, Objective& objective
   alone.independent = false;
   alone.extra.clear();
   check_sum(cursor, alone, sum);
+  for (const SumTerm& t : sum.terms) check_computed(cursor, sum.span, t.weight);
   objective.kind = Objective::Kind::kSum;
   objective.terms = std::move(sum.terms);
 }

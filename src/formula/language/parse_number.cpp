@@ -14,6 +14,7 @@ namespace {
 /// Numbers beyond these bounds cannot be coordinates of any scene, and would cost time without limit.
 constexpr std::size_t kMostDigits = 100;
 constexpr int kLargestExponent = 100;
+constexpr const char* kBeyondCoordinates = "a number too long or too large for any coordinate";
 
 /// A product of this many factors at most, and parentheses this deep.
 constexpr int kMostFactors = 16, kDeepest = 8;
@@ -37,8 +38,7 @@ Factor product(Cursor& cursor, int depth);
 Factor decimal(Cursor& cursor) {
   if (!cursor.at(Token::Kind::kNumber)) cursor.fail_syntax("a number is meant here, found {}", cursor.found());
   const Token token = cursor.take();
-  if (is_too_long(token.text))
-    cursor.fail(ErrorCode::kOutOfRange, token.span, "a number too long or too large for any coordinate");
+  if (is_too_long(token.text)) cursor.fail(ErrorCode::kOutOfRange, token.span, "{}", kBeyondCoordinates);
   try {
     return {exact::Real::parse_decimal(token.text), token.text};
   } catch (const Error& error) {
@@ -165,10 +165,15 @@ Number negated(Number number) {
   return number;
 }
 
+void check_computed(const Cursor& cursor, Span span, const exact::Real& value) {
+  if (!has_exact_text(value)) cursor.fail(ErrorCode::kOutOfRange, span, "{}", kBeyondCoordinates);
+}
+
 Level level_of(const Cursor& cursor, const Context& context, const Number& number, Quantity quantity) {
   exact::Real value = value_of(cursor, context, number, quantity);
   if (number.more.empty()) return {std::move(value), (number.negative ? "-" : "") + number.written + number.unit};
   for (const Number& term : number.more) value = value + value_of(cursor, context, term, quantity);
+  check_computed(cursor, number.span, value);
   return {std::move(value), {}};  // printed as a number
 }
 

@@ -44,6 +44,8 @@ Number read_number(Cursor& cursor);
 Number read_total(Cursor& cursor);
 /// Minus the number.
 Number negated(Number number);
+/// Fails at `span` where a number that was computed has no exact text: no coordinate is so large, or so fine.
+void check_computed(const Cursor& cursor, Span span, const exact::Real& value);
 /// What the number says in the scene's unit; fails where the unit or the size does not suit.
 Level level_of(const Cursor& cursor, const Context& context, const Number& number, Quantity quantity);
 /// Numbers up to `close`, as many as the scene has dimensions, and their text without brackets: "1, 2".

@@ -145,8 +145,11 @@ SumCondition condition(const Cursor& cursor, const Context& context, Sum sum, Re
   SumCondition out;
   out.atom = compare(std::move(sum.terms.front().distance), first.sign() > 0 ? relation : mirrored(relation),
                      -constant / first);
-  for (std::size_t k = 1; k < sum.terms.size(); ++k)
+  check_computed(cursor, sum.span, out.atom->level);
+  for (std::size_t k = 1; k < sum.terms.size(); ++k) {
     out.atom->more.push_back({sum.terms[k].weight / first, std::move(sum.terms[k].distance)});
+    check_computed(cursor, sum.span, out.atom->more.back().weight);
+  }
   return out;
 }
 

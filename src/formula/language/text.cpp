@@ -253,4 +253,6 @@ std::string number_text(const exact::Real& value) {
   return decimal_text(exact::Real((*fraction)[0])) + "/" + decimal_text(exact::Real((*fraction)[1]));
 }
 
+bool has_exact_text(const exact::Real& value) { return value.fraction() || !decimal_text(value).empty(); }
+
 }  // namespace findspace::formula

@@ -47,7 +47,9 @@ std::string question(std::string_view word, std::span<const std::string> candida
 
 /// The exact decimal spelling of a number, e.g. "-0.508"; "" if it has none of at most 30 places.
 std::string decimal_text(const exact::Real& value);
-/// A number as a formula reads it: a decimal, else "p/q"; rounded where it is no such fraction.
+/// A number as a formula reads it: a decimal, else "p/q"; rounded where it has no such text.
 std::string number_text(const exact::Real& value);
+/// Whether number_text is exact: it is where p and q are below 2^127.
+bool has_exact_text(const exact::Real& value);
 
 }  // namespace findspace::formula
