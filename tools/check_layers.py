@@ -39,10 +39,10 @@ CLIENTS = tuple(os.path.join("apps", *name.split("/")) for name in (
     "common/stop_on_interrupt.cpp", "common/stop_on_interrupt.h", "common/told.cpp", "common/told.h",
     "in_plane/board_check.cpp", "in_plane/board_check.h", "in_plane/orientation_command.cpp",
     "in_plane/orientation_command.h", "placing/pack_command.cpp", "placing/packing_report.cpp",
-    "placing/packing_report.h", "placing/stated_problem.h", "placing/verify_command.cpp", "serve/json_rpc.cpp",
-    "serve/methods.cpp", "serve/packing_job.cpp", "serve/packing_job.h", "verbs/check_command.cpp",
-    "verbs/explain_command.cpp", "verbs/phi_command.cpp"))
-MOST_INCLUDES = 144  # of src in apps
+    "placing/packing_report.h", "placing/place_command.cpp", "placing/stated_problem.h", "placing/verify_command.cpp",
+    "serve/json_rpc.cpp", "serve/methods.cpp", "serve/packing_job.cpp", "serve/packing_job.h",
+    "verbs/check_command.cpp", "verbs/explain_command.cpp", "verbs/phi_command.cpp"))
+MOST_INCLUDES = 130  # of src in apps
 
 
 def files(root, folder):

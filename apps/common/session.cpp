@@ -62,7 +62,7 @@ io::BoardQuestion question_of_board(const Options& o) {
 findspace::Scene asked(const findspace::Scene& scene, const Options& o) {
   if (!o.minimize.empty() && !o.maximize.empty())
     throw Error(ErrorCode::kUsage, "--minimize and --maximize: one objective is meant");
-  if (io::scene_of(scene).place.given() && !(o.where.empty() && o.minimize.empty()))
+  if (scene.places() && !(o.where.empty() && o.minimize.empty()))
     throw Error(ErrorCode::kUsage, "--where and --minimize: a scene with \"place\" says them there");
   findspace::Scene::Question question{{}, {}, {}, "--"};
   if (!o.where.empty()) question.where = o.where;
@@ -83,8 +83,9 @@ findspace::Scene read(const Options& o) {
     return scene_of(*o.scene_text, limits.root, limits, o.scene);
   }
   if (is_board(path)) {
-    const auto board = std::make_shared<const io::Board>(io::read_board(read_text(path, o.input_limit), o.scene));
-    return io::public_scene(io::board_scene(board, question_of_board(o)));
+    std::string text = read_text(path, o.input_limit);
+    const auto board = std::make_shared<const io::Board>(io::read_board(text, o.scene));
+    return io::public_scene(io::board_scene(board, question_of_board(o)), std::move(text));
   }
   if (!o.move.empty() || !o.free.empty() || !o.fixed.empty() || !o.groups.empty())
     throw Error(ErrorCode::kUsage, "--move, --free, --fixed and --group are for boards; a scene says them itself");

@@ -11,7 +11,6 @@
 #include "io/mesh/write_mesh.h"
 #include "io/question/space_shapes.h"
 #include "plane/query/locate_line.h"
-#include "planning/order/problem.h"
 
 namespace findspace::app {
 
@@ -30,10 +29,6 @@ SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& 
 std::string space_line_json(const Session& session, const SpaceLineMap& map);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
-/// The placement of a scene in the plane or in space.
-Outcome place_scene(const Session& session, const planning::Limit& limit);
-Outcome place_space(const Session& session, const planning::Limit& limit);
-
 /// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.
 io::Surface boundary_of(const Session& session, const plane::Shape& shape);
 

@@ -9,7 +9,7 @@
 
 #include "findspace/error.h"
 #include "findspace/vocabulary.h"
-#include "in_space/space_commands.h"
+#include "io/question/placement_answer.h"
 #include "io/write/json_text.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -122,13 +122,12 @@ std::string Loaded::summary_json(bool drawing) const {
 
 std::string Loaded::place_json(double seconds, std::vector<io::Placement::Near> near) const {
   if (!scene_.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.file);
-  Options options;
-  options.json = true;
-  options.place = true;
-  io::Scene scene = scene_;
-  scene.place.near = std::move(near);
-  Reporter reporter(true);
-  return place_scene(Session(options, reporter, std::move(scene)), planning::Limit(seconds)).text;
+  const io::PlacementQuestion question{planning::Limit(seconds)};
+  io::AskedScene asked(scene_, {});
+  asked.want(std::move(near));
+  const Answer::Data found = scene_.dimension == 3 ? io::place_in_space(std::move(asked), question)
+                                                   : io::place_in_plane(std::move(asked), question);
+  return found.json({});
 }
 
 std::string Loaded::nearest_json(const Spot& spot) const {

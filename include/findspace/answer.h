@@ -16,6 +16,7 @@
 #include "findspace/explanation.h"
 #include "findspace/files.h"
 #include "findspace/motion.h"
+#include "findspace/placement.h"
 #include "findspace/region.h"
 #include "findspace/values.h"
 #include "findspace/world.h"
@@ -48,7 +49,8 @@ class Answer {
  public:
   /// Yes; no, which is proven; or neither, as only bounds are known or a limit came first.
   enum class Found { kYes, kNo, kUndecided };
-  /// Whether the formula holds there, or of a map or an explanation anywhere; of a measurement kYes.
+  /// Whether the formula holds there; of a placement whether all have a place; or of a map or an explanation anywhere;
+  /// of a measurement kYes.
   Found found() const;
 
   /// In words, as the program prints it.
@@ -82,6 +84,8 @@ class Answer {
 
   /// Of an explanation.
   std::optional<Explanation> explanation() const;
+  /// Of a placement: what was put where.
+  std::optional<Placement> placement() const;
 
   struct Data;
   explicit Answer(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -63,6 +63,19 @@ struct MapQuestion {
   std::string before{};  // what messages put before "apply"
 };
 
+/// What a placement is asked for, besides what the scene says in "place".
+struct PlaceQuestion {
+  /// A body that is wanted at a place.
+  struct Near {
+    std::string name;                 // of the body: of a shape, or "A1+A2"
+    int copy = 0;                     // from 1 where it is placed several times
+    std::vector<Number> at{};         // in the scene's unit
+    std::optional<Number> degrees{};  // one of its angles; nothing: any
+  };
+  std::vector<Near> near{};  // these come first, each as near to its place as it goes
+  int lines = 0;             // of space: each way, where positions are taken on lines; 0: as usual
+};
+
 /// Immutable and cheap to copy; asking one from many threads is safe.
 class Scene {
  public:
@@ -161,6 +174,11 @@ class Scene {
   /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the
   /// angles of free() where there are some; and what stands in the way at a position, where one is given.
   Answer explain(const Pose& pose = {}) const;
+  /// The placement of "place": one shape after another, or all at once. `seconds` of the options end the search with
+  /// what was found by then.
+  Answer place(const PlaceQuestion& question = {}) const;
+  /// Whether it says what to place.
+  bool places() const;
 
   struct Data;
   explicit Scene(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

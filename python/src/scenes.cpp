@@ -41,13 +41,33 @@ std::optional<py::sequence> position_of(const py::handle& at) {
   return at.is_none() ? std::nullopt : std::optional(at.cast<py::sequence>());
 }
 
+/// [(name, at), (name, at, degrees), (name, at, degrees, copy)]
+std::vector<PlaceQuestion::Near> near_of(const py::iterable& wanted) {
+  std::vector<PlaceQuestion::Near> out;
+  for (const py::handle each : wanted) {
+    const char* const meant = "near: (name, at), (name, at, degrees) or (name, at, degrees, copy)";
+    const auto given = each.cast<py::sequence>();
+    refuse_text(given, meant);
+    if (py::len(given) < 2 || py::len(given) > 4) throw py::value_error(meant);
+    PlaceQuestion::Near& one = out.emplace_back(PlaceQuestion::Near{given[0].cast<std::string>()});
+    one.at = pose_of(given[1].cast<py::sequence>(), py::none(), py::none()).at;
+    if (py::len(given) > 2) one.degrees = amount(given[2]);
+    if (py::len(given) > 3) one.copy = given[3].cast<int>();
+  }
+  return out;
+}
+
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures` and `before`.
+/// its position, `apply`, `pictures` and `before`; of place `near` and `lines`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
     const MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
                                asked[2].cast<bool>(), asked[3].cast<std::string>()};
     return interruptible([&] { return scene.map(question); });
+  }
+  if (verb == "place") {
+    const PlaceQuestion question{near_of(asked[0].cast<py::iterable>()), asked[1].cast<int>()};
+    return interruptible([&] { return scene.place(question); });
   }
   const Pose pose = pose_of(position_of(asked[0]), asked[1], asked[2]);
   if (verb == "check") return interruptible([&] { return scene.check(pose); });
@@ -131,6 +151,7 @@ void bind_answer(py::module_& m) {
       .def_property_readonly("possible", read(&Answer::possible), "The same of what possibly does.")
       .def_property_readonly("poses", read(&Answer::poses), "Of a map of poses of the plane, or None.")
       .def_property_readonly("explanation", read(&Answer::explanation), "Of an explanation, or None.")
+      .def_property_readonly("placement", read(&Answer::placement), "Of a placement: what was put where, or None.")
       .def("__bool__", [](const AnswerOf& a) { return a.answer.found() == Answer::Found::kYes; })
       .def("__repr__", [](const AnswerOf& a) { return "<Answer " + a.answer.text() + ">"; })
       .def("_repr_svg_", [](const AnswerOf& a) { return a.answer.file(".svg").text; });
@@ -385,6 +406,35 @@ Examples
           py::arg("at") = py::none(), py::arg("degrees") = py::none(),
           "Why the formula holds nowhere, or how far its levels can be tightened; and what is in the way at a "
           "position.")
+      .def_property_readonly("places", &Scene::places, "Whether it says what to place.")
+      .def(
+          "place",
+          [](const Scene& s, const py::iterable& near, int lines) {
+            return answered(s, "place", py::make_tuple(py::tuple(near), lines));
+          },
+          py::arg("near") = py::tuple(), py::arg("lines") = 0,
+          R"doc(The placement that the scene asks for in "place".
+
+Parameters
+----------
+near : iterable of tuples
+    Bodies that come first, each as near to its place as it goes: (name, at), (name, at, degrees), or
+    (name, at, degrees, copy) with None for any angle.
+lines : int
+    Of space: each way, where positions are taken on lines; 0: as usual.
+
+Examples
+--------
+>>> import findspace as fs
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}}, '
+...     '"B": {"box": {"min": [0, 0], "max": [2, 1]}}}, "place": {"shapes": ["B"], "each": "inside(self, A)", '
+...     '"minimize": ["x", "y"]}}')
+>>> answer = scene.place()
+>>> answer.found, answer.placement.placed
+('yes', [<B at [0.0, 0.0]>])
+>>> scene.place(near=[("B", (20, 3))]).placement.placed
+[<B at [7.0, 3.0]>]
+)doc")
       .def(py::pickle(&state_of, &scene_of));
 }
 

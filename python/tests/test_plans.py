@@ -35,6 +35,34 @@ def test_place_one_after_another():
     assert "<svg" in found._repr_svg_()
 
 
+PLACING = """{"findspace": 1, "shapes": {"sheet": {"box": {"min": [0, 0], "max": [30, 20]}},
+    "bar": {"box": {"min": [0, 0], "max": [2, 25]}}}, "place": {"shapes": ["bar"], "angles": {"bar": [0, 90]},
+    "count": {"bar": 2}, "each": "inside(self, sheet)", "pairs": "clear(self, other, 1)", "minimize": ["y", "x"]}}"""
+
+
+def test_scenes_place():
+    scene = fs.Scene.json(PLACING)
+    answer = scene.place()
+    assert scene.places and answer.found == "yes" and answer.endings == [".json", ".dxf", ".svg"]
+    assert [(p.at, p.degrees) for p in answer.placement.placed] == [([25, 0], 90), ([25, 3], 90)]
+    assert answer.placement.json == answer.json() and "<svg" in answer._repr_svg_()
+    assert answer.placement.positions[1][2].area == 5 * 18
+    shapes = {name: scene.shapes[name] for name in scene.names}
+    again_by_hand = fs.place(shapes, [fs.Body("bar", angles=[0, 90], count=2)], each="inside(self, sheet)",
+                             pairs=fs.clear("self", "other", 1), minimize=["y", "x"])
+    assert again_by_hand.json == answer.json()
+    near = scene.place(near=[("bar", ("26.5", 9), None, 2)]).placement.placed[0]  # it comes first
+    assert (near.at, near.degrees, near.copy) == ([26.5, 9], 90, 2)
+    with pytest.raises(fs.Error, match="near: 'bar 2' is not placed at 45 degrees"):
+        scene.place(near=[("bar", (0, 0), 45, 2)])
+    with pytest.raises(ValueError, match="near"):
+        scene.place(near=[("bar",)])
+    with pytest.raises(TypeError, match="near"):
+        scene.place(near=["bar"])
+    assert fs.Scene.json(PLACING.replace("30, 20", "20, 20")).place().found == "no"
+    assert scene.limited(seconds=1e-9).place().found == "undecided"
+
+
 def test_place_says_what_is_wrong():
     shapes = {"sheet": fs.Shape.box((0, 0), (30, 20)), "A": fs.Shape.box((0, 0), (40, 1))}
     found = fs.place(shapes, ["A"], each="inside(self, sheet)")
@@ -210,7 +238,8 @@ def test_answers_pickle():
     scene = fs.Scene.json("""{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}},
         "B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B", "where": "inside(B, A)"}""")
     for answer in (scene.check((0, 5)), scene.check(np.array([3, 5])), scene.measure((1, "0.5"), words=["gap"]),
-                   scene.map(apply="boundary"), scene.explain(), scene.explain((0, 0), degrees=90)):
+                   scene.map(apply="boundary"), scene.explain(), scene.explain((0, 0), degrees=90),
+                   fs.Scene.json(PLACING).place(near=[("bar", (27, 9), None, 2)])):
         same = again(answer)
         assert (same.found, same.text(), same.json(), same.notes) == (
             answer.found, answer.text(), answer.json(), answer.notes)

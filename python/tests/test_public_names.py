@@ -13,7 +13,8 @@ ELSEWHERE = {
     "AdjustedPhi::Value": "AdjustedPhiValue", "AdjustedPhi::at": "AdjustedPhi.__call__",
     "Phi::Value": "PhiValue", "Phi::at": "Phi.__call__", "PhiQuestion": "Phi.text",
     "BoardOptions": "Board.file", "BoardGroup": "Board.file", "Board::options": "Board.__getstate__",
-    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "Scene::Question": "Scene.asking",
+    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "PlaceQuestion": "Scene.place",
+    "PlaceQuestion::Near": "Scene.place", "Scene::Question": "Scene.asking",
     "Scene::with": "Scene.limited", "Scene::motion": "World.motion",
     "Demands": "place", "Placement::Positions": "Placement.positions", "WorldOptions": "World",
     "Interval::from": "Interval.start", "Interval::to": "Interval.end", "Interval::from_belongs": "Interval.start_belongs",
@@ -47,7 +48,8 @@ ELSEWHERE = {
     "pack_problem": "PackProblem.json", "solid_pack_problem": "SolidPackProblem.json",
 }
 # Types whose values are plain ones of Python, and so are their members'.
-PLAIN = {"Telling", "MapQuestion", "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
+PLAIN = {"Telling", "MapQuestion", "PlaceQuestion", "PlaceQuestion::Near",
+         "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
          "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",
          "PackSearch", "PackPeers", "PackReading", "PackGap", "PackCondition", "Region::Vertex"}

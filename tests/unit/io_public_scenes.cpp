@@ -231,6 +231,64 @@ TEST(PublicScene, ExplainsItself) {
   EXPECT_FALSE(scene.map().explanation().has_value());
 }
 
+TEST(PublicScene, PlacesWhatItSays) {
+  const auto scene = [](const std::string& place) {
+    return Scene::json(R"json({"findspace": 1, "unit": "mm", "shapes": {
+      "sheet": {"box": {"min": [0, 0], "max": [30, 20]}}, "bar": {"box": {"min": [0, 0], "max": [2, 25]}},
+      "room": {"disc": {"center": [0, 0], "radius": 0.5}}}, "place": {)json" +
+                       place + "}}");
+  };
+  const Scene bars = scene(R"json("shapes": ["bar"], "count": {"bar": 2}, "angles": {"bar": [0, 90]},
+    "each": "inside(self, sheet)", "pairs": "clear(self, other, 1)", "minimize": ["y", "x"])json");
+  EXPECT_TRUE(bars.places());
+  EXPECT_FALSE(Scene::json(kScene).places());
+  const Answer found = bars.place();
+  EXPECT_EQ(found.found(), Answer::Found::kYes);
+  ASSERT_TRUE(found.placement().has_value());
+  const Placement placement = *found.placement();
+  EXPECT_TRUE(placement.complete());
+  ASSERT_EQ(placement.placed().size(), 2u);
+  EXPECT_EQ(*placement.placed()[1].at, (Place{25, 3}));
+  EXPECT_EQ(placement.placed()[1].degrees, 90);
+  EXPECT_EQ(placement.placed()[1].exact_at[1].text(), "3");
+  EXPECT_EQ(*placement.positions()[1].region.area(), 5 * 18);
+  EXPECT_EQ(placement.json(), found.json());
+  EXPECT_EQ(placement.svg(), found.file(".svg").text);
+  EXPECT_EQ(found.endings(), (std::vector<std::string>{".json", ".dxf", ".svg"}));
+  EXPECT_NE(found.file(".dxf").text.find("bar"), std::string::npos);
+  EXPECT_FALSE(found.region().has_value());
+  EXPECT_FALSE(Scene::json(kScene).map().placement().has_value());
+
+  const Answer wanted = bars.place({{{"bar", 2, {"26.5", 9}, 90}}});
+  EXPECT_EQ(wanted.placement()->placed()[0].copy, 2);  // it comes first
+  EXPECT_EQ(*wanted.placement()->placed()[0].at, (Place{26.5, 9}));
+  EXPECT_THROW(bars.place({{{"bar", 3, {0, 0}}}}), Error);
+  EXPECT_THROW(bars.place({{{"bar", 1, {0, 0}, 45}}}), Error);
+  EXPECT_THROW(bars.place({{{"bar", 1, {0, 0, 0}}}}), Error);
+  EXPECT_THROW(Scene::json(kScene).place(), Error);
+
+  EXPECT_EQ(scene(R"json("shapes": ["bar"], "each": "inside(self, sheet)")json").place().found(), Answer::Found::kNo);
+  Options little;
+  little.seconds = 1e-9;  // no sign: a time
+  const Answer stopped = bars.with(little).place();
+  EXPECT_EQ(stopped.found(), Answer::Found::kUndecided);
+  EXPECT_FALSE(stopped.placement()->unproven().empty());
+}
+
+TEST(PublicScene, PlacesInSpace) {
+  const Scene scene =
+      Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 2, 2]}},
+    "crate": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}, "place": {"shapes": ["crate"], "count": {"crate": 4},
+    "each": "inside(self, room)", "pairs": "clear(self, other)", "minimize": ["x"]}})json");
+  const Answer found = scene.place();
+  EXPECT_EQ(found.found(), Answer::Found::kYes);
+  ASSERT_EQ(found.placement()->placed().size(), 4u);
+  EXPECT_EQ(*found.placement()->placed()[3].at, (Place{6, 0, 0}));
+  EXPECT_TRUE(found.placement()->positions().empty());
+  EXPECT_EQ(found.placement()->svg(), found.file(".svg").text);
+  EXPECT_NE(found.file(".obj").text.find("v 8 "), std::string::npos);
+}
+
 TEST(PublicScene, AsksSomethingElse) {
   const Scene scene = Scene::json(kScene);
   const Scene other = scene.asking({.where = "gap(peg, a) >= 20"});

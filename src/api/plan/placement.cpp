@@ -125,12 +125,44 @@ planning::SpaceProblem solid_problem(const std::map<std::string, Shape>& shapes,
   return out;
 }
 
-/// What planning says of each body, in the unit.
-void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& data) {
-  data.told.complete = outcome.complete();
-  data.told.unproven = outcome.unproven.value_or("");
+void place_planar(const Demands& demands, const plane::Grid& grid, const planning::Limit& limit,
+                  Placement::Data& data) {
+  const planning::Relations relations(data.planar);
+  const auto add = [&](std::size_t b, const std::vector<planning::AtAngle>& all) {
+    api::tell_positions(data.planar.bodies[b], b, all, grid, data.unit, data.told);
+  };
+  if (demands.together) {
+    const auto& found = std::get<1>(data.in_plane.emplace(planning::place_simultaneously(relations, limit)));
+    data.told = api::told(outcome(data.planar, found), grid.step());
+    for (std::size_t b = 0; b < found.positions.size(); ++b) add(b, found.positions[b]);
+  } else {
+    const auto& found = std::get<0>(data.in_plane.emplace(planning::place_sequentially(relations, limit)));
+    data.told = api::told(outcome(data.planar, found), grid.step());
+    for (std::size_t b = 0; b < found.steps.size(); ++b) add(b, found.steps[b].positions);
+  }
+}
+
+void place_solid(const Demands& demands, const planning::Limit& limit, Placement::Data& data) {
+  const planning::SpaceProblem& problem = data.solid;
+  if (demands.together) {
+    const auto& found = std::get<1>(data.in_space.emplace(planning::place_together_in_space(problem, limit)));
+    data.told = api::told(outcome(problem, found), problem.step);
+  } else {
+    const auto& found = std::get<0>(data.in_space.emplace(planning::place_in_space(problem, limit)));
+    data.told = api::told(outcome(problem, found), problem.step);
+  }
+}
+
+}  // namespace
+
+namespace api {
+
+Placement::Told told(const planning::Outcome& outcome, const Real& step) {
+  Placement::Told out;
+  out.complete = outcome.complete();
+  out.unproven = outcome.unproven.value_or("");
   for (const planning::BodyOutcome& b : outcome.placed) {
-    Placement::Placed& placed = data.told.placed.emplace_back();
+    Placement::Placed& placed = out.placed.emplace_back();
     placed.body = b.shape;
     placed.copy = b.copy;
     placed.attained = b.attained;
@@ -142,41 +174,16 @@ void tell(const planning::Outcome& outcome, const Real& step, Placement::Data& d
       placed.exact_at.push_back(Exact(std::make_shared<const Exact::Data>(Exact::Data{c * step})));
     }
   }
+  return out;
 }
 
-void add_positions(std::size_t body, const std::vector<planning::AtAngle>& all, const plane::Grid& grid,
-                   Placement::Data& data) {
+void tell_positions(const planning::Body& body, std::size_t index, const std::vector<planning::AtAngle>& all,
+                    const plane::Grid& grid, const std::string& unit, Placement::Told& out) {
   for (const planning::AtAngle& at : all)
-    data.told.positions.push_back({body, data.planar.bodies[body].angles[at.angle].degrees.to_double(),
-                                   api::make_region(at.region, grid, data.unit)});
+    out.positions.push_back({index, body.angles[at.angle].degrees.to_double(), make_region(at.region, grid, unit)});
 }
 
-void place_planar(const Demands& demands, const plane::Grid& grid, const planning::Limit& limit,
-                  Placement::Data& data) {
-  const planning::Relations relations(data.planar);
-  if (demands.together) {
-    const auto& found = std::get<1>(data.in_plane.emplace(planning::place_simultaneously(relations, limit)));
-    tell(outcome(data.planar, found), grid.step(), data);
-    for (std::size_t b = 0; b < found.positions.size(); ++b) add_positions(b, found.positions[b], grid, data);
-  } else {
-    const auto& found = std::get<0>(data.in_plane.emplace(planning::place_sequentially(relations, limit)));
-    tell(outcome(data.planar, found), grid.step(), data);
-    for (std::size_t b = 0; b < found.steps.size(); ++b) add_positions(b, found.steps[b].positions, grid, data);
-  }
-}
-
-void place_solid(const Demands& demands, const planning::Limit& limit, Placement::Data& data) {
-  const planning::SpaceProblem& problem = data.solid;
-  if (demands.together) {
-    const auto& found = std::get<1>(data.in_space.emplace(planning::place_together_in_space(problem, limit)));
-    tell(outcome(problem, found), problem.step, data);
-  } else {
-    const auto& found = std::get<0>(data.in_space.emplace(planning::place_in_space(problem, limit)));
-    tell(outcome(problem, found), problem.step, data);
-  }
-}
-
-}  // namespace
+}  // namespace api
 
 Placement place(const std::map<std::string, Shape>& shapes, const Demands& demands, const WorldOptions& world,
                 const Options& options) {

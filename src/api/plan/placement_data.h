@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "findspace/placement.h"
+#include "plane/contour/decimal_grid.h"
 #include "planning/outcome/outcome.h"
 
 namespace findspace {
@@ -29,4 +30,13 @@ struct Placement::Data {
   Told told{};  // without texts where they can be made
 };
 
+namespace api {
+
+/// What planning says of each body, in the unit; without positions and texts.
+Placement::Told told(const planning::Outcome& outcome, const exact::Real& step);
+/// The positions that a body had, angle by angle.
+void tell_positions(const planning::Body& body, std::size_t index, const std::vector<planning::AtAngle>& all,
+                    const plane::Grid& grid, const std::string& unit, Placement::Told& out);
+
+}  // namespace api
 }  // namespace findspace

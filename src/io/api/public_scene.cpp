@@ -16,6 +16,7 @@
 #include "io/question/answer_data.h"
 #include "io/question/asked_scene.h"
 #include "io/question/map_answer.h"
+#include "io/question/placement_answer.h"
 #include "io/question/position_answer.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
@@ -321,6 +322,16 @@ Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& questi
   });
 }
 
+std::vector<io::Placement::Near> near_of(const PlaceQuestion& question) {
+  std::vector<io::Placement::Near> out;
+  for (const PlaceQuestion::Near& near : question.near) {
+    io::Placement::Near& one = out.emplace_back(io::Placement::Near{near.name, near.copy, {}, {}});
+    for (const Number& c : near.at) one.at.push_back(api::real_of(c));
+    if (near.degrees) one.degrees = api::real_of(*near.degrees);
+  }
+  return out;
+}
+
 Explanation explained(const io::AskedScene& scene, const Pose& pose) {
   const std::vector<Number>& at = pose.at;
   if (!scene.in_space() && (pose.degrees || scene.scene().free.kind == io::Free::Kind::kPose)) {
@@ -349,8 +360,9 @@ namespace io {
 
 const Scene& scene_of(const findspace::Scene& scene) { return scene.data().read; }
 
-findspace::Scene public_scene(Scene scene) {
+findspace::Scene public_scene(Scene scene, std::string text) {
   findspace::Scene::Data::Source nowhere;
+  nowhere.text = std::move(text);
   return findspace::Scene(std::make_shared<const findspace::Scene::Data>(std::move(scene), std::move(nowhere)));
 }
 
@@ -438,6 +450,20 @@ Answer Scene::measure(const Pose& pose, const std::vector<std::string>& words) c
 Answer Scene::map(const MapQuestion& question) const& { return map_of(data_, question); }
 Answer Scene::map(const MapQuestion& question) && { return map_of(std::move(data_), question); }
 
+bool Scene::places() const { return data_->read.place.given(); }
+
+Answer Scene::place(const PlaceQuestion& question) const {
+  const planning::Limit limit(data_->source.options.seconds);
+  Options others = data_->source.options;
+  others.seconds = 0;  // what was found by then is given
+  return asked(with(others).data_, std::nullopt, [&](io::AskedScene scene) {
+    scene.want(near_of(question));
+    const io::PlacementQuestion wanted{limit, question.lines, data_->source.text};
+    return scene.in_space() ? io::place_in_space(std::move(scene), wanted)
+                            : io::place_in_plane(std::move(scene), wanted);
+  });
+}
+
 Answer Scene::explain(const Pose& pose) const {
   data_->position(pose);  // refuses what is none
   if (pose.time || (pose.degrees && dimension() == 3))
@@ -488,5 +514,8 @@ std::vector<Interval> Answer::possible() const { return data_->possible ? data_-
 std::optional<PoseMap> Answer::poses() const { return data_->poses ? std::optional(data_->poses()) : std::nullopt; }
 
 std::optional<Explanation> Answer::explanation() const { return data_->explanation; }
+std::optional<Placement> Answer::placement() const {
+  return data_->placement ? std::optional(data_->placement()) : std::nullopt;
+}
 
 }  // namespace findspace

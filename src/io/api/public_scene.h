@@ -18,7 +18,7 @@ namespace findspace::io {
 
 /// What a public scene is of, and a public scene that was read otherwise than from its text.
 const Scene& scene_of(const findspace::Scene& scene);
-findspace::Scene public_scene(Scene scene);
+findspace::Scene public_scene(Scene scene, std::string text = {});
 /// A shape of the scene. Throws Error(kUnknownName).
 Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the sets that were built of its shapes.

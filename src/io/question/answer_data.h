@@ -28,6 +28,7 @@ struct Answer::Data {
   std::function<std::vector<Interval>()> intervals{}, possible{};
   std::function<PoseMap()> poses{};
   std::optional<Explanation> explanation{};
+  std::function<Placement()> placement{};
 };
 
 }  // namespace findspace

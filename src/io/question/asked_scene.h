@@ -65,6 +65,8 @@ class AskedScene {
   /// Throws where it does not say what must hold, or be best.
   void require_question() const;
 
+  /// Bodies of a placement that come first.
+  void want(std::vector<Placement::Near> near) { scene_.place.near = std::move(near); }
   /// Lets go of how the shapes are made, where a world has their sets: only their names stay.
   void forget_shapes();
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "placing/placement_problem.h"
+#include "io/question/placement_problem.h"
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 
-#include "common/placement_demands.h"
+#include "io/question/placement_demands.h"
 #include "plane/contour/shape.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
 
 using planning::Body;
@@ -28,9 +28,9 @@ plane::ShapePtr rotated(const plane::ShapePtr& shape, const exact::Real& degrees
 }
 
 /// All shapes of the scene, or of a board, which has many, those that are placed or that conditions and goals name.
-std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem& problem) {
-  const std::vector<plane::ShapePtr>& all = session.scene().shapes;
-  if (!session.scene().named_only) return all;
+std::vector<plane::ShapePtr> wanted_shapes(const AskedScene& asked, const Problem& problem) {
+  const std::vector<plane::ShapePtr>& all = asked.scene().shapes;
+  if (!asked.scene().named_only) return all;
   std::set<std::string> names;
   const auto add = [&](const formula::Distance& d) {
     names.insert(d.first.begin(), d.first.end());
@@ -50,21 +50,21 @@ std::vector<plane::ShapePtr> wanted_shapes(const Session& session, const Problem
 
 }  // namespace
 
-Problem placement_problem(const Session& session) {
-  planning::AskedDemands asked = placement_demands(session);
-  Problem problem{std::move(asked.demands), {}};
-  session.reporter().stage("building the shapes");
-  std::vector<plane::ShapePtr> shapes = wanted_shapes(session, problem);
-  for (const planning::RotatedShape& t : asked.rotated)
-    shapes.push_back(rotated(session.scene().shape(t.shape), t.turn.degrees, t.name));
-  std::vector<plane::Region> built = session.regions(shapes);
+Problem placement_problem(const AskedScene& asked) {
+  planning::AskedDemands wanted = placement_demands(asked);
+  Problem problem{std::move(wanted.demands), {}};
+  asked.stage("building the shapes");
+  std::vector<plane::ShapePtr> shapes = wanted_shapes(asked, problem);
+  for (const planning::RotatedShape& t : wanted.rotated)
+    shapes.push_back(rotated(asked.scene().shape(t.shape), t.turn.degrees, t.name));
+  std::vector<plane::Region> built = asked.regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) problem.world.shapes.emplace(shapes[k]->name, std::move(built[k]));
   std::set<std::string> moving;
   for (const Body& body : problem.bodies)
     for (const auto& names : body.variants) moving.insert(names.begin(), names.end());
   problem.world.moving.assign(moving.begin(), moving.end());
-  problem.world.step = session.step();
+  problem.world.step = asked.step();
   return problem;
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

@@ -5,11 +5,11 @@
 // and which shapes have to be rotated for it. Mistakes are reported at their place in the scene.
 #pragma once
 
-#include "common/session.h"
+#include "io/question/asked_scene.h"
 #include "planning/order/demands.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
-planning::AskedDemands placement_demands(const Session& session);
+planning::AskedDemands placement_demands(const AskedScene& asked);
 
-}  // namespace findspace::app
+}  // namespace findspace::io

@@ -5,12 +5,12 @@
 // they speak of. Mistakes are reported at their place in the scene.
 #pragma once
 
-#include "common/session.h"
+#include "io/question/asked_scene.h"
 #include "planning/order/problem.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
 /// Throws Error where the scene has no placement, or one that cannot be computed.
-planning::Problem placement_problem(const Session& session);
+planning::Problem placement_problem(const AskedScene& asked);
 
-}  // namespace findspace::app
+}  // namespace findspace::io
