@@ -10,23 +10,11 @@
 #include "formula/solid/solve_region.h"
 #include "io/mesh/write_mesh.h"
 #include "io/question/space_shapes.h"
-#include "plane/query/locate_line.h"
 
 namespace findspace::app {
 
 Outcome map_space(const Session& session);
 Outcome map_rays(const Session& session, const LineChoice& lines);
-/// The positions on the scene's line.
-Outcome map_space_line(const Session& session);
-struct SpaceLineMap {
-  std::vector<plane::LineInterval> intervals;  // lengths from where the line goes through, in grid steps
-  formula::Side side = formula::Side::kExact;  // of the true set
-  std::optional<distance::OptimalValue> extreme;
-};
-SpaceLineMap space_line_map(const Session& session, const formula::SpaceSolver& solver,
-                            const formula::Formula& formula);
-/// As `map --json` prints it.
-std::string space_line_json(const Session& session, const SpaceLineMap& map);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
 /// The boundary of a shape that one surface of flat faces bounds; throws Error(kUnsupported) for others.

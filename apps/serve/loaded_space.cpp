@@ -10,6 +10,7 @@
 #include "in_space/ray_outcome.h"
 #include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
+#include "io/question/space_line.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -55,7 +56,7 @@ SpaceMap LoadedSpace::solved(const formula::Formula& formula, const std::string&
 
 std::string LoadedSpace::map_of_line(const RegionQuery& query, const formula::Formula& wanted) const {
   return with_session([&](const Session& session) {
-    const SpaceLineMap map = space_line_map(session, *solver_, wanted);
+    const io::SpaceLineMap map = io::space_line_map(session, *solver_, wanted);
     std::string out = space_line_json(session, map);
     if (!query.drawing) return out;
     SpacePlace through{}, direction{};

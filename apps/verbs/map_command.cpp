@@ -27,7 +27,10 @@ Outcome map_in_space(const Session& session) {
     refuse_lines(options, "for maps of space, not of a line");
     if (options.orientation)
       throw Error(ErrorCode::kUsage, "--orientation is for maps of positions and of poses, not of a line");
-    return map_space_line(session);
+    check_outputs(options, {".json"});
+    if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of space, not of a line");
+    const Answer answer = session.asked().map();
+    return told(session, answer);
   }
   return at_orientations(session, [](const Session& s) {
     const auto lines = asked_lines(s);

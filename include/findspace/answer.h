@@ -73,7 +73,8 @@ class Answer {
 
   /// Of a map of positions, all or those on a line: where the formula holds, or is best. Nothing of other answers.
   std::optional<RegionBounds> region() const;
-  /// Of a map with an objective, or with `-> min`: the best value. Over angles `at` is empty: intervals() has them.
+  /// Of a map with an objective, or with `-> min`: the best value. Over angles, and on a line of space, `at` is empty:
+  /// intervals() has them.
   std::optional<Optimum> best() const;
   /// Of a map of a line, by the length gone, of angles, in degrees, and of instants: where the formula holds for
   /// certain, or is best; and a set that holds all such. Empty of other answers.

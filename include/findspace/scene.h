@@ -167,8 +167,8 @@ class Scene {
   Answer check(const Pose& pose = {}) const;
   /// Distances of what moves to the other shapes. `words`: which (vocabulary.h); none: all. Error(kUnknownName).
   Answer measure(const Pose& pose = {}, const std::vector<std::string>& words = {}) const;
-  /// Where the formula holds, or is best where there is an objective, among all that is free(). Of the plane. The
-  /// second is of a scene that is not needed any more: it may let go of its shapes.
+  /// Where the formula holds, or is best where there is an objective, among all that is free(). Of the plane, or
+  /// of a line of space. The second is of a scene that is not needed any more: it may let go of its shapes.
   Answer map(const MapQuestion& question = {}) const&;
   Answer map(const MapQuestion& question = {}) &&;
   /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the

@@ -376,7 +376,7 @@ time : number, optional
              const std::string& before) { return answered(s, "map", py::make_tuple(at, apply, pictures, before)); },
           py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
           py::arg("before") = "",
-          R"doc(Where the formula holds, or is best, among all that is free. Of the plane.
+          R"doc(Where the formula holds, or is best, among all that is free. Of the plane, or of a line of space.
 
 Parameters
 ----------

@@ -112,6 +112,18 @@ def test_lines_of_space():
         world.on_lines(where, 16, "w")
 
 
+def test_scenes_map_a_line_of_space():
+    text = """{"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}},
+        "crate": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}, "moving": "crate", "where": "inside(crate, room)"%s}"""
+    scene = fs.Scene.json(text % ', "free": {"line": {"through": [1, 4, 4], "direction": [1, 0, 0]}}, "maximize": "x"')
+    answer = again(scene.map())
+    assert answer.found == "yes" and answer.best.value == 7 and answer.best.at.empty
+    assert [(i.start, i.end) for i in answer.intervals] == [(6, 6)] and len(answer.possible) == 1
+    assert [(i.start, i.end) for i in scene.asking(maximize="").map().intervals] == [(-1, 6)]
+    with pytest.raises(fs.Error, match="is a line"):
+        fs.Scene.json(text % "").map()
+
+
 def data_of(framed):
     """What the page in a frame is given to show."""
     text = html.unescape(re.fullmatch('<iframe srcdoc="(.*?)" sandbox=.*></iframe>', framed, re.S)[1])

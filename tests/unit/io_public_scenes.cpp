@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "findspace/error.h"
 #include "findspace/scene.h"
 
@@ -219,6 +221,53 @@ TEST(PublicScene, MapsALineAnglesInstantsAndPoses) {
       scene(R"json("free": "time", "motion": {"time": [0, 1], "bar": {"path": [[0, 0], [4, 0]]}})json").map({{{0, 0}}});
   ASSERT_EQ(instants.intervals().size(), 1u);
   EXPECT_EQ(*instants.intervals()[0].to, 0.25);
+}
+
+TEST(PublicScene, MapsALineOfSpace) {
+  const auto scene = [](const std::string& where, const std::string& rest = "") {
+    return Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}},
+      "crate": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}, "ball": {"ball": {"center": [5, 5, 5], "radius": 2}}},
+      "moving": "crate", "free": {"line": {"through": [1, 4, 4], "direction": [1, 0, 0]}}, "where": ")json" +
+                       where + "\"" + rest + "}");
+  };
+  const Answer inside = scene("inside(crate, room) and clear(crate, ball)").map();
+  EXPECT_EQ(inside.found(), Answer::Found::kYes);
+  ASSERT_EQ(inside.intervals().size(), 2u);  // the last is the end of the room, where the crate touches the ball
+  EXPECT_EQ(*inside.intervals()[0].from, -1);
+  EXPECT_EQ(*inside.intervals()[1].from, *inside.intervals()[1].to);
+  EXPECT_EQ(inside.possible().size(), 2u);
+  EXPECT_EQ(inside.endings(), (std::vector<std::string>{".json"}));
+  EXPECT_FALSE(inside.best().has_value());
+  EXPECT_NE(inside.text().find("Positions of crate on the line"), std::string::npos);
+  const Answer best = scene("inside(crate, room)", R"json(, "maximize": "x")json").map();
+  EXPECT_EQ(*best.best()->value, 7);
+  EXPECT_TRUE(best.best()->at.empty());
+  EXPECT_EQ(*best.intervals()[0].from, 6);
+  EXPECT_EQ(scene("inside(room, crate)").map().found(), Answer::Found::kNo);
+  EXPECT_THROW(scene("inside(crate, room)").map({.apply = "closure"}), Error);
+}
+
+TEST(PublicScene, MapsALineOfSpaceOnOneSide) {
+  const auto map = [](const std::string& where) {
+    return Scene::json(R"json({"findspace": 1, "shapes": {"bent": {"union": [
+      {"box": {"min": [0, 0, 0], "max": [9, 9, 2]}}, {"box": {"min": [0, 0, 0], "max": [2, 9, 9]}}]},
+      "ball": {"ball": {"center": [5, 5, 5], "radius": 2}}}, "moving": "ball",
+      "free": {"line": {"through": [1, 4, 4], "direction": [1, 2, 1]}}, "where": ")json" +
+                       where + "\"}")
+        .map();
+  };
+  const Answer outer = map("protrusion(ball, bent) <= 3");  // found by search
+  EXPECT_EQ(outer.found(), Answer::Found::kUndecided);
+  EXPECT_TRUE(outer.intervals().empty());
+  ASSERT_EQ(outer.possible().size(), 1u);
+  EXPECT_NEAR(*outer.possible()[0].from, -5 * std::sqrt(6.0), 1e-6);  // no sign: a test
+  EXPECT_EQ(outer.notes().size(), 1u);
+  EXPECT_EQ(map("protrusion(ball, bent) <= 0.01").found(), Answer::Found::kNo);
+  const Answer inner = map("protrusion(ball, bent) > 3");
+  EXPECT_EQ(inner.found(), Answer::Found::kYes);
+  EXPECT_EQ(inner.intervals().size(), 2u);
+  ASSERT_EQ(inner.possible().size(), 1u);
+  EXPECT_FALSE(inner.possible()[0].from.has_value());  // the whole line
 }
 
 TEST(PublicScene, ExplainsItself) {

@@ -304,13 +304,16 @@ Answer at_pose(const std::shared_ptr<const Scene::Data>& data, const Pose& pose,
 Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& question) {
   using Kind = Scene::Free::Kind;
   const Kind free = data->free.kind;
-  if (data->read.dimension == 3)
-    throw Error(ErrorCode::kUnsupported, "a map of a 3D scene is not computed here", data->read.file);
+  const bool solid = data->read.dimension == 3;
+  if (solid && free != Kind::kLine)
+    throw Error(ErrorCode::kUnsupported, "a map of a 3D scene is computed here where \"free\" is a line",
+                data->read.file);
   if (free != Kind::kPosition && !question.apply.empty())
     throw Error(ErrorCode::kBadValue, question.before + "apply is for maps of the plane", data->read.file);
   const std::vector<exact::Real> p = data->position(question.pose);
   const exact::RealPoint at{p[0], p[1]};
   return asked(std::move(data), std::nullopt, [&](io::AskedScene scene) {
+    if (solid) return io::map_of_space_line(std::move(scene));
     if (free == Kind::kPose) return io::map_of_poses(std::move(scene));
     if (free == Kind::kAngle) return io::map_of_angles(std::move(scene), at);
     if (free != Kind::kTime)

@@ -18,15 +18,6 @@
 namespace findspace::io {
 namespace {
 
-std::vector<Interval> shown_intervals(const std::vector<plane::LineInterval>& all, const exact::Real& step) {
-  const auto end = [&](const std::optional<exact::Real>& t) {
-    return t ? std::optional((*t * step).to_double()) : std::nullopt;
-  };
-  std::vector<Interval> out;
-  for (const plane::LineInterval& i : all) out.push_back({end(i.from), end(i.to), i.from_in, i.to_in});
-  return out;
-}
-
 /// What a map of positions needs for its texts and pictures.
 struct PositionsQuestion {
   AskedScene asked;
@@ -95,6 +86,15 @@ void tell_line(Answer::Data& out, const std::shared_ptr<const PositionsQuestion>
 }
 
 }  // namespace
+
+std::vector<Interval> shown_intervals(const std::vector<plane::LineInterval>& all, const exact::Real& step) {
+  const auto end = [&](const std::optional<exact::Real>& t) {
+    return t ? std::optional((*t * step).to_double()) : std::nullopt;
+  };
+  std::vector<Interval> out;
+  for (const plane::LineInterval& i : all) out.push_back({end(i.from), end(i.to), i.from_in, i.to_in});
+  return out;
+}
 
 Answer::Found found_in(bool some, bool possibly) {
   return some ? Answer::Found::kYes : possibly ? Answer::Found::kUndecided : Answer::Found::kNo;

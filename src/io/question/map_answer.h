@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a scene of the plane answers for all that its "free" ranges over: positions, those on a line, instants, angles,
-// poses. The verb `map`. Guarantee: exact, or between bounds where shapes rotate in time or about two points
-// (docs/results.md). Keywords: feasible region, configuration space.
+// What a scene answers for all that its "free" ranges over: in the plane positions, those on a line, instants, angles,
+// poses; in space positions on a line. The verb `map`. Guarantee: exact, or between bounds where shapes rotate in time
+// or about two points (docs/results.md). Keywords: feasible region, configuration space.
 #pragma once
 
 #include "io/question/answer_data.h"
@@ -19,12 +19,16 @@ Answer::Data map_of_positions(AskedScene asked, const Applied& apply, bool pictu
 Answer::Data map_of_instants(AskedScene asked, const exact::RealPoint& at, const std::string& place);
 Answer::Data map_of_angles(AskedScene asked, const exact::RealPoint& at);
 Answer::Data map_of_poses(AskedScene asked);
+/// Positions on the line of a scene of space.
+Answer::Data map_of_space_line(AskedScene asked);
 
 /// The formula of a map over angles; throws where the scene asks for what is not computed over them.
 formula::Formula question_over_angles(const AskedScene& asked);
 
 /// Says how many vertices were put on the grid, and what that means for sectors.
 void say_rotated(const AskedScene& asked, const plane::Rounding& rounding, std::string_view sectors = "");
+/// As public values, times the step.
+std::vector<Interval> shown_intervals(const std::vector<plane::LineInterval>& all, const exact::Real& step);
 /// Of what is certain, and what is possible.
 Answer::Found found_in(bool some, bool possibly);
 
