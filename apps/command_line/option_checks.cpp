@@ -11,8 +11,8 @@
 #include "common/options.h"
 #include "findspace/error.h"
 #include "findspace/number.h"
+#include "findspace/surface.h"
 #include "findspace/vocabulary.h"
-#include "io/mesh/write_mesh.h"
 #include "io/text/units.h"
 
 namespace findspace::app {
@@ -119,7 +119,7 @@ std::vector<std::string> endings_of(std::string_view verb) {
   if (verb == "map" || verb == "describe" || verb == "convert") all.emplace_back(".wkt");
   if (verb == "map" || verb == "convert" || verb == "place") all.emplace_back(".dxf");
   if (verb == "convert") all.emplace_back(".geojson");
-  all.insert(all.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());  // .svg is among them
+  for (std::string& ending : Surface::endings()) all.push_back(std::move(ending));  // .svg is among them
   return all;
 }
 

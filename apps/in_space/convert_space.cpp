@@ -8,44 +8,23 @@
 
 #include <fmt/format.h>
 
+#include "common/session.h"
 #include "in_space/space_commands.h"
-#include "io/mesh/space_surface.h"
-#include "io/mesh/write_mesh.h"
-#include "io/write/write_json.h"
 
 namespace findspace::app {
-io::Surface boundary_of(const Session& session, const plane::Shape& shape) {
-  io::SolidSurface found = io::solid_surface(shape, session.step());
-  if (found.lost) session.reporter().note("a mesh cannot hold sheets, lines and points: lost");
-  return std::move(found.surface);
-}
-
-namespace {
-
-std::string scene_text(const io::Surface& surface, const std::string& name, const std::string& unit) {
-  std::vector<std::string> vertices, faces;
-  for (const auto& v : surface.vertices)
-    vertices.push_back(
-        fmt::format("[{}, {}, {}]", io::json_number(v[0]), io::json_number(v[1]), io::json_number(v[2])));
-  for (const auto& f : surface.faces) faces.push_back(fmt::format("[{}]", fmt::join(f, ", ")));
-  return fmt::format(
-      "{{\"findspace\": 1, {}\"shapes\": {{{}: {{\"mesh\": {{\"vertices\": [{}],\n \"faces\": [{}]}}}}}}}}\n",
-      unit.empty() ? "" : fmt::format("\"unit\": {}, ", io::json_string(unit)), io::json_string(name),
-      fmt::join(vertices, ", "), fmt::join(faces, ", "));
-}
-
-}  // namespace
 
 Outcome convert_space(const Session& session, const std::string& name) {
-  std::vector<std::string> endings{".json"};
-  endings.insert(endings.end(), io::kSurfaceEndings.begin(), io::kSurfaceEndings.end());
+  std::vector<std::string> endings = Surface::endings();
+  endings.insert(endings.begin(), ".json");
   check_outputs(session.options(), endings);
   session.reporter().stage(fmt::format("shape {}", name));
-  const io::Surface found = boundary_of(session, *session.scene().shape(name));
-  const auto json = [&] { return scene_text(found, name, session.unit()); };
+  const Surface found = session.shape(name).surface();
+  if (!found.lost.empty()) session.reporter().note(found.lost);
+  const std::string unit = session.asked().unit();
+  const auto json = [&] { return found.scene_json(name, unit); };
   Writers writers{{".json", json}};
-  for (const char* ending : io::kSurfaceEndings)
-    writers.emplace(ending, [&, ending] { return io::surface_text(found, name, ending, session.unit()); });
+  for (const std::string& ending : Surface::endings())
+    writers.emplace(ending, [&, ending] { return found.text(ending, unit, name); });
   write_outputs(session.options(), writers);
   return {session.options().json || session.options().outputs.empty() ? json() : "", kDone};
 }

@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "findspace/vocabulary.h"
 #include "io/question/placement_answer.h"
-#include "io/write/json_text.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
@@ -26,7 +26,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }
 
 std::string numbers(const std::vector<exact::Real>& values) {
-  return io::list(values, [](const exact::Real& v) { return io::json_number(v.to_double()); });
+  return json_list(values, [](const exact::Real& v) { return json_number(v.to_double()); });
 }
 
 /// What formulas are written with.
@@ -34,7 +34,7 @@ std::string words() {
   std::vector<std::string> all;
   for (PredicateWord& row : predicate_words()) all.push_back(std::move(row.word));
   for (DistanceWord& row : distance_words()) all.push_back(std::move(row.word));
-  return io::list(all, io::json_string);
+  return json_list(all, json_string);
 }
 
 }  // namespace
@@ -77,8 +77,8 @@ std::string Loaded::shape_json(const std::string& name, bool drawing) const {
   const bool used = std::any_of(atoms.begin(), atoms.end(), [&](const formula::Atom& a) {
     return holds(a.distance.first, name) || holds(a.distance.second, name);
   });
-  std::string out = fmt::format(R"({{"name": {}, "moving": {}, "used": {})", io::json_string(name),
-                                io::truth(holds(scene_.moving, name)), io::truth(used));
+  std::string out =
+      fmt::format(R"({{"name": {}, "moving": {}, "used": {})", json_string(name), holds(scene_.moving, name), used);
   const std::string look = drawing ? drawing_of(name) : "";
   if (!look.empty()) out += ", \"drawing\": " + look;
   return out + "}";
@@ -89,8 +89,8 @@ std::string Loaded::free_json() const {
   const io::Free& free = scene_.free;
   std::string out = fmt::format(R"("free": "{}")", kFreeNames[static_cast<std::size_t>(free.kind)]);
   if (free.kind == Kind::kAngle || free.kind == Kind::kPose)
-    io::put(out, R"(, "about": [{}, {}])", io::json_number(double(free.about[0]) * step()),
-            io::json_number(double(free.about[1]) * step()));
+    out += fmt::format(R"(, "about": [{}, {}])", json_number(double(free.about[0]) * step()),
+                       json_number(double(free.about[1]) * step()));
   if (free.kind == Kind::kPose) out += ", \"angles\": " + numbers(free.angles);
   return out;
 }
@@ -98,26 +98,27 @@ std::string Loaded::free_json() const {
 std::string Loaded::motion_json() const {
   if (!scene_.motion.given()) return "";
   const auto movement = [&](const io::Movement& m) {
-    const std::string path = io::list(m.path, [&](const io::GridPosition& p) {
-      return fmt::format("[{}, {}]", io::json_number(double(p[0]) * step()), io::json_number(double(p[1]) * step()));
+    const std::string path = json_list(m.path, [&](const io::GridPosition& p) {
+      return fmt::format("[{}, {}]", json_number(double(p[0]) * step()), json_number(double(p[1]) * step()));
     });
-    return fmt::format(R"({{"shape": {}, "path": {}, "times": {}, "angles": {}}})", io::json_string(m.shape), path,
+    return fmt::format(R"({{"shape": {}, "path": {}, "times": {}, "angles": {}}})", json_string(m.shape), path,
                        numbers(m.times), numbers(m.angles));
   };
   return fmt::format(R"(, "motion": {{"start": {}, "end": {}, "movements": {}}})",
-                     io::json_number(scene_.motion.start.to_double()), io::json_number(scene_.motion.end.to_double()),
-                     io::list(scene_.motion.movements, movement));
+                     json_number(scene_.motion.start.to_double()), json_number(scene_.motion.end.to_double()),
+                     json_list(scene_.motion.movements, movement));
 }
 
 std::string Loaded::summary_json(bool drawing) const {
   std::vector<std::string> names;
   for (const plane::ShapePtr& s : scene_.shapes) names.push_back(s->name);
-  const std::string shapes = io::list(names, [&](const std::string& name) { return shape_json(name, drawing); });
+  const std::string shapes = json_list(names, [&](const std::string& name) { return shape_json(name, drawing); });
+  const std::string unit_key = unit().empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit()));
   return fmt::format(R"({{"dimension": {}, {}"step": {}, "y": "{}", "where": {}, "moving": {}, {}{}, "place": {}, )"
                      R"("shapes": {}, "words": {}}})",
-                     scene_.dimension, io::unit_key(unit()), io::json_number(step()), scene_.y_down ? "down" : "up",
-                     io::json_string(scene_.where.text), io::list(scene_.moving, io::json_string), free_json(),
-                     motion_json(), io::truth(scene_.place.given()), shapes, words());
+                     scene_.dimension, unit_key, json_number(step()), scene_.y_down ? "down" : "up",
+                     json_string(scene_.where.text), json_list(scene_.moving, json_string), free_json(), motion_json(),
+                     scene_.place.given(), shapes, words());
 }
 
 std::string Loaded::place_json(double seconds, std::vector<io::Placement::Near> near) const {
@@ -134,8 +135,7 @@ std::string Loaded::nearest_json(const Spot& spot) const {
   require_moving();
   const formula::TriedNearest near = nearest(spot);
   if (near) return "{" + io::nearest_member(*near) + "}";
-  return fmt::format(R"({{"not_computed": {{"nearest_feasible": {}}}}})",
-                     io::json_string(near.refusal().error.message()));
+  return fmt::format(R"({{"not_computed": {{"nearest_feasible": {}}}}})", json_string(near.refusal().error.message()));
 }
 
 std::string with_member(std::string object, std::string_view name, std::string_view value) {

@@ -20,9 +20,16 @@ struct Surface {
   /// Circuits of corners.
   std::vector<std::vector<int>> faces;
 
-  /// As a file: ".obj", ".off", ".stl", ".ply", ".glb", ".3mf", ".step", or a picture, ".svg"; the unit for those that
-  /// state one. Error(kUnsupported) for another ending.
-  std::string text(std::string_view ending, std::string_view unit = {}) const;
+  /// Of a shape: what it has that flat faces cannot hold; else empty.
+  std::string lost{};
+
+  /// As a file of that ending, or a picture, ".svg"; the unit and the name for those that state them.
+  /// Error(kUnsupported) for another ending.
+  std::string text(std::string_view ending, std::string_view unit = {}, std::string_view name = "surface") const;
+  /// ".obj", ".off", ".stl", ".ply", ".glb", ".step", ".3mf", ".svg".
+  static std::vector<std::string> endings();
+  /// A scene with what it encloses as its one shape.
+  std::string scene_json(std::string_view name, std::string_view unit = {}) const;
 };
 
 }  // namespace findspace

@@ -286,14 +286,19 @@ Examples
       .def_readonly("polygons", &Surface::faces, "The faces as they are: circuits of vertices.")
       .def(
           "text",
-          [](const Surface& s, const std::string& ending, const std::string& unit) {
-            return py::bytes(s.text(ending, unit));
+          [](const Surface& s, const std::string& ending, const std::string& unit, const std::string& name) {
+            return py::bytes(s.text(ending, unit, name));
           },
-          py::arg("ending"), py::arg("unit") = "",
-          "As a file, in bytes: '.obj' '.off' '.stl' '.ply' '.glb' '.3mf' '.step' '.svg'.")
-      .def(py::pickle([](const Surface& s) { return py::make_tuple(s.vertices, s.faces); },
+          py::arg("ending"), py::arg("unit") = "", py::arg("name") = "surface",
+          "As a file, in bytes; the unit and the name for those that state them.")
+      .def_static("endings", &Surface::endings, "Those of such files.")
+      .def("scene_json", &Surface::scene_json, py::arg("name"), py::arg("unit") = "",
+           "A scene with what it encloses as its one shape.")
+      .def_readonly("lost", &Surface::lost, "Of a shape: what it has that flat faces cannot hold; else ''.")
+      .def(py::pickle([](const Surface& s) { return py::make_tuple(s.vertices, s.faces, s.lost); },
                       [](const py::tuple& t) {
-                        return Surface{t[0].cast<std::vector<Position3>>(), t[1].cast<std::vector<std::vector<int>>>()};
+                        return Surface{t[0].cast<std::vector<Position3>>(), t[1].cast<std::vector<std::vector<int>>>(),
+                                       t[2].cast<std::string>()};
                       }));
 }
 

@@ -159,6 +159,14 @@ def test_surfaces_both_ways():
     assert surface.text(".obj").startswith(b"#") or b"v 0 0 0" in surface.text(".obj")
     with pytest.raises(fs.Error):
         surface.text(".doc")
+    assert ".glb" in fs.Surface.endings() and surface.lost == ""
+    assert b"a box" in surface.text(".svg", name="a box")
+    scene = fs.Scene.json(surface.scene_json("a box", "mm"))
+    same = scene.shapes["a box"].surface
+    assert scene.unit == "mm" and sorted(same.vertices.tolist()) == sorted(surface.vertices.tolist())
+    assert same.faces.shape == (12, 3)
+    with_sheet = (box | (fs.Shape.box((5, 0, 0), (6, 2, 3)) & fs.Shape.box((6, 0, 0), (7, 2, 3)))).surface
+    assert "sheets" in again(with_sheet).lost and len(with_sheet.polygons) == 6
     with pytest.raises(fs.Error):
         fs.Shape.ball((0, 0, 0), 1).surface
     assert "<svg" in box._repr_svg_() and "<svg" in fs.Shape.ball((0, 0, 0), 1)._repr_svg_()

@@ -287,6 +287,23 @@ TEST(PublicSpace, ManyPositionsAndLines) {
   EXPECT_EQ(*world.distance("margin(crate, room)", {5, 5, 8}).value, 1);
 }
 
+TEST(PublicSurface, IsAFileAndAScene) {
+  const Shape crate = Shape::box({0, 0, 0}, {1, 2, 3});
+  const Surface surface = crate.surface();
+  EXPECT_TRUE(surface.lost.empty());
+  for (const std::string& ending : Surface::endings()) EXPECT_FALSE(surface.text(ending, "mm", "crate").empty());
+  EXPECT_NE(surface.text(".3mf", "mm", "crate").find("PK"), std::string::npos);
+  EXPECT_NE(surface.text(".svg", "mm", "a crate").find("a crate"), std::string::npos);
+  EXPECT_THROW(surface.text(".doc"), Error);
+  const Scene again = Scene::json(surface.scene_json("crate", "mm"));
+  EXPECT_EQ(again.unit(), "mm");
+  EXPECT_EQ(again.shapes().at("crate").surface().vertices.size(), 8u);
+  const Shape sheet =
+      Shape::unite({crate, Shape::intersect({Shape::box({5, 0, 0}, {6, 2, 3}), Shape::box({6, 0, 0}, {7, 2, 3})})});
+  EXPECT_NE(sheet.surface().lost.find("sheets"), std::string::npos);
+  EXPECT_EQ(sheet.surface().faces.size(), 6u);
+}
+
 TEST(PublicSpace, RegionsOfBoxesAndPolytopes) {
   const World world = solids();
   const SpaceRegion free = world.solve_space("inside(crate, room, 1)");

@@ -7,6 +7,7 @@
 
 #include "api/query/space_region_data.h"
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
 #include "io/mesh/space_surface.h"
@@ -18,8 +19,21 @@ namespace findspace {
 
 using exact::Real;
 
-std::string Surface::text(std::string_view ending, std::string_view unit) const {
-  return io::surface_text({vertices, faces, {}}, "surface", ending, unit);
+std::string Surface::text(std::string_view ending, std::string_view unit, std::string_view name) const {
+  return io::surface_text({vertices, faces, {}}, name, ending, unit);
+}
+
+std::vector<std::string> Surface::endings() { return {io::kSurfaceEndings.begin(), io::kSurfaceEndings.end()}; }
+
+std::string Surface::scene_json(std::string_view name, std::string_view unit) const {
+  const auto corner = [](const Position3& v) {
+    return fmt::format("[{}, {}, {}]", json_number(v[0]), json_number(v[1]), json_number(v[2]));
+  };
+  const auto face = [](const std::vector<int>& f) { return fmt::format("[{}]", fmt::join(f, ", ")); };
+  return fmt::format(
+      "{{\"findspace\": 1, {}\"shapes\": {{{}: {{\"mesh\": {{\"vertices\": {},\n \"faces\": {}}}}}}}}}\n",
+      unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit)), json_string(name),
+      json_list(vertices, corner), json_list(faces, face));
 }
 
 Surface SpaceRegion::surface() const {
@@ -138,8 +152,8 @@ class SolidText {
 
 Surface Shape::surface() const {
   if (dimension() == 2) throw Error(ErrorCode::kUnsupported, "a shape of the plane has no surface");
-  io::Surface made = io::solid_surface(*data_->tree, data_->grid.step()).surface;
-  return {std::move(made.vertices), std::move(made.faces)};
+  io::SolidSurface made = io::solid_surface(*data_->tree, data_->grid.step());
+  return {std::move(made.surface.vertices), std::move(made.surface.faces), std::move(made.lost)};
 }
 
 std::string Shape::svg() const {

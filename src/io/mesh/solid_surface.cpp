@@ -34,10 +34,11 @@ Surface triangle_surface(const space::Triangles& triangles, const exact::Real& s
 SolidSurface surface_of_boxes(const space::BoxComplex& boxes, const plane::Shape& shape, const exact::Real& step) {
   const space::SpaceSummary set = space::summarize(boxes, step);
   if (!set.bounded) throw Error(ErrorCode::kGeometry, "a mesh cannot hold an unbounded set", shape.place);
-  SolidSurface out{box_surface(boxes, step), false};
+  SolidSurface out{box_surface(boxes, step)};
   if (out.surface.faces.empty())
     throw Error(ErrorCode::kGeometry, "a mesh cannot hold a set without volume", shape.place);
-  out.lost = set.dangling_area > 0 || set.dangling_length > 0 || !set.isolated.empty();
+  if (set.dangling_area > 0 || set.dangling_length > 0 || !set.isolated.empty())
+    out.lost = "a mesh cannot hold sheets, lines and points: lost";
   return out;
 }
 

@@ -24,10 +24,10 @@ Surface convex_surface(const space::ConvexSet& set, const exact::Real& step);
 /// Of a boundary that is known; of boxes without sheets, lines and points.
 Surface surface_of(const formula::ShapeBoundary& boundary, const exact::Real& step);
 
-/// The boundary of a shape of space, and whether it has sheets, lines or points besides, which a surface cannot hold.
+/// The boundary of a shape of space, and what it has besides that a surface cannot hold, or nothing.
 struct SolidSurface {
   Surface surface;
-  bool lost = false;
+  std::string lost{};
 };
 /// Of what one closed surface bounds (a mesh, a prism, moved or mirrored), of shapes with axis-parallel faces and of
 /// convex polytopes. Throws Error(kUnsupported) for others, kGeometry for what has no volume or no bounds.

@@ -49,11 +49,11 @@ SpaceProblem problem_of(const AskedScene& asked, int lines) {
 }
 
 /// What is placed, as one mesh whose faces are labelled by shape.
-Surface placed_surface(const SpaceProblem& problem, const planning::SpacePoses& poses, bool& lost) {
+Surface placed_surface(const SpaceProblem& problem, const planning::SpacePoses& poses, std::string& lost) {
   Surface out;
   const auto add = [&](const std::string& name, const space::RealVector& at) {
     SolidSurface found = solid_surface(*problem.shapes.at(name), problem.step);
-    lost = lost || found.lost;
+    if (lost.empty()) lost = std::move(found.lost);
     const Surface one = std::move(found.surface);
     const auto first = static_cast<int>(out.vertices.size());
     for (auto v : one.vertices) {
@@ -156,10 +156,10 @@ Answer::Data place_in_space(AskedScene given, const PlacementQuestion& question)
   out.text = [q](const Telling&) { return placement_text(q->placed.result, q->asked.step(), q->asked.unit()); };
   for (const char* ending : kSurfaceEndings)
     out.files[ending] = [q, ending](const Telling&) {
-      bool lost = false;
-      const Surface surface = placed_surface(q->problem, q->placed.poses, lost);
-      return Region::Drawn{surface_text(surface, "placement", ending, q->asked.unit()),
-                           lost ? "a mesh cannot hold sheets, lines and points: lost" : ""};
+      std::string lost;
+      std::string text =
+          surface_text(placed_surface(q->problem, q->placed.poses, lost), "placement", ending, q->asked.unit());
+      return Region::Drawn{std::move(text), std::move(lost)};
     };
   out.files[".svg"] = [q](const Telling&) {
     return Region::Drawn{picture_of_placed(q->asked, q->problem, q->placed.poses, q->placed.result), {}};
