@@ -10,7 +10,6 @@
 #include "findspace/error.h"
 #include "findspace/text.h"
 #include "findspace/vocabulary.h"
-#include "io/question/placement_answer.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
@@ -121,14 +120,11 @@ std::string Loaded::summary_json(bool drawing) const {
                      scene_.place.given(), shapes, words());
 }
 
-std::string Loaded::place_json(double seconds, std::vector<io::Placement::Near> near) const {
+std::string Loaded::place_json(double seconds, const PlaceQuestion& question) const {
   if (!scene_.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.file);
-  const io::PlacementQuestion question{planning::Limit(seconds)};
-  io::AskedScene asked(scene_, {});
-  asked.want(std::move(near));
-  const Answer::Data found = scene_.dimension == 3 ? io::place_in_space(std::move(asked), question)
-                                                   : io::place_in_plane(std::move(asked), question);
-  return found.json({});
+  findspace::Options limits;
+  limits.seconds = seconds;
+  return with_session([&](const Session& session) { return session.asked().with(limits).place(question).json(); });
 }
 
 std::string Loaded::nearest_json(const Spot& spot) const {

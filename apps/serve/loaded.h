@@ -65,8 +65,8 @@ class Loaded {
   virtual std::string instants_json(const Spot& spot) const = 0;
   /// The distance between the features of shapes that are nearest to two places.
   virtual std::string between_json(const Spot& spot, const std::array<exact::RealPoint, 2>& places) const = 0;
-  /// The placement that the scene asks for, as `place --json` gives it; those of `near` come first.
-  std::string place_json(double seconds, std::vector<io::Placement::Near> near) const;
+  /// The placement that the scene asks for, as `place --json` gives it; no longer than `seconds`, 0: any.
+  std::string place_json(double seconds, const PlaceQuestion& question) const;
 
  protected:
   explicit Loaded(io::Scene scene) : scene_(std::move(scene)) {}

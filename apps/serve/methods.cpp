@@ -268,24 +268,24 @@ std::string instants(SceneStore& store, const JsonValue& parameters) {
   return loaded.instants_json(needed_spot(parameters, loaded));
 }
 
-io::Placement::Near near_of(const JsonValue& item) {
+PlaceQuestion::Near near_of(const JsonValue& item) {
   if (!item.is(JsonKind::kObject)) refuse("\"near\" is a list of objects");
-  io::Placement::Near out;
+  PlaceQuestion::Near out;
   const auto shape = text(item, "shape");
   if (!shape) refuse("\"shape\" is missing in \"near\"");
   out.name = *shape;
   out.copy = static_cast<int>(whole(item, "copy", 0));
-  out.at = numbers(item, "at", 0);
-  if (out.at.empty()) refuse("\"at\" is missing in \"near\"");
-  out.degrees = number(item, "angle");
+  if (numbers(item, "at", 0).empty()) refuse("\"at\" is missing in \"near\"");
+  for (const JsonValue& c : item.find("at")->items) out.at.emplace_back(c.text);
+  if (number(item, "angle")) out.degrees = item.find("angle")->text;
   return out;
 }
 
 std::string place(SceneStore& store, const JsonValue& parameters) {
-  std::vector<io::Placement::Near> near;
+  PlaceQuestion question;
   if (const JsonValue* given = find(parameters, "near", JsonKind::kArray, "a list"))
-    for (const JsonValue& item : given->items) near.push_back(near_of(item));
-  return store.scene(name_of(parameters)).place_json(double_of(parameters, "seconds", 0), std::move(near));
+    for (const JsonValue& item : given->items) question.near.push_back(near_of(item));
+  return store.scene(name_of(parameters)).place_json(double_of(parameters, "seconds", 0), question);
 }
 
 std::string pack(SceneStore& store, const JsonValue& parameters) {
