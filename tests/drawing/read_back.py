@@ -66,6 +66,15 @@ class Folder:
         (self.path / "one.json").write_text(json.dumps(scene), encoding="utf-8")
         return self.size("one.json", "a")
 
+    def described(self, *words):
+        """What a set of the plane is, but for its unit and what depends on how it is stored; or what went wrong."""
+        done = self.ask("describe", *words, "--json", "-q")
+        if done.returncode:
+            return done.stderr
+        found = json.loads(done.stdout)
+        parts = [{k: v for k, v in part.items() if k != "sample"} for part in found["components"]]
+        return {k: v for k, v in found.items() if k not in ("unit", "cells", "components")}, parts
+
     def size(self, *words):
         """Volume and box, or what went wrong."""
         done = self.ask("describe", *words, "--json", "-q")
@@ -94,6 +103,8 @@ def compare(folder, scene, shape, count):
             off = folder.hausdorff(name, unit)
             if isinstance(off, str) or off is None or off > (0 if name == "a.json" else 2 * STEP):
                 yield f"{name}: the Hausdorff distance is {off}"
+            if name == "a.json" and (said := folder.described(name)) != (known := folder.described(scene, shape)):
+                yield f"{name} in the place of a scene is {said} instead of {known}"
         else:
             found = folder.size(name, shape) if name == "a.json" else folder.size_of_file(name, folder.unit(scene, shape) or {"unit": "m" if name == "a.glb" else "mm"})
             if isinstance(found, str) and "libfindspace_cad.so is not there" in found:

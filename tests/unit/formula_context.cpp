@@ -5,6 +5,7 @@
 // compared.
 #include <gtest/gtest.h>
 
+#include "formula/language/text.h"
 #include "unit/formula_mistakes.h"
 
 namespace findspace::formula {
@@ -88,6 +89,14 @@ TEST(ObjectiveErrors, SayWhatAnObjectiveIs) {
   const std::string forms =
       "an objective is a distance such as gap(B, A), a sum of distances, x, y, z or distance to "
       "[x, y]; found ";
+  for (const char* kept : {"gap(chip, board)", "-gap(chip, board)", "margin(chip, board)", "-margin(chip, board)",
+                           "-inf gap(chip, board)", "-sup margin(chip, board)", "-hausdorff(chip, board)"}) {
+    const Objective objective = parse_objective(kept, scene());
+    EXPECT_EQ(text(objective), kept);
+    EXPECT_EQ(parse_objective(text(objective), scene()), objective) << kept;
+    EXPECT_EQ(parse_objective(text(objective, Script::kSymbols), scene()), objective) << kept;
+  }
+  EXPECT_EQ(text(parse_objective("-eta1(chip, board)", scene())), "margin(chip, board)");
   EXPECT_EQ(objective_message(""), "1:1: " + forms + "the end");
   EXPECT_EQ(objective_message("gamma1(chip, board) >= 1"), "1:21: " + forms + "'>='");
   EXPECT_EQ(objective_message("3"), "1:1: a number by itself does not change which position is best: leave it out");

@@ -180,7 +180,8 @@ struct Objective {
   std::vector<SumTerm> terms{};    // of kSum
 
   friend bool operator==(const Objective& a, const Objective& b) {
-    return a.kind == b.kind && a.negated == b.negated && a.distance == b.distance && a.point == b.point;
+    return a.kind == b.kind && a.negated == b.negated && a.distance == b.distance && a.point == b.point &&
+           a.terms == b.terms;
   }
 };
 

@@ -212,11 +212,10 @@ std::string text(const Objective& objective, Script script) {
     case Objective::Kind::kDistance:
       break;
   }
-  if (!objective.negated)
-    return script == Script::kAscii ? written(objective.distance) : text(objective.distance, script);
-  Distance said = objective.distance;
-  said.spelled = &plain_name(said.kind);
-  return written(said);
+  if (script == Script::kSymbols && !objective.negated) return text(objective.distance, script);
+  Distance said = objective.distance;  // minus eta1 is `margin`
+  if (objective.negated && !negated(said)) said.spelled = &plain_name(said.kind);
+  return (negated(said) == objective.negated ? "" : "-") + written(said);
 }
 
 std::string question(std::string_view word, std::span<const std::string> candidates) {

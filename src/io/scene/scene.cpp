@@ -152,12 +152,52 @@ plane::ShapePtr Scene::shape(std::string_view name) const {
   throw Error(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names)), file);
 }
 
+namespace {
+
+/// The scene of one shape that stands alone, in the unit that its cells state.
+Scene scene_of_shape(const std::string& shape, JsonValue value, const std::string& name, ReadContext& context) {
+  const JsonValue* cells = value.find("cells");
+  const JsonValue* unit = cells == nullptr ? nullptr : cells->find("unit");
+  if (unit != nullptr) context.unit = formula::find_unit(unit->text);
+  JsonValue root;
+  root.kind = JsonValue::Kind::kObject;
+  root.keys = {shape};
+  root.items.push_back(std::move(value));
+  const SceneReader json(name, context);
+  ShapeReader shapes(json, root);
+  Scene scene;
+  scene.file = name;
+  scene.grid = context.grid;
+  scene.unit = context.unit;
+  scene.work_limit = context.options.work_limit;
+  scene.shapes = shapes.all();
+  scene.dimension = shapes.dimension();
+  scene.notes = context.summary();
+  return scene;
+}
+
+/// Of a result with its exact cells, in the place of a scene: the set, called as the file is; nothing of a scene.
+std::optional<Scene> scene_of_cells(const JsonValue& root, const std::string& name, ReadContext& context) {
+  const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
+  if (exact == nullptr || root.find("findspace") != nullptr) return std::nullopt;
+  JsonValue shape;
+  shape.kind = JsonValue::Kind::kObject;
+  shape.line = root.line;
+  shape.column = root.column;
+  shape.keys = {"cells"};
+  shape.items = {*exact};
+  return scene_of_shape(std::filesystem::path(name).stem().string(), std::move(shape), name, context);
+}
+
+}  // namespace
+
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                       const ReadOptions& options) {
   ReadContext context(options);
   context.folder = folder;
   context.take_bytes(text.size(), name);
   const JsonValue root = parse_json(text, name, context.work);
+  if (std::optional<Scene> alone = scene_of_cells(root, name, context)) return *std::move(alone);
   SceneReader json(name, context);
   Scene scene;
   scene.file = name;
@@ -172,39 +212,13 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& folder
   return scene;
 }
 
-namespace {
-
-/// A shape that stands alone is in the unit that its cells state.
-std::optional<formula::Unit> unit_of_cells(const JsonValue& shape) {
-  const JsonValue* cells = shape.find("cells");
-  const JsonValue* unit = cells == nullptr ? nullptr : cells->find("unit");
-  return unit == nullptr ? std::nullopt : formula::find_unit(unit->text);
-}
-
-}  // namespace
-
 Scene read_shape_text(std::string_view text, const exact::Real& grid, const std::filesystem::path& folder,
                       const std::string& name, const ReadOptions& options) {
   ReadContext context(options);
   context.folder = folder;
   context.grid = Grid(grid);
   context.take_bytes(text.size(), name);
-  JsonValue root;
-  root.kind = JsonValue::Kind::kObject;
-  root.keys = {"shape"};
-  root.items.push_back(parse_json(text, name, context.work));
-  context.unit = unit_of_cells(root.items[0]);
-  const SceneReader json(name, context);
-  ShapeReader shapes(json, root);
-  Scene scene;
-  scene.file = name;
-  scene.grid = context.grid;
-  scene.unit = context.unit;
-  scene.work_limit = options.work_limit;
-  scene.shapes = shapes.all();
-  scene.dimension = shapes.dimension();
-  scene.notes = context.summary();
-  return scene;
+  return scene_of_shape("shape", parse_json(text, name, context.work), name, context);
 }
 
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {

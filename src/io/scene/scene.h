@@ -118,6 +118,7 @@ struct Scene {
 /// Throws Error. Shapes in files are looked for beside the scene. The scene itself need not lie in the root.
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
 /// A scene from memory: `folder` is where its files are, `name` what messages call it.
+/// A result with exact cells is the scene of that set alone, called as its file is without the ending.
 Scene read_scene_text(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                       const ReadOptions& options = {});
 
