@@ -50,7 +50,7 @@ class Answer {
   /// Yes; no, which is proven; or neither, as only bounds are known or a limit came first.
   enum class Found { kYes, kNo, kUndecided };
   /// Whether the formula holds there; of a placement whether all have a place; or of a map or an explanation anywhere;
-  /// of a measurement kYes.
+  /// of a measurement kYes. On a line of space between bounds: whether the intervals that the text gives are some.
   Found found() const;
 
   /// In words, as the program prints it.

@@ -64,7 +64,8 @@ Answer::Data map_of_space_line(AskedScene given) {
     title += fmt::format(" with the {} {}", map->extreme->maximum() ? "greatest" : "least", goal->text);
   const auto asked = std::make_shared<const AskedScene>(std::move(given));
   Answer::Data out;
-  out.found = found_in(!map->certain().empty(), !map->possible().empty());
+  const bool some = !map->intervals.empty();  // of the set that is given, on whichever side it lies
+  out.found = found_in(some, some);
   out.json = [asked, map](const Telling&) { return space_line_json(*asked, *map); };
   out.text = [asked, map, title](const Telling&) {
     const std::string text = intervals_text(title, map->intervals, asked->step(), asked->unit());
