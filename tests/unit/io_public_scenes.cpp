@@ -257,7 +257,7 @@ TEST(PublicScene, MapsALineOfSpaceOnOneSide) {
         .map();
   };
   const Answer outer = map("protrusion(ball, bent) <= 3");  // found by search
-  EXPECT_EQ(outer.found(), Answer::Found::kYes);  // what is given has some
+  EXPECT_EQ(outer.found(), Answer::Found::kYes);            // what is given has some
   EXPECT_TRUE(outer.intervals().empty());
   ASSERT_EQ(outer.possible().size(), 1u);
   EXPECT_NEAR(*outer.possible()[0].from, -5 * std::sqrt(6.0), 1e-6);  // no sign: a test
