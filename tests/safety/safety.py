@@ -4,7 +4,8 @@
 """The promises of docs/security.md, asked of the program: safety.py PROGRAM [TEST...].
 
 What a scene may read, what is shown of files, what hostile files may cost, what limits and signals leave behind.
-Each test makes its input. A run that does not end within a minute is killed and counts as failed.
+Each test makes its input. A run that does not end within a minute (ten under sanitizers) is killed and counts as
+failed.
 """
 
 import json
@@ -20,10 +21,7 @@ import time
 import unittest
 import zipfile
 
-from safety_test import GIGABYTE, SECONDS, SECRET, SQUARE, TETRAHEDRON, SafetyTest
-
-# Under sanitizers nothing can be said of such limits: shadow memory needs more address space, LeakSanitizer a thread.
-SANITIZED = bool(os.environ.get("FINDSPACE_SANITIZE"))
+from safety_test import GIGABYTE, SANITIZED, SECONDS, SECRET, SQUARE, TETRAHEDRON, SafetyTest
 
 
 def small_files():
