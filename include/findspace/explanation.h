@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Why a formula holds nowhere, and what would change that; where it holds, how far each level can move before it holds
-// nowhere (World::explain, at some angles World::explain_poses). Guarantee: whether there is room, and which conditions
-// contradict each other, is exact; levels say their bounds. Source: docs/results.md, "explain". Keywords:
-// infeasibility, conflict, slack, relaxation, sensitivity.
+// nowhere (World::explain, at some angles World::explain_poses, over all angles World::explain_angles). Guarantee:
+// whether there is room, and which conditions contradict each other, is exact; levels say their bounds. Source:
+// docs/results.md, "explain". Keywords: infeasibility, conflict, slack, relaxation, sensitivity.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct LevelChange {
   double lower = 0, upper = 0;            // what it lies between
   bool reached = false;                   // there is room at this very level; else only beyond it, as near as you like
   std::optional<std::vector<double>> at;  // the last position that remains: x, y, in space z
-  std::optional<double> angle;            // of World::explain_poses: in degrees from 0 on and below 360, there
+  std::optional<double> angle;            // of some or all angles: in degrees from 0 on and below 360, there
   std::string refused;                    // of kUnknown: why
 };
 
@@ -48,9 +48,9 @@ struct Explanation {
     double lower = 0;
     std::optional<double> upper;            // nothing: no amount that was tried leaves a position
     std::optional<std::vector<double>> at;  // a position for it
-    std::optional<double> angle;            // of World::explain_poses: in degrees, there
+    std::optional<double> angle;            // of some or all angles: in degrees, there
   };
-  std::optional<Together> together;  // where it holds nowhere and a condition has a level
+  std::optional<Together> together;  // where it holds nowhere and a condition has a level, all of one unit
 
   std::optional<Check> here;        // at the position that was given
   std::vector<std::string> change;  // conditions without which the formula holds there; no proper part of them will do

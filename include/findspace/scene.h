@@ -172,7 +172,8 @@ class Scene {
   Answer map(const MapQuestion& question = {}) const&;
   Answer map(const MapQuestion& question = {}) &&;
   /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the
-  /// angles of free() where there are some; and what stands in the way at a position, where one is given.
+  /// angles of free() where there are some; and what stands in the way at a position, where one is given. Where free()
+  /// is an angle and none is given: over all angles at the position.
   Answer explain(const Pose& pose = {}) const;
   /// The placement of "place": one shape after another, or all at once. `seconds` of the options end the search with
   /// what was found by then.

@@ -132,6 +132,9 @@ class World {
   /// them, and a conflict is one at all of them. Of the plane, without a motion.
   Explanation explain_poses(const Formula& formula, const std::vector<Number>& degrees,
                             const Point& about = {0, 0}) const;
+  /// explain() for the moving shape at p, over all its angles: whether there is one, and how far each level can move
+  /// until there is one, or none. Refused as angles() is, and with a motion. Of the plane.
+  Explanation explain_angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
   /// The same as solve(), also where shapes turn in time or distances are in rotation: between bounds.
   RegionBounds solve_bounds(const Formula& formula) const;
   /// The instants of the motion at which the formula holds at p.

@@ -181,6 +181,35 @@ Examples
 ('margin(bar, room) >= 0.5', [1.5, 2.5], 90.0)
 )doc")
       .def(
+          "explain_angles",
+          [](const World& w, const Formula& f, const py::sequence& at, const py::sequence& about) {
+            const Point place = point(at), centre = point(about);
+            return interruptible([&] { return w.explain_angles(f, place, centre); });
+          },
+          py::arg("formula"), py::arg("position"), py::arg("about") = py::make_tuple(0, 0),
+          R"doc(The same as `explain` for the moving shape at a position, over all its angles.
+
+Parameters
+----------
+formula : Formula or str
+position : (x, y)
+about : (x, y)
+    The point of the moving shape that stays where it is.
+
+Raises
+------
+Error
+    Where `angles` does, and where shapes move in time.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"room": fs.Shape.box((-4, -4), (4, 4)), "bar": fs.Shape.box((-3, -1), (3, 1))}, moving="bar")
+>>> slack = world.explain_angles("margin(bar, room) >= 0.25", (0.5, 0)).slack[0]
+>>> slack.becomes, slack.angle
+('margin(bar, room) >= 1', 90.0)
+)doc")
+      .def(
           "solve_bounds",
           [](const World& w, const Formula& f) {
             const RegionBounds found = interruptible([&] { return w.solve_bounds(f); });

@@ -87,7 +87,7 @@ void bind_explanation(py::module_& m) {
       .def_readonly("upper", &LevelChange::upper, "The level is not more.")
       .def_readonly("reached", &LevelChange::reached, "Whether there is room at this very level.")
       .def_readonly("at", &LevelChange::at, "The last position that remains, or None.")
-      .def_readonly("angle", &LevelChange::angle, "The angle there in degrees, of explain_poses; else None.")
+      .def_readonly("angle", &LevelChange::angle, "The angle there in degrees, of some or all angles; else None.")
       .def_readonly("refused", &LevelChange::refused, "Why it is not decided, or ''.")
       .def(pickled<LevelChange>(&LevelChange::kind, &LevelChange::text, &LevelChange::becomes, &LevelChange::to,
                                 &LevelChange::by, &LevelChange::exact, &LevelChange::lower, &LevelChange::upper,
@@ -99,7 +99,7 @@ void bind_explanation(py::module_& m) {
       .def_readonly("lower", &Together::lower, "Less leaves no position.")
       .def_readonly("upper", &Together::upper, "So much does, or None.")
       .def_readonly("at", &Together::at, "A position for it, or None.")
-      .def_readonly("angle", &Together::angle, "The angle there in degrees, of explain_poses; else None.")
+      .def_readonly("angle", &Together::angle, "The angle there in degrees, of some or all angles; else None.")
       .def(pickled<Together>(&Together::lower, &Together::upper, &Together::at, &Together::angle));
   explanation.def_readonly("feasible", &Explanation::feasible, "Whether the formula holds somewhere.")
       .def_readonly("conflict", &Explanation::conflict, "Conditions that contradict each other.")

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Scenes whose formulas contradict themselves, explained, and every claim of the explanation asked of `map`.
 
-usage: contradictions.py PROGRAM [--count N] [--seed N] [--poses]
+usage: contradictions.py PROGRAM [--count N] [--seed N] [--poses | --angles]
 
 Each scene is a disc or a box among two to four shapes and three to six random conditions, some joined by `or` and
 `not`. Of the infeasible ones:
@@ -13,7 +13,7 @@ Each scene is a disc or a box among two to four shapes and three to six random c
 * all levels moved by "upper" make room, by "lower" they do not.
 Of as many feasible ones, a level moved by less than its slack leaves room, and by more it does not.
 With --poses B is an L at two to four right angles: `map` is asked at each, of B drawn as it stands there, and at
-`at` and `angle` the conditions hold."""
+`at` and `angle` the conditions hold. With --angles it stays at a position and turns: `map` is asked for its angles."""
 import argparse
 import json
 import random
@@ -24,11 +24,11 @@ import sys
 SIDES = {"<=": 1, "<": 1, ">=": -1, ">": -1}
 
 
-def explained(program, scene):
+def asked(program, verb, scene, more):
     """The answer, and what the exit status says."""
-    done = subprocess.run([program, "explain", "-", "--json"], input=json.dumps(scene), capture_output=True, text=True)
+    done = subprocess.run([program, verb, "-", "--json", *more], input=json.dumps(scene), capture_output=True, text=True)
     if done.returncode not in (0, 1):
-        sys.exit(f"explain ends with {done.returncode}: {done.stderr}\n{json.dumps(scene)}")
+        sys.exit(f"{verb} ends with {done.returncode}: {done.stderr}\n{json.dumps(scene)}")
     return json.loads(done.stdout), done.returncode == 0
 
 
@@ -36,6 +36,7 @@ class Maps:
     """Whether scenes have feasible positions, of one process that keeps answering."""
 
     def __init__(self, program):
+        self.program = program
         self.pipe = subprocess.Popen([program, "serve", "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ask(self, method, **parameters):
@@ -45,6 +46,9 @@ class Maps:
         if "result" not in answer:
             sys.exit(f"{method}: {answer}\n{parameters}")
         return answer["result"]
+
+    def found(self, verb, scene, more):
+        return asked(self.program, verb, scene, more)[1]
 
     def room(self, scene):
         self.ask("load", text=json.dumps(scene))
@@ -105,6 +109,13 @@ class Scene:
         """A scene for each pose of B."""
         return [self.scene(texts)]
 
+    def room(self, maps, texts):
+        return any(maps.room(pose) for pose in self.poses(texts))
+
+    def position(self):
+        """What the program is told of it besides."""
+        return []
+
     def texts(self):
         return [c.text() for c in self.conditions]
 
@@ -138,17 +149,38 @@ class PosedScene(Scene):
         return [drawn | {"shapes": self.shapes | {"B": self.stands(a)}} for a in angles or self.angles]
 
 
+class AngledScene(PosedScene):
+    def __init__(self, rng):
+        super().__init__(rng)
+        self.place = f"{rng.randint(-6, 6)},{rng.randint(-6, 6)}"
+
+    def scene(self, texts):
+        return super().scene(texts) | {"free": {"angle": {"about": self.about}}}
+
+    def room(self, maps, texts):
+        return maps.found("map", self.scene(texts), self.position())
+
+    def position(self):
+        return ["--at", self.place]
+
+
 class Check:
     def __init__(self, program):
         self.program, self.maps = program, Maps(program)
         self.faults = []
 
     def room(self, scene, texts):
-        return any(self.maps.room(pose) for pose in scene.poses(texts))
+        return scene.room(self.maps, texts)
 
     def at(self, scene, texts, found):
         """At the position and the angle that are named the conditions hold, but for the rounding of the position."""
         if "angle" not in found:
+            return
+        if "at" not in found:
+            # The angle is rounded: a touching may be lost, but not by more than that.
+            near = [f"--angle={found['angle'] + by!r}" for by in (0, -1e-9, 1e-9)]
+            good = any(self.maps.found("check", scene.scene(texts), [*scene.position(), a]) for a in near)
+            self.expect(good, scene, f"does not hold at {scene.place}: {found}")
             return
         (pose,) = scene.poses(texts, [found["angle"]])
         self.maps.ask("load", text=json.dumps(pose))
@@ -183,14 +215,15 @@ class Check:
             if not slack:
                 self.expect(not self.room(scene, scene.with_text(k, None)), scene, f"some level: {change['text']}")
             return
-        if c.relation == "=" or not change.get("proven", True):
+        if c.relation == "=" or (not change.get("proven", True) and not isinstance(scene, AngledScene)):
             return
         word = "not " if c.negated else ""
         if "becomes" in change:
             self.expect(self.room(scene, scene.with_text(k, word + change["becomes"])), scene, f"no room: {change}")
             if change["reached"]:
                 self.at(scene, scene.with_text(k, word + change["becomes"]), change)
-        short = float(f"{change['to'] - SIDES[c.relation] * 1e-3:.12g}")
+        nearest = change.get("lower" if SIDES[c.relation] > 0 else "upper", change["to"])
+        short = float(f"{nearest - SIDES[c.relation] * 1e-3:.12g}")
         self.expect(not self.room(scene, scene.with_text(k, c.text(short))), scene, f"not least: {change}")
 
     def together(self, scene, t):
@@ -214,17 +247,18 @@ def main():
     parser.add_argument("--count", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--poses", action="store_true")
+    parser.add_argument("--angles", action="store_true")
     options = parser.parse_args()
     rng = random.Random(options.seed)
     check = Check(options.program)
     left = {True: options.count // 5, False: options.count}
     while any(left.values()):
-        scene = PosedScene(rng) if options.poses else Scene(rng)
+        scene = (AngledScene if options.angles else PosedScene if options.poses else Scene)(rng)
         if len({c.atom() for c in scene.conditions}) < len(scene.conditions):
             continue
         if not left[check.room(scene, scene.texts())]:
             continue
-        answer, feasible = explained(options.program, scene.scene(scene.texts()))
+        answer, feasible = asked(options.program, "explain", scene.scene(scene.texts()), scene.position())
         left[feasible] -= 1
         check.expect(feasible == answer["feasible"], scene, "exit status")
         if not feasible:

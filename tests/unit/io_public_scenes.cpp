@@ -444,4 +444,38 @@ TEST(PublicExplanation, OfSomeAngles) {
   EXPECT_THROW(world.explain_poses("inside(bar, room)", {}), Error);
 }
 
+TEST(PublicExplanation, OfAllAnglesAtAPosition) {
+  const World world({{"room", Shape::box({-4, -4}, {4, 4})}, {"bar", Shape::box({-3, -1}, {3, 1})}}, "bar");
+  const Explanation found = world.explain_angles("margin(bar, room) >= 0.25", Point{0.5, 0});
+  EXPECT_TRUE(found.feasible);
+  ASSERT_EQ(found.slack.size(), 1u);
+  EXPECT_EQ(found.slack[0].to, 1);
+  EXPECT_EQ(found.slack[0].angle, 90);
+  EXPECT_FALSE(found.slack[0].at.has_value());
+  EXPECT_NE(found.text.find("some angles are feasible"), std::string::npos);
+  // At the diagonal corners touch a wall at 45 degrees: half the sides, less the way along.
+  const Explanation best = world.explain_angles("margin(bar, room) >= 1.5", Point{0, 0});
+  EXPECT_FALSE(best.feasible);
+  EXPECT_EQ(best.conflict, (std::vector<std::string>{"margin(bar, room) >= 1.5"}));
+  ASSERT_EQ(best.relax.size(), 1u);
+  EXPECT_LE(best.relax[0].lower, 4 - 2 * std::sqrt(2) + 1e-12);
+  EXPECT_GE(best.relax[0].upper, 4 - 2 * std::sqrt(2) - 1e-12);
+  EXPECT_NEAR(*best.relax[0].angle, 45, 1e-5);
+  ASSERT_TRUE(best.together.has_value());
+  EXPECT_FALSE(best.together->at.has_value());
+  EXPECT_TRUE(best.together->angle.has_value());
+}
+
+TEST(PublicExplanation, DegreesAndLengthsDoNotMoveTogether) {
+  const World world({{"room", Shape::box({-4, -4}, {4, 4})}, {"bar", Shape::box({-3, -1}, {3, 1})}}, "bar");
+  const std::string turns = "eta1(bar, room, rotating=(1.5, 0)) >= 100";
+  const Explanation both = world.explain_angles(turns + " and gap(bar, room) <= -2", Point{1.5, 0});
+  EXPECT_FALSE(both.feasible);
+  EXPECT_FALSE(both.together.has_value());
+  const Explanation alone = world.explain_angles(turns, Point{1.5, 0});
+  ASSERT_TRUE(alone.together.has_value());
+  EXPECT_NE(alone.text.find("°"), std::string::npos);
+  EXPECT_THROW(world.explain_angles(turns, Point{0, 0}), Error);  // about another point than the shape turns about
+}
+
 }  // namespace io_public_scenes

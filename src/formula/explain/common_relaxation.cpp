@@ -5,9 +5,6 @@
 
 #include <array>
 
-#include "formula/planar/feasible_near.h"
-#include "plane/query/summary.h"
-
 namespace findspace::formula {
 namespace {
 
@@ -38,34 +35,30 @@ Formula relaxed(const Demands& demands, std::size_t k, const Real& by) {
 
 class Bisection {
  public:
-  Bisection(Poses poses, const Demands& demands) : poses_(poses), demands_(demands) {}
+  Bisection(const FindPlace& find, const Demands& demands) : find_(find), demands_(demands) {}
 
   /// Keeps what it learns of the enclosure.
   bool room(const Real& by) {
-    const Formula near = demands_.with([&](std::size_t k) { return relaxed(demands_, k, by); });
-    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
-      const Real& step = poses_[pose]->world().step;
-      const plane::Summary summary = plane::summarize(feasible_near(*poses_[pose], near), step);
-      if (summary.empty) continue;
-      found_.upper = by;
-      found_.at = distance::coordinates(distance::times(step, summary.components.front().sample_point));
-      found_.pose = pose;
-      return true;
+    const auto place = find_(demands_.with([&](std::size_t k) { return relaxed(demands_, k, by); }));
+    if (!place) {
+      found_.lower = by;
+      return false;
     }
-    found_.lower = by;
-    return false;
+    found_.upper = by;
+    found_.place = *place;
+    return true;
   }
   const CommonRelaxation& found() const { return found_; }
 
  private:
-  Poses poses_;
+  const FindPlace& find_;
   const Demands& demands_;
   CommonRelaxation found_;
 };
 
 /// An amount as large as the levels, and at least a grid step.
-Real first_amount(const Solver& solver, const Demands& demands) {
-  Real most = solver.world().step;
+Real first_amount(const Real& step, const Demands& demands) {
+  Real most = step;
   for (std::size_t k = 0; k < demands.size(); ++k) {
     const Real level = abs(demands.formula().atoms()[k].level);
     if (demands.has_level(k) && level > most) most = level;
@@ -82,11 +75,12 @@ Real decimal_part(const Real& amount) {
   return part;
 }
 
-CommonRelaxation common_relaxation(Poses poses, const Demands& demands, const std::optional<Real>& enough) {
-  Bisection search(poses, demands);
-  Real high = enough && enough->sign() > 0 ? *enough : first_amount(*poses.front(), demands);
+CommonRelaxation common_relaxation(const FindPlace& find, const Real& step, const Demands& demands,
+                                   const std::optional<Real>& enough) {
+  Bisection search(find, demands);
+  Real high = enough && enough->sign() > 0 ? *enough : first_amount(step, demands);
   Real part = decimal_part(high);
-  const Real finest = poses.front()->world().step / Real(kParts);
+  const Real finest = step / Real(kParts);
   high = Real(floor(high / part) + 1) * part;
   for (int times = 0; !search.room(high); ++times) {
     if (times == kDoublings) return search.found();

@@ -30,6 +30,8 @@ class Demands {
   Relation relation(std::size_t k) const { return relations_[k]; }
   /// The demand has a level that can be moved: not `-> min`, not `!=`.
   bool has_level(std::size_t k) const;
+  /// Its level is one of degrees: its distance is in rotation.
+  bool in_degrees(std::size_t k) const { return formula_.atoms()[k].distance.mode == Mode::kRotation; }
   bool holds(std::size_t k, std::int8_t sign) const;
 
   /// The truth of the formula where demand k is met if met[k].

@@ -3,6 +3,8 @@
 
 #include "formula/explain/explain.h"
 
+#include <algorithm>
+
 #include "formula/explain/ground.h"
 #include "formula/language/text.h"
 
@@ -39,11 +41,16 @@ class Explainer {
       if (demands_.has_level(k)) changes.push_back(out.feasible ? slack(k) : relax(k));
     if (out.feasible) return out;
     out.conflict = ground_.conflict();
-    if (!out.relax.empty()) out.together = ground_.together(enough(out.relax));
+    if (!out.relax.empty() && of_one_unit(out.relax)) out.together = ground_.together(enough(out.relax));
     return out;
   }
 
  private:
+  /// Lengths and degrees do not move by one amount.
+  bool of_one_unit(const std::vector<LevelChange>& levels) const {
+    const auto turns = [&](const LevelChange& c) { return demands_.in_degrees(c.atom); };
+    return std::all_of(levels.begin(), levels.end(), turns) || std::none_of(levels.begin(), levels.end(), turns);
+  }
   LevelChange relax(std::size_t k) {
     const exact::Tried<bool> room = ground_.room(AssumedDemand{k, true});
     if (!room) return change_of(k, Kind::kUnknown, room.refusal().error.message());
@@ -98,6 +105,14 @@ void refuse_sums(const Formula& formula) {
 
 }  // namespace
 
+bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
+              const std::optional<AssumedDemand>& assumed) {
+  return std::any_of(cells.begin(), cells.end(), [&](MetDemands met) {
+    if (assumed) met[assumed->atom] = assumed->met;
+    return demands.truth(met);
+  });
+}
+
 LevelChange changed(const Demands& demands, std::size_t k, const distance::OptimalValue& best, bool attained) {
   LevelChange out = change_of(k, best.unbounded ? LevelChange::Kind::kFree : LevelChange::Kind::kNone);
   if (!best.value()) return out;
@@ -125,6 +140,12 @@ Explanation explain(const SpaceSolver& solver, const Formula& formula) {
   refuse_sums(formula);
   const Demands demands(formula);
   return Explainer(*space_ground(solver, demands), demands).run();
+}
+
+Explanation explain(const RotationMaps& maps, const Formula& formula) {
+  refuse_sums(formula);
+  const Demands demands(formula);
+  return Explainer(*angle_ground(maps, demands), demands).run();
 }
 
 namespace {

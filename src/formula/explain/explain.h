@@ -9,11 +9,12 @@
 // Guarantee: whether there is room, and which demands conflict, is exact. Levels are exact where `proven`, else
 // enclosed. The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no position, `upper`
 // does. In space a search decides where the positions are not made of boxes (space_ground.cpp): what it does not decide
-// is said so, of the whole by Error(kLimit). Refused: shapes that rotate in time and distances in rotation, whose
-// regions are known between bounds; in space also distances along a direction, and `-> min`. Cost: in the plane one
-// overlay and one least value for each demand, some fifteen regions for the common relaxation; in space a search each.
-// Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack,
-// sensitivity.
+// is said so, of the whole by Error(kLimit). Over angles the moving shape stays at a position, and an angle takes the
+// place of a position (angle_ground.cpp). Refused: over positions shapes that rotate in time and distances in rotation,
+// whose regions are known between bounds; over angles distances in rotation about another point; in space distances
+// along a direction, and `-> min`. Cost: in the plane one overlay and one least value for each demand, some fifteen
+// regions for the common relaxation; in space a search each. Keywords: infeasibility analysis, irreducible infeasible
+// subsystem, elastic relaxation, slack, sensitivity.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +26,18 @@
 
 #include "distance/answer/optimum.h"
 #include "formula/explain/conflict.h"
+#include "formula/planar/rotation_maps.h"
 #include "formula/planar/solve.h"
 #include "formula/solid/solve_space.h"
 
 namespace findspace::formula {
+
+/// One that remains, or that is there then: a position, or over all angles an angle.
+struct RemainingPlace {
+  std::optional<distance::Coordinates> at;  // in the scene's unit
+  std::size_t pose = 0;                     // of `at`: which of the poses that were asked about
+  std::optional<double> degrees;            // from 0 on, below 360
+};
 
 /// How one demand's level can move while all others stay.
 struct LevelChange {
@@ -42,9 +51,8 @@ struct LevelChange {
   Kind kind = Kind::kNone;
   distance::OptimalValue level;  // in the scene's unit, of the atom's canonical distance
   bool reached = false;          // there is room at this very level; else only beyond it, as near as you like
-  std::size_t pose = 0;          // of `at`: which of the poses that were asked about
-  std::optional<distance::Coordinates> at;  // the last remaining position, in the scene's unit
-  std::string refused;                      // of kUnknown: why
+  RemainingPlace place;          // the last one
+  std::string refused;           // of kUnknown: why
 
   /// Of kTo.
   const exact::Real& to() const { return level.answer->value; }
@@ -53,16 +61,15 @@ struct LevelChange {
 /// All levels move by one amount: there is none for `lower` and room for `upper`.
 struct CommonRelaxation {
   exact::Real lower;
-  std::optional<exact::Real> upper;         // nothing: no amount that was tried leaves a position
-  std::optional<distance::Coordinates> at;  // a position for `upper`, in the scene's unit
-  std::size_t pose = 0;                     // of `at`
+  std::optional<exact::Real> upper;  // nothing: no amount that was tried leaves a position
+  RemainingPlace place;              // for `upper`
 };
 
 struct Explanation {
   bool feasible = false;
   std::optional<Conflict> conflict;          // where not feasible
   std::vector<LevelChange> relax;            // where not feasible, of the demands that have a level
-  std::optional<CommonRelaxation> together;  // where not feasible and some demand has a level
+  std::optional<CommonRelaxation> together;  // where not feasible and some demand has a level, all of one unit
   std::vector<LevelChange> slack;            // where feasible, of the demands that have a level
 };
 
@@ -74,6 +81,8 @@ using Poses = std::span<const std::shared_ptr<const Solver>>;
 /// all of them.
 Explanation explain(Poses poses, const Formula& formula);
 Explanation explain(const SpaceSolver& solver, const Formula& formula);
+/// Over all angles of the moving shape.
+Explanation explain(const RotationMaps& maps, const Formula& formula);
 
 /// What stands in the way at one position.
 struct PositionExplanation {

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The positions of which an explanation speaks, as far as it asks about them: in the plane by exact regions
-// (planar_ground.cpp), in space by boxes or by a search (space_ground.cpp). A ground may learn from what it is asked.
-// Threads: one question at a time. Internal to explain.h. Keywords: oracle, feasibility.
+// (planar_ground.cpp), in space by boxes or by a search (space_ground.cpp). Over angles the angles, by exact maps of
+// the circle (angle_ground.cpp). A ground may learn from what it is asked. Threads: one question at a time. Internal to
+// explain.h. Keywords: oracle, feasibility.
 #pragma once
 
 #include <memory>
@@ -20,6 +21,10 @@ struct AssumedDemand {
   std::size_t atom = 0;
   bool met = true;
 };
+
+/// Whether the formula holds in one of some cells.
+bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
+              const std::optional<AssumedDemand>& assumed);
 
 class Ground {
  public:
@@ -38,8 +43,10 @@ class Ground {
 /// The level of demand k goes to the best value of its distance, where there is one.
 LevelChange changed(const Demands& demands, std::size_t k, const distance::OptimalValue& best, bool attained);
 
-/// Both keep references to the arguments. Of the plane: all positions at some poses.
+/// All keep references to the arguments. Of the plane: all positions at some poses.
 std::unique_ptr<Ground> planar_ground(Poses poses, const Demands& demands);
+/// All angles at a position. Throws Error(kUnsupported) for distances that are not known exactly over them.
+std::unique_ptr<Ground> angle_ground(const RotationMaps& maps, const Demands& demands);
 /// Boxes where all sign maps are made of them. Throws Error(kUnsupported) for distances that are not those of all
 /// directions, and for `-> min`.
 std::unique_ptr<Ground> space_ground(const SpaceSolver& solver, const Demands& demands);

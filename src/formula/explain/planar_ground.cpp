@@ -8,6 +8,7 @@
 
 #include "formula/explain/common_relaxation.h"
 #include "formula/explain/ground.h"
+#include "formula/planar/feasible_near.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/solve_region.h"
 #include "plane/base/parallel.h"
@@ -95,10 +96,7 @@ class PlanarGround : public Ground {
   }
 
   exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
-    return std::any_of(met_.begin(), met_.end(), [&](MetDemands met) {
-      if (assumed) met[assumed->atom] = assumed->met;
-      return demands_.truth(met);
-    });
+    return has_room(demands_, met_, assumed);
   }
   Conflict conflict() override { return find_conflict(demands_, met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
@@ -112,7 +110,8 @@ class PlanarGround : public Ground {
     return out;
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
-    return common_relaxation(poses_, demands_, enough);
+    const FindPlace find = [this](const Formula& near) { return place_of(near); };
+    return common_relaxation(find, poses_.front()->world().step, demands_, enough);
   }
 
  private:
@@ -120,12 +119,22 @@ class PlanarGround : public Ground {
     const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
     const Optimum best = exact_optimum(*poses_[pose], without(cells_[pose], k, sign), {objective, sense});
     LevelChange out = changed(demands_, k, best, best.attained && best.proven());
-    const Real& step = poses_[pose]->world().step;
-    const plane::Summary summary = plane::summarize(best.at, step);
-    out.pose = pose;
-    if (out.kind == Kind::kTo && !summary.empty)
-      out.at = distance::coordinates(distance::times(step, RealPoint(summary.components.front().sample_point)));
+    if (out.kind == Kind::kTo) out.place = place_in(best.at, pose).value_or(RemainingPlace());
     return out;
+  }
+  std::optional<RemainingPlace> place_in(const plane::Region& region, std::size_t pose) const {
+    const Real& step = poses_[pose]->world().step;
+    const plane::Summary summary = plane::summarize(region, step);
+    if (summary.empty) return std::nullopt;
+    RemainingPlace out;
+    out.at = distance::coordinates(distance::times(step, RealPoint(summary.components.front().sample_point)));
+    out.pose = pose;
+    return out;
+  }
+  std::optional<RemainingPlace> place_of(const Formula& near) const {
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose)
+      if (auto place = place_in(feasible_near(*poses_[pose], near), pose)) return place;
+    return std::nullopt;
   }
   /// Of two with a level, at an equal one the change that reaches it.
   static bool is_better(const LevelChange& a, const LevelChange& b) {

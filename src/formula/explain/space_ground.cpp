@@ -142,7 +142,7 @@ class SearchedGround : public Ground {
     out.upper = Real(floor(upper / part) + 1) * part;
     const Real below = -(Real(floor(-lower / part)) + Real(1)) * part;  // the greatest multiple below
     out.lower = below.sign() > 0 ? below : Real();
-    out.at = distance::coordinates(space::scaled(step(), *found.at));
+    out.place.at = distance::coordinates(space::scaled(step(), *found.at));
     return out;
   }
 
@@ -212,7 +212,7 @@ class SearchedGround : public Ground {
       best.set_enclosed(taken * step(), bound * step(), distance::Way::kSearch);
     }
     out = changed(demands_, k, best, true);
-    out.at = distance::coordinates(space::scaled(step(), *found.at));
+    out.place.at = distance::coordinates(space::scaled(step(), *found.at));
     return out;
   }
 
@@ -291,12 +291,7 @@ class BoxGround : public SearchedGround {
   BoxGround(const SpaceSolver& solver, const Demands& demands, std::vector<MetDemands> met)
       : SearchedGround(solver, demands), met_(std::move(met)) {}
 
-  Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
-    return std::any_of(met_.begin(), met_.end(), [&](MetDemands met) {
-      if (assumed) met[assumed->atom] = assumed->met;
-      return demands().truth(met);
-    });
-  }
+  Tried<bool> room(const std::optional<AssumedDemand>& assumed) override { return has_room(demands(), met_, assumed); }
   Conflict conflict() override { return find_conflict(demands(), met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     const Formula& formula = demands().formula();
@@ -317,7 +312,7 @@ class BoxGround : public SearchedGround {
       best.attained = found->attained;
       best.set_exact(found->value * step(), distance::Way::kBoxes);
       LevelChange out = changed(demands(), k, best, found->attained);
-      out.at = distance::coordinates(space::scaled(step(), found->at));
+      out.place.at = distance::coordinates(space::scaled(step(), found->at));
       return out;
     }
     std::vector<PlaceBox> boxes;

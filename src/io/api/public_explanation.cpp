@@ -19,8 +19,13 @@ std::vector<double> position(const distance::Coordinates& p) {
   return out;
 }
 
-std::optional<double> angle(const io::ExplanationReport& report, std::size_t pose) {
-  return report.degrees.empty() ? std::nullopt : std::optional(report.degrees[pose]);
+/// Puts the place into a public value.
+template <class Value>
+void put_place(const io::ExplanationReport& report, const formula::RemainingPlace& place, Value& out) {
+  out.angle = place.degrees;
+  if (!place.at) return;
+  out.at = position(*place.at);
+  if (!report.degrees.empty()) out.angle = report.degrees[place.pose];
 }
 
 LevelChange public_change(const io::ExplanationReport& report, const formula::LevelChange& change) {
@@ -36,8 +41,7 @@ LevelChange public_change(const io::ExplanationReport& report, const formula::Le
   out.exact = said.level.proven();
   out.lower = ends.lower;
   out.upper = ends.upper;
-  if (change.at) out.at = position(*change.at);
-  if (change.at) out.angle = angle(report, change.pose);
+  put_place(report, change.place, out);
   return out;
 }
 
@@ -60,8 +64,7 @@ Explanation public_explanation(const io::ExplanationReport& report) {
   if (e.together) {
     out.together = {e.together->lower.to_double(), {}, {}, {}};
     if (e.together->upper) out.together->upper = e.together->upper->to_double();
-    if (e.together->at) out.together->at = position(*e.together->at);
-    if (e.together->at) out.together->angle = angle(report, e.together->pose);
+    put_place(report, e.together->place, *out.together);
   }
   if (report.here != nullptr) {
     out.here = api::public_check(report.here->check);
@@ -132,7 +135,30 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
                              seen(angles, scene.board != nullptr && !degrees)});
 }
 
+Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at) {
+  const formula::Formula formula = question_over_angles(asked);
+  const GridPosition& about = asked.scene().free.about;
+  const exact::RealPoint pole{exact::Real(about[0]) * asked.step(), exact::Real(about[1]) * asked.step()};
+  const formula::Solver solver(asked.world());
+  asked.stage("explaining");
+  const formula::RotationSolver rotated(solver, {at, {}, pole});
+  const formula::Explanation found = formula::explain(rotated.maps(formula), formula);
+  return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, true});
+}
+
 }  // namespace io
+
+Explanation World::explain_angles(const Formula& formula, const Point& at, const Point& about) const {
+  const formula::Solver& solver = data_->plane("an explanation over angles");
+  if (data_->motion) throw Error(ErrorCode::kUnsupported, "an angle of shapes that move in time is not computed");
+  const distance::Coordinates place = api::place_of(*data_, at), centre = api::place_of(*data_, about);
+  return api::limited(data_->options, [&] {
+    const formula::Formula asked = data_->formula(formula.text());
+    const formula::RotationSolver rotated(solver, {{place[0], place[1]}, {}, exact::RealPoint{centre[0], centre[1]}});
+    const formula::Explanation found = formula::explain(rotated.maps(asked), asked);
+    return public_explanation({asked, found, nullptr, {}, solver.world().step, data_->unit(), {}, true});
+  });
+}
 
 Explanation World::explain_poses(const Formula& formula, const std::vector<Number>& degrees, const Point& about) const {
   return api::limited(data_->options, [&] {

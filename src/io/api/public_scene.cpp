@@ -337,6 +337,9 @@ std::vector<io::Placement::Near> near_of(const PlaceQuestion& question) {
 
 Explanation explained(const io::AskedScene& scene, const Pose& pose) {
   const std::vector<Number>& at = pose.at;
+  if (!pose.degrees && scene.scene().free.kind == io::Free::Kind::kAngle)
+    return io::explain_angles(
+        scene, at.empty() ? exact::RealPoint() : exact::RealPoint{api::real_of(at[0]), api::real_of(at[1])});
   if (!scene.in_space() && (pose.degrees || scene.scene().free.kind == io::Free::Kind::kPose)) {
     std::optional<exact::Real> degrees;
     std::optional<exact::RealPoint> p;

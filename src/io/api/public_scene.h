@@ -29,5 +29,7 @@ World public_world(const Scene& scene);
 /// Of the plane: its formula over all angles of the scene, or at one; and there at a position too.
 Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Real>& degrees,
                           const std::optional<exact::RealPoint>& at);
+/// Of the plane: its formula over all angles at a position.
+Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at);
 
 }  // namespace findspace::io

@@ -35,9 +35,11 @@ SaidChange said(const ExplanationReport& r, const LevelChange& change) {
 
 namespace {
 
-std::string at_members(const ExplanationReport& r, const distance::Coordinates& at, std::size_t pose) {
-  std::string out = fmt::format(R"(, "at": {})", json_point(at));
-  if (!r.degrees.empty()) put(out, R"(, "angle": {})", json_number(r.degrees[pose]));
+std::string place_members(const ExplanationReport& r, const formula::RemainingPlace& place) {
+  std::string out;
+  if (place.at) put(out, R"(, "at": {})", json_point(*place.at));
+  if (place.degrees) put(out, R"(, "angle": {})", json_number(*place.degrees));
+  if (place.at && !r.degrees.empty()) put(out, R"(, "angle": {})", json_number(r.degrees[place.pose]));
   return out;
 }
 
@@ -51,8 +53,7 @@ std::string change_json(const ExplanationReport& r, const LevelChange& change) {
   put(out, R"("to": {},{} "by": {}, "reached": {})", json_number(s.level.value()->to_double()),
       how_known_members(s.level), json_number(s.by.to_double()), truth(change.reached));
   if (!s.becomes.empty()) put(out, R"(, "becomes": {})", json_string(s.becomes));
-  if (change.at) out += at_members(r, *change.at, change.pose);
-  return out + "}";
+  return out + place_members(r, change.place) + "}";
 }
 
 std::string changes_json(const ExplanationReport& r, const std::vector<LevelChange>& changes) {
@@ -67,12 +68,22 @@ std::string atoms_json(const ExplanationReport& r, const std::vector<std::size_t
 std::string together_json(const ExplanationReport& r, const formula::CommonRelaxation& t) {
   if (!t.upper) return fmt::format(R"({{"lower": {}, "upper": null}})", json_number(t.lower.to_double()));
   return fmt::format(R"({{"lower": {}, "upper": {}{}}})", json_number(t.lower.to_double()),
-                     json_number(t.upper->to_double()), at_members(r, *t.at, t.pose));
+                     json_number(t.upper->to_double()), place_members(r, t.place));
 }
 
 std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? shown(value) : fmt::format("{} {}", shown(value), unit);
 }
+
+/// An amount by which the level of an atom differs.
+std::string amount(const ExplanationReport& r, std::size_t atom, double value) {
+  const bool degrees = r.formula.atoms()[atom].distance.mode == formula::Mode::kRotation;
+  return degrees ? fmt::format("{}°", shown(value)) : with_unit(value, r.unit);
+}
+
+/// What there is room for.
+const char* noun(const ExplanationReport& r) { return r.over_angles ? "angle" : "position"; }
+std::string article(const ExplanationReport& r) { return r.over_angles ? "an angle" : "a position"; }
 
 /// Of a level that is not exact.
 std::string bounds_text(const distance::OptimalValue& level) {
@@ -81,13 +92,17 @@ std::string bounds_text(const distance::OptimalValue& level) {
   return fmt::format(" (between {} and {})", shown(ends.lower), shown(ends.upper));
 }
 
-std::string place_text(const ExplanationReport& r, const distance::Coordinates& at, std::size_t pose) {
-  return r.degrees.empty() ? shown_point(at) : fmt::format("{} at {}°", shown_point(at), shown(r.degrees[pose]));
+/// Empty if there is none.
+std::string place_text(const ExplanationReport& r, const formula::RemainingPlace& place) {
+  if (place.degrees) return fmt::format("{}°", shown(*place.degrees));
+  if (!place.at) return "";
+  const std::string at = shown_point(*place.at);
+  return r.degrees.empty() ? at : fmt::format("{} at {}°", at, shown(r.degrees[place.pose]));
 }
 
 std::string change_text(const ExplanationReport& r, const LevelChange& change, bool slack) {
   const SaidChange s = said(r, change);
-  if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone leaves a position\n", s.text);
+  if (change.kind == Kind::kNone) return fmt::format("  {}: no level of it alone leaves {}\n", s.text, article(r));
   if (change.kind == Kind::kFree) return fmt::format("  {}: can be as tight as you like\n", s.text);
   if (change.kind == Kind::kUnknown) return fmt::format("  {}: not decided: {}\n", s.text, change.refused);
   std::string out = fmt::format("  {}: ", s.text);
@@ -96,30 +111,30 @@ std::string change_text(const ExplanationReport& r, const LevelChange& change, b
   else if (s.by.sign() == 0)
     out += "beyond its level, by as little as you like";
   else
-    out += fmt::format("{} {}, to {}", slack ? "slack" : "change by", with_unit(s.by.to_double(), r.unit),
+    out += fmt::format("{} {}, to {}", slack ? "slack" : "change by", amount(r, change.atom, s.by.to_double()),
                        (change.reached ? ""
                         : slack        ? "just before "
                                        : "just beyond ") +
                            shown(s.level.value()->to_double())) +
            bounds_text(s.level);
-  if (change.at)
-    out += fmt::format("; {} {}", slack ? "the last position is" : "then", place_text(r, *change.at, change.pose));
+  const std::string place = place_text(r, change.place), last = fmt::format("the last {} is", noun(r));
+  if (!place.empty()) out += fmt::format("; {} {}", slack ? last : "then", place);
   return out + "\n";
 }
 
 std::string empty_text(const ExplanationReport& r) {
-  std::string out = fmt::format("no position is feasible{}\n", r.degrees.empty() ? "" : " at any of these angles");
+  std::string out = fmt::format("no {} is feasible{}\n", noun(r), r.degrees.empty() ? "" : " at any of these angles");
   if (r.explanation.conflict) {
     out += "these conditions contradict each other:\n";
     for (const std::size_t k : r.explanation.conflict->atoms)
       out += fmt::format("  {}\n", formula::written(r.formula.atoms()[k]));
   }
-  if (!r.explanation.relax.empty()) out += "the least change of one level that leaves a position:\n";
+  if (!r.explanation.relax.empty()) put(out, "the least change of one level that leaves {}:\n", article(r));
   for (const LevelChange& c : r.explanation.relax) out += change_text(r, c, false);
   const auto& t = r.explanation.together;
   if (t && t->upper)
     out += fmt::format("all levels together: between {} and {}; then {}\n", shown(t->lower.to_double()),
-                       with_unit(t->upper->to_double(), r.unit), place_text(r, *t->at, t->pose));
+                       amount(r, r.explanation.relax[0].atom, t->upper->to_double()), place_text(r, t->place));
   return out;
 }
 
@@ -158,7 +173,7 @@ std::string explanation_json(const ExplanationReport& r) {
 std::string explanation_text(const ExplanationReport& r) {
   std::string out = r.here != nullptr ? here_text(r) : "";
   if (!r.explanation.feasible) return out + empty_text(r);
-  if (r.here == nullptr) out += "some positions are feasible\n";
+  if (r.here == nullptr) put(out, "some {}s are feasible\n", noun(r));
   if (!r.explanation.slack.empty()) out += "how far each level can be tightened:\n";
   for (const LevelChange& c : r.explanation.slack) out += change_text(r, c, true);
   return out;

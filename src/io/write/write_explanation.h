@@ -22,6 +22,7 @@ struct ExplanationReport {
   exact::Real step;          // one grid step in the scene's unit
   std::string unit;
   std::vector<double> degrees = {};  // of the poses that were asked about; empty: as drawn alone
+  bool over_angles = false;          // of one position: angles take the place of positions
 };
 
 /// A change of a level in the words of the formula's writer.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <cmath>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "findspace/error.h"
+#include "formula/explain/common_relaxation.h"
+#include "formula/explain/ground.h"
+#include "formula/language/text.h"
+
+namespace findspace::formula {
+namespace {
+
+using distance::Sense;
+using exact::Real;
+using plane::Mark;
+using plane::RotationMap;
+
+/// One of the set in degrees: the first that ends an interval and belongs to it, else the middle of an interval.
+std::optional<RemainingPlace> angle_in(const RotationMap& set) {
+  const std::vector<plane::RotationInterval> all = plane::intervals(set);
+  if (all.empty()) return std::nullopt;
+  RemainingPlace out;
+  for (const plane::RotationInterval& i : all)
+    if (!out.degrees && (i.from_in || i.to_in)) out.degrees = (i.from_in ? i.from : i.to).degrees();
+  if (out.degrees) return out;
+  const double from = all[0].from.degrees(), to = all[0].to.degrees() + (all[0].round ? 360 : 0);
+  out.degrees = std::fmod(from + (to < from ? to + 360 - from : to - from) / 2, 360);
+  return out;
+}
+
+class AngleGround : public Ground {
+ public:
+  AngleGround(const RotationMaps& maps, const Demands& demands) : maps_(maps), demands_(demands) {
+    for (const Atom& a : demands.formula().atoms())
+      if (maps.rotations_twice(a.distance))
+        refuse(a.distance, "over angles an explanation knows no distance in rotation about another point");
+    for (const SignMap& wanted : demands.formula().sign_maps()) signs_.push_back(maps.sign_map(wanted));
+    std::set<MetDemands> distinct;
+    angles([&](std::span<const Mark> signs) {
+      distinct.insert(met(signs));
+      return true;
+    });
+    met_.assign(distinct.begin(), distinct.end());
+  }
+
+  exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
+    return has_room(demands_, met_, assumed);
+  }
+  Conflict conflict() override { return find_conflict(demands_, met_); }
+  LevelChange best(std::size_t k, int sign, Sense sense) override {
+    const RotationMap within = angles([&](std::span<const Mark> signs) {
+      if (sign != 0 && sign_of(k, signs) != sign) return false;
+      MetDemands all = met(signs);
+      all[k] = true;
+      return demands_.truth(all);
+    });
+    const distance::RotationOptimum best = maps_.best(demands_.formula().atoms()[k].distance, within, sense);
+    LevelChange out = changed(demands_, k, best, best.attained && best.proven());
+    if (out.kind == LevelChange::Kind::kTo) out.place = angle_in(best.at).value_or(RemainingPlace());
+    return out;
+  }
+  CommonRelaxation together(const std::optional<Real>& enough) override {
+    const FindPlace find = [this](const Formula& near) { return angle_in(maps_.feasible(near)); };
+    return common_relaxation(find, maps_.world().step(), demands_, enough);
+  }
+
+ private:
+  std::int8_t sign_of(std::size_t atom, std::span<const Mark> signs) const {
+    return signs[demands_.formula().sign_map_of(atom)];
+  }
+  MetDemands met(std::span<const Mark> signs) const {
+    MetDemands out(demands_.size());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = demands_.holds(k, sign_of(k, signs));
+    return out;
+  }
+  /// {angle : rule(signs there)}
+  template <class Rule>
+  RotationMap angles(const Rule& rule) const {
+    std::vector<const RotationMap*> operands;
+    for (const RotationMap& m : signs_) operands.push_back(&m);
+    return plane::overlay(operands, [&](std::span<const Mark> signs) { return Mark(rule(signs) ? 1 : 0); });
+  }
+
+  const RotationMaps& maps_;
+  const Demands& demands_;
+  std::vector<RotationMap> signs_;
+  std::vector<MetDemands> met_;  // in the cells of the circle
+};
+
+}  // namespace
+
+std::unique_ptr<Ground> angle_ground(const RotationMaps& maps, const Demands& demands) {
+  return std::make_unique<AngleGround>(maps, demands);
+}
+
+}  // namespace findspace::formula
