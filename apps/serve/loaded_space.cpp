@@ -11,6 +11,7 @@
 #include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
 #include "io/question/space_line.h"
+#include "io/question/space_map.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -48,10 +49,10 @@ std::string LoadedSpace::drawing_of(const std::string& name) const {
   });
 }
 
-SpaceMap LoadedSpace::solved(const formula::Formula& formula, const std::string& apply) const {
-  Options options;
-  options.apply = apply;
-  return with_session(options, [&](const Session& session) { return space_map(session, *solver_, formula, true); });
+formula::SpaceRegion LoadedSpace::solved(const formula::Formula& formula, const std::string& apply) const {
+  return with_session([&](const Session& session) {
+    return io::space_map(session, *solver_, formula, {apply, {}}, true);
+  });
 }
 
 std::string LoadedSpace::map_of_line(const RegionQuery& query, const formula::Formula& wanted) const {
@@ -95,8 +96,8 @@ std::string LoadedSpace::map_json(const RegionQuery& asked) const {
   const formula::Formula other = query.where ? parsed(*query.where) : formula::Formula{};
   const formula::Formula& wanted = query.where ? other : formula();
   if (scene().free.kind == io::Free::Kind::kLine) return map_of_line(query, wanted);
-  SpaceMap made;
-  const SpaceMap* map = &made;
+  formula::SpaceRegion made;
+  const formula::SpaceRegion* map = &made;
   if (query.where || !query.apply.empty())
     made = solved(wanted, query.apply);
   else
@@ -114,13 +115,13 @@ std::string LoadedSpace::map_json(const RegionQuery& asked) const {
     std::string out = space_map_json(session, *map);
     if (!query.drawing) return out;
     const SpaceDrawing drawing = map->way == distance::Way::kConvex
-                                     ? drawing_of_convex(*map->convex, map->step)
+                                     ? drawing_of_convex(map->convex->set, map->convex->step)
                                      : drawing_of_boxes(map->boxes, session.step(), window());
     return with_member(std::move(out), "drawing", drawing.json());
   });
 }
 
-const SpaceMap& LoadedSpace::region() const {
+const formula::SpaceRegion& LoadedSpace::region() const {
   if (!region_) region_ = solved(formula(), "");
   return *region_;
 }

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
+#include "formula/solid/solve_region.h"
 #include "formula/solid/solve_space.h"
-#include "in_space/space_map.h"
 #include "serve/loaded.h"
 #include "serve/space_drawing.h"
 
@@ -33,15 +33,15 @@ class LoadedSpace final : public Loaded {
   std::string drawing_of(const std::string& shape) const override;
   formula::TriedNearest nearest(const Spot& spot) const override;
   void forget_answers() override { region_.reset(); }
-  const SpaceMap& region() const;
+  const formula::SpaceRegion& region() const;
   SpaceWindow window() const;
-  SpaceMap solved(const formula::Formula& formula, const std::string& apply) const;
+  formula::SpaceRegion solved(const formula::Formula& formula, const std::string& apply) const;
   formula::TriedNearest nearest(const space::RealVector& at) const;
   std::string map_of_line(const RegionQuery& query, const formula::Formula& formula) const;
 
   std::shared_ptr<const formula::SpaceSolver> solver_;
-  mutable std::optional<SpaceWindow> window_;  // of drawings
-  mutable std::optional<SpaceMap> region_;     // of the formula
+  mutable std::optional<SpaceWindow> window_;           // of drawings
+  mutable std::optional<formula::SpaceRegion> region_;  // of the formula
 };
 
 }  // namespace findspace::app

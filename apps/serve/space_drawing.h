@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "in_space/space_map.h"
 #include "io/mesh/write_mesh.h"
 #include "plane/query/locate_line.h"
+#include "space/box/box_complex.h"
+#include "space/box/convex_set.h"
 
 namespace findspace::app {
 

@@ -66,7 +66,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   refuse_apply(options, free);
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
                                  [](const auto& path) { return path.extension() == ".svg"; });
-  MapQuestion question{asked_pose(session), options.apply, drawn, "--"};
+  MapQuestion question{asked_pose(session), options.apply, drawn, false, "--"};
   Scene scene = session.asked();
   session.forget_shapes();
   const Answer answer = std::move(scene).map(question);

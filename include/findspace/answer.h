@@ -18,6 +18,7 @@
 #include "findspace/motion.h"
 #include "findspace/placement.h"
 #include "findspace/region.h"
+#include "findspace/space_region.h"
 #include "findspace/values.h"
 #include "findspace/world.h"
 
@@ -71,10 +72,13 @@ class Answer {
   /// Of a measurement: its distances, pair by pair; none of other answers.
   std::vector<Measured> measured() const;
 
-  /// Of a map of positions, all or those on a line: where the formula holds, or is best. Nothing of other answers.
+  /// Of a map of positions in the plane, all or those on a line: where the formula holds, or is best. Nothing of other
+  /// answers.
   std::optional<RegionBounds> region() const;
-  /// Of a map with an objective, or with `-> min`: the best value. Over angles, and on a line of space, `at` is empty:
-  /// intervals() has them.
+  /// Of a map of positions in space: the same, exactly.
+  std::optional<SpaceRegion> space_region() const;
+  /// Of a map with an objective, or with `-> min`: the best value. Over angles, and in space, `at` is empty:
+  /// intervals() and space_region() have them.
   std::optional<Optimum> best() const;
   /// Of a map of a line, by the length gone, of angles, in degrees, and of instants: where the formula holds for
   /// certain, or is best; and a set that holds all such. Empty of other answers.

@@ -60,6 +60,7 @@ struct MapQuestion {
   Pose pose{};           // over angles and over time: its position
   std::string apply{};   // what is made of a region: interior closure boundary regularize complement, or nothing
   bool pictures = true;  // the answer may be drawn; else it takes less memory
+  bool surface = false;  // of space: it is wanted with flat faces, which a polytope grown by a ball has not
   std::string before{};  // what messages put before "apply"
 };
 
@@ -167,8 +168,9 @@ class Scene {
   Answer check(const Pose& pose = {}) const;
   /// Distances of what moves to the other shapes. `words`: which (vocabulary.h); none: all. Error(kUnknownName).
   Answer measure(const Pose& pose = {}, const std::vector<std::string>& words = {}) const;
-  /// Where the formula holds, or is best where there is an objective, among all that is free(). Of the plane, or
-  /// of a line of space. The second is of a scene that is not needed any more: it may let go of its shapes.
+  /// Where the formula holds, or is best where there is an objective, among all that is free(). In space positions,
+  /// where they are made of boxes or are a convex polytope, or those on a line; of several orientations each is asked
+  /// alone (rotated()). The second is of a scene that is not needed any more: it may let go of its shapes.
   Answer map(const MapQuestion& question = {}) const&;
   Answer map(const MapQuestion& question = {}) &&;
   /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the

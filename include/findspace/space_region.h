@@ -21,6 +21,13 @@ namespace findspace {
 
 class Query;
 
+/// Which positions of a formula are wanted, and what is made of them.
+struct SpaceQuestion {
+  std::string apply{};     // interior closure boundary regularize complement, or nothing
+  std::string minimize{};  // only those where this objective is least: "x", "distance to [1, 2, 3]"; or
+  std::string maximize{};  // greatest
+};
+
 class SpaceRegion {
  public:
   /// What it is made of.
@@ -64,8 +71,10 @@ class SpaceRegion {
   std::string json() const;
   /// The surface, seen from the side.
   std::string svg() const;
-  /// What it answers: the formula over its world.
+  /// What it answers: the formula over its world,
   const Query& query() const;
+  /// and what of its positions.
+  const SpaceQuestion& question() const;
 
   struct Data;
   explicit SpaceRegion(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -119,8 +119,9 @@ class World {
   /// direction and for `-> min`, and kLimit where a search does not decide whether there is room.
   Explanation explain(const Formula& formula, const std::optional<Point>& at = {}) const;
   Explanation explain(const Formula& formula, const Point3& at) const;
-  /// {p : the formula holds at p} in space, where it is made of boxes or is a convex polytope; kUnsupported elsewhere.
-  SpaceRegion solve_space(const Formula& formula) const;
+  /// {p : the formula holds at p} in space, the best ones, or what is made of them; where that is made of boxes or is a
+  /// convex polytope; kUnsupported elsewhere. kBadValue for two objectives or another operation.
+  SpaceRegion solve_space(const Formula& formula, const SpaceQuestion& question = {}) const;
   /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
   /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane.
   std::vector<Interval> angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;

@@ -58,11 +58,11 @@ std::vector<PlaceQuestion::Near> near_of(const py::iterable& wanted) {
 }
 
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures` and `before`; of place `near` and `lines`.
+/// its position, `apply`, `pictures`, `surface` and `before`; of place `near` and `lines`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
     const MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
-                               asked[2].cast<bool>(), asked[3].cast<std::string>()};
+                               asked[2].cast<bool>(), asked[3].cast<bool>(), asked[4].cast<std::string>()};
     return interruptible([&] { return scene.map(question); });
   }
   if (verb == "place") {
@@ -144,7 +144,10 @@ void bind_answer(py::module_& m) {
             const auto r = a.answer.region();
             return r ? py::object(py::make_tuple(r->inner, r->outer)) : py::none();
           },
-          "Of a map of positions: those that certainly belong, and those that possibly do; the same where it is exact.")
+          "Of a map of positions in the plane: those that certainly belong, and those that possibly do; the same where "
+          "it is exact.")
+      .def_property_readonly("space_region", read(&Answer::space_region),
+                             "Of a map of positions in space: the same, exactly; None of other answers.")
       .def_property_readonly("best", read(&Answer::best), "Of a map with an objective: the best value, or None.")
       .def_property_readonly("intervals", read(&Answer::intervals),
                              "Of a map of a line, of angles, in degrees, or of instants: what certainly belongs.")
@@ -373,10 +376,15 @@ time : number, optional
       .def(
           "map",
           [](const Scene& s, const std::optional<py::sequence>& at, const std::string& apply, bool pictures,
-             const std::string& before) { return answered(s, "map", py::make_tuple(at, apply, pictures, before)); },
+             bool surface, const std::string& before) {
+            return answered(s, "map", py::make_tuple(at, apply, pictures, surface, before));
+          },
           py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
-          py::arg("before") = "",
-          R"doc(Where the formula holds, or is best, among all that is free. Of the plane, or of a line of space.
+          py::arg("surface") = false, py::arg("before") = "",
+          R"doc(Where the formula holds, or is best, among all that is free.
+
+In space positions are given where they are made of boxes or are a convex polytope, exactly, with open and closed ends;
+of several orientations each is asked alone (`rotated`). Lengths are in the scene's unit.
 
 Parameters
 ----------
@@ -386,6 +394,8 @@ apply : str
     What is made of a region: 'interior', 'closure', 'boundary', 'regularize', 'complement', or nothing.
 pictures : bool
     The answer may be drawn; else it takes less memory.
+surface : bool
+    Of space: it is wanted with flat faces, which a polytope grown by a ball has not.
 before : str
     What messages put before "apply".
 
@@ -397,6 +407,11 @@ Examples
 >>> answer = scene.map()
 >>> answer.found, answer.region[0].area
 ('yes', 56.0)
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}}, '
+...     '"B": {"box": {"min": [0, 0, 0], "max": [2, 1, 1]}}}, "moving": "B", "where": "inside(B, A)"}')
+>>> region = scene.map().space_region
+>>> region.volume, region.boxes
+(448.0, [([0.0, 0.0, 0.0], [7.0, 8.0, 8.0], [True, True, True], [True, True, True])])
 )doc")
       .def(
           "explain",

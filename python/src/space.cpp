@@ -62,8 +62,24 @@ Examples
           "form", [](const SpaceRegion& r) { return r.form() == SpaceRegion::Form::kBoxes ? "boxes" : "convex"; },
           "What it is made of: 'boxes' or 'convex'.")
       .def_property_readonly("query", &SpaceRegion::query, "What it answers: the formula over its world.")
-      .def(py::pickle([](const SpaceRegion& r) { return py::make_tuple(r.query().world(), r.query().text()); },
-                      [](const py::tuple& t) { return t[0].cast<World>().solve_space(t[1].cast<std::string>()); }))
+      .def_property_readonly(
+          "question",
+          [](const SpaceRegion& r) {
+            const SpaceQuestion& q = r.question();
+            return py::dict(py::arg("apply") = q.apply, py::arg("minimize") = q.minimize,
+                            py::arg("maximize") = q.maximize);
+          },
+          "What it is of those positions: the words of World.solve_space.")
+      .def(py::pickle(
+          [](const SpaceRegion& r) {
+            const SpaceQuestion& q = r.question();
+            return py::make_tuple(r.query().world(), r.query().text(), q.apply, q.minimize, q.maximize);
+          },
+          [](const py::tuple& t) {
+            return t[0].cast<World>().solve_space(
+                t[1].cast<std::string>(),
+                {t[2].cast<std::string>(), t[3].cast<std::string>(), t[4].cast<std::string>()});
+          }))
       .def_property_readonly(
           "boxes",
           [](const SpaceRegion& r) {

@@ -415,6 +415,34 @@ void bind_questions(py::class_<World>& world) {
           py::arg("formula"),
           "{p : the formula holds at p}, exactly: a Region, in space a SpaceRegion where it has one of its forms.")
       .def(
+          "solve_space",
+          [](const World& w, const Formula& f, const std::string& apply, const std::string& minimize,
+             const std::string& maximize) {
+            return interruptible([&] { return w.solve_space(f, {apply, minimize, maximize}); });
+          },
+          py::arg("formula"), py::arg("apply") = "", py::kw_only(), py::arg("minimize") = "", py::arg("maximize") = "",
+          R"doc(The positions of a formula in space, the best ones, or what is made of them.
+
+Parameters
+----------
+formula : Formula or str
+    It holds at boxes or at a convex polytope; else findspace.Error.
+apply : str
+    What is made of them: 'interior', 'closure', 'boundary', 'regularize', 'complement', or nothing.
+minimize, maximize : str
+    Only those where this objective is least, or greatest: 'x', 'distance to [1, 2, 3]'.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"A": fs.Shape.box((0, 0, 0), (9, 9, 9)), "B": fs.Shape.box((0, 0, 0), (2, 1, 1))}, "B")
+>>> top = world.solve_space("inside(B, A)", maximize="z")
+>>> top.bounds, (7, 8, 8) in top, (0, 0, 7) in top
+(([0.0, 0.0, 8.0], [7.0, 8.0, 8.0]), True, False)
+>>> (7, 8, 8) in world.solve_space("inside(B, A)", "interior")
+False
+)doc")
+      .def(
           "sign_map",
           [](const World& w, const Distance& d, const py::object& level) {
             return sign_map(w, d.text(), number(level));

@@ -120,8 +120,30 @@ def test_scenes_map_a_line_of_space():
     assert answer.found == "yes" and answer.best.value == 7 and answer.best.at.empty
     assert [(i.start, i.end) for i in answer.intervals] == [(6, 6)] and len(answer.possible) == 1
     assert [(i.start, i.end) for i in scene.asking(maximize="").map().intervals] == [(-1, 6)]
-    with pytest.raises(fs.Error, match="is a line"):
-        fs.Scene.json(text % "").map()
+
+
+def test_scenes_map_positions_in_space():
+    text = """{"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}},
+        "crate": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}, "moving": "crate", "where": "inside(crate, room)"%s}"""
+    scene = fs.Scene.json(text % "")
+    answer = again(scene.map())
+    region = again(answer.space_region)
+    assert answer.found == "yes" and answer.region is None and answer.best is None
+    assert region.volume == 343 and (7, 7, 7) in region and (7.1, 7, 7) not in region
+    assert answer.json() == region.json and answer.file(".stl")[0].startswith("solid")
+    opened = again(again(scene.map(apply="interior", surface=True)).space_region)
+    assert opened.open and (7, 7, 7) not in opened and opened.question == {"apply": "interior", "minimize": "", "maximize": ""}
+    assert list(opened.contains([[7, 7, 7], [6.5, 6, 6]])) == [False, True]
+    best = scene.asking(maximize="x").map()
+    top = again(best.space_region)
+    assert best.best.value == 7 and top.volume == 0 and (7, 1, 1) in top and (6, 1, 1) not in top
+    assert top.boxes == scene.world.solve_space("inside(crate, room)", maximize="x").boxes
+    with pytest.raises(fs.Error, match="apply"):
+        scene.map(apply="inner")
+    with pytest.raises(fs.Error, match="objective"):
+        scene.world.solve_space("inside(crate, room)", minimize="x", maximize="y")
+    with pytest.raises(fs.Error, match="neither"):
+        scene.world.solve_space("inside(crate, room)", minimize="gap(crate, room)")
 
 
 def data_of(framed):

@@ -22,7 +22,7 @@ ELSEWHERE = {
     "PoseMap::Sector::to": "PoseMap.Sector.end",
     "Lines": "World.on_lines", "LineMap::Line": "LineMap.lines", "VolumeBounds": "World.volume",
     "Motion": "World.motion", "WayPoint": "World.motion", "RegionBounds": "World.solve_bounds", "OnLine": "World.on_line",
-    "World::with": "World.limited", "ShapeGroups": "World.grouped", "World::solve_space": "World.solve", "Nearest3": "Query.nearest",
+    "World::with": "World.limited", "ShapeGroups": "World.grouped", "SpaceQuestion": "World.solve_space", "Nearest3": "Query.nearest",
     "Contour": "Shape.contour", "Grid": "Shape.grid", "Shape::rounded": "Shape.rounded_points",
     "Shape::Rounded": "Shape.rounded_points", "Shape::Rounded::points": "Shape.rounded_points",
     "Shape::Rounded::largest": "Shape.largest_move",
@@ -48,7 +48,7 @@ ELSEWHERE = {
     "pack_problem": "PackProblem.json", "solid_pack_problem": "SolidPackProblem.json",
 }
 # Types whose values are plain ones of Python, and so are their members'.
-PLAIN = {"Telling", "MapQuestion", "PlaceQuestion", "PlaceQuestion::Near",
+PLAIN = {"Telling", "SpaceQuestion", "MapQuestion", "PlaceQuestion", "PlaceQuestion::Near",
          "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
          "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",

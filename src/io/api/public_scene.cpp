@@ -18,6 +18,7 @@
 #include "io/question/map_answer.h"
 #include "io/question/placement_answer.h"
 #include "io/question/position_answer.h"
+#include "io/question/space_map.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
 #include "space/shape/rotated_shape.h"
@@ -65,6 +66,12 @@ Shape public_shape(const Scene& scene, std::string_view name) { return shape_of(
 World public_world(const Scene& scene, formula::World built) {
   auto data = std::make_shared<World::Data>(data_of(scene));
   data->planar = std::make_shared<const formula::Solver>(std::move(built));
+  return World(std::move(data));
+}
+
+World public_solid_world(const Scene& scene, std::shared_ptr<const formula::SpaceSolver> built) {
+  auto data = std::make_shared<World::Data>(data_of(scene));
+  data->solid = std::move(built);
   return World(std::move(data));
 }
 
@@ -305,15 +312,20 @@ Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& questi
   using Kind = Scene::Free::Kind;
   const Kind free = data->free.kind;
   const bool solid = data->read.dimension == 3;
-  if (solid && free != Kind::kLine)
-    throw Error(ErrorCode::kUnsupported, "a map of a 3D scene is computed here where \"free\" is a line",
-                data->read.file);
   if (free != Kind::kPosition && !question.apply.empty())
-    throw Error(ErrorCode::kBadValue, question.before + "apply is for maps of the plane", data->read.file);
+    throw Error(ErrorCode::kBadValue, question.before + "apply is for maps of all positions", data->read.file);
   const std::vector<exact::Real> p = data->position(question.pose);
   const exact::RealPoint at{p[0], p[1]};
   return asked(std::move(data), std::nullopt, [&](io::AskedScene scene) {
-    if (solid) return io::map_of_space_line(std::move(scene));
+    if (solid && free == Kind::kLine) return io::map_of_space_line(std::move(scene));
+    if (solid) {
+      const std::string file = scene.scene().file;
+      if (auto found = io::map_of_space(std::move(scene), {question.apply, question.before}, question.surface,
+                                        io::public_solid_world))
+        return *std::move(found);
+      throw Error(ErrorCode::kUnsupported,
+                  "the region is neither made of boxes nor a convex polytope; ask for positions or lines of it", file);
+    }
     if (free == Kind::kPose) return io::map_of_poses(std::move(scene));
     if (free == Kind::kAngle) return io::map_of_angles(std::move(scene), at);
     if (free != Kind::kTime)
@@ -511,6 +523,9 @@ std::vector<Measured> Answer::measured() const { return data_->measured ? data_-
 
 std::optional<RegionBounds> Answer::region() const {
   return data_->region ? std::optional(data_->region()) : std::nullopt;
+}
+std::optional<SpaceRegion> Answer::space_region() const {
+  return data_->space_region ? std::optional(data_->space_region()) : std::nullopt;
 }
 std::optional<Optimum> Answer::best() const { return data_->best ? std::optional(data_->best()) : std::nullopt; }
 std::vector<Interval> Answer::intervals() const {

@@ -7,9 +7,11 @@
 #include <findspace/scene.h>
 #include <findspace/world.h>
 
+#include <memory>
 #include <string_view>
 
 #include "formula/planar/world.h"
+#include "formula/solid/solve_space.h"
 #include "io/question/asked_scene.h"
 #include "io/scene/scene.h"
 #include "io/scene/scene_formulas.h"
@@ -23,6 +25,8 @@ findspace::Scene public_scene(Scene scene, std::string text = {});
 Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the sets that were built of its shapes.
 World public_world(const Scene& scene, formula::World built);
+/// Of space, with the solver that was made of its shapes.
+World public_solid_world(const Scene& scene, std::shared_ptr<const formula::SpaceSolver> built);
 /// Of the plane or of space.
 World public_world(const Scene& scene);
 

@@ -24,6 +24,7 @@ struct Answer::Data {
   std::function<std::optional<NearestPlace>()> nearest{};
   std::function<std::vector<Measured>()> measured{};
   std::function<RegionBounds()> region{};
+  std::function<SpaceRegion()> space_region{};
   std::function<Optimum()> best{};
   std::function<std::vector<Interval>()> intervals{}, possible{};
   std::function<PoseMap()> poses{};

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "io/question/space_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "api/query/space_region_data.h"
+#include "api/values/region_data.h"
+#include "io/draw/draw_space.h"
+#include "io/mesh/space_surface.h"
+#include "io/question/space_shapes.h"
+#include "io/write/write_json_space.h"
+#include "io/write/write_summary.h"
+#include "space/box/box_operations.h"
+
+namespace findspace::io {
+namespace {
+
+using exact::Real;
+
+/// What a map of space needs for its texts and pictures.
+struct SpaceMapQuestion {
+  AskedScene asked;
+  formula::Formula formula;
+  std::shared_ptr<const formula::SpaceSolver> solver;
+  std::string apply;
+  WorldOfScene world_of;
+  formula::SpaceRegion map;
+  space::SpaceSummary summary{};
+
+  SpaceMapQuestion(AskedScene given, std::string operation, WorldOfScene maker)
+      : asked(std::move(given)),
+        formula(asked.where()),
+        solver(std::make_shared<const formula::SpaceSolver>(space_world(asked))),
+        apply(std::move(operation)),
+        world_of(std::move(maker)) {}
+
+  std::string title() const { return fmt::format("Positions of {}", fmt::join(asked.scene().moving, ", ")); }
+  const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
+  std::string surface(const char* ending) const {
+    const auto& convex = map.convex;
+    const Surface made = convex ? convex_surface(convex->set, convex->step) : box_surface(map.boxes, asked.step());
+    return surface_text(made, title(), ending, asked.unit());
+  }
+  /// The region among the shapes that have boxes; the moving ones stand at a sample position.
+  std::string picture() const {
+    const formula::SpaceWorld& world = solver->world();
+    SpacePicture p{title(), asked.scene().where.text, asked.unit(), &map.boxes, {}, {}, asked.step()};
+    for (const auto& [name, shape] : world.shapes) {
+      if (!shape.boxes) continue;
+      if (std::find(world.moving.begin(), world.moving.end(), name) == world.moving.end()) {
+        p.fixed.push_back(*shape.boxes);
+      } else if (!summary.components.empty()) {
+        space::RealVector by;
+        for (std::size_t k = 0; k < 3; ++k) by[k] = Real::from_double(summary.components[0].sample[k]) / asked.step();
+        p.moving.push_back(space::translated(*shape.boxes, by));
+      }
+    }
+    return space_svg(p);
+  }
+  SpaceRegion region() const {
+    const std::string& where = asked.scene().where.text;
+    const World world = world_of(asked.scene(), solver);
+    return SpaceRegion(std::make_shared<const SpaceRegion::Data>(
+        map, asked.step(), asked.unit(), world.query(where.empty() ? findspace::Formula("true") : where),
+        SpaceQuestion{apply, asked.scene().minimize.text, asked.scene().maximize.text}));
+  }
+};
+
+}  // namespace
+
+formula::SpaceRegion space_map(const AskedScene& asked, const formula::SpaceSolver& solver,
+                               const formula::Formula& formula, const Applied& apply, bool flat) {
+  formula::RegionQuery query{{}, {}, flat};
+  if (const auto goal = asked.goal()) {
+    query.objective = goal->objective;
+    query.sense = goal->sense;
+  }
+  return api::solved_in_space(solver, formula, query, apply.operation);
+}
+
+std::string space_map_json(const AskedScene& asked, const formula::SpaceRegion& map, const space::SpaceSummary* known) {
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  const space::SpaceSummary summary = known != nullptr ? *known : api::summary_of(map, asked.step());
+  if (map.convex) return space_json(map.convex->set, summary, map.convex->step, asked.unit(), extreme);
+  return space_json(map.boxes, summary, asked.step(), asked.unit(), extreme);
+}
+
+std::vector<std::string> space_formats() {
+  std::vector<std::string> out{".json"};
+  out.insert(out.end(), kSurfaceEndings.begin(), kSurfaceEndings.end());
+  return out;
+}
+
+std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply, bool flat,
+                                         const WorldOfScene& world_of) {
+  given.require_positions_in_space();
+  given.require_question();
+  const auto q = std::make_shared<SpaceMapQuestion>(std::move(given), apply.operation, world_of);
+  q->asked.stage("solving");
+  q->map = space_map(q->asked, *q->solver, q->formula, apply, flat);
+  if (q->map.way == distance::Way::kLines) return std::nullopt;
+  q->summary = api::summary_of(q->map, q->asked.step());
+  Answer::Data out;
+  out.found = found_in(!q->summary.empty, false);
+  out.json = [q](const Telling&) { return space_map_json(q->asked, q->map, &q->summary); };
+  out.text = [q](const Telling&) { return summary_text(q->title(), q->summary, q->asked.unit(), q->extreme()); };
+  for (const char* ending : kSurfaceEndings)
+    out.files[ending] = [q, ending](const Telling&) { return Region::Drawn{q->surface(ending), {}}; };
+  if (!q->map.convex) out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture(), {}}; };
+  out.space_region = [q] { return q->region(); };
+  if (q->map.extreme)
+    out.best = [q] {
+      return api::public_optimum(*q->map.extreme, api::make_region(plane::Region::uniform(0), q->asked.scene().grid));
+    };
+  return out;
+}
+
+}  // namespace findspace::io
