@@ -3,10 +3,12 @@
 //
 // The sum of grid polygons from the curves that can be boundary, against the arrangement of the whole convolution, cell
 // by cell: on shapes full of ties (lattice squares, with holes and slots), on random triangles, on stars whose
-// convolution is pruned, and in sheets, whose outside is unbounded.
+// convolution is pruned, in sheets, whose outside is unbounded, and on staircases and combs whose curves overlap.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -16,6 +18,8 @@
 #include "plane/complex/primitives.h"
 #include "plane/contour/contour.h"
 #include "plane/grid/grid_faces.h"
+#include "plane/grid/merged_curves.h"
+#include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
 namespace findspace::plane {
@@ -124,6 +128,68 @@ TEST(GridSum, Stars) {
   }
   std::mt19937 rng(7);
   compare(star(rng, 60), star(rng, 64), "pruned");
+}
+
+/// Whether curves are made one.
+bool merges(const Region& a, const Region& b) {
+  const auto p = grid_faces(a, in, false), q = grid_faces(b, in, true);
+  return p && q && merging_pays(reduced_convolution({*p, a.geometry}, {*q, b.geometry}));
+}
+
+Region stairs(int steps, std::int64_t width, std::int64_t height) {
+  std::vector<GridPoint> points{{0, 0}, {width * steps, 0}};
+  for (int k = steps; k-- > 0;)
+    points.insert(points.end(), {{width * (k + 1), height * (steps - k)}, {width * k, height * (steps - k)}});
+  return ring(points);
+}
+
+/// Teeth that point up.
+Region comb(int teeth, std::int64_t width, std::int64_t gap, std::int64_t length) {
+  const std::int64_t whole = (width + gap) * teeth - gap, spine = 40;
+  std::vector<GridPoint> points{{0, 0}, {whole, 0}};
+  for (int k = teeth; k-- > 0;) {
+    const std::int64_t x = (width + gap) * k;
+    points.insert(points.end(), {{x + width, spine + length}, {x, spine + length}});
+    if (k > 0) points.insert(points.end(), {{x, spine}, {x - gap, spine}});
+  }
+  return ring(points);
+}
+
+TEST(GridSum, Staircases) {
+  for (const std::int64_t width : {40, 41, 80}) {
+    const Region a = stairs(30, 40, 30), b = stairs(31, width, 30), turned = mirrored(b);
+    EXPECT_TRUE(merges(a, turned) || width != 40);
+    compare(a, turned, "width " + std::to_string(width));
+    compare(a, b, "mirrored, width " + std::to_string(width));
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Where widths and gaps are equal, the teeth of the sum touch: slots of no width stay between them.
+TEST(GridSum, CombsWithSlotsOfNoWidth) {
+  for (const std::int64_t gap : {20, 21, 40}) {
+    const Region a = comb(19, 20, gap, 300), b = comb(18, 20, gap, 300), turned = mirrored(b);
+    EXPECT_TRUE(merges(a, turned) || gap == 21);
+    compare(a, turned, "gap " + std::to_string(gap));
+    compare(a, b, "mirrored, gap " + std::to_string(gap));
+    if (HasFatalFailure()) return;
+  }
+  const SignMap map = contact_map(comb(19, 20, 20, 300), mirrored(comb(18, 20, 20, 300)));
+  const auto slots = std::count_if(map.edges.begin(), map.edges.end(), [&](const Edge& e) {
+    const auto k = std::size_t(&e - map.edges.data());
+    return e.mark == 0 && map.faces[map.half_edges[2 * k].face].mark < 0 &&
+           map.faces[map.half_edges[2 * k + 1].face].mark < 0;
+  });
+  EXPECT_EQ(slots, 35) << "between 36 teeth";
+}
+
+/// A plate that lacks a comb, and the comb: it fits in one place only.
+TEST(GridSum, CombsThatFitExactly) {
+  const Region a = comb(24, 20, 20, 300), plate = ring({{-50, -50}, {1200, -50}, {1200, 500}, {-50, 500}});
+  const std::array<const CellComplex*, 2> both{&plate, &a};
+  const Region left = closure(overlay(both, [](std::span<const Mark> m) { return Mark(m[0] > 0 && m[1] <= 0); }));
+  EXPECT_TRUE(merges(left, a));
+  compare(left, a, "plate");
 }
 
 }  // namespace plane_grid_sum

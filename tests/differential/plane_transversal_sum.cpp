@@ -4,11 +4,12 @@
 // Sums by walks along outer sides, without an arrangement, against the arrangement of the whole convolution, cell by
 // cell, on polygons over few lattice points: their curves run along each other both ways, meet many at a point, and
 // leave slots of no width and single points. Where the walks give nothing, the sum has a place that rings alone cannot
-// state.
+// state. The same with curves that overlap made one, walked and arranged.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <random>
 #include <set>
@@ -17,6 +18,7 @@
 #include "findspace/error.h"
 #include "plane/contour/contour.h"
 #include "plane/grid/grid_faces.h"
+#include "plane/grid/merged_curves.h"
 #include "plane/grid/prune_inside.h"
 #include "plane/grid/transversal_sum.h"
 #include "plane/query/topology.h"
@@ -31,6 +33,7 @@ struct Count {
   int sums = 0, walked = 0;                       // without an arrangement
   int doubled = 0, doubled_and_walked = 0;        // with curves that run along each other the other way
   int degenerate = 0, degenerate_and_walked = 0;  // with places where inner sides surround a point
+  int merged = 0;                                 // with curves that overlap with one inner side
 };
 
 /// Does every boundary vertex have two edges, so that rings that touch nowhere are the whole boundary?
@@ -46,14 +49,19 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   const GridOperand x{*p, a.geometry}, y{*q, b.geometry};
   const Operand first{a, in}, second{b, in, true};
   const ConvolutionIndex index(x, y);
-  SolidSum solid(first, second, index);
   ReducedConvolution curves = reduced_convolution(x, y);
-  ReducedConvolution same = curves;
+  ReducedConvolution same = curves, merged = merged_curves(curves), arranged = merged;
   const MeetingCurves meeting(same, std::pmr::new_delete_resource());
   const DegenerateVertices& degenerate_vertices = meeting.degenerate_vertices();
   bool doubled = !meeting.parts_with_two_inner_sides().empty(), degenerate = false;
   for (Index k = 0; k < degenerate_vertices.count(); ++k) degenerate |= degenerate_vertices.is_surrounded(k);
-  const auto sum = transversal_sum(curves, [&](exact::Geometry& g, Index point) { return solid.holds(g, point); });
+  count.merged += merged.pieces.size() < curves.pieces.size();
+  const auto inside = [&]() -> InsideTest {  // for one geometry
+    return [solid = std::make_shared<SolidSum>(first, second, index)](exact::Geometry& g, Index point) {
+      return solid->holds(g, point);
+    };
+  };
+  const auto sum = transversal_sum(curves, inside()), of_merged = transversal_sum(merged, inside());
   ++count.sums;
   count.walked += sum.has_value();
   count.doubled += doubled;
@@ -61,9 +69,15 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   count.degenerate += degenerate;
   count.degenerate_and_walked += degenerate && sum;
   const SignMap map = contact_map(a, b);
-  expect_same(map, -1, whole_sum(a, in, b), what);
-  if (sum) expect_same(*sum, -1, whole_sum(a, in, b), what + ", walked");
+  const Region whole = whole_sum(a, in, b);
+  expect_same(map, -1, whole, what);
+  if (sum) expect_same(*sum, -1, whole, what + ", walked");
   EXPECT_EQ(sum.has_value(), is_rings(map)) << what;
+  if (of_merged) expect_same(*of_merged, -1, whole, what + ", merged and walked");
+  EXPECT_EQ(of_merged.has_value(), sum.has_value()) << what << ", merged";
+  Arrangement cells = arrange(std::move(arranged.geometry), std::move(arranged.pieces));
+  expect_same(labelled_sum(std::move(cells), arranged.sides, false, inside()), -1, whole,
+              what + ", merged and arranged");
 }
 
 std::optional<Region> region_of(const std::vector<GridPoint>& points) {
@@ -158,6 +172,7 @@ TEST(TransversalSum, ThreeDirections) {
   EXPECT_GT(count.doubled_and_walked, 200);
   EXPECT_GT(count.degenerate_and_walked, 300);
   EXPECT_GT(count.sums - count.walked, 100);
+  EXPECT_GT(count.merged, 1000);
 }
 
 TEST(TransversalSum, ExactFits) {

@@ -5,6 +5,7 @@
 
 #include "plane/complex/observe_pieces.h"
 #include "plane/grid/convex_sum.h"
+#include "plane/grid/merged_curves.h"
 #include "plane/grid/prune_inside.h"
 #include "plane/grid/star_sum.h"
 #include "plane/grid/transversal_sum.h"
@@ -28,6 +29,7 @@ SignMap grid_sum(const GridOperand& a, const GridOperand& b, const InsideTest& d
   const bool bounded_pair = a.faces.size() == 1 && b.faces.size() == 1 && !unbounded;
   if (bounded_pair)
     if (auto sum = star_sum(curves)) return *std::move(sum);
+  if (merging_pays(curves)) curves = merged_curves(std::move(curves));
   if (!curves.mask) curves.mask = mask_that_pays(curves, a, b);
   if (curves.mask) curves = prune_inside(std::move(curves));
   if (bounded_pair)
