@@ -370,8 +370,10 @@ def check(executable, number, rng, folder):
         return fault
     if (done.returncode == 1) != (not layout["items"]):
         return f"status {done.returncode} with {len(layout['items'])} items"
-    if not layout["proven"] or Fraction(layout["height"]) < Fraction(layout["lower_bound"]) and layout["items"]:
-        return "not proven, or lower than the lower bound"
+    used = len(layout["container"]["containers"]) if instance.containers else Fraction(layout["height"])
+    all_there = layout["items"] and not layout["left_out"]
+    if not layout["proven"] or used < Fraction(layout["lower_bound"]) and all_there:
+        return "not proven, or below the lower bound"
     if not layout["items"]:
         return None
     whole["layout"] = moved(layout, rng)

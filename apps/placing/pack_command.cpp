@@ -18,6 +18,13 @@
 namespace findspace::app {
 namespace {
 
+/// How near the number of sheets or containers is to what no layout is below.
+std::string fewest(std::size_t used, const Number& bound, const char* holder) {
+  return bound.text() == std::to_string(used)
+             ? fmt::format("no layout of all parts uses fewer {}s\n", holder)
+             : fmt::format("no layout of all parts uses fewer than {}\n", bound.text());
+}
+
 /// What differs: words, files, and when no layout at all is an error.
 struct Plane {
   using Problem = Packing;
@@ -42,6 +49,8 @@ struct Plane {
     if (problem.box) text = fmt::format("{} wide, {} high", length, layout.height.text());
     text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * layout.density,
                         layout.items.size());
+    if (has_containers(problem) && layout.left_out.empty())
+      text += fewest(layout.sheets.size(), packing.lower_bound(), kHolder);
     if (!has_containers(problem) && !problem.box)
       text += fmt::format("no layout is shorter than {}\n", packing.lower_bound().text());
     if (const auto& left = layout.remnant)
@@ -78,7 +87,8 @@ struct Space {
                          layout.containers.size() == 1 ? "" : "s", height);
     text += fmt::format(", density {:.4f} %, {} parts, proved free of overlaps\n", 100 * layout.density,
                         layout.items.size());
-    if (contained) return text;
+    if (contained)
+      return layout.left_out.empty() ? text + fewest(layout.containers.size(), layout.lower_bound, kHolder) : text;
     return text + (height == bound ? "no layout is lower\n" : fmt::format("no layout is lower than {}\n", bound));
   }
   static Number bound(const SolidPacking&, const SolidPackLayout& layout) { return layout.lower_bound; }

@@ -137,7 +137,7 @@ struct SolidPackLayout {
   std::vector<std::string> containers = {};
   /// Volume of the solids over that of the containers, the last one up to the height.
   double density = 0;
-  /// No layout is lower, as far as the search proved it; 0 in containers.
+  /// No layout is lower, as far as the search proved it; in containers none of all solids uses fewer.
   Number lower_bound = 0;
   /// The limit that ended the search; nothing where it ended by itself, or all of its work was done.
   std::optional<Limit> met = {};
@@ -165,7 +165,7 @@ class SolidPacking {
   const std::vector<std::string>& notes() const;
   /// How many copies of all solids are wanted.
   std::size_t copies() const;
-  /// No layout upon the floor is lower, by volumes and the tallest solid; 0 in containers.
+  /// No layout upon the floor is lower, by volumes and the tallest solid; in containers none of all solids uses fewer.
   Number lower_bound() const;
 
   /// As pack() below.

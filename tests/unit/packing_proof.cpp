@@ -5,7 +5,12 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <vector>
+
 #include "packing/problem/fraction.h"
+#include "packing/proof/fewest_bins.h"
 #include "packing/proof/interiors.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
@@ -133,6 +138,65 @@ TEST(LowerBound, AreaAndWidestPart) {
   problem.parts[0].shape = box(0, 0, 5, 4);
   problem.parts[0].demand = 1;
   EXPECT_EQ(lower_bound(problem), Fraction(5));
+}
+
+TEST(LowerBound, CountsSheets) {
+  Problem problem = two_squares();
+  problem.parts[0].shape = box(0, 0, 6, 6);
+  problem.parts[0].demand = 5;
+  Sheet sheet;
+  sheet.count = 9;
+  sheet.shape = box(0, 0, 10, 7);
+  problem.sheets = {sheet};
+  EXPECT_EQ(lower_bound(problem), Fraction(5));  // each covers more than half of a sheet; by the sum there were three
+  problem.sheets[0].shape = box(0, 0, 13, 6);
+  EXPECT_EQ(lower_bound(problem), Fraction(3));
+  problem.edge = Fraction(1, 4);  // leaves 12.5 times 5.5
+  EXPECT_EQ(lower_bound(problem), Fraction(5));
+}
+
+/// The fewest equal bins, by trying all ways.
+std::size_t fewest_by_trying(int bin, const std::vector<int>& items, std::size_t next, std::vector<int>& bins) {
+  if (next == items.size()) return bins.size();
+  std::size_t best = items.size();
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    if (bins[k] + items[next] > bin) continue;
+    bins[k] += items[next];
+    best = std::min(best, fewest_by_trying(bin, items, next + 1, bins));
+    bins[k] -= items[next];
+  }
+  bins.push_back(items[next]);
+  best = std::min(best, fewest_by_trying(bin, items, next + 1, bins));
+  bins.pop_back();
+  return best;
+}
+
+TEST(FewestBins, IsNeverMoreThanAreNeeded) {
+  std::mt19937 random(4);
+  std::size_t equal = 0;
+  constexpr int kCases = 300, kBin = 20;
+  for (int i = 0; i < kCases; ++i) {
+    std::vector<int> items;
+    std::vector<Alike> alike;
+    for (int k = 0; k < 7; ++k) {
+      items.push_back(1 + int(random() % kBin));
+      alike.push_back({exact::Real(items.back()), 1});
+    }
+    std::vector<int> bins;
+    const std::size_t needed = fewest_by_trying(kBin, items, 0, bins);
+    const std::size_t bound = fewest_bins({{exact::Real(kBin), 20}}, alike);
+    EXPECT_LE(bound, needed);
+    equal += bound == needed ? 1 : 0;
+  }
+  EXPECT_GT(equal, 250U);
+}
+
+TEST(FewestBins, TakesTheLargestAndSaysAllWhereTheyAreTooFew) {
+  const std::vector<Alike> bins{{exact::Real(5), 4}, {exact::Real(20), 1}, {exact::Real(9), 0}};
+  EXPECT_EQ(fewest_bins(bins, {{exact::Real(3), 9}}), 3U);
+  EXPECT_EQ(fewest_bins(bins, {{exact::Real(3), 90}}), 5U);
+  EXPECT_EQ(fewest_bins(bins, {{exact::Real(10), 2}, {exact::Real(3), 0}}), 1U);
+  EXPECT_EQ(fewest_bins(bins, {}), 0U);
 }
 
 }  // namespace packing_proof

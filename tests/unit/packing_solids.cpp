@@ -161,6 +161,16 @@ TEST(SolidBound, IsTheTallestOrTheVolume) {
   EXPECT_EQ(lower_bound(problem_of(1, 1, {corner("corner", 19, 1)})), Fraction(3166666666, 1000000000));
 }
 
+TEST(SolidBound, CountsContainers) {
+  SolidProblem problem = problem_of(4, 4, {box("cube", 5, 2, 2, 2)});
+  problem.containers = {{"crate", 9, {}, 5, 3, 3}, {"carton", 1, {}, 2, 2, 2}};
+  EXPECT_EQ(lower_bound(problem), Fraction(1));
+  problem.parts[0].demand = 6;
+  EXPECT_EQ(lower_bound(problem), Fraction(2));
+  problem.containers[0] = {"crate", 9, {}, Fraction(5, 2), 3, 2};  // a cube fills more than half of it
+  EXPECT_EQ(lower_bound(problem), Fraction(6));
+}
+
 TEST(SolidMoves, LetBoxesDown) {
   const SolidProblem problem = problem_of(2, 2, {box("cube", 3, 2, 2, 2)});
   const SolidTable table(problem);

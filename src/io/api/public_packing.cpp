@@ -276,9 +276,7 @@ struct Packing::Data {
   }
 
  private:
-  void find_bound() {
-    if (!problem.on_sheets() && !problem.box) bound = packing::lower_bound(problem);
-  }
+  void find_bound() { bound = packing::lower_bound(problem); }
   io::UnscaledPart unscaled(const packing::Part& part) const {
     io::UnscaledPart out{part.name, part.demand, {}, part.angles, part.mirrored};
     for (const packing::Ring& ring : part.shape.rings) {

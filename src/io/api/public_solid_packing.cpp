@@ -311,14 +311,12 @@ struct SolidPacking::Data {
   }
   SolidPackLayout shown(const SolidLayout& layout) const {
     SolidPackLayout result = public_layout(problem(), layout);
-    if (!problem().in_containers()) result.lower_bound = std::max(bound, layout.lower_bound).text();
+    result.lower_bound = std::max(bound, layout.lower_bound).text();
     return result;
   }
 
  private:
-  void find_bound() {
-    if (!problem().in_containers()) bound = packing::lower_bound(problem());
-  }
+  void find_bound() { bound = packing::lower_bound(problem()); }
 
   mutable std::once_flag made_{};
   mutable std::optional<SolidPackProblem> given_ = {};

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "packing/proof/fewest_bins.h"
+
 namespace findspace::packing {
 namespace {
 
@@ -36,20 +38,24 @@ exact::Real six_volumes_of_ball(const exact::Real& radius) {
   return exact::Real(8) * below_pi * radius * radius * radius;
 }
 
+/// Of what its surfaces enclose, in cubic units.
+exact::Real surface_volume(const SolidProblem& problem, const SolidForm& form) {
+  exact::Real sum;
+  const exact::Real steps = exact::Real(problem.steps()) * exact::Real(form.surface_scale);
+  for (const space::RaySolid& solid : form.surface)
+    for (const auto& face : solid.surface.faces) {
+      const auto& points = solid.surface.points;
+      sum += six_volumes_of({points[std::size_t(face[0])] - points[0], points[std::size_t(face[1])] - points[0],
+                             points[std::size_t(face[2])] - points[0]});
+    }
+  return sum / (exact::Real(6) * steps * steps * steps);
+}
+
 /// Of a part, in cubic units.
 exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
   exact::Real sum, most, steps(problem.steps());
   const SolidForm& form = part.forms[0];
-  if (!form.is_exact()) {
-    steps = steps * exact::Real(form.surface_scale);
-    for (const space::RaySolid& solid : form.surface)
-      for (const auto& face : solid.surface.faces) {
-        const auto& points = solid.surface.points;
-        sum += six_volumes_of({points[std::size_t(face[0])] - points[0], points[std::size_t(face[1])] - points[0],
-                               points[std::size_t(face[2])] - points[0]});
-      }
-    return sum / (exact::Real(6) * steps * steps * steps);
-  }
+  if (!form.is_exact()) return surface_volume(problem, form);
   steps = steps * exact::Real(form.body.scale);
   for (const space::BodyPart& piece : form.body.parts) {
     const exact::Real volume = piece.core ? six_volumes_of(*piece.core) : six_volumes_of_ball(piece.radius);
@@ -69,6 +75,31 @@ Fraction least_height(const SolidProblem& problem, const SolidPart& part) {
   return least.value_or(0);
 }
 
+/// What solids can fill at most, in cubic units: of the box about it what the edge leaves.
+exact::Real most_volume(const SolidProblem& problem, const SolidContainer& container) {
+  exact::Real within = 1;
+  for (const Fraction& side : {container.width, container.depth, container.height}) {
+    const Fraction left = side - problem.edge - problem.edge;
+    if (left <= Fraction(0)) return {};
+    within = within * in_steps(left, 1);
+  }
+  if (!container.inside) return within;
+  const exact::Real whole = surface_volume(problem, *container.inside);
+  return within < whole ? within : whole;
+}
+
+Fraction fewest_containers(const SolidProblem& problem) {
+  std::vector<Alike> containers, parts;
+  std::size_t fixed = 0;
+  for (std::size_t k = 0; k < problem.containers.size(); ++k) {
+    const SolidContainer& container = problem.containers[k];
+    containers.push_back({most_volume(problem, container), std::size_t(container.count)});
+    fixed += containers_with_fixed(problem, k);
+  }
+  for (const SolidPart& part : problem.parts) parts.push_back({least_volume(problem, part), std::size_t(part.demand)});
+  return Fraction(int128(std::max(fixed, fewest_bins(std::move(containers), std::move(parts)))));
+}
+
 /// The greatest decimal of nine digits that is not above the value, or the one below it.
 Fraction rounded_down(const exact::Real& value) {
   constexpr std::int64_t kDecimals = 1000000000;
@@ -80,6 +111,7 @@ Fraction rounded_down(const exact::Real& value) {
 }  // namespace
 
 Fraction lower_bound(const SolidProblem& problem) {
+  if (problem.in_containers()) return fewest_containers(problem);
   Fraction tallest;
   exact::Real sum;
   for (const SolidPart& part : problem.parts) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A height below which no layout in space can be. It is the greater of two: all volumes over the floor, and the highest
-// part in its lowest form. Guarantee: certain: volumes are exact, and of convex parts that may overlap only the largest
-// counts; the quotient is rounded down to nine decimals. Cost: linear.
+// What no layout of all solids is below. Upon a floor a height: the greater of all volumes over the floor, and the
+// highest part in its lowest form. In containers a number of them, by volumes (fewest_bins.h) and what is fixed.
+// Guarantee: certain: volumes are exact, and of convex parts that may overlap only the largest counts; the quotient is
+// rounded down to nine decimals. Cost: linear, and sorting.
 #pragma once
 
 #include "packing/solid_problem/solid_problem.h"
