@@ -113,7 +113,9 @@ Error
       .def_property_readonly("copies", &Packing::copies, "How many copies of all parts are wanted.")
       .def_property_readonly(
           "lower_bound", [](const Packing& p) { return p.lower_bound().text(); },
-          "No layout is shorter (of solids lower), exactly, as text; '0' where the problem has no such bound.")
+          "No layout is shorter (of solids lower), exactly, as text; on sheets or in containers how few of them no "
+          "layout\n"
+          "of all parts goes below. '0' for a box.")
       .def("search", &searched<Packing, Layout>, py::arg("options") = py::none(), py::kw_only(),
            py::arg("start") = py::none(), py::arg("better") = py::none(), py::arg("progress") = py::none(),
            py::arg("peers") = py::none(),

@@ -310,7 +310,8 @@ py::class_<SolidPackLayout> bind_layout(py::module_& m) {
           "height", [](const SolidPackLayout& l) { return l.height.text(); },
           "What is used of the last container, exactly, as text.")
       .def_property_readonly(
-          "lower_bound", [](const SolidPackLayout& l) { return l.lower_bound.text(); }, "No layout is lower.")
+          "lower_bound", [](const SolidPackLayout& l) { return l.lower_bound.text(); },
+          "No layout is lower; in containers how few of them no layout of all solids goes below.")
       .def_property_readonly(
           "items", [](SolidPackLayout& l) -> std::vector<PlacedSolid>& { return l.items; },
           py::return_value_policy::reference_internal, "The copies that are placed.")

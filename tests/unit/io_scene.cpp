@@ -49,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refused{"", "s.json:1:1"}, Refused{"{", "this is not JSON"}, Refused{"[1, 2]", "a scene must be an object"},
         Refused{"{\"findspace\": 1}", "\"shapes\" is missing"}, Refused{"{\"shapes\": {}}", "\"findspace\" is missing"},
+        Refused{"{\"shapes\": {}, \"exact\": {}}", "unknown key 'exact'"},
         Refused{"{\"findspace\": 1, \"shapes\": {}} x", "s.json:1:32"},
         Refused{"{\"findspace\": 1,\n \"findspace\": 1}", "s.json:2:2: the key 'findspace' stands twice"},
         Refused{"{\"findspace\": NaN}", "s.json:1:15"}, Refused{"{\"findspace\": 2, \"shapes\": {}}", "format 1"},

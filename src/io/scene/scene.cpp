@@ -179,7 +179,7 @@ Scene scene_of_shape(const std::string& shape, JsonValue value, const std::strin
 /// Of a result with its exact cells, in the place of a scene: the set, called as the file is; nothing of a scene.
 std::optional<Scene> scene_of_cells(const JsonValue& root, const std::string& name, ReadContext& context) {
   const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
-  if (exact == nullptr || root.find("findspace") != nullptr) return std::nullopt;
+  if (exact == nullptr || root.find("findspace") != nullptr || root.find("shapes") != nullptr) return std::nullopt;
   JsonValue shape;
   shape.kind = JsonValue::Kind::kObject;
   shape.line = root.line;
