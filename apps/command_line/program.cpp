@@ -39,6 +39,7 @@ Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   const plane::ObserveStages observe(dump.get());
   const io::TextReader shared = [&](const auto& read) { return options.team->shared_text(read); };
   const io::ReadTextBy reading(options.team == nullptr ? nullptr : &shared);
+  const io::RowsByTeam rows(options.team);
   const auto store = open_store(verb, options);
   const plane::ScopedResultStore kept(store ? store.get() : plane::result_store());
   Outcome outcome = verb.run(options, reporter);

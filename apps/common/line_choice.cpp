@@ -4,15 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "exact/solid/ray_sign.h"
 #include "findspace/error.h"
 
 namespace findspace::app {
 namespace {
 
-std::int64_t grid_steps(const Session& session, const std::string& text) {
+Number spacing(const Session& session, const std::string& text) {
   try {
     const auto steps = (exact::Real::parse_decimal(text) / session.step()).integer();
-    if (steps && *steps >= 1 && *steps <= exact::kRayLimit) return static_cast<std::int64_t>(*steps);
+    if (steps && *steps >= 1 && *steps <= exact::kRayLimit) return Number(text);
   } catch (const Error&) {
   }
   throw Error(
@@ -22,26 +23,19 @@ std::int64_t grid_steps(const Session& session, const std::string& text) {
 
 }  // namespace
 
-space::RayGrid LineChoice::grid(const space::Point& low, const space::Point& high) const {
-  return apart > 0 ? space::ray_grid_by_step(low, high, axis, apart) : space::ray_grid(low, high, axis, count);
-}
-
-space::RayLattice LineChoice::lattice(const space::Point& low, const space::Point& high) const {
-  return apart > 0 ? space::ray_lattice_by_step(low, high, apart) : space::ray_lattice(low, high, count);
-}
-
-std::optional<LineChoice> asked_lines(const Session& session) {
+std::optional<MapLines> asked_lines(const Session& session) {
   const Options& options = session.options();
   if (options.resolution == 0 && options.spacing.empty()) {
     if (!options.side.empty() || !options.axis.empty())
       throw Error(ErrorCode::kUsage, "--side and --axis are for maps on lines: they need --resolution or --step");
     return std::nullopt;
   }
-  LineChoice out;
+  MapLines out;
   out.count = options.resolution;
-  if (!options.spacing.empty()) out.apart = grid_steps(session, options.spacing);
-  if (!options.axis.empty()) out.axis = options.axis[0] - 'x';
+  if (!options.spacing.empty()) out.apart = spacing(session, options.spacing);
+  if (!options.axis.empty()) out.axis = Shape::Axis(options.axis[0] - 'x');
   out.axes = options.axes;
+  if (!options.side.empty()) out.side = options.side == "inner" ? MapLines::Side::kInner : MapLines::Side::kOuter;
   return out;
 }
 

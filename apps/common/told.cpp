@@ -6,22 +6,43 @@
 #include "common/session.h"
 
 namespace findspace::app {
+namespace {
+
+ExitStatus status_of(const Answer& answer) {
+  switch (answer.found()) {
+    case Answer::Found::kYes:
+      return kDone;
+    case Answer::Found::kNo:
+      return kEmpty;
+    case Answer::Found::kUndecided:
+      break;
+  }
+  return answer.sampled() ? kDone : kLimit;  // no limit came first: the lines were all asked
+}
+
+}  // namespace
 
 Outcome told(const Session& session, const Answer& answer) {
   const Options& options = session.options();
   const Telling telling{options.all || !options.only.empty(), options.explain, options.exact, options.dxf};
   Writers writers;
-  for (const std::string& ending : answer.endings())
+  Streams streams;
+  const auto json = [answer, telling](const io::Sink& sink) { answer.write(".json", sink, telling); };
+  for (const std::string& ending : answer.endings()) {
+    if (answer.sampled() && ending == ".json") {
+      streams.emplace(ending, json);
+      continue;
+    }
     writers.emplace(ending, [&, ending] {
       Region::Drawn file = answer.file(ending, telling);
       if (!file.lost.empty()) session.reporter().note(file.lost);
       return std::move(file.text);
     });
-  write_outputs(options, writers);
-  const Answer::Found found = answer.found();
-  return {options.json ? answer.json(telling) : answer.text(telling), found == Answer::Found::kYes  ? kDone
-                                                                      : found == Answer::Found::kNo ? kEmpty
-                                                                                                    : kLimit};
+  }
+  write_outputs(options, writers, streams);
+  const ExitStatus status = status_of(answer);
+  if (options.json && answer.sampled()) return {{}, status, json};
+  return {options.json ? answer.json(telling) : answer.text(telling), status};
 }
 
 }  // namespace findspace::app

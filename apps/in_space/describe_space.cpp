@@ -5,15 +5,18 @@
 // --resolution or --step always on lines, with --side as a bound of the shape from within or without.
 #include <fmt/format.h>
 
-#include "findspace/error.h"
+#include <algorithm>
+#include <memory>
+
+#include "common/line_choice.h"
+#include "common/told.h"
 #include "formula/solid/solve_region.h"
-#include "in_space/ray_outcome.h"
 #include "in_space/space_commands.h"
 #include "in_space/space_outcome.h"
 #include "io/mesh/space_surface.h"
+#include "io/question/ray_map.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_summary.h"
-#include "space/shape/shape_rays.h"
 
 namespace findspace::app {
 
@@ -32,25 +35,16 @@ space::ConvexSet whole(const space::Body& body) {
   return set;
 }
 
-Outcome describe_rays(const Session& session, const std::string& name, const LineChoice& lines) {
-  const plane::Shape& shape = *session.scene().shape(name);
-  const space::ShapeBox box = space::shape_box(shape);
-  RaySet set;
-  set.title = name;
-  set.subtitle = session.scene().file;
-  set.meaning = "the shape";
-  set.lines = lines;
-  set.low = box.low;
-  set.high = box.high;
-  set.unbounded = box.unbounded;
-  take_side(session, set);
-  const Real by = set.side == formula::Side::kOuter   ? cell_radius(set)
-                  : set.side == formula::Side::kInner ? -cell_radius(set)
-                                                      : Real();
-  set.source = [&shape, by](const space::RayGrid& grid) {
-    return formula::RegionOnLines{space::shape_rays(shape, grid, by)};
-  };
-  return rays_outcome(session, set);
+Outcome describe_rays(const Session& session, const std::string& name, const io::RayChoice& lines) {
+  const Answer answer(std::make_shared<const Answer::Data>(io::shape_on_lines(session, name, lines)));
+  session.reporter().stage("writing");
+  return told(session, answer);
+}
+
+/// Whether JSON is wanted, which has the lines.
+bool wants_json(const Options& options) {
+  return options.json || std::any_of(options.outputs.begin(), options.outputs.end(),
+                                     [](const auto& file) { return file.extension() == ".json"; });
 }
 
 }  // namespace
@@ -59,11 +53,15 @@ Outcome describe_space(const Session& session, const std::string& name) {
   const Options& options = session.options();
   check_outputs(options, space_formats());
   session.reporter().stage(fmt::format("shape {}", name));
-  if (const auto lines = asked_lines(session)) return describe_rays(session, name, *lines);
+  if (const auto lines = asked_lines(session)) {
+    check_lines_outputs(session, *lines);
+    return describe_rays(session, name, io::ray_choice(session, *lines, wants_json(options)));
+  }
   const formula::ExactShape made = formula::exact_shape(*session.scene().shape(name), wants_surface(session));
   const formula::SpaceShape& shape = made.shape;
   note_rounding(session, name, shape);
-  if (made.way == distance::Way::kLines) return describe_rays(session, name, lines_unasked(session, "shape"));
+  if (made.way == distance::Way::kLines)
+    return describe_rays(session, name, io::usual_lines(session, "shape", "--", wants_json(options)));
   if (made.way == distance::Way::kConvex)
     return polytope_outcome(session, whole(*shape.body), session.step() / Real(shape.body->scale), name, nullptr);
   const space::SpaceSummary summary = space::summarize(*shape.boxes, session.step());

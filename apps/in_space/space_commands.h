@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The verbs map, describe and convert for 3D scenes: the same options and the same results as in
+// The verbs describe and convert for 3D scenes: the same options and the same results as in
 // the plane, one dimension higher. Each is called by its verb once the scene is read and known to be 3D.
 #pragma once
 
-#include "common/line_choice.h"
 #include "common/session.h"
 #include "io/question/space_shapes.h"
 
 namespace findspace::app {
 
-Outcome map_space(const Session& session);
-Outcome map_rays(const Session& session, const LineChoice& lines);
 Outcome describe_space(const Session& session, const std::string& shape);
 Outcome convert_space(const Session& session, const std::string& shape);
 

@@ -48,14 +48,9 @@ bool wants_surface(const Session& session) {
                      [](const std::filesystem::path& name) { return name.extension() != ".json"; });
 }
 
-LineChoice lines_unasked(const Session& session, const char* what) {
-  constexpr int kLines = 128;
-  session.reporter().note(fmt::format(
-      "the {0} is taken on {1} x {1} lines of each axis, exact on each (--resolution N for others)", what, kLines));
-  LineChoice out;
-  out.count = kLines;
-  out.axes = true;
-  return out;
+void check_lines_outputs(const Session& session, const MapLines& lines) {
+  check_outputs(session.options(),
+                lines.side == MapLines::Side::kNone ? space_formats() : std::vector<std::string>{".json"});
 }
 
 }  // namespace findspace::app

@@ -10,9 +10,9 @@
 
 #include "common/line_choice.h"
 #include "common/session.h"
-#include "formula/solid/solve_space.h"
 #include "io/mesh/write_mesh.h"
 #include "io/write/write_json.h"
+#include "space/box/convex_set.h"
 
 namespace findspace::app {
 
@@ -26,7 +26,7 @@ Outcome polytope_outcome(const Session& session, const space::ConvexSet& set, co
                          const std::string& title, const distance::OptimalValue* best);
 /// Whether more than JSON is asked for, which the facets of a grown polytope do not give.
 bool wants_surface(const Session& session);
-/// The lines of a map (or shape) that has no exact form, where none were asked for; a note says so.
-LineChoice lines_unasked(const Session& session, const char* what);
+/// Of an answer on lines: those of cells are JSON alone.
+void check_lines_outputs(const Session& session, const MapLines& lines);
 
 }  // namespace findspace::app

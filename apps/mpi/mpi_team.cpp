@@ -93,9 +93,9 @@ std::vector<space::RayRow> rows_of(const MpiTeam& team, const space::RaySource& 
 }
 
 /// That of a row, and messages move on meanwhile.
-RowDigester with_progress(const MpiTeam& team, const RowDigester& digester) {
+io::RowDigester with_progress(const MpiTeam& team, const io::RowDigester& digester) {
   return [&team, &digester](const space::RayGrid& grid, int j, const space::RayRow& row, bool written) {
-    RowDigest digest = digester(grid, j, row, written);
+    io::RowDigest digest = digester(grid, j, row, written);
     team.progress();
     return digest;
   };
@@ -361,18 +361,18 @@ std::string MpiTeam::account() const {
       account_.waiting);
 }
 
-void MpiTeam::each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
-                          const std::function<void(int, RowDigest&&)>& take) {
-  if (count_ == 1 || own.grid().oblique) return app::each_digest(own, digester, written, take);
-  const RowDigester moving_on = with_progress(*this, digester);
-  const auto make = [&](int begin, int count) { return digests_of(own, moving_on, written, begin, count); };
+void MpiTeam::each_digest(const space::RaySource& own, const io::RowDigester& digester, bool written,
+                          const std::function<void(int, io::RowDigest&&)>& take) {
+  if (count_ == 1 || own.grid().oblique) return io::each_digest(own, digester, written, take);
+  const io::RowDigester moving_on = with_progress(*this, digester);
+  const auto make = [&](int begin, int count) { return io::digests_of(own, moving_on, written, begin, count); };
   const auto read = [](int, int count, std::string_view bytes) {
-    std::vector<RowDigest> digests;
+    std::vector<io::RowDigest> digests;
     plane::ByteReader in(bytes);
-    for (int k = 0; k < count; ++k) digests.push_back(take_digest(in));
+    for (int k = 0; k < count; ++k) digests.push_back(io::take_digest(in));
     return digests;
   };
-  SharedBlocks<RowDigest>(*this, own.grid(), {written ? kWrittenDigests : kDigests, make, read, take}).run();
+  SharedBlocks<io::RowDigest>(*this, own.grid(), {written ? kWrittenDigests : kDigests, make, read, take}).run();
 }
 
 void MpiTeam::make_source(const Source& source, const space::RayGrid& grid) {
@@ -381,7 +381,7 @@ void MpiTeam::make_source(const Source& source, const space::RayGrid& grid) {
   made_->grid = grid;
 }
 
-std::string MpiTeam::answer(const BlockRequest& request, const RowDigester& digester) const {
+std::string MpiTeam::answer(const BlockRequest& request, const io::RowDigester& digester) const {
   const space::RaySource& rays = *made_->region.rays;
   const int begin = static_cast<int>(request.begin), count = static_cast<int>(request.count);
   std::string bytes;
@@ -390,13 +390,13 @@ std::string MpiTeam::answer(const BlockRequest& request, const RowDigester& dige
     return bytes;
   }
   plane::ByteWriter out;
-  const RowDigester moving_on = with_progress(*this, digester);
-  for (const RowDigest& digest : digests_of(rays, moving_on, request.kind == kWrittenDigests, begin, count))
-    put_digest(digest, out);
+  const io::RowDigester moving_on = with_progress(*this, digester);
+  for (const io::RowDigest& digest : io::digests_of(rays, moving_on, request.kind == kWrittenDigests, begin, count))
+    io::put_digest(digest, out);
   return std::move(out).take();
 }
 
-void MpiTeam::serve_block(const Source& source, const RowDigester& digester, const BlockRequest& request) {
+void MpiTeam::serve_block(const Source& source, const io::RowDigester& digester, const BlockRequest& request) {
   const std::int64_t begin = request.begin;
   std::string bytes(reinterpret_cast<const char*>(&begin), sizeof begin);
   Tag tag = kRows;
@@ -413,7 +413,7 @@ void MpiTeam::serve_block(const Source& source, const RowDigester& digester, con
   MPI_Isend(block.bytes.data(), static_cast<int>(block.bytes.size()), MPI_BYTE, 0, tag, ranks_, &block.request);
 }
 
-void MpiTeam::serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) {
+void MpiTeam::serve(const Source& source, const space::RayGrid& first, const io::RowDigester& digester) {
   made_ = std::make_unique<Made>();
   for (int k = 0; k < kInHand; ++k) MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, ranks_);
   try {

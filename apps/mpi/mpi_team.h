@@ -28,9 +28,9 @@ class MpiTeam : public ProcessTeam, private PackPeers {
   PackPeers& peers() override { return *this; }
   space::RaySourcePointer shared(space::RaySourcePointer rows) override;
   std::string account() const override;
-  void each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
-                   const std::function<void(int, RowDigest&&)>& take) override;
-  void serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) override;
+  void each_digest(const space::RaySource& own, const io::RowDigester& digester, bool written,
+                   const std::function<void(int, io::RowDigest&&)>& take) override;
+  void serve(const Source& source, const space::RayGrid& first, const io::RowDigester& digester) override;
 
   /// Between two rows: a large message moves only while both ends call MPI. Of the thread that made the team; others
   /// pass.
@@ -47,8 +47,8 @@ class MpiTeam : public ProcessTeam, private PackPeers {
   std::string best_of(std::span<const double> cost, std::string own) override;
   void broadcast(std::string& text, int from);
   void make_source(const Source& source, const space::RayGrid& grid);
-  std::string answer(const struct BlockRequest& request, const RowDigester& digester) const;
-  void serve_block(const Source& source, const RowDigester& digester, const BlockRequest& request);
+  std::string answer(const struct BlockRequest& request, const io::RowDigester& digester) const;
+  void serve_block(const Source& source, const io::RowDigester& digester, const BlockRequest& request);
 
   /// How rank 0 spent its time on rows: processor seconds for the first two, seconds by the clock for the last.
   struct Account {

@@ -7,11 +7,11 @@
 
 #include "findspace/error.h"
 #include "formula/explain/explain.h"
-#include "in_space/ray_outcome.h"
-#include "in_space/space_commands.h"
 #include "io/mesh/space_surface.h"
+#include "io/question/ray_map.h"
 #include "io/question/space_line.h"
 #include "io/question/space_map.h"
+#include "io/question/space_shapes.h"
 #include "io/write/write_explanation.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -44,7 +44,7 @@ std::string LoadedSpace::drawing_of(const std::string& name) const {
     if (const auto boundary = formula::shape_boundary(shape))
       out.solid = io::surface_of(*boundary, session.step());
     else
-      out.solid = shape_on_lines(session, shape, kShapeLines);
+      out.solid = io::surface_on_lines(shape, kShapeLines, session.step().to_double());
     return out.json();
   });
 }
@@ -105,10 +105,10 @@ std::string LoadedSpace::map_json(const RegionQuery& asked) const {
   return with_session([&](const Session& session) {
     if (map->way == distance::Way::kLines) {
       if (!query.apply.empty()) refuse("an operation on a region that only lines give");
-      LineChoice lines;
+      io::LineChoice lines;
       lines.count = query.resolution > 0 ? query.resolution : kLines;
       lines.axes = true;
-      RaysDrawn drawn = draw_rays(session, lines, wanted);
+      io::RaysDrawn drawn = io::draw_rays(session, lines, wanted);
       if (!query.drawing) return drawn.json;
       return with_member(std::move(drawn.json), "drawing", SpaceDrawing{std::move(drawn.surface), {}, {}, {}}.json());
     }

@@ -11,12 +11,34 @@
 #include "common/told.h"
 #include "findspace/error.h"
 #include "in_plane/orientation_command.h"
-#include "in_space/space_commands.h"
 
 namespace findspace::app {
 namespace {
 
 using Kind = Scene::Free::Kind;
+
+/// Positions in space, on lines where they are asked for or there is no exact form.
+Outcome map_positions(const Session& session) {
+  const Options& options = session.options();
+  MapQuestion question;
+  question.apply = options.apply;
+  question.before = "--";
+  question.lines = asked_lines(session);
+  question.listed = options.json;
+  for (const auto& path : options.outputs) {
+    const bool json = path.extension() == ".json";
+    question.listed |= json;
+    question.surface |= !json;
+  }
+  const bool cells = question.lines && question.lines->side != MapLines::Side::kNone;
+  std::vector<std::string> formats = Surface::endings();
+  if (cells) formats.clear();
+  formats.insert(formats.begin(), ".json");
+  check_outputs(options, formats);
+  const Answer answer = session.asked().map(question);
+  session.reporter().stage("writing");
+  return told(session, answer);
+}
 
 Outcome map_in_space(const Session& session) {
   const Options& options = session.options();
@@ -32,10 +54,7 @@ Outcome map_in_space(const Session& session) {
     const Answer answer = session.asked().map();
     return told(session, answer);
   }
-  return at_orientations(session, [](const Session& s) {
-    const auto lines = asked_lines(s);
-    return lines ? map_rays(s, *lines) : map_space(s);
-  });
+  return at_orientations(session, map_positions);
 }
 
 std::vector<std::string> formats_of(Kind free) {
@@ -66,7 +85,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   refuse_apply(options, free);
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
                                  [](const auto& path) { return path.extension() == ".svg"; });
-  MapQuestion question{asked_pose(session), options.apply, drawn, false, "--"};
+  MapQuestion question{asked_pose(session), options.apply, drawn, false, {}, true, "--"};
   Scene scene = session.asked();
   session.forget_shapes();
   const Answer answer = std::move(scene).map(question);

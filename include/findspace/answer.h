@@ -7,6 +7,7 @@
 // report.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "findspace/explanation.h"
 #include "findspace/files.h"
+#include "findspace/line_map.h"
 #include "findspace/motion.h"
 #include "findspace/placement.h"
 #include "findspace/region.h"
@@ -62,6 +64,9 @@ class Answer {
   std::vector<std::string> endings() const;
   /// The text of such a file, and what it does not say. Error(kUnsupported) for another ending.
   Region::Drawn file(std::string_view ending, const Telling& telling = {}) const;
+  /// The same, part by part: JSON of many lines need not be in memory as a whole.
+  void write(std::string_view ending, const std::function<void(std::string_view)>& part,
+             const Telling& telling = {}) const;
   /// What was rounded, and how far, or is not computed.
   const std::vector<std::string>& notes() const;
 
@@ -77,6 +82,12 @@ class Answer {
   std::optional<RegionBounds> region() const;
   /// Of a map of positions in space: the same, exactly.
   std::optional<SpaceRegion> space_region() const;
+  /// Of a map of positions in space that has no exact form, or was asked for on lines: where these meet it, cast anew.
+  /// Of lines along all axes, those along z. Nothing of other answers.
+  std::optional<LineMap> on_lines() const;
+  /// Whether it is such a map. It is found(), then, where a line shows it for certain, and not where cells about the
+  /// lines show that nothing is.
+  bool sampled() const;
   /// Of a map with an objective, or with `-> min`: the best value. Over angles, and in space, `at` is empty:
   /// intervals() and space_region() have them.
   std::optional<Optimum> best() const;

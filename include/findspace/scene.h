@@ -55,13 +55,27 @@ struct Pose {
   std::optional<Number> time{};     // an instant of the motion; nothing: over all its time
 };
 
+/// Lines on which a map of positions in space is taken; they run through the middle of cells that cover it.
+struct MapLines {
+  /// Which cells about them are taken: those of places of the lines that belong; those that certainly belong as a
+  /// whole; or those whose union certainly holds the map.
+  enum class Side { kNone, kInner, kOuter };
+  int count = 0;                       // each way, from 1 to 16384, or
+  std::optional<Number> apart{};       // how far they are apart, a multiple of the grid's step
+  Shape::Axis axis = Shape::Axis::kZ;  // along which they run
+  bool axes = false;                   // along all three instead
+  Side side = Side::kNone;             // which cells
+};
+
 /// What a map is asked for.
 struct MapQuestion {
   Pose pose{};           // over angles and over time: its position
   std::string apply{};   // what is made of a region: interior closure boundary regularize complement, or nothing
   bool pictures = true;  // the answer may be drawn; else it takes less memory
   bool surface = false;  // of space: it is wanted with flat faces, which a polytope grown by a ball has not
-  std::string before{};  // what messages put before "apply"
+  std::optional<MapLines> lines{};  // of space: on these; nothing: exactly, or on 128 lines each way of each axis
+  bool listed = true;               // of lines: JSON has them; else they take less time
+  std::string before{};             // what messages put before "apply"
 };
 
 /// What a placement is asked for, besides what the scene says in "place".
@@ -169,8 +183,9 @@ class Scene {
   /// Distances of what moves to the other shapes. `words`: which (vocabulary.h); none: all. Error(kUnknownName).
   Answer measure(const Pose& pose = {}, const std::vector<std::string>& words = {}) const;
   /// Where the formula holds, or is best where there is an objective, among all that is free(). In space positions,
-  /// where they are made of boxes or are a convex polytope, or those on a line; of several orientations each is asked
-  /// alone (rotated()). The second is of a scene that is not needed any more: it may let go of its shapes.
+  /// where they are made of boxes or are a convex polytope, exactly, else on many lines; or those on a line. Of several
+  /// orientations each is asked alone (rotated()). The second is of a scene that is not needed any more: it may let go
+  /// of its shapes.
   Answer map(const MapQuestion& question = {}) const&;
   Answer map(const MapQuestion& question = {}) &&;
   /// Why the formula holds nowhere, or how far its levels can be tightened (World::explain): at an angle, else over the

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <map>
 
 #include "files.h"
 #include "findspace/scene.h"
@@ -57,12 +58,34 @@ std::vector<PlaceQuestion::Near> near_of(const py::iterable& wanted) {
   return out;
 }
 
+/// (lines, apart, axis, side)
+std::optional<MapLines> lines_of(const py::tuple& asked) {
+  static const std::map<std::string, MapLines::Side> kSides{
+      {"", MapLines::Side::kNone}, {"inner", MapLines::Side::kInner}, {"outer", MapLines::Side::kOuter}};
+  const auto axis = asked[2].cast<std::string>();
+  const auto side = kSides.find(asked[3].cast<std::string>());
+  MapLines out;
+  out.count = asked[0].cast<int>();
+  out.apart = amount(asked[1]);
+  out.axes = axis == "xyz";
+  if (!out.axes && (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z'))
+    throw py::value_error("axis: 'x', 'y', 'z', or 'xyz' for all three");
+  if (side == kSides.end()) throw py::value_error("side: 'inner', 'outer', or ''");
+  if (!out.axes) out.axis = Shape::Axis(axis[0] - 'x');
+  out.side = side->second;
+  if (out.count != 0 || out.apart) return out;
+  if (axis != "z" || !side->first.empty()) throw py::value_error("axis and side need lines, or apart");
+  return std::nullopt;
+}
+
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures`, `surface` and `before`; of place `near` and `lines`.
+/// its position, `apply`, `pictures`, `surface`, `before` and lines_of(); of place `near` and `lines`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
-    const MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
-                               asked[2].cast<bool>(), asked[3].cast<bool>(), asked[4].cast<std::string>()};
+    MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
+                         asked[2].cast<bool>(), asked[3].cast<bool>()};
+    question.before = asked[4].cast<std::string>();
+    question.lines = lines_of(asked[5].cast<py::tuple>());
     return interruptible([&] { return scene.map(question); });
   }
   if (verb == "place") {
@@ -148,6 +171,9 @@ void bind_answer(py::module_& m) {
           "it is exact.")
       .def_property_readonly("space_region", read(&Answer::space_region),
                              "Of a map of positions in space: the same, exactly; None of other answers.")
+      .def_property_readonly("sampled", read(&Answer::sampled), "Whether it is a map of space on lines.")
+      .def_property_readonly("on_lines", read(&Answer::on_lines),
+                             "Of such a map: where the lines meet it, cast anew; None of other answers.")
       .def_property_readonly("best", read(&Answer::best), "Of a map with an objective: the best value, or None.")
       .def_property_readonly("intervals", read(&Answer::intervals),
                              "Of a map of a line, of angles, in degrees, or of instants: what certainly belongs.")
@@ -376,15 +402,19 @@ time : number, optional
       .def(
           "map",
           [](const Scene& s, const std::optional<py::sequence>& at, const std::string& apply, bool pictures,
-             bool surface, const std::string& before) {
-            return answered(s, "map", py::make_tuple(at, apply, pictures, surface, before));
+             bool surface, const std::string& before, int lines, const py::object& apart, const std::string& axis,
+             const std::string& side) {
+            return answered(
+                s, "map",
+                py::make_tuple(at, apply, pictures, surface, before, py::make_tuple(lines, apart, axis, side)));
           },
           py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
-          py::arg("surface") = false, py::arg("before") = "",
+          py::arg("surface") = false, py::arg("before") = "", py::arg("lines") = 0, py::arg("apart") = py::none(),
+          py::arg("axis") = "z", py::arg("side") = "",
           R"doc(Where the formula holds, or is best, among all that is free.
 
-In space positions are given where they are made of boxes or are a convex polytope, exactly, with open and closed ends;
-of several orientations each is asked alone (`rotated`). Lengths are in the scene's unit.
+In space positions are given where they are made of boxes or are a convex polytope, exactly, with open and closed ends,
+else on many lines; of several orientations each is asked alone (`rotated`). Lengths are in the scene's unit.
 
 Parameters
 ----------
@@ -398,6 +428,14 @@ surface : bool
     Of space: it is wanted with flat faces, which a polytope grown by a ball has not.
 before : str
     What messages put before "apply".
+lines : int
+    Of space: on so many lines each way, from 1 to 16384.
+apart : number, optional
+    Or on lines so far apart, a multiple of the grid's step.
+axis : str
+    Along which they run: 'x', 'y', 'z', or 'xyz' for all three.
+side : str
+    Of cells about the lines: 'inner', those that certainly belong; 'outer', those that certainly hold all.
 
 Examples
 --------

@@ -138,6 +138,14 @@ def test_scenes_map_positions_in_space():
     top = again(best.space_region)
     assert best.best.value == 7 and top.volume == 0 and (7, 1, 1) in top and (6, 1, 1) not in top
     assert top.boxes == scene.world.solve_space("inside(crate, room)", maximize="x").boxes
+    assert not answer.sampled and answer.on_lines is None
+    lines = again(scene.map(lines=8, axis="x", side="inner"))
+    assert lines.sampled and lines.space_region is None and lines.endings == [".json"]
+    assert 0 < lines.on_lines.volume < 343 and len(lines.on_lines.lines) == 16
+    assert scene.map(apart=1, axis="xyz").found == "yes"
+    for wrong in ({"axis": "x"}, {"lines": 8, "axis": "w"}, {"lines": 8, "side": "left"}):
+        with pytest.raises(ValueError):
+            scene.map(**wrong)
     with pytest.raises(fs.Error, match="apply"):
         scene.map(apply="inner")
     with pytest.raises(fs.Error, match="objective"):

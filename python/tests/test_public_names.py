@@ -13,7 +13,7 @@ ELSEWHERE = {
     "AdjustedPhi::Value": "AdjustedPhiValue", "AdjustedPhi::at": "AdjustedPhi.__call__",
     "Phi::Value": "PhiValue", "Phi::at": "Phi.__call__", "PhiQuestion": "Phi.text",
     "BoardOptions": "Board.file", "BoardGroup": "Board.file", "Board::options": "Board.__getstate__",
-    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "PlaceQuestion": "Scene.place",
+    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "MapLines": "Scene.map", "PlaceQuestion": "Scene.place",
     "PlaceQuestion::Near": "Scene.place", "Scene::Question": "Scene.asking",
     "Scene::with": "Scene.limited", "Scene::motion": "World.motion",
     "Demands": "place", "Placement::Positions": "Placement.positions", "WorldOptions": "World",
@@ -48,7 +48,7 @@ ELSEWHERE = {
     "pack_problem": "PackProblem.json", "solid_pack_problem": "SolidPackProblem.json",
 }
 # Types whose values are plain ones of Python, and so are their members'.
-PLAIN = {"Telling", "SpaceQuestion", "MapQuestion", "PlaceQuestion", "PlaceQuestion::Near",
+PLAIN = {"Telling", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
          "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
          "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",
@@ -69,7 +69,7 @@ NEEDLESS = {
     "CancelScope": "Ctrl-C ends questions",
     "read_text": "open()", "read_standard_input": "sys.stdin", "json_number": "the module json",
     "json_string": "the module json", "json_list": "the module json",
-    "Answer::Found": "text", "Scene::Free::Kind": "text", "Scene::Listener": "notes of each answer",
+    "Answer::Found": "text", "MapLines::Side": "text", "Answer::write": "texts are whole", "Scene::Free::Kind": "text", "Scene::Listener": "notes of each answer",
     "Scene::Change": "pickle", "Scene::changes": "pickle",
     "Placement::Told": "pickle", "Placement::told": "pickle",
 }

@@ -3,7 +3,7 @@
 //
 // Regions of space on lines, the bounds of their volume, and their surfaces.
 
-#include "findspace/line_map.h"
+#include "api/plan/line_map.h"
 
 #include <cmath>
 #include <limits>
@@ -67,24 +67,27 @@ double volume_on(const AskedOnLines& asked, const formula::Formula& formula, con
 
 }  // namespace
 
+LineMap api::line_map(const space::RaySource& rays, double step) {
+  space::RaySummarizer summarizer(rays.grid());
+  LineMap out;
+  space::each_row(rays, [&](int j, space::RayRow&& row) {
+    summarizer.add(j, row);
+    add_row(rays.grid(), j, row, step, out);
+  });
+  const space::RaySummary summary = summarizer.finish();
+  out.volume = summary.volume * step * step * step;
+  out.components = summary.components.size();
+  if (!summary.empty) out.bounds = SpaceRegion::Bounds3{scaled(summary.low, step), scaled(summary.high, step)};
+  return out;
+}
+
 LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
     const AskedOnLines asked(*data_, formula);
-    const space::RayGrid grid = asked.grid(lines);
-    const formula::RegionOnLines source = asked.on(asked.question.levels.formula, grid);
-    space::RaySummarizer summarizer(grid);
-    LineMap out;
-    space::each_row(*source.rays, [&](int j, space::RayRow&& row) {
-      summarizer.add(j, row);
-      add_row(grid, j, row, asked.step, out);
-    });
-    const space::RaySummary summary = summarizer.finish();
+    const formula::RegionOnLines source = asked.on(asked.question.levels.formula, asked.grid(lines));
+    LineMap out = api::line_map(*source.rays, asked.step);
     out.exact = formula::both(asked.question.levels.side, source.side) == formula::Side::kExact;
     out.unbounded = asked.question.unbounded;
-    out.volume = summary.volume * asked.step * asked.step * asked.step;
-    out.components = summary.components.size();
-    if (!summary.empty)
-      out.bounds = SpaceRegion::Bounds3{scaled(summary.low, asked.step), scaled(summary.high, asked.step)};
     return out;
   });
 }

@@ -18,6 +18,7 @@
 #include "io/question/map_answer.h"
 #include "io/question/placement_answer.h"
 #include "io/question/position_answer.h"
+#include "io/question/ray_map.h"
 #include "io/question/space_map.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
@@ -308,24 +309,28 @@ Answer at_pose(const std::shared_ptr<const Scene::Data>& data, const Pose& pose,
   });
 }
 
+/// Positions, exactly where they have such a form and no lines are asked for.
+Answer::Data in_space(const io::AskedScene& scene, const MapQuestion& question) {
+  const io::Applied apply{question.apply, question.before};
+  if (question.lines) return io::map_on_lines(scene, io::ray_choice(scene, *question.lines, question.listed), apply);
+  if (auto found = io::map_of_space(scene, apply, question.surface, io::public_solid_world)) return *std::move(found);
+  const io::RayChoice usual = io::usual_lines(scene, "map", question.before, question.listed);
+  return io::map_on_lines(scene, usual, apply);
+}
+
 Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& question) {
   using Kind = Scene::Free::Kind;
   const Kind free = data->free.kind;
   const bool solid = data->read.dimension == 3;
   if (free != Kind::kPosition && !question.apply.empty())
     throw Error(ErrorCode::kBadValue, question.before + "apply is for maps of all positions", data->read.file);
+  if (question.lines && (!solid || free == Kind::kLine))
+    throw Error(ErrorCode::kBadValue, "lines are for maps of positions in space", data->read.file);
   const std::vector<exact::Real> p = data->position(question.pose);
   const exact::RealPoint at{p[0], p[1]};
   return asked(std::move(data), std::nullopt, [&](io::AskedScene scene) {
     if (solid && free == Kind::kLine) return io::map_of_space_line(std::move(scene));
-    if (solid) {
-      const std::string file = scene.scene().file;
-      if (auto found = io::map_of_space(std::move(scene), {question.apply, question.before}, question.surface,
-                                        io::public_solid_world))
-        return *std::move(found);
-      throw Error(ErrorCode::kUnsupported,
-                  "the region is neither made of boxes nor a convex polytope; ask for positions or lines of it", file);
-    }
+    if (solid) return in_space(scene, question);
     if (free == Kind::kPose) return io::map_of_poses(std::move(scene));
     if (free == Kind::kAngle) return io::map_of_angles(std::move(scene), at);
     if (free != Kind::kTime)
@@ -513,6 +518,11 @@ Region::Drawn Answer::file(std::string_view ending, const Telling& telling) cons
                 fmt::format("the ending '{}' is none of {}", ending, fmt::join(endings(), " ")));
   return found->second(telling);
 }
+void Answer::write(std::string_view ending, const std::function<void(std::string_view)>& part,
+                   const Telling& telling) const {
+  if (ending == ".json" && data_->json_parts) return data_->json_parts(part);
+  part(file(ending, telling).text);
+}
 const std::vector<std::string>& Answer::notes() const { return data_->notes; }
 Check Answer::check() const {
   if (!data_->check) throw Error(ErrorCode::kBadValue, "this is no answer to a check");
@@ -526,6 +536,10 @@ std::optional<RegionBounds> Answer::region() const {
 }
 std::optional<SpaceRegion> Answer::space_region() const {
   return data_->space_region ? std::optional(data_->space_region()) : std::nullopt;
+}
+bool Answer::sampled() const { return data_->sampled; }
+std::optional<LineMap> Answer::on_lines() const {
+  return data_->line_map ? std::optional(data_->line_map()) : std::nullopt;
 }
 std::optional<Optimum> Answer::best() const { return data_->best ? std::optional(data_->best()) : std::nullopt; }
 std::vector<Interval> Answer::intervals() const {

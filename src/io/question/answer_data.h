@@ -25,6 +25,9 @@ struct Answer::Data {
   std::function<std::vector<Measured>()> measured{};
   std::function<RegionBounds()> region{};
   std::function<SpaceRegion()> space_region{};
+  bool sampled = false;
+  std::function<LineMap()> line_map{};
+  std::function<void(const std::function<void(std::string_view)>&)> json_parts{};  // where it may be long
   std::function<Optimum()> best{};
   std::function<std::vector<Interval>()> intervals{}, possible{};
   std::function<PoseMap()> poses{};

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "common/row_digests.h"
+#include "io/question/row_team.h"
 
 #include <algorithm>
 #include <span>
 
 #include "plane/base/parallel.h"
 
-namespace findspace::app {
+namespace findspace::io {
+namespace {
+
+thread_local RowTeam* team_of_thread = nullptr;
+
+}  // namespace
+
+RowTeam* row_team() { return team_of_thread; }
+RowsByTeam::RowsByTeam(RowTeam* team) : before_(team_of_thread) { team_of_thread = team; }
+RowsByTeam::~RowsByTeam() { team_of_thread = before_; }
 
 std::vector<RowDigest> digests_of(const space::RaySource& source, const RowDigester& digester, bool written, int begin,
                                   int count) {
@@ -48,4 +57,4 @@ RowDigest take_digest(plane::ByteReader& in) {
   return digest;
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "in_space/ray_optimum.h"
 
+#include <findspace/error.h>
 #include <fmt/format.h>
 
 #include "formula/solid/optimize_rays.h"
+#include "io/question/ray_set.h"
 
-namespace findspace::app {
+namespace findspace::io {
 
-space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
+space::RayAim aim_of(const AskedScene& asked, const AskedScene::Goal& goal) {
   using Kind = formula::Objective::Kind;
   space::RayAim aim;
   aim.greatest = goal.sense == distance::Sense::kMaximum;
@@ -16,9 +17,9 @@ space::RayAim aim_of(const Session& session, const Session::Goal& goal) {
   if (kind == Kind::kX || kind == Kind::kY || kind == Kind::kZ) {
     aim.axis = kind == Kind::kX ? 0 : kind == Kind::kY ? 1 : 2;
   } else if (kind == Kind::kDistanceToPoint && !aim.greatest) {
-    for (std::size_t k = 0; k < 3; ++k) aim.point[k] = (goal.objective.point.at(k) / session.step()).to_double();
+    for (std::size_t k = 0; k < 3; ++k) aim.point[k] = (goal.objective.point.at(k) / asked.step()).to_double();
   } else {
-    throw Error(ErrorCode::kUnsupported, "in 3D the distance to a point can be minimised only", session.scene().file);
+    throw Error(ErrorCode::kUnsupported, "in 3D the distance to a point can be minimised only", asked.scene().file);
   }
   return aim;
 }
@@ -63,7 +64,7 @@ distance::OptimalValue least_of(const formula::LeastOf& found) {
   return out;
 }
 
-RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goal& goal) {
+RayObjective objective_of(const formula::SpaceSolver& solver, const AskedScene::Goal& goal) {
   RayObjective out;
   const bool negated = goal.objective.negated;
   out.sign = negated ? -1 : 1;
@@ -81,7 +82,7 @@ RayObjective objective_of(const formula::SpaceSolver& solver, const Session::Goa
   return out;
 }
 
-std::string optimum_text(const distance::OptimalValue& found) {
+std::string ray_optimum_text(const distance::OptimalValue& found) {
   const bool on_lines = found.answer->way == distance::Way::kLines;
   const auto at = [&](std::size_t k) { return found.answer->at.at(k).to_double(); };
   const auto bound = found.bound();
@@ -90,4 +91,4 @@ std::string optimum_text(const distance::OptimalValue& found) {
                      at(2), bound ? fmt::format("; none is beyond {}", bound->to_double()) : "");
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io
