@@ -3,7 +3,8 @@
 //
 // The sum of grid polygons from the curves that can be boundary, against the arrangement of the whole convolution, cell
 // by cell: on shapes full of ties (lattice squares, with holes and slots), on random triangles, on stars whose
-// convolution is pruned, in sheets, whose outside is unbounded, and on staircases and combs whose curves overlap.
+// convolution is pruned, in sheets, whose outside is unbounded, and on staircases and combs whose curves overlap. And
+// whether points lie in sums of many corners.
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,7 @@
 #include "plane/grid/merged_curves.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "plane/sum/pair_sums.h"
 
 namespace findspace::plane {
 namespace plane_grid_sum {
@@ -38,10 +40,10 @@ Region triangles(std::mt19937& rng, std::int64_t size, int count) {
   return united(parts);
 }
 
-Region star(std::mt19937& rng, int n) {
+Region star(std::mt19937& rng, int n, double unit = 1000) {
   std::vector<GridPoint> points;
   for (int k = 0; k < n; ++k) {
-    double r = (k % 2 ? 300 + rng() % 200 : 800 + rng() % 200) * 1000.0, angle = 6.283185307179586 * k / n;
+    double r = (k % 2 ? 300 + rng() % 200 : 800 + rng() % 200) * unit, angle = 6.283185307179586 * k / n;
     points.push_back({std::int64_t(r * std::cos(angle)), std::int64_t(r * std::sin(angle))});
   }
   return ring(points);
@@ -190,6 +192,49 @@ TEST(GridSum, CombsThatFitExactly) {
   const Region left = closure(overlay(both, [](std::span<const Mark> m) { return Mark(m[0] > 0 && m[1] <= 0); }));
   EXPECT_TRUE(merges(left, a));
   compare(left, a, "plate");
+}
+
+/// Whether places lie in a sum of so many corners that some of them are tried first (convolution_index.h), against the
+/// winding numbers of all curves.
+void compare_points(const Region& a, bool (*wanted)(Mark), const Region& b, std::mt19937& rng, std::int64_t far = 5) {
+  const Operand first{a, wanted}, second{b, in, true};
+  const auto p = first.grid(), q = second.grid();
+  ASSERT_TRUE(p && q && (*p)[0].corners.size() * (*q)[0].corners.size() >= 10'000);
+  const ConvolutionIndex index({*p, a.geometry}, {*q, b.geometry});
+  SumOfPairs sum(true);
+  for (const Part& x : first.solid_parts())
+    for (const Part& y : second.solid_parts()) sum.add(x, y);
+  PointWinding numbers = std::move(sum).numbers();
+  exact::Geometry g = numbers.take_geometry();
+  int inside = 0;
+  for (int k = 0; k < 400; ++k) {
+    // At sums of corners, and about them.
+    const GridPoint u = (*p)[0].corners[rng() % (*p)[0].corners.size()].at;
+    const GridPoint v = (*q)[0].corners[rng() % (*q)[0].corners.size()].at;
+    const std::int64_t away = k % 4 == 0 ? 0 : k % 4 == 1 ? 1 : far;
+    const auto some = [&] { return std::int64_t(rng() % std::uint64_t(2 * away + 1)) - away; };
+    const Index point = g.add_grid_point(u.x + v.x + some(), u.y + v.y + some());
+    bool unresolved = false;
+    const bool holds = index.holds(g, point, unresolved);
+    ASSERT_FALSE(unresolved);
+    ASSERT_EQ(holds, numbers.at(g, point) > 0) << g.points[point].gx << ", " << g.points[point].gy;
+    inside += holds;
+  }
+  EXPECT_GT(inside, 100);
+}
+
+TEST(GridSum, PointsOfManyCorners) {
+  std::mt19937 rng(3);
+  for (const std::int64_t width : {4, 20}) {
+    const Region a = comb(30, width, width + 1, 300), b = comb(29, width, width + 1, 300);
+    compare_points(a, in, b, rng);
+    compare_points(a, in, mirrored(b), rng);
+    compare_points(a, out, b, rng);
+    compare_points(stairs(50, width, 7), in, stairs(51, width + 1, 7), rng);
+    compare_points(star(rng, 120), in, star(rng, 120), rng);
+    compare_points(star(rng, 120), in, star(rng, 120, 20), rng, 200'000);
+    if (HasFatalFailure()) return;
+  }
 }
 
 }  // namespace plane_grid_sum

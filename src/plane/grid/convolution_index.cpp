@@ -52,6 +52,28 @@ bool can_enclose(const GridFace& face, const GridFace& other) {
 std::int32_t euler(const GridFace& bounded) { return 2 - std::int32_t(ring_sizes(bounded).size()); }
 
 constexpr std::size_t kEntriesPerFace = 2;
+constexpr std::size_t kManyPairs = 10'000;  // of corners, from which on corners are tried before curves are counted
+constexpr std::size_t kCornerStep = 7;      // of them one of so many is tried; teeth repeat by even numbers
+constexpr double kWellOff = 2;              // grid steps: far more than the rounding of sums below 2^43 steps
+
+/// Does a point, off by `error` at most, lie inside the face? False where doubles do not tell.
+bool lies_inside(const GridFace& face, const BoxSlabs& slabs, double x, double y, double error) {
+  bool odd = false;  // edges that a ray to the right crosses
+  const bool sure = slabs.visit(y - error, y + error, [&](const BoxSlabs::Entry& e) {
+    if (e.x1 < x - error) return true;
+    if (e.y0 >= y - error || e.y1 <= y + error) return false;
+    if (e.x0 <= x + error) {
+      const GridPoint p = face.corners[e.item].at, q = face.corners[face.corners[e.item].next].at;
+      const double dx = double(q.x - p.x), dy = double(q.y - p.y);
+      const double cross = dx * (y - double(p.y)) - dy * (x - double(p.x));
+      if (std::abs(cross) <= error * (std::abs(dx) + std::abs(dy))) return false;
+      if ((cross > 0) != (dy > 0)) return true;  // to the left of the point
+    }
+    odd = !odd;
+    return true;
+  });
+  return sure && odd != face.unbounded;
+}
 
 std::vector<BoxSlabs::Entry> bounded_boxes(const std::vector<GridFace>& faces) {
   std::vector<BoxSlabs::Entry> out;
@@ -190,8 +212,20 @@ std::size_t ConvolutionIndex::convex_count() const {
 bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
   const exact::Point q = g.points[point];
   for (Index k : pairs_meeting({q.x - q.error, q.y - q.error, q.x + q.error, q.y + q.error})) {
-    if (number(g, point, k) != 0) return true;
+    if (holds_by_a_corner(q, k) || number(g, point, k) != 0) return true;
     unresolved |= may_enclose(k);
+  }
+  return false;
+}
+
+bool ConvolutionIndex::holds_by_a_corner(const exact::Point& q, Index pair) const {
+  if (face_of(pair, 0).corners.size() * face_of(pair, 1).corners.size() < kManyPairs) return false;
+  for (int s : {0, 1}) {
+    const std::vector<GridCorner>& corners = face_of(pair, 1 - s).corners;
+    for (std::size_t v = 0; v < corners.size(); v += kCornerStep) {
+      const double x = q.x - double(corners[v].at.x), y = q.y - double(corners[v].at.y);
+      if (lies_inside(face_of(pair, s), of(pair, s).slabs, x, y, q.error + kWellOff)) return true;
+    }
   }
   return false;
 }

@@ -126,6 +126,9 @@ class ConvolutionIndex {
     return true;
   }
 
+  /// Whether a corner of one face, of some that are tried, shows that the point lies in the open sum: moved back by it
+  /// the point lies inside the other face. By doubles that are certain; most points inside large sums are found so.
+  bool holds_by_a_corner(const exact::Point& q, Index pair) const;
   std::int32_t number(exact::Geometry& g, Index point, Index pair) const;
   std::int32_t past_curve(exact::Geometry& g, Index point, const Curve& c) const;
   std::int32_t past_corners(exact::Geometry& g, Index point, Index pair) const;
