@@ -168,6 +168,8 @@ class Scene {
   const std::vector<Change>& changes() const;
   /// With other limits.
   Scene with(const Options& options) const;
+  /// The limits of its questions.
+  const Options& options() const;
   /// Who hears of a question while it is answered, in the thread that asks.
   struct Listener {
     std::function<void(const std::string&)> note{};   // what Answer::notes() will say

@@ -273,7 +273,9 @@ py::tuple state_of(const Scene& s) {
       changes.append(py::make_tuple(q.where, q.minimize, q.maximize, q.before));
     }
   }
-  return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes);
+  Options limits = s.options();
+  limits.progress = nullptr;  // few functions pickle
+  return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes, limits);
 }
 
 /// One of the scene's by its words, or another one.
@@ -294,7 +296,7 @@ Scene scene_of(const py::tuple& t) {
     else
       out = out.asking({c[0].cast<Text>(), c[1].cast<Text>(), c[2].cast<Text>(), c[3].cast<std::string>()});
   }
-  return out;
+  return out.with(t[5].cast<Options>());
 }
 
 }  // namespace
@@ -367,6 +369,7 @@ Examples
           "rotated", [](const Scene& s, const Rotation& r) { return interruptible([&] { return s.rotated(r); }); },
           py::arg("rotation"),
           "Of space: what moves is turned about the scene's \"about\"; notes say what was rounded.")
+      .def_property_readonly("options", &Scene::options, "The limits of its questions.")
       .def(
           "limited",
           [](const Scene& s, const std::optional<Options>& options, const py::kwargs& words) {

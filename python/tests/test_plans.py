@@ -122,6 +122,15 @@ def test_scenes_map_a_line_of_space():
     assert [(i.start, i.end) for i in scene.asking(maximize="").map().intervals] == [(-1, 6)]
 
 
+def test_pickled_scenes_and_answers_keep_their_limits():
+    text = """{"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0], "max": [1, 1]}}}, "moving": "a", "where": "true"}"""
+    scene = again(fs.Scene.json(text).limited(seconds=50, threads=1, progress=lambda part: None))
+    assert (scene.options.seconds, scene.options.threads) == (50, 1)
+    assert again(scene.map()).found == "yes"
+    kept = fs.Scene.json(text).map().__reduce_ex__(2)[2]
+    assert kept[0].options.seconds == 0 and scene.map().__reduce_ex__(2)[2][0].options.seconds == 50
+
+
 def test_scenes_map_positions_in_space():
     text = """{"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}},
         "crate": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}, "moving": "crate", "where": "inside(crate, room)"%s}"""

@@ -446,6 +446,8 @@ Scene Scene::with(const Options& options) const {
   return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
 }
 
+const Options& Scene::options() const { return data_->source.options; }
+
 Scene Scene::with(const Listener& listener) const {
   Data::Source source = data_->source;
   source.listener = listener;
