@@ -144,7 +144,11 @@ TEST_F(Program, ExplainsSomeAngles) {
   EXPECT_TRUE(contains(run("explain scene.json --at 1.5,2.5 --angle 90", some).out, "(1.5, 2.5) is feasible"));
   const json there = json::parse(run("explain scene.json --at 1,1 --angle 90 --json", some).out);
   EXPECT_EQ(there["change"][0], "inside(bar, room)");
-  EXPECT_TRUE(contains(run("explain scene.json", scene(R"("angle")")).err, "is not computed"));
+  const std::string all = scene(R"("angle")");
+  EXPECT_TRUE(contains(run("explain scene.json --at 1.5,2.5", all).out, "slack 0.5, to 0.5; the last angle is 90°"));
+  const Result none = run("explain scene.json", all);
+  EXPECT_EQ(none.status, 1);
+  EXPECT_TRUE(contains(none.out, "no angle is feasible")) << none.out << none.err;
 }
 
 TEST_F(Program, ExplainsOrientations) {
