@@ -293,6 +293,8 @@ class SharedRows : public space::RaySource {
   mutable space::RowReader reader_;
 };
 
+MpiTeam::~MpiTeam() = default;
+
 MpiTeam::MpiTeam(MPI_Comm ranks) : ranks_(ranks) {
   MPI_Comm_rank(ranks, &rank_);
   MPI_Comm_size(ranks, &count_);

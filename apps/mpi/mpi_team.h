@@ -20,6 +20,7 @@ namespace findspace::app {
 class MpiTeam : public ProcessTeam, private PackPeers {
  public:
   explicit MpiTeam(MPI_Comm ranks);
+  ~MpiTeam() override;
 
   bool leads() const override { return rank_ == 0; }
   std::size_t count() const override { return static_cast<std::size_t>(count_); }

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "api/query/world_data.h"
+#include "distance/planar/at_position.h"
 #include "formula/language/lexer.h"
 #include "formula/planar/solve_region.h"
 #include "plane/base/parallel.h"

@@ -13,6 +13,7 @@
 #include "api/values/region_data.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
+#include "io/question/map_answer.h"
 #include "io/question/space_shapes.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_summary.h"
