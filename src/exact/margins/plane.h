@@ -18,6 +18,9 @@ inline constexpr double kBeyondAll = 0x1p44;
 /// off by 2^-9 in the four operations made. Bounds: cells and points nearer to an edge count as not inside, as the
 /// guarantee of lattice_runs.h allows.
 inline constexpr double kLatticeSlack = 0x1p-6;
+/// Grid steps: a point less a corner is below 2^43, and the side of a point beside an edge is off by 2^-6 of its length
+/// at most. Filters: a point that is not so far from every edge of a face is decided by exact winding numbers.
+inline constexpr double kInsideFace = 2;
 /// Of the size of a polynomial's terms: 2^13 roundings, more than its evaluation loses. Filters: places of roots too
 /// many do no harm.
 inline constexpr double kPolynomialLost = 1e-12;

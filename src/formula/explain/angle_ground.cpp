@@ -41,7 +41,7 @@ class AngleGround : public Ground {
     for (const SignMap& wanted : demands.formula().sign_maps()) signs_.push_back(maps.sign_map(wanted));
     std::set<MetDemands> distinct;
     angles([&](std::span<const Mark> signs) {
-      distinct.insert(met(signs));
+      distinct.insert(met_at(demands, signs));
       return true;
     });
     met_.assign(distinct.begin(), distinct.end());
@@ -52,12 +52,8 @@ class AngleGround : public Ground {
   }
   Conflict conflict() override { return find_conflict(demands_, met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
-    const RotationMap within = angles([&](std::span<const Mark> signs) {
-      if (sign != 0 && sign_of(k, signs) != sign) return false;
-      MetDemands all = met(signs);
-      all[k] = true;
-      return demands_.truth(all);
-    });
+    const RotationMap within =
+        angles([&](std::span<const Mark> signs) { return holds_without(demands_, signs, k, sign); });
     const distance::RotationOptimum best = maps_.best(demands_.formula().atoms()[k].distance, within, sense);
     LevelChange out = changed(demands_, k, best, best.attained && best.proven());
     if (out.kind == LevelChange::Kind::kTo) out.place = angle_in(best.at).value_or(RemainingPlace());
@@ -69,14 +65,6 @@ class AngleGround : public Ground {
   }
 
  private:
-  std::int8_t sign_of(std::size_t atom, std::span<const Mark> signs) const {
-    return signs[demands_.formula().sign_map_of(atom)];
-  }
-  MetDemands met(std::span<const Mark> signs) const {
-    MetDemands out(demands_.size());
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = demands_.holds(k, sign_of(k, signs));
-    return out;
-  }
   /// {angle : rule(signs there)}
   template <class Rule>
   RotationMap angles(const Rule& rule) const {

@@ -105,6 +105,19 @@ void refuse_sums(const Formula& formula) {
 
 }  // namespace
 
+MetDemands met_at(const Demands& demands, std::span<const plane::Mark> signs) {
+  MetDemands out(demands.size());
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = demands.holds(k, signs[demands.formula().sign_map_of(k)]);
+  return out;
+}
+
+bool holds_without(const Demands& demands, std::span<const plane::Mark> signs, std::size_t k, int sign) {
+  if (sign != 0 && signs[demands.formula().sign_map_of(k)] != sign) return false;
+  MetDemands met = met_at(demands, signs);
+  met[k] = true;
+  return demands.truth(met);
+}
+
 bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
               const std::optional<AssumedDemand>& assumed) {
   return std::any_of(cells.begin(), cells.end(), [&](MetDemands met) {

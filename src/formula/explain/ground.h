@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "exact/number/tried.h"
 #include "formula/explain/explain.h"
@@ -22,6 +23,10 @@ struct AssumedDemand {
   bool met = true;
 };
 
+/// What the signs of the sign maps at a place say of the demands.
+MetDemands met_at(const Demands& demands, std::span<const plane::Mark> signs);
+/// Whether the formula holds there without demand k, and its distance minus the level has `sign`; 0: any.
+bool holds_without(const Demands& demands, std::span<const plane::Mark> signs, std::size_t k, int sign);
 /// Whether the formula holds in one of some cells.
 bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
               const std::optional<AssumedDemand>& assumed);

@@ -33,14 +33,6 @@ class Cells {
     plane::parallel_for(maps_.size(), [&](std::size_t k) { maps_[k] = sign_map(world, formula.sign_maps()[k]); });
   }
 
-  std::int8_t sign(std::size_t atom, std::span<const Mark> signs) const {
-    return signs[demands_.formula().sign_map_of(atom)];
-  }
-  MetDemands met(std::span<const Mark> signs) const {
-    MetDemands out(demands_.size());
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = demands_.holds(k, sign(k, signs));
-    return out;
-  }
   /// {p : rule(signs at p)}
   template <class Rule>
   plane::Region region(const Rule& rule) const {
@@ -53,7 +45,7 @@ class Cells {
   std::vector<MetDemands> all() const {
     std::set<MetDemands> distinct;
     region([&](std::span<const Mark> signs) {
-      distinct.insert(met(signs));
+      distinct.insert(met_at(demands_, signs));
       return true;
     });
     return {distinct.begin(), distinct.end()};
@@ -145,12 +137,7 @@ class PlanarGround : public Ground {
   }
   /// The positions that the formula has without demand k, of those where its distance minus the level has `sign`.
   plane::Region without(const Cells& cells, std::size_t k, int sign) const {
-    return cells.region([&](std::span<const Mark> signs) {
-      if (sign != 0 && cells.sign(k, signs) != sign) return false;
-      MetDemands met = cells.met(signs);
-      met[k] = true;
-      return demands_.truth(met);
-    });
+    return cells.region([&](std::span<const Mark> signs) { return holds_without(demands_, signs, k, sign); });
   }
 
   Poses poses_;

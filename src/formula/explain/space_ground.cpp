@@ -295,15 +295,10 @@ class BoxGround : public SearchedGround {
   Conflict conflict() override { return find_conflict(demands(), met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     const Formula& formula = demands().formula();
-    const BoxComplex set = solver()
-                               .try_region(formula,
-                                           [&](std::span<const Mark> signs) {
-                                             const auto s = signs[formula.sign_map_of(k)];
-                                             MetDemands met = met_at(demands(), signs);
-                                             met[k] = true;
-                                             return (sign == 0 || s == sign) && demands().truth(met);
-                                           })
-                               .or_throw();
+    const BoxComplex set =
+        solver()
+            .try_region(formula, [&](std::span<const Mark> signs) { return holds_without(demands(), signs, k, sign); })
+            .or_throw();
     if (set.empty()) return changed_to(k, sense, {});
     if (unbounded(k, sense)) return endless(k);
     if (const auto found = box_extreme(solver(), formula.atoms()[k].distance, set, sense)) {
@@ -320,12 +315,6 @@ class BoxGround : public SearchedGround {
     PlaceSearch search = searching([k, sense](const DemandsAt& here) { return value_seen(here, k, sense); });
     search.tolerance = tolerance();
     return changed_to(k, sense, find_place(search, boxes));
-  }
-
-  static MetDemands met_at(const Demands& demands, std::span<const Mark> signs) {
-    MetDemands met(demands.size());
-    for (std::size_t k = 0; k < met.size(); ++k) met[k] = demands.holds(k, signs[demands.formula().sign_map_of(k)]);
-    return met;
   }
 
  private:
@@ -347,7 +336,7 @@ class BoxGround : public SearchedGround {
 std::unique_ptr<Ground> space_ground(const SpaceSolver& solver, const Demands& demands) {
   std::vector<MetDemands> cells;
   const auto whole = solver.try_region(demands.formula(), [&](std::span<const Mark> signs) {
-    MetDemands met = BoxGround::met_at(demands, signs);
+    MetDemands met = met_at(demands, signs);
     if (std::find(cells.begin(), cells.end(), met) == cells.end()) cells.push_back(std::move(met));
     return true;
   });

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/margins/plane.h"
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/ray_crossing.h"
 
@@ -54,7 +55,6 @@ std::int32_t euler(const GridFace& bounded) { return 2 - std::int32_t(ring_sizes
 constexpr std::size_t kEntriesPerFace = 2;
 constexpr std::size_t kManyPairs = 10'000;  // of corners, from which on corners are tried before curves are counted
 constexpr std::size_t kCornerStep = 7;      // of them one of so many is tried; teeth repeat by even numbers
-constexpr double kWellOff = 2;              // grid steps: far more than the rounding of sums below 2^43 steps
 
 /// Does a point, off by `error` at most, lie inside the face? False where doubles do not tell.
 bool lies_inside(const GridFace& face, const BoxSlabs& slabs, double x, double y, double error) {
@@ -224,7 +224,7 @@ bool ConvolutionIndex::holds_by_a_corner(const exact::Point& q, Index pair) cons
     const std::vector<GridCorner>& corners = face_of(pair, 1 - s).corners;
     for (std::size_t v = 0; v < corners.size(); v += kCornerStep) {
       const double x = q.x - double(corners[v].at.x), y = q.y - double(corners[v].at.y);
-      if (lies_inside(face_of(pair, s), of(pair, s).slabs, x, y, q.error + kWellOff)) return true;
+      if (lies_inside(face_of(pair, s), of(pair, s).slabs, x, y, q.error + margin::kInsideFace)) return true;
     }
   }
   return false;
