@@ -6,17 +6,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "findspace/error.h"
 #include "findspace/text.h"
 #include "findspace/vocabulary.h"
-#include "io/write/write_position.h"
-#include "io/write/write_witness.h"
 #include "serve/loaded_plane.h"
 #include "serve/loaded_space.h"
 
 namespace findspace::app {
 namespace {
+
+using Kind = Scene::Free::Kind;
 
 constexpr std::array<const char*, 5> kFreeNames{"position", "line", "angle", "time", "pose"};
 
@@ -24,8 +25,8 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string numbers(const std::vector<exact::Real>& values) {
-  return json_list(values, [](const exact::Real& v) { return json_number(v.to_double()); });
+std::string numbers(const std::vector<Number>& values) {
+  return json_list(values, [](const Number& v) { return json_number(v.value()); });
 }
 
 /// What formulas are written with.
@@ -36,114 +37,131 @@ std::string words() {
   return json_list(all, json_string);
 }
 
-}  // namespace
-
-std::unique_ptr<Loaded> Loaded::make(io::Scene scene) {
-  if (scene.dimension == 3) return std::make_unique<LoadedSpace>(std::move(scene));
-  return std::make_unique<LoadedPlane>(std::move(scene));
+/// The error with its place within the formula alone.
+Error within_formula(const Error& error) {
+  constexpr std::string_view kBefore = "where:";
+  const std::string& place = error.place();
+  Error out(error.code(), error.message(), place.rfind(kBefore, 0) == 0 ? place.substr(kBefore.size()) : place);
+  for (const std::array<double, 2>& p : error.geometry()) out.at(p[0], p[1]);
+  return out;
 }
 
-std::string Loaded::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+/// The scene with another formula, which is read.
+Scene with_where(const Scene& scene, const std::string& where) {
+  Scene::Question question;
+  question.where = where;
+  Scene other = scene.asking(question);
+  try {
+    other.used();
+  } catch (const Error& error) {
+    throw within_formula(error);
+  }
+  return other;
+}
+
+}  // namespace
+
+Loaded::Loaded(const Scene& scene) : scene_(scene.prepared()), asked_(asked_of(scene_)) {
+  scene_.used();  // refuses a formula that is none
+}
+
+std::unique_ptr<Loaded> Loaded::make(const Scene& scene) {
+  if (scene.dimension() == 3) return std::make_unique<LoadedSpace>(scene);
+  return std::make_unique<LoadedPlane>(scene);
+}
+
+Scene Loaded::asked_of(const Scene& scene) {
+  Scene::Question question;
+  if (!scene.asks()) question.where = "true";
+  if (scene.dimension() == 2 && scene.free().kind != Kind::kLine) question.free = Kind::kPosition;
+  return question.where || question.free ? scene.asking(question) : scene;
+}
 
 void Loaded::refuse(const std::string& what) const {
-  throw Error(ErrorCode::kUnsupported, what + " is not computed", scene_.file);
+  throw Error(ErrorCode::kUnsupported, what + " is not computed", scene_.name());
 }
 
 void Loaded::require_moving() const {
-  if (scene_.moving.empty())
-    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+  if (scene_.moving().empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.name());
 }
 
-void Loaded::read_formula() {
-  formula_ = with_session([](const Session& session) { return session.where(); });
-}
-
-formula::Formula Loaded::parsed(const std::string& where) const {
-  if (where.empty()) return {};
-  return with_session([&](const Session& session) { return formula::parse_formula(where, session.context()); });
+Scene Loaded::asking(const Scene& scene, const std::string& where) {
+  return with_where(scene, where.empty() ? "true" : where);
 }
 
 void Loaded::set_where(const std::string& where) {
-  formula::Formula other = parsed(where);
-  formula_ = std::move(other);
-  scene_.where = {where, "formula", 1, 1};
-  scene_.conditions.clear();
+  scene_ = with_where(scene_, where);
+  asked_ = asked_of(scene_);
   forget_answers();
 }
 
-std::string Loaded::shape_json(const std::string& name, bool drawing) const {
-  const auto& atoms = formula_.atoms();
-  const bool used = std::any_of(atoms.begin(), atoms.end(), [&](const formula::Atom& a) {
-    return holds(a.distance.first, name) || holds(a.distance.second, name);
-  });
-  std::string out =
-      fmt::format(R"({{"name": {}, "moving": {}, "used": {})", json_string(name), holds(scene_.moving, name), used);
-  const std::string look = drawing ? drawing_of(name) : "";
+std::string Loaded::shape_json(const std::string& name, const std::vector<std::string>& used, bool drawing) const {
+  const bool moves = holds(scene_.moving(), name), named = holds(used, name);
+  std::string out = fmt::format(R"({{"name": {}, "moving": {}, "used": {})", json_string(name), moves, named);
+  // A board has many shapes: only those that the formula looks at are built.
+  const std::string look = drawing && (moves || named || !scene_.of_board()) ? drawing_of(name) : "";
   if (!look.empty()) out += ", \"drawing\": " + look;
   return out + "}";
 }
 
 std::string Loaded::free_json() const {
-  using Kind = io::Free::Kind;
-  const io::Free& free = scene_.free;
+  const Scene::Free& free = scene_.free();
   std::string out = fmt::format(R"("free": "{}")", kFreeNames[static_cast<std::size_t>(free.kind)]);
-  if (free.kind == Kind::kAngle || free.kind == Kind::kPose)
-    out += fmt::format(R"(, "about": [{}, {}])", json_number(double(free.about[0]) * step()),
-                       json_number(double(free.about[1]) * step()));
+  if (!free.about.empty()) out += ", \"about\": " + numbers(free.about);
   if (free.kind == Kind::kPose) out += ", \"angles\": " + numbers(free.angles);
   return out;
 }
 
 std::string Loaded::motion_json() const {
-  if (!scene_.motion.given()) return "";
-  const auto movement = [&](const io::Movement& m) {
-    const std::string path = json_list(m.path, [&](const io::GridPosition& p) {
-      return fmt::format("[{}, {}]", json_number(double(p[0]) * step()), json_number(double(p[1]) * step()));
-    });
-    return fmt::format(R"({{"shape": {}, "path": {}, "times": {}, "angles": {}}})", json_string(m.shape), path,
-                       numbers(m.times), numbers(m.angles));
+  const std::optional<Motion> motion = scene_.motion();
+  if (!motion) return "";
+  const auto movement = [](const auto& path) {
+    const auto& [shape, points] = path;
+    return fmt::format(R"({{"shape": {}, "path": {}, "times": {}, "angles": {}}})", json_string(shape),
+                       json_list(points,
+                                 [](const WayPoint& p) {
+                                   return fmt::format("[{}, {}]", json_number(p.at.x.value()),
+                                                      json_number(p.at.y.value()));
+                                 }),
+                       json_list(points, [](const WayPoint& p) { return json_number(p.time.value()); }),
+                       json_list(points, [](const WayPoint& p) { return json_number(p.degrees.value()); }));
   };
-  return fmt::format(R"(, "motion": {{"start": {}, "end": {}, "movements": {}}})",
-                     json_number(scene_.motion.start.to_double()), json_number(scene_.motion.end.to_double()),
-                     json_list(scene_.motion.movements, movement));
+  return fmt::format(R"(, "motion": {{"start": {}, "end": {}, "movements": {}}})", json_number(motion->start.value()),
+                     json_number(motion->end.value()), json_list(motion->paths, movement));
 }
 
 std::string Loaded::summary_json(bool drawing) const {
-  std::vector<std::string> names;
-  for (const plane::ShapePtr& s : scene_.shapes) names.push_back(s->name);
-  const std::string shapes = json_list(names, [&](const std::string& name) { return shape_json(name, drawing); });
-  const std::string unit_key = unit().empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit()));
+  const std::vector<std::string> used = scene_.used();
+  const std::string shapes =
+      json_list(scene_.names(), [&](const std::string& name) { return shape_json(name, used, drawing); });
+  const std::string unit = scene_.unit();
+  const std::string unit_key = unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
   return fmt::format(R"({{"dimension": {}, {}"step": {}, "y": "{}", "where": {}, "moving": {}, {}{}, "place": {}, )"
                      R"("shapes": {}, "words": {}}})",
-                     scene_.dimension, unit_key, json_number(step()), scene_.y_down ? "down" : "up",
-                     json_string(scene_.where.text), json_list(scene_.moving, json_string), free_json(), motion_json(),
-                     scene_.place.given(), shapes, words());
+                     scene_.dimension(), unit_key, json_number(scene_.grid().step.value()),
+                     scene_.y_down() ? "down" : "up", json_string(scene_.asks() ? scene_.where().text() : ""),
+                     json_list(scene_.moving(), json_string), free_json(), motion_json(), scene_.places(), shapes,
+                     words());
+}
+
+std::string Loaded::explain_json(const Spot& spot) const {
+  require_moving();
+  const bool drawn = spot.angle || !(is_free(Kind::kAngle) || is_free(Kind::kPose));
+  const Scene question = drawn ? asked() : scene_.asks() ? scene_ : asking(scene_, "");
+  return question.explain({spot.at, spot.angle, spot.time}).json();
 }
 
 std::string Loaded::place_json(double seconds, const PlaceQuestion& question) const {
-  if (!scene_.place.given()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.file);
+  if (!scene_.places()) throw Error(ErrorCode::kBadValue, "the scene has no \"place\"", scene_.name());
   findspace::Options limits;
   limits.seconds = seconds;
-  return with_session([&](const Session& session) { return session.asked().with(limits).place(question).json(); });
-}
-
-std::string Loaded::nearest_json(const Spot& spot) const {
-  require_moving();
-  const formula::TriedNearest near = nearest(spot);
-  if (near) return "{" + io::nearest_member(*near) + "}";
-  return fmt::format(R"({{"not_computed": {{"nearest_feasible": {}}}}})", json_string(near.refusal().error.message()));
+  return scene_.with(limits).place(question).json();
 }
 
 std::string with_member(std::string object, std::string_view name, std::string_view value) {
   object.resize(object.rfind('}'));
   return fmt::format("{}, \"{}\": {}}}", object, name, value);
-}
-
-void check_reach(const io::Scene& scene, const Spot& spot) {
-  if (spot.at.size() != std::size_t(scene.dimension))
-    throw Error(ErrorCode::kBadValue, fmt::format("a position of this scene has {} numbers", scene.dimension),
-                scene.file);
-  for (const exact::Real& c : spot.at) scene.grid.steps(c);
 }
 
 }  // namespace findspace::app

@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
 
-using exact::Real;
-using exact::RealPoint;
 using io::JsonValue;
 using JsonKind = JsonValue::Kind;
 
@@ -123,55 +123,53 @@ bool flag(const JsonValue& parameters, std::string_view key) {
 
 std::string name_of(const JsonValue& parameters) { return text(parameters, "scene").value_or("scene"); }
 
-Real number_of(const JsonValue& item, std::string_view key) {
+Number number_of(const JsonValue& item, std::string_view key) {
   if (!item.is(JsonKind::kNumber) && !item.is(JsonKind::kString)) refuse(fmt::format("\"{}\" wants numbers", key));
-  return Real::parse_decimal(item.text);
+  return item.text;
 }
 
-std::optional<Real> number(const JsonValue& parameters, std::string_view key) {
+std::optional<Number> number(const JsonValue& parameters, std::string_view key) {
   const JsonValue* value = parameters.find(key);
   return value == nullptr ? std::nullopt : std::optional(number_of(*value, key));
 }
 
 double double_of(const JsonValue& parameters, std::string_view key, double otherwise) {
   const JsonValue* value = find(parameters, key, JsonKind::kNumber, "a number");
-  return value == nullptr ? otherwise : Real::parse_decimal(value->text).to_double();
+  return value == nullptr ? otherwise : Number(value->text).value();
 }
 
 std::uint64_t whole(const JsonValue& parameters, std::string_view key, std::uint64_t otherwise) {
   constexpr int kMost = 1 << 30;
   const auto value = number(parameters, key);
   if (!value) return otherwise;
-  const auto integer = value->integer();
-  if (!integer || *integer < 0 || *integer > kMost) refuse(fmt::format("\"{}\" is a whole number", key));
-  return static_cast<std::uint64_t>(*integer);
+  const double whole = value->value();
+  if (whole != std::floor(whole) || whole < 0 || whole > kMost) refuse(fmt::format("\"{}\" is a whole number", key));
+  return static_cast<std::uint64_t>(whole);
 }
 
 /// A list of `count` numbers, or of two or three where that is 0.
-std::vector<Real> numbers(const JsonValue& parameters, std::string_view key, std::size_t count) {
+std::vector<Number> numbers(const JsonValue& parameters, std::string_view key, std::size_t count) {
   const JsonValue* value = find(parameters, key, JsonKind::kArray, "a list of numbers");
   if (value == nullptr) return {};
   const bool fits = count > 0 ? value->size() == count : value->size() == 2 || value->size() == 3;
   if (!fits) refuse(fmt::format("\"{}\" is a list of {} numbers", key, count > 0 ? "two" : "two or three"));
-  std::vector<Real> out;
+  std::vector<Number> out;
   for (const JsonValue& item : value->items) out.push_back(number_of(item, key));
   return out;
 }
 
-RealPoint needed_point(const JsonValue& parameters, std::string_view key) {
-  const std::vector<Real> p = numbers(parameters, key, 2);
+Point needed_point(const JsonValue& parameters, std::string_view key) {
+  const std::vector<Number> p = numbers(parameters, key, 2);
   if (p.empty()) refuse(fmt::format("\"{}\" is missing", key));
   return {p[0], p[1]};
 }
 
-Spot spot_of(const JsonValue& parameters, const Loaded& loaded) {
-  Spot spot{numbers(parameters, "at", 0), number(parameters, "angle"), number(parameters, "time")};
-  if (!spot.at.empty()) check_reach(loaded.scene(), spot);
-  return spot;
+Spot spot_of(const JsonValue& parameters) {
+  return {numbers(parameters, "at", 0), number(parameters, "angle"), number(parameters, "time")};
 }
 
-Spot needed_spot(const JsonValue& parameters, const Loaded& loaded) {
-  Spot spot = spot_of(parameters, loaded);
+Spot needed_spot(const JsonValue& parameters) {
+  Spot spot = spot_of(parameters);
   if (spot.at.empty()) refuse("\"at\" is missing");
   return spot;
 }
@@ -205,10 +203,10 @@ std::string scene(SceneStore& store, const JsonValue& parameters) {
 std::string set(SceneStore& store, const JsonValue& parameters) {
   const std::string name = name_of(parameters);
   if (const JsonValue* moving = find(parameters, "moving", JsonKind::kArray, "a list of names")) {
-    io::Scene other = store.scene(name).scene();
-    other.moving.clear();
-    for (const JsonValue& item : moving->items) other.moving.push_back(other.shape(item.text)->name);
-    store.replace(name, std::move(other));
+    Scene::Question question;
+    question.moving.emplace();
+    for (const JsonValue& item : moving->items) question.moving->push_back(item.text);
+    store.keep(name, store.scene(name).scene().asking(question));
   }
   if (const auto where = text(parameters, "where")) store.scene(name).set_where(*where);
   return store.scene(name).summary_json(false);
@@ -233,39 +231,39 @@ std::string map(SceneStore& store, const JsonValue& parameters) {
 std::string check(SceneStore& store, const JsonValue& parameters) {
   const JsonValue* snap = find(parameters, "snap", JsonKind::kNumber, "a number");
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.check_json(needed_spot(parameters, loaded),
-                           {flag(parameters, "nearest"), snap == nullptr ? Real() : Real::parse_decimal(snap->text)});
+  CheckQuestion question{flag(parameters, "nearest"), {}};
+  if (snap != nullptr) question.snap = snap->text;
+  return loaded.check_json(needed_spot(parameters), question);
 }
 
 std::string nearest(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.nearest_json(needed_spot(parameters, loaded));
+  return loaded.nearest_json(needed_spot(parameters));
 }
 
 std::string measure(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.measure_json(needed_spot(parameters, loaded));
+  return loaded.measure_json(needed_spot(parameters));
 }
 
 std::string between(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.between_json(spot_of(parameters, loaded),
-                             {needed_point(parameters, "from"), needed_point(parameters, "to")});
+  return loaded.between_json(spot_of(parameters), needed_point(parameters, "from"), needed_point(parameters, "to"));
 }
 
 std::string explain(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.explain_json(spot_of(parameters, loaded));
+  return loaded.explain_json(spot_of(parameters));
 }
 
 std::string angles(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.angles_json(needed_spot(parameters, loaded));
+  return loaded.angles_json(needed_spot(parameters));
 }
 
 std::string instants(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.instants_json(needed_spot(parameters, loaded));
+  return loaded.instants_json(needed_spot(parameters));
 }
 
 PlaceQuestion::Near near_of(const JsonValue& item) {

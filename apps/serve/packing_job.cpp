@@ -77,12 +77,7 @@ struct Space {
                        drawn ? ", \"drawing\": " + drawing(std::move(surface)) : "");
   }
   static std::string drawing(const SolidPacking& packing, std::size_t part) { return drawing(packing.outline(part)); }
-  static std::string drawing(Surface surface) {
-    SpaceDrawing drawing;
-    drawing.solid.vertices = std::move(surface.vertices);
-    drawing.solid.faces = std::move(surface.faces);
-    return drawing.json();
-  }
+  static std::string drawing(Surface surface) { return SpaceDrawing{std::move(surface), {}}.json(); }
   static Number& size(SolidPackLayout& layout) { return layout.height; }
   static std::array<Number*, 3> place(PlacedSolid& item) { return {&item.at.x, &item.at.y, &item.at.z}; }
   static std::optional<SolidPackLayout> moved(const SolidPacking& packing, const SolidPackLayout& layout,

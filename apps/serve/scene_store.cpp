@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
+#include "common/session.h"
 #include "findspace/error.h"
 #include "findspace/text.h"
 #include "io/text/json_tree.h"
 #include "placing/packing_report.h"
 #include "serve/methods.h"
-#include "serve/scene_source.h"
 
 namespace findspace::app {
 namespace {
@@ -21,21 +21,16 @@ bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
   plane::WorkBudget work;
   const io::JsonValue file = io::parse_json(read_text(path, most), path.string(), work);
-  if (file.find("layout") != nullptr && file.find("shapes") == nullptr)
+  const auto has = [&](const char* key) { return file.find(key) != nullptr; };
+  if (has("layout") && !has("shapes"))
     throw Error(ErrorCode::kUsage, "a layout is shown with its problem: findspace view PROBLEM --start LAYOUT",
                 path.string());
-  const bool in_plane = file.find("items") != nullptr && file.find("shapes") == nullptr;
-  return in_plane || file.find("item-types") != nullptr;
+  return (has("items") && !has("shapes")) || has("item-types");
 }
 
-/// Of a scene; nothing of a drawing or a board.
-std::string text_of(const std::filesystem::path& path, std::uint64_t most) {
-  return path.extension() == ".json" ? read_text(path, most) : std::string();
-}
-
-io::Scene read_scene(const Options& options) {
+Scene read_scene(const Options& options) {
   Reporter reporter(true);
-  return Session(options, reporter).scene();
+  return Session(options, reporter).asked().with(Scene::Listener());
 }
 
 }  // namespace
@@ -55,7 +50,7 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
   }
   Options first = options_;
   if (options.no_files) first.root.clear();
-  keep("scene", read_scene(first), text_of(scene, options.input_limit));
+  keep("scene", read_scene(first));
 }
 
 Loaded& SceneStore::scene(const std::string& name) {
@@ -71,23 +66,15 @@ PackingJob& SceneStore::packing(const std::string& name) {
   return *found->second;
 }
 
-void SceneStore::keep(const std::string& name, io::Scene scene, std::string text) {
-  auto loaded = Loaded::make(std::move(scene));
+void SceneStore::keep(const std::string& name, const Scene& scene) {
+  auto loaded = Loaded::make(scene);
   packings_.erase(name);
   scenes_[name] = std::move(loaded);
-  texts_[name] = std::move(text);
 }
 
-void SceneStore::copy(const std::string& name, const std::string& as) {
-  const Loaded& from = scene(name);
-  keep(as, from.scene(), texts_[name]);
-}
+void SceneStore::copy(const std::string& name, const std::string& as) { keep(as, scene(name).scene()); }
 
-std::string SceneStore::source(const std::string& name) {
-  const io::Scene& now = scene(name).scene();
-  if (texts_[name].empty()) throw Error(ErrorCode::kBadValue, "this scene has no text of its own", now.file);
-  return edited_scene(texts_[name], now.where.text, now.moving);
-}
+std::string SceneStore::source(const std::string& name) { return scene(name).scene().edited_text(); }
 
 void SceneStore::keep_problem(const std::string& name, const std::string& text, const PackReading& asked) {
   auto job = PackingJob::make(text, asked);
@@ -114,7 +101,6 @@ void SceneStore::forget(const std::string& name) {
   if (packings_.erase(name) > 0) return;
   scene(name);
   scenes_.erase(name);
-  texts_.erase(name);
 }
 
 void SceneStore::load(const std::string& name, const std::string& path) {
@@ -126,13 +112,13 @@ void SceneStore::load(const std::string& name, const std::string& path) {
   options.minimize.clear();
   options.maximize.clear();
   options.free.clear();
-  keep(name, read_scene(options), text_of(whole, options.input_limit));
+  keep(name, read_scene(options));
 }
 
 void SceneStore::load_text(const std::string& name, const std::string& text) {
   ReadOptions without_files = reading(options_);
   without_files.files = false;
-  keep(name, io::read_scene_text(text, options_.root, name, without_files), text);
+  keep(name, Scene::json(text, options_.root, without_files, name));
 }
 
 std::filesystem::path SceneStore::within_root(const std::string& path) const {

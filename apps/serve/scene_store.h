@@ -22,10 +22,7 @@ class SceneStore {
   explicit SceneStore(const Options& options);
 
   Loaded& scene(const std::string& name);
-  /// `text`: what the scene was read from, or nothing.
-  void keep(const std::string& name, io::Scene scene, std::string text = {});
-  /// The same scene, changed.
-  void replace(const std::string& name, io::Scene scene) { keep(name, std::move(scene), texts_[name]); }
+  void keep(const std::string& name, const Scene& scene);
   /// A copy under another name, with its own formula from now on.
   void copy(const std::string& name, const std::string& as);
   /// The scene's text with the formula and the moving shapes that it has now. Throws Error where it had none.
@@ -48,7 +45,6 @@ class SceneStore {
 
   Options options_;  // the root is the one that is kept to
   std::map<std::string, std::unique_ptr<Loaded>> scenes_;
-  std::map<std::string, std::string> texts_;  // of scenes
   std::map<std::string, std::unique_ptr<PackingJob>> packings_;
 };
 

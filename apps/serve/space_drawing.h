@@ -6,43 +6,36 @@
 // the window. Cost: linear in the cells. Keywords: boundary representation, dangling faces.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <findspace/scene.h>
+#include <findspace/space_region.h>
+#include <findspace/surface.h>
+#include <findspace/values.h>
+
 #include <string>
 #include <vector>
 
-#include "io/mesh/write_mesh.h"
-#include "plane/query/locate_line.h"
-#include "space/box/box_complex.h"
-#include "space/box/convex_set.h"
-
 namespace findspace::app {
-
-using SpacePlace = std::array<double, 3>;
 
 /// A box of the scene's unit, beyond which drawings are cut off.
 struct SpaceWindow {
-  SpacePlace low{}, high{};
+  SpaceRegion::Bounds3 box{};
   bool any = false;
 
-  void include(const io::Surface& surface);
+  void include(const Surface& surface);
   /// With as much on every side as it is large.
   SpaceWindow wider() const;
 };
 
 struct SpaceDrawing {
-  io::Surface solid;
-  std::vector<std::vector<SpacePlace>> sheets, curves;
-  std::vector<SpacePlace> points;
+  Surface solid{};
+  SpaceRegion::Thin thin{};
 
   std::string json() const;
 };
 
-/// `step`: a grid step in the scene's unit.
-SpaceDrawing drawing_of_boxes(const space::BoxComplex& set, const exact::Real& step, const SpaceWindow& window);
-SpaceDrawing drawing_of_convex(const space::ConvexSet& set, const exact::Real& step);
-/// Of positions on a line through a point of the scene.
-SpaceDrawing drawing_of_line(const std::vector<plane::LineInterval>& intervals, const SpacePlace& through,
-                             const SpacePlace& direction, const SpaceWindow& window);
+SpaceDrawing drawing_of(const SpaceRegion& region, const SpaceWindow& window);
+/// Of positions on the line of a scene.
+SpaceDrawing drawing_of_line(const std::vector<Interval>& intervals, const Scene::Free& line,
+                             const SpaceWindow& window);
 
 }  // namespace findspace::app

@@ -70,9 +70,12 @@ class Answer {
   /// What was rounded, and how far, or is not computed.
   const std::vector<std::string>& notes() const;
 
+  /// Of a question about one position: which one, after snapping; empty of other answers.
+  Place at() const;
   /// Of a check: every condition. Error(kBadValue) of other answers, kUnsupported where a value is not computed.
   Check check() const;
-  /// Of a check that fails: the nearest feasible position; nothing where there is none, or it is not computed.
+  /// The nearest feasible position: of a check that fails, and where that is the question. Nothing where there is none,
+  /// or it is not computed.
   std::optional<NearestPlace> nearest() const;
   /// Of a measurement: its distances, pair by pair; none of other answers.
   std::vector<Measured> measured() const;
@@ -85,8 +88,10 @@ class Answer {
   /// Of a map of positions in space that has no exact form, or was asked for on lines: where these meet it, cast anew.
   /// Of lines along all axes, those along z. Nothing of other answers.
   std::optional<LineMap> on_lines() const;
-  /// Whether it is such a map. It is found(), then, where a line shows it for certain, and not where cells about the
-  /// lines show that nothing is.
+  /// Of both: its surface; nothing of other answers, and of cells about lines.
+  std::optional<Surface> surface() const;
+  /// Whether it is a map on lines. It is found(), then, where a line shows it for certain, and not where cells about
+  /// the lines show that nothing is.
   bool sampled() const;
   /// Of a map with an objective, or with `-> min`: the best value. Over angles, and in space, `at` is empty:
   /// intervals() and space_region() have them.

@@ -138,6 +138,11 @@ class Region {
   };
   /// Nothing of the empty set.
   std::optional<Nearest> nearest(const Position& to) const;
+  /// Where something that is dragged to a place snaps to: a corner that belongs to the set and is no farther than
+  /// `within`, or else such a point of its boundary; nothing where there is none.
+  std::optional<Position> snapped(const Position& to, const Number& within) const;
+  /// A position that belongs to it, an isolated one where there is one. Nothing of the empty set.
+  std::optional<Position> some() const;
   /// Points of the inside, evenly spread by the options' seed; fewer than `count` never. Error(kUnsupported) where the
   /// region has no area, or an unbounded one; Stopped at a limit.
   std::vector<Position> sample(std::size_t count, const Options& options = {}) const;
@@ -189,6 +194,18 @@ class Region {
   /// In the unit, by the ending: ".svg", ".dxf", ".wkt", ".geojson"; the name is that of a layer or of a feature.
   /// Error(kUnsupported) where unbounded, for another ending, and of arcs in GeoJSON.
   Drawn drawn(std::string_view ending, std::string_view name = "region", DxfVersion dxf = DxfVersion::kR12) const;
+  /// How it looks, for a program that draws it itself: SVG path data and places in the unit, with y downwards.
+  struct Paths {
+    std::string faces;                       // what is filled, by the even-odd rule
+    std::string closed, open;                // edges of faces that belong, and that do not
+    std::string free;                        // curves without area beside them
+    std::vector<Position> points{};          // isolated ones
+    std::vector<Position> full{}, hollow{};  // ends of curves that belong where these do not, and the reverse
+  };
+  /// What is unbounded is cut off at the window. `y_down`: its coordinates run downwards already, as those of boards.
+  Paths paths(const Bounds& window, bool y_down = false) const;
+  /// A box that holds all its vertices and curves, also where the set goes on beyond it; nothing where it has none.
+  std::optional<Bounds> extent() const;
   /// A picture with a frame, for people; unbounded ones are cut off.
   std::string picture(std::string_view title, std::string_view subtitle = {}) const;
 

@@ -55,6 +55,14 @@ struct Pose {
   std::optional<Number> time{};     // an instant of the motion; nothing: over all its time
 };
 
+/// What a check is asked for.
+struct CheckQuestion {
+  bool nearest = true;  // the nearest feasible position too, where the position is none
+  /// Something is dragged: where a corner of the region, an edge of it, or in space the nearest feasible position is no
+  /// farther than this, the answer is about that one, exactly.
+  std::optional<Number> snap{};
+};
+
 /// Lines on which a map of positions in space is taken; they run through the middle of cells that cover it.
 struct MapLines {
   /// Which cells about them are taken: those of places of the lines that belong; those that certainly belong as a
@@ -73,7 +81,8 @@ struct MapQuestion {
   std::string apply{};   // what is made of a region: interior closure boundary regularize complement, or nothing
   bool pictures = true;  // the answer may be drawn; else it takes less memory
   bool surface = false;  // of space: it is wanted with flat faces, which a polytope grown by a ball has not
-  std::optional<MapLines> lines{};  // of space: on these; nothing: exactly, or on 128 lines each way of each axis
+  std::optional<MapLines> lines{};  // of space: on these; nothing: exactly, or else as many as follows
+  int resolution = 0;               // of space, where there is no exact form: lines each way of each axis; 0: 128
   bool listed = true;               // of lines: JSON has them; else they take less time
   std::string before{};             // what messages put before "apply"
 };
@@ -110,12 +119,21 @@ class Scene {
   int dimension() const;
   /// Of lengths, or empty.
   std::string unit() const;
+  /// The grid of its coordinates; whether y runs downwards in pictures.
+  Grid grid() const;
+  bool y_down() const;
+  /// Whether it was made of a board of KiCad.
+  bool of_board() const;
   /// What moves, together; none where the scene does not say.
   const std::vector<std::string>& moving() const;
   /// With what moves, in time too. Error(kBadValue) where the scene does not say what does.
   const World& world() const;
   /// "where", "true" without it.
   const Formula& where() const;
+  /// Whether it has a "where".
+  bool asks() const;
+  /// Names of the shapes that the formula speaks of, sorted.
+  std::vector<std::string> used() const;
   /// "minimize" and "maximize", or empty.
   const std::string& minimize() const;
   const std::string& maximize() const;
@@ -147,25 +165,42 @@ class Scene {
   // ---- the same scene, changed
   /// What is asked instead of what the file says; what is not given stays.
   struct Question {
-    std::optional<std::string> where{};     // of the formula language; errors stand at "where:1:5"
-    std::optional<std::string> minimize{};  // an objective: instead of both of the file's
-    std::optional<std::string> maximize{};  // or this one
-    std::string before{};                   // what messages put before these three words
+    std::optional<std::string> where{};                // of the formula language; errors stand at "where:1:5"
+    std::optional<std::string> minimize{};             // an objective: instead of both of the file's
+    std::optional<std::string> maximize{};             // or this one
+    std::string before{};                              // what messages put before these three words
+    std::optional<std::vector<std::string>> moving{};  // names of shapes
+    /// Positions, or angles or instants at a position; not those of a line or of poses.
+    std::optional<Free::Kind> free{};
   };
-  /// With another question. Error(kBadValue) where there would be two objectives.
+  /// With another question. Error(kBadValue) where there would be two objectives, or for another range of free();
+  /// kUnknownName for what is no shape.
   Scene asking(const Question& question) const;
   /// Of space: what moves is turned about the scene's "about"; points that leave the grid are put on it once, which
   /// notes() says after those of the file. It ranges over positions then. Error(kUnsupported) in the plane.
   Scene rotated(const Rotation& rotation) const;
+  /// Of the plane: the same by an angle, counter-clockwise. Positions on a line stay such. Error(kUnsupported) in
+  /// space, and where shapes move in time.
+  Scene rotated(const Number& degrees) const;
   /// What asking() and rotated() have changed since it was read, one of the two at a time, in order.
   struct Change {
     /// Of asking().
     std::optional<Question> question{};
     /// Of rotated().
     std::optional<Rotation> rotation{};
+    std::optional<Number> degrees{};
   };
   /// All of them.
   const std::vector<Change>& changes() const;
+  /// Its text with what asking() has changed; all else stays as it was written, comments too. Error(kBadValue) of what
+  /// was not read from the text of a scene; kUnsupported where that does not say the changes.
+  std::string edited_text() const;
+  /// The same scene, which keeps what it makes for one question for the next: its shapes as sets, the region of its
+  /// formula and tables to look positions up in; so do the scenes that it becomes by asking() and rotated(). For many
+  /// questions, one after another. Takes the memory of it.
+  Scene prepared() const;
+  /// Whether it does.
+  bool is_prepared() const;
   /// With other limits.
   Scene with(const Options& options) const;
   /// The limits of its questions.
@@ -181,7 +216,12 @@ class Scene {
   // ---- questions. Error(kBadValue) where nothing moves, or a pose is none of this scene; kUnsupported for what is not
   // computed; Stopped at a limit
   /// Whether the formula holds at a pose, condition by condition; where it does not, the nearest feasible position too.
-  Answer check(const Pose& pose = {}) const;
+  Answer check(const Pose& pose = {}, const CheckQuestion& question = {}) const;
+  /// The feasible position that is nearest to a pose without degrees, which may be feasible itself.
+  Answer nearest(const Pose& pose = {}) const;
+  /// Of the plane: the distance between two vertices, edges or arcs of shapes: those nearest to two places, a vertex
+  /// where one is about as near. measured() has it, with the features. kBadValue where no shape has a boundary.
+  Answer between(const Point& first, const Point& second, const Pose& pose = {}) const;
   /// Distances of what moves to the other shapes. `words`: which (vocabulary.h); none: all. Error(kUnknownName).
   Answer measure(const Pose& pose = {}, const std::vector<std::string>& words = {}) const;
   /// Where the formula holds, or is best where there is an objective, among all that is free(). In space positions,

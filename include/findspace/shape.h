@@ -143,6 +143,9 @@ class Shape {
   /// Of space: the boundary as flat faces. Error(kUnsupported) of what has other faces and of what is made of several
   /// solids; World::surface has theirs as found on lines.
   Surface surface() const;
+  /// Of space: how it looks, for a program that draws it itself: what is unbounded is left open, and what has no volume
+  /// is left out. What has other faces is as found on so many lines each way; with 0 lines there are no faces of it.
+  Surface drawn_surface(int lines = 48) const;
   /// A drawing in true size of a shape of the plane (Error(kUnsupported) where it is unbounded), or a view of a solid.
   std::string svg() const;
 

@@ -67,6 +67,16 @@ class SpaceRegion {
   std::vector<Box> boxes() const;
   /// The boundary of the closure of its interior; a ball around a polytope is not part of it.
   Surface surface() const;
+  /// What is left of it without that closure.
+  struct Thin {
+    /// Flat parts by their corners, in order around each.
+    std::vector<std::vector<Position3>> sheets{};
+    /// Segments by their ends, and single positions.
+    std::vector<std::vector<Position3>> curves{};
+    std::vector<Position3> points{};
+  };
+  /// Cut off at the window where it goes on for ever.
+  Thin thin(const Bounds3& window) const;
   /// As `findspace map --json` writes it (docs/results.md).
   std::string json() const;
   /// The surface, seen from the side.

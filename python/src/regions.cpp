@@ -259,6 +259,46 @@ void bind_questions(py::class_<Region>& region) {
           },
           py::arg("to"), "(position, distance, whether it belongs) of the nearest point of the closure, or None.")
       .def(
+          "snapped",
+          [](const Region& r, const Position& to, const py::object& within) { return r.snapped(to, number(within)); },
+          py::arg("to"), py::arg("within"),
+          "Where something that is dragged to a place snaps to: a corner that belongs and is no farther than `within`, "
+          "or "
+          "else such a point of the boundary; None where there is none.")
+      .def("some", &Region::some, "A position that belongs, an isolated one where there is one; None of the empty set.")
+      .def_property_readonly(
+          "extent", [](const Region& r) { return corners(r.extent()); },
+          "(min x, min y, max x, max y) of all vertices and curves, also where the set goes on beyond; None without "
+          "any.")
+      .def(
+          "paths",
+          [](const Region& r, const std::tuple<double, double, double, double>& window, bool y_down) {
+            const auto& [x0, y0, x1, y1] = window;
+            const Region::Paths p = r.paths({{x0, y0}, {x1, y1}}, y_down);
+            return py::dict(py::arg("faces") = p.faces, py::arg("closed") = p.closed, py::arg("open") = p.open,
+                            py::arg("free") = p.free, py::arg("points") = p.points, py::arg("full") = p.full,
+                            py::arg("hollow") = p.hollow);
+          },
+          py::arg("window"), py::arg("y_down") = false,
+          R"doc(How it looks, for a program that draws it itself: SVG path data and places in the unit, with y downwards.
+
+'faces' are filled by the even-odd rule; edges are 'closed' where they belong, else 'open'; 'free' curves have no area
+beside them; 'points' are isolated; ends of curves are 'full' where they belong and these do not, or 'hollow'.
+
+Parameters
+----------
+window : (min x, min y, max x, max y)
+    What is unbounded is cut off there.
+y_down : bool
+    The coordinates run downwards already, as those of boards.
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.Shape.box((0, 0), (2, 1)).region.paths((0, 0, 2, 1))["faces"]
+'M0,0L2,0L2,-1L0,-1Z'
+)doc")
+      .def(
           "sample",
           [](const Region& r, std::size_t n, const std::optional<Options>& options, const py::kwargs& words) {
             const Options asked = options_of(options, words);

@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -79,13 +80,15 @@ std::optional<MapLines> lines_of(const py::tuple& asked) {
 }
 
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures`, `surface`, `before` and lines_of(); of place `near` and `lines`.
+/// its position, `apply`, `pictures`, `surface`, `before`, lines_of() and `resolution`; of place `near` and `lines`; of
+/// nearest what a measurement has, of between two places more, of check `nearest` and `snap`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
     MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
                          asked[2].cast<bool>(), asked[3].cast<bool>()};
     question.before = asked[4].cast<std::string>();
     question.lines = lines_of(asked[5].cast<py::tuple>());
+    question.resolution = asked[6].cast<int>();
     return interruptible([&] { return scene.map(question); });
   }
   if (verb == "place") {
@@ -93,7 +96,15 @@ Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& a
     return interruptible([&] { return scene.place(question); });
   }
   const Pose pose = pose_of(position_of(asked[0]), asked[1], asked[2]);
-  if (verb == "check") return interruptible([&] { return scene.check(pose); });
+  if (verb == "check") {
+    const CheckQuestion question{asked[3].cast<bool>(), amount(asked[4])};
+    return interruptible([&] { return scene.check(pose, question); });
+  }
+  if (verb == "nearest") return interruptible([&] { return scene.nearest(pose); });
+  if (verb == "between") {
+    const Point first = point(asked[3].cast<py::sequence>()), second = point(asked[4].cast<py::sequence>());
+    return interruptible([&] { return scene.between(first, second, pose); });
+  }
   if (verb == "explain") return interruptible([&] { return scene.explain(pose); });
   const auto words = asked[3].cast<std::vector<std::string>>();
   return interruptible([&] { return scene.measure(pose, words); });
@@ -151,6 +162,9 @@ void bind_answer(py::module_& m) {
           py::arg("ending"), py::arg("version") = "R12",
           "The text of a file with that ending, and what it does not say; `version`: of DXF, 'R12' or '2000'.")
       .def_property_readonly("notes", read(&Answer::notes), "What was rounded, and how far, or is not computed.")
+      .def_property_readonly(
+          "at", [](const AnswerOf& a) { return py::tuple(py::cast(a.answer.at())); },
+          "Of a question about one position: which one, after snapping; () of other answers.")
       .def_property_readonly("check", read(&Answer::check), "Of a check: every condition.")
       .def_property_readonly(
           "nearest",
@@ -159,7 +173,8 @@ void bind_answer(py::module_& m) {
             return near ? py::object(py::make_tuple(py::tuple(py::cast(near->at)), near->distance, near->attained))
                         : py::none();
           },
-          "Of a check that fails: the nearest feasible position, how far it is, and whether it is feasible itself.")
+          "The nearest feasible position, how far it is, and whether it is feasible itself: of a check that fails, and "
+          "where that is the question.")
       .def_property_readonly("measured", read(&Answer::measured), "Of a measurement: its distances, pair by pair.")
       .def_property_readonly(
           "region",
@@ -174,6 +189,8 @@ void bind_answer(py::module_& m) {
       .def_property_readonly("sampled", read(&Answer::sampled), "Whether it is a map of space on lines.")
       .def_property_readonly("on_lines", read(&Answer::on_lines),
                              "Of such a map: where the lines meet it, cast anew; None of other answers.")
+      .def_property_readonly("surface", read(&Answer::surface),
+                             "Of a map of positions in space: its surface; None of other answers.")
       .def_property_readonly("best", read(&Answer::best), "Of a map with an objective: the best value, or None.")
       .def_property_readonly("intervals", read(&Answer::intervals),
                              "Of a map of a line, of angles, in degrees, or of instants: what certainly belongs.")
@@ -223,6 +240,15 @@ Examples
                       }));
 }
 
+constexpr std::array<const char*, 5> kFreeWords{"position", "line", "angle", "time", "pose"};
+
+std::optional<Scene::Free::Kind> free_kind(const std::optional<std::string>& word) {
+  if (!word) return std::nullopt;
+  const auto found = std::find(kFreeWords.begin(), kFreeWords.end(), *word);
+  if (found == kFreeWords.end()) throw py::value_error("free: 'position', 'angle' or 'time'");
+  return Scene::Free::Kind(found - kFreeWords.begin());
+}
+
 /// Over what the answers range, with the scene that says so.
 struct FreeOf {
   Scene scene;
@@ -237,11 +263,7 @@ void bind_free(py::class_<Scene>& scene) {
                         return FreeOf{of, of.free()};
                       }))
       .def_property_readonly(
-          "kind",
-          [](const FreeOf& f) {
-            static constexpr std::array<const char*, 5> kWords{"position", "line", "angle", "time", "pose"};
-            return kWords[std::size_t(f.free.kind)];
-          },
+          "kind", [](const FreeOf& f) { return kFreeWords[std::size_t(f.free.kind)]; },
           "'position', 'line', 'angle', 'time' or 'pose'.")
       .def_property_readonly(
           "through", [](const FreeOf& f) { return texts(f.free.through); }, "Of a line: a point of it.")
@@ -267,15 +289,18 @@ py::tuple state_of(const Scene& s) {
   py::list changes;
   for (const Scene::Change& change : s.changes()) {
     if (change.rotation) {
-      changes.append(py::make_tuple(change.rotation->text()));
+      changes.append(py::make_tuple("rotation", change.rotation->text()));
+    } else if (change.degrees) {
+      changes.append(py::make_tuple("degrees", change.degrees->text()));
     } else {
       const Scene::Question& q = *change.question;
-      changes.append(py::make_tuple(q.where, q.minimize, q.maximize, q.before));
+      const auto free = q.free ? std::optional(int(*q.free)) : std::nullopt;
+      changes.append(py::make_tuple(q.where, q.minimize, q.maximize, q.before, q.moving, free));
     }
   }
   Options limits = s.options();
   limits.progress = nullptr;  // few functions pickle
-  return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes, limits);
+  return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes, limits, s.is_prepared());
 }
 
 /// One of the scene's by its words, or another one.
@@ -291,12 +316,19 @@ Scene scene_of(const py::tuple& t) {
   using Text = std::optional<std::string>;
   for (const py::handle each : t[4]) {
     const auto c = each.cast<py::tuple>();
-    if (c.size() == 1)
-      out = out.rotated(rotation_named(out, c[0].cast<std::string>()));
-    else
-      out = out.asking({c[0].cast<Text>(), c[1].cast<Text>(), c[2].cast<Text>(), c[3].cast<std::string>()});
+    if (c.size() != 2) {
+      const auto free = c[5].cast<std::optional<int>>();
+      out = out.asking({c[0].cast<Text>(), c[1].cast<Text>(), c[2].cast<Text>(), c[3].cast<std::string>(),
+                        c[4].cast<std::optional<std::vector<std::string>>>(),
+                        free ? std::optional(Scene::Free::Kind(*free)) : std::nullopt});
+    } else if (c[0].cast<std::string>() == "degrees") {
+      out = out.rotated(Number(c[1].cast<std::string>()));
+    } else {
+      out = out.rotated(rotation_named(out, c[1].cast<std::string>()));
+    }
   }
-  return out.with(t[5].cast<Options>());
+  out = out.with(t[5].cast<Options>());
+  return t[6].cast<bool>() ? out.prepared() : out;
 }
 
 }  // namespace
@@ -348,6 +380,13 @@ Examples
       .def_property_readonly("names", &Scene::names, "Names of its shapes in the order of the file.")
       .def_property_readonly("dimension", &Scene::dimension, "2 or 3.")
       .def_property_readonly("unit", &Scene::unit, "Of lengths, or ''.")
+      .def_property_readonly("asks", &Scene::asks, "Whether it has a \"where\".")
+      .def_property_readonly("used", &Scene::used, "Names of the shapes that the formula speaks of, sorted.")
+      .def_property_readonly(
+          "grid", [](const Scene& s) { return s.grid().step.text(); },
+          "The step of the grid of its coordinates, as text.")
+      .def_property_readonly("y_down", &Scene::y_down, "Whether y runs downwards in pictures.")
+      .def_property_readonly("of_board", &Scene::of_board, "Whether it was made of a board of KiCad.")
       .def_property_readonly("moving", &Scene::moving, "What moves, together.")
       .def_property_readonly("name", &Scene::name, "As messages call it.")
       .def_property_readonly(
@@ -359,16 +398,39 @@ Examples
       .def(
           "asking",
           [](const Scene& s, const std::optional<std::string>& where, const std::optional<std::string>& minimize,
-             const std::optional<std::string>& maximize, const std::string& before) {
-            return s.asking({where, minimize, maximize, before});
+             const std::optional<std::string>& maximize, const std::string& before,
+             const std::optional<std::vector<std::string>>& moving, const std::optional<std::string>& free) {
+            return s.asking({where, minimize, maximize, before, moving, free_kind(free)});
           },
           py::arg("where") = py::none(), py::arg("minimize") = py::none(), py::arg("maximize") = py::none(),
-          py::kw_only(), py::arg("before") = "",
-          "The same scene with another question; `before` stands before these words in messages.")
+          py::kw_only(), py::arg("before") = "", py::arg("moving") = py::none(), py::arg("free") = py::none(),
+          "The same scene with another question, other moving shapes, or over 'position', or 'angle' or 'time' at a "
+          "position; `before` stands before the words of the question in messages.")
       .def(
           "rotated", [](const Scene& s, const Rotation& r) { return interruptible([&] { return s.rotated(r); }); },
           py::arg("rotation"),
           "Of space: what moves is turned about the scene's \"about\"; notes say what was rounded.")
+      .def(
+          "rotated", [](const Scene& s, const py::object& degrees) { return s.rotated(number(degrees)); },
+          py::arg("degrees"), "Of the plane: the same by an angle, counter-clockwise.")
+      .def("prepared", &Scene::prepared, R"doc(The same scene, which keeps what it makes for one question for the next.
+
+That are its shapes as sets, the region of its formula and tables to look positions up in. So do the scenes that it
+becomes by `asking` and `rotated`. For many questions, one after another; it takes the memory of it.
+
+Examples
+--------
+>>> import findspace as fs
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}}, '
+...     '"B": {"box": {"min": [0, 0], "max": [2, 1]}}}, "moving": "B", "where": "inside(B, A)"}').prepared()
+>>> scene.check((7.2, 7.9), snap=0.5).at
+(7.0, 8.0)
+>>> [scene.check((x, 3), nearest=False).found for x in (6, 7, 8)]
+['yes', 'yes', 'no']
+)doc")
+      .def_property_readonly("is_prepared", &Scene::is_prepared, "Whether it keeps what it makes.")
+      .def("edited_text", &Scene::edited_text,
+           "Its text with what `asking` has changed; all else stays as it was written, comments too.")
       .def_property_readonly("options", &Scene::options, "The limits of its questions.")
       .def(
           "limited",
@@ -378,10 +440,11 @@ Examples
           py::arg("options") = py::none(), "The same scene with other limits: an Options, or its words.")
       .def(
           "check",
-          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time) {
-            return answered(s, "check", py::make_tuple(at, degrees, time));
-          },
-          py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time,
+             bool nearest,
+             const py::object& snap) { return answered(s, "check", py::make_tuple(at, degrees, time, nearest, snap)); },
+          py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(), py::kw_only(),
+          py::arg("nearest") = true, py::arg("snap") = py::none(),
           R"doc(Whether the formula holds at a pose, and the nearest feasible position where it does not.
 
 Parameters
@@ -392,6 +455,43 @@ degrees : number, optional
     Of the plane: what moves is turned by so much first.
 time : number, optional
     An instant of the motion; over all its time without it.
+nearest : bool
+    The nearest feasible position too, where the position is none.
+snap : number, optional
+    Where a corner of the region, an edge of it, or in space the nearest feasible position is no farther, the answer is
+    about that one, exactly.
+)doc")
+      .def(
+          "nearest",
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& time) {
+            return answered(s, "nearest", py::make_tuple(at, py::none(), time));
+          },
+          py::arg("at") = py::none(), py::arg("time") = py::none(),
+          "The feasible position that is nearest to one, which may be feasible itself.")
+      .def(
+          "between",
+          [](const Scene& s, const py::sequence& first, const py::sequence& second,
+             const std::optional<py::sequence>& at) {
+            return answered(s, "between", py::make_tuple(at, py::none(), py::none(), first, second));
+          },
+          py::arg("first"), py::arg("second"), py::arg("at") = py::none(),
+          R"doc(Of the plane: the distance between two vertices, edges or arcs of shapes: those nearest to two places.
+
+Parameters
+----------
+first, second : sequences of two numbers
+    The places; a vertex is taken where one is about as near.
+at : sequence of numbers, optional
+    Where what moves stands.
+
+Examples
+--------
+>>> import findspace as fs
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}}, '
+...     '"B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B"}')
+>>> value = scene.between((9, 5), (14, 5), at=(15, 5)).measured[0].value
+>>> value.value, [f.kind for f in value.features], value.points
+(5.0, ['edge', 'arc'], [[9.0, 5.0], [14.0, 5.0]])
 )doc")
       .def(
           "measure",
@@ -406,14 +506,14 @@ time : number, optional
           "map",
           [](const Scene& s, const std::optional<py::sequence>& at, const std::string& apply, bool pictures,
              bool surface, const std::string& before, int lines, const py::object& apart, const std::string& axis,
-             const std::string& side) {
-            return answered(
-                s, "map",
-                py::make_tuple(at, apply, pictures, surface, before, py::make_tuple(lines, apart, axis, side)));
+             const std::string& side, int resolution) {
+            return answered(s, "map",
+                            py::make_tuple(at, apply, pictures, surface, before,
+                                           py::make_tuple(lines, apart, axis, side), resolution));
           },
           py::arg("at") = py::none(), py::arg("apply") = "", py::kw_only(), py::arg("pictures") = true,
           py::arg("surface") = false, py::arg("before") = "", py::arg("lines") = 0, py::arg("apart") = py::none(),
-          py::arg("axis") = "z", py::arg("side") = "",
+          py::arg("axis") = "z", py::arg("side") = "", py::arg("resolution") = 0,
           R"doc(Where the formula holds, or is best, among all that is free.
 
 In space positions are given where they are made of boxes or are a convex polytope, exactly, with open and closed ends,
@@ -439,6 +539,8 @@ axis : str
     Along which they run: 'x', 'y', 'z', or 'xyz' for all three.
 side : str
     Of cells about the lines: 'inner', those that certainly belong; 'outer', those that certainly hold all.
+resolution : int
+    Of space, where there is no exact form: lines each way of each axis; 0: 128.
 
 Examples
 --------

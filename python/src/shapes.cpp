@@ -291,6 +291,10 @@ void bind_shapes(py::module_& m) {
           "region", [](const Shape& s) { return s.region(); }, py::call_guard<py::gil_scoped_release>(),
           "The set itself; of the plane only.")
       .def_property_readonly("surface", &Shape::surface, "Of space: the boundary, where flat faces bound one solid.")
+      .def("drawn_surface", &Shape::drawn_surface, py::arg("lines") = 48,
+           "Of space: how it looks: what is unbounded is left open, what has no volume left out, and what has other "
+           "faces "
+           "is as found on so many lines each way; with 0 lines there are no faces of it.")
       .def_property_readonly("svg", &Shape::svg, "A drawing in true size, or a view of a solid.")
       .def(py::init<const Region&>(), py::arg("region"))
       .def(py::pickle(

@@ -57,6 +57,14 @@ Examples
           "faces", [](const SpaceRegion& r) { return r.surface().faces; },
           "Circuits of vertices, counter-clockwise seen from outside.")
       .def_property_readonly("surface", &SpaceRegion::surface, "Its boundary, as a Surface.")
+      .def(
+          "thin",
+          [](const SpaceRegion& r, const Position3& low, const Position3& high) {
+            const SpaceRegion::Thin thin = r.thin({low, high});
+            return py::make_tuple(thin.sheets, thin.curves, thin.points);
+          },
+          py::arg("low"), py::arg("high"),
+          "What it has without volume: (sheets, curves, points) by their corners; cut off at the box from low to high.")
       .def_property_readonly("svg", &SpaceRegion::svg, "Its boundary, seen from the side.")
       .def_property_readonly(
           "form", [](const SpaceRegion& r) { return r.form() == SpaceRegion::Form::kBoxes ? "boxes" : "convex"; },

@@ -13,7 +13,7 @@ ELSEWHERE = {
     "AdjustedPhi::Value": "AdjustedPhiValue", "AdjustedPhi::at": "AdjustedPhi.__call__",
     "Phi::Value": "PhiValue", "Phi::at": "Phi.__call__", "PhiQuestion": "Phi.text",
     "BoardOptions": "Board.file", "BoardGroup": "Board.file", "Board::options": "Board.__getstate__",
-    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "MapLines": "Scene.map", "PlaceQuestion": "Scene.place",
+    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "CheckQuestion": "Scene.check", "MapLines": "Scene.map", "PlaceQuestion": "Scene.place",
     "PlaceQuestion::Near": "Scene.place", "Scene::Question": "Scene.asking",
     "Scene::with": "Scene.limited", "Scene::motion": "World.motion",
     "Demands": "place", "Placement::Positions": "Placement.positions", "WorldOptions": "World",
@@ -32,7 +32,7 @@ ELSEWHERE = {
     "Region::Side": "Ring.edges", "Region::Edge": "Edge", "Region::Edge::arc": "Edge.is_arc",
     "Region::Vertex": "Ring.vertices", "Region::Vertex::belongs": "Ring.belong", "Region::Nearest": "Region.nearest",
     "Region::vertices": "Ring.vertices", "Region::edges": "Ring.edges", "Region::exact": "Ring.exact_vertices",
-    "Region::Drawn": "Region.drawn", "SpaceRegion::Bounds3": "SpaceRegion.bounds", "SpaceRegion::Box": "SpaceRegion.boxes",
+    "Region::Drawn": "Region.drawn", "Region::Paths": "Region.paths", "SpaceRegion::Thin": "SpaceRegion.thin", "SpaceRegion::Bounds3": "SpaceRegion.bounds", "SpaceRegion::Box": "SpaceRegion.boxes",
     "PackSearch": "Packing.search", "PackPeers": "Packing.search", "PackReading": "Packing.json",
     "PackPart::of": "PackPart", "PackGap": "PackProblem.gaps", "PackCondition": "PackProblem.conditions",
     "FixedPart::x": "FixedPart.at", "FixedPart::y": "FixedPart.at", "PlacedPart::x": "PlacedPart.at",
@@ -48,7 +48,7 @@ ELSEWHERE = {
     "pack_problem": "PackProblem.json", "solid_pack_problem": "SolidPackProblem.json",
 }
 # Types whose values are plain ones of Python, and so are their members'.
-PLAIN = {"Telling", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
+PLAIN = {"Telling", "CheckQuestion", "Region::Paths", "SpaceRegion::Thin", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
          "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
          "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",

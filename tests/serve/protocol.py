@@ -99,6 +99,11 @@ class Answers(unittest.TestCase):
             self.assertEqual([(a["text"], a["value"], a["true"]) for a in asked["atoms"]],
                              [(a["text"], a["value"], a["true"]) for a in given["atoms"]])
         self.assertEqual(ask("angles", scene=leaf, at=[0, 0]), verb("map", leaf))
+        # All angles together, as the verb: there is one at which the leaf stands, though not as it is drawn.
+        for at in ([0, 0], [1, 0.5]):
+            self.assertEqual(ask("explain", scene=leaf, at=at), verb("explain", leaf, "--at", ",".join(map(str, at))))
+        self.assertEqual(ask("explain", scene=leaf), verb("explain", leaf))
+        self.assertEqual(ask("explain", scene=leaf, at=[0, 0], angle=30), verb("explain", leaf, "--at", "0,0", "--angle", "30"))
         self.assertEqual(ask("check", scene=carts, at=[5, 2], time=3)["atoms"],
                          verb("check", carts, "--at", "5,2", "--time", "3")["atoms"])
         self.assertEqual(ask("check", scene=carts, at=[5, 2])["true"], verb("check", carts, "--at", "5,2")["true"])

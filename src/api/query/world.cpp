@@ -323,7 +323,8 @@ OnLine World::on_line(const Formula& formula, const Point3& through, const Point
 }
 
 Region World::shape(const std::string& name) const {
-  data_->plane("a shape as a region");
+  const auto& built = data_->plane("a shape as a region").world().shapes;
+  if (const auto found = built.find(name); found != built.end()) return data_->region(*found->second);
   return data_->region(api::region_on(data_->shape(name), data_->grid, name));
 }
 

@@ -11,10 +11,10 @@
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/offset/plain_sum.h"
 #include "plane/query/in_order.h"
-#include "plane/query/nearest.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
 
@@ -50,6 +50,10 @@ namespace {
 
 exact::RealPoint steps(const Point& p, const plane::Grid& grid) {
   return {api::real_of(p.x) / grid.step(), api::real_of(p.y) / grid.step()};
+}
+
+Position position(const exact::RealPoint& p, const exact::Real& step) {
+  return {(p.x * step).to_double(), (p.y * step).to_double()};
 }
 
 bool belongs(Mark m) { return m > 0; }
@@ -97,6 +101,11 @@ const api::Walk& Region::Data::walk() const {
   return *walk_;
 }
 
+const api::RegionAnswers& Region::Data::answers() const {
+  std::call_once(asked_, [&] { answers_.emplace(cells, grid.step()); });
+  return *answers_;
+}
+
 bool Region::empty() const { return plane::is_empty(data_->cells); }
 bool Region::whole() const { return plane::is_whole(data_->cells); }
 bool Region::open() const { return plane::is_open(data_->cells); }
@@ -131,15 +140,27 @@ std::optional<Region::Nearest> Region::nearest(const Position& to) const {
   if (empty()) return std::nullopt;
   if (contains(to)) return Nearest{to, 0, true};
   const exact::Real& step = data_->grid.step();
-  const exact::RealPoint from{plane::decimal_of(to[0]) / step, plane::decimal_of(to[1]) / step};
-  const auto beside = [&](plane::Mark m) { return m > 0; };
-  // The closure's cells are wanted; whether the set has them is asked afterwards.
-  const plane::Region closed = plane::closure(data_->cells);
-  const auto found = plane::nearest(plane::boundary(closed), beside, from);
-  const exact::Real distance = found->distance * step;
-  return Nearest{{(found->at.x * step).to_double(), (found->at.y * step).to_double()},
-                 distance.to_double(),
-                 belongs(plane::mark_of(data_->cells, plane::locate(data_->cells, found->at)))};
+  const auto found = data_->answers().nearest({plane::decimal_of(to[0]) / step, plane::decimal_of(to[1]) / step});
+  return Nearest{position(found->at, step), (found->distance * step).to_double(), found->attained};
+}
+
+std::optional<Position> Region::snapped(const Position& to, const Number& within) const {
+  const exact::Real& step = data_->grid.step();
+  const auto found = data_->answers().snapped({plane::decimal_of(to[0]) / step, plane::decimal_of(to[1]) / step},
+                                              api::real_of(within) / step);
+  return found ? std::optional(position(*found, step)) : std::nullopt;
+}
+
+std::optional<Position> Region::some() const {
+  const auto found = api::position_in(data_->cells);
+  return found ? std::optional(position(*found, data_->grid.step())) : std::nullopt;
+}
+
+std::optional<Bounds> Region::extent() const {
+  const auto box = plane::extent(data_->cells);
+  const double size = data_->grid.step_size();
+  if (!box) return std::nullopt;
+  return Bounds{{box->x0 * size, box->y0 * size}, {box->x1 * size, box->y1 * size}};
 }
 
 Region operator|(const Region& a, const Region& b) { return combined(a, b, plane::unite); }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "api/values/region_answers.h"
 #include "findspace/region.h"
 #include "plane/base/parallel.h"
 #include "plane/contour/decimal_grid.h"
@@ -89,12 +90,14 @@ struct Region::Data {
   const plane::Summary& summary() const;
   const api::Marks& marks() const;
   const api::Walk& walk() const;
+  const api::RegionAnswers& answers() const;
 
  private:
-  mutable std::once_flag summarized_{}, located_{}, walked_{};
+  mutable std::once_flag summarized_{}, located_{}, walked_{}, asked_{};
   mutable std::optional<plane::Summary> summary_{};
   mutable std::optional<api::Marks> marks_{};
   mutable std::optional<api::Walk> walk_{};
+  mutable std::optional<api::RegionAnswers> answers_{};
 
  public:
   Data(plane::Region c, plane::Grid g, std::string u) : cells(std::move(c)), grid(std::move(g)), unit(std::move(u)) {}

@@ -125,7 +125,8 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
   const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
   asked.stage("explaining");
   plane::Rounding rounding;
-  const std::vector<formula::SharedSolver> poses = formula::solvers_at(asked.world(), about, angles, rounding);
+  const std::vector<formula::SharedSolver> poses =
+      formula::solvers_at(asked.solver()->world(), about, angles, rounding);
   say_rotated(asked, rounding);
   const formula::Explanation found = formula::explain(poses, formula);
   std::optional<formula::PositionExplanation> here;
@@ -139,9 +140,9 @@ Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at) 
   const formula::Formula formula = question_over_angles(asked);
   const GridPosition& about = asked.scene().free.about;
   const exact::RealPoint pole{exact::Real(about[0]) * asked.step(), exact::Real(about[1]) * asked.step()};
-  const formula::Solver solver(asked.world());
+  const std::shared_ptr<const formula::Solver> solver = asked.solver();
   asked.stage("explaining");
-  const formula::RotationSolver rotated(solver, {at, {}, pole});
+  const formula::RotationSolver rotated(*solver, {at, {}, pole});
   const formula::Explanation found = formula::explain(rotated.maps(formula), formula);
   return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, true});
 }

@@ -10,9 +10,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
+#include <set>
 
 #include "api/query/world_data.h"
 #include "api/values/limits.h"
+#include "formula/planar/solve_rotation.h"
+#include "io/api/edited_scene.h"
 #include "io/question/answer_data.h"
 #include "io/question/asked_scene.h"
 #include "io/question/map_answer.h"
@@ -20,6 +23,7 @@
 #include "io/question/position_answer.h"
 #include "io/question/ray_map.h"
 #include "io/question/space_map.h"
+#include "io/question/space_shapes.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
 #include "space/shape/rotated_shape.h"
@@ -64,9 +68,9 @@ World::Data data_of(const Scene& scene) {
 
 Shape public_shape(const Scene& scene, std::string_view name) { return shape_of(scene, scene.shape(name)); }
 
-World public_world(const Scene& scene, formula::World built) {
+World public_world(const Scene& scene, std::shared_ptr<const formula::Solver> built) {
   auto data = std::make_shared<World::Data>(data_of(scene));
-  data->planar = std::make_shared<const formula::Solver>(std::move(built));
+  data->planar = std::move(built);
   return World(std::move(data));
 }
 
@@ -177,6 +181,49 @@ io::Scene rotated_scene(io::Scene scene, const Rotation::Data& given) {
   return scene;
 }
 
+/// The construction that turns a shape.
+plane::ShapePtr turned(const plane::ShapePtr& shape, const plane::GridPoint& about, const exact::Real& degrees) {
+  auto out = std::make_shared<plane::Shape>();
+  if (shape->collection) {  // its parts keep their names
+    *out = *shape;
+    for (plane::ShapePtr& part : out->children) part = turned(part, about, degrees);
+    return out;
+  }
+  out->kind = plane::Shape::Kind::kRotate;
+  out->name = shape->name;
+  out->place = shape->place;
+  out->children = {shape};
+  out->points = {about};
+  out->degrees = degrees;
+  return out;
+}
+
+/// The scene of the plane in which what moves is turned.
+io::Scene turned_scene(io::Scene scene, const exact::Real& degrees) {
+  if (scene.dimension == 3)
+    throw Error(ErrorCode::kUnsupported, "in space an orientation says how a shape is turned", scene.file);
+  if (scene.motion.given())
+    throw Error(ErrorCode::kUnsupported, "an angle in a scene with \"motion\" is not computed", scene.file);
+  const plane::GridPoint about{scene.free.about[0], scene.free.about[1]};
+  if (scene.free.kind != io::Free::Kind::kLine) scene.free.kind = io::Free::Kind::kPosition;
+  if (degrees.sign() == 0) return scene;
+  for (plane::ShapePtr& shape : scene.shapes)
+    if (std::find(scene.moving.begin(), scene.moving.end(), shape->name) != scene.moving.end())
+      shape = turned(shape, about, degrees);
+  return scene;
+}
+
+/// The scene over positions, or over angles or instants at one.
+void range_over(io::Scene& scene, Scene::Free::Kind kind) {
+  using Kind = Scene::Free::Kind;
+  if (int(scene.free.kind) == int(kind)) return;
+  if (kind == Kind::kLine || kind == Kind::kPose)
+    throw Error(ErrorCode::kBadValue, "a line and poses are said by \"free\" of the scene", scene.file);
+  if (kind == Kind::kTime && !scene.motion.given())
+    throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", scene.file);
+  scene.free.kind = io::Free::Kind(kind);
+}
+
 io::Scene asking_scene(io::Scene scene, const Scene::Question& question) {
   if (question.minimize && question.maximize && !question.minimize->empty() && !question.maximize->empty())
     throw Error(ErrorCode::kBadValue, "\"minimize\" and \"maximize\": one objective is meant");
@@ -188,6 +235,11 @@ io::Scene asking_scene(io::Scene scene, const Scene::Question& question) {
     scene.minimize = {question.minimize.value_or(""), question.before + "minimize", 1, 1};
     scene.maximize = {question.maximize.value_or(""), question.before + "maximize", 1, 1};
   }
+  if (question.moving) {
+    scene.moving.clear();
+    for (const std::string& name : *question.moving) scene.moving.push_back(scene.shape(name)->name);
+  }
+  if (question.free) range_over(scene, *question.free);
   return scene;
 }
 
@@ -213,6 +265,8 @@ struct Scene::Data {
     std::vector<Change> changes{};
     Options options{};
     Listener listener{};
+    std::optional<exact::Real> turned{};
+    std::shared_ptr<const io::KeptWork> kept{};  // where it was prepared
   };
 
   io::Scene read;
@@ -234,9 +288,19 @@ struct Scene::Data {
     std::call_once(made_, [&] {
       if (read.moving.empty())
         throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", read.file);
-      world_.emplace(io::public_world(read));
+      if (!source.kept)
+        world_.emplace(io::public_world(read));
+      else if (read.dimension == 3)
+        world_.emplace(io::public_solid_world(read, io::space_solver(heard_by(source.listener))));
+      else
+        world_.emplace(io::public_world(read, heard_by(source.listener).solver()));
     });
     return *world_;
+  }
+  io::AskedScene heard_by(Listener listener, std::optional<exact::Real> time = {}) const {
+    // Who owns the data is known to the caller.
+    return {std::shared_ptr<const io::Scene>(std::shared_ptr<const void>(), &read),
+            {std::move(listener), std::move(time), source.turned, source.kept}};
   }
   /// As many numbers as the scene has dimensions, within the grid's reach.
   std::vector<exact::Real> position(const Pose& pose) const {
@@ -283,7 +347,8 @@ Answer asked(std::shared_ptr<const Scene::Data> data, std::optional<exact::Real>
     heard->notes.push_back(text);
     if (told) told(text);
   };
-  io::AskedScene scene(data->read, std::move(listener), std::move(time));
+  io::AskedScene scene(std::shared_ptr<const io::Scene>(data, &data->read),
+                       {std::move(listener), std::move(time), data->source.turned, data->source.kept});
   data.reset();
   return api::limited(options, [&] {
     auto out = std::make_shared<Answer::Data>(ask(std::move(scene)));
@@ -314,7 +379,7 @@ Answer::Data in_space(const io::AskedScene& scene, const MapQuestion& question) 
   const io::Applied apply{question.apply, question.before};
   if (question.lines) return io::map_on_lines(scene, io::ray_choice(scene, *question.lines, question.listed), apply);
   if (auto found = io::map_of_space(scene, apply, question.surface, io::public_solid_world)) return *std::move(found);
-  const io::RayChoice usual = io::usual_lines(scene, "map", question.before, question.listed);
+  const io::RayChoice usual = io::usual_lines(scene, "map", question.before, question.listed, question.resolution);
   return io::map_on_lines(scene, usual, apply);
 }
 
@@ -370,8 +435,8 @@ Explanation explained(const io::AskedScene& scene, const Pose& pose) {
     scene.require_positions(false);
   scene.where();  // says where a mistake is
   const Formula where = scene.scene().where.empty() ? Formula("true") : Formula(scene.scene().where.text);
-  const World world =
-      scene.in_space() ? io::public_world(scene.scene()) : io::public_world(scene.scene(), scene.world());
+  const World world = scene.in_space() ? io::public_solid_world(scene.scene(), io::space_solver(scene))
+                                       : io::public_world(scene.scene(), scene.solver());
   scene.stage("explaining");
   if (at.empty()) return world.explain(where);
   return at.size() == 3 ? world.explain(where, Point3{at[0], at[1], at[2]}) : world.explain(where, Point{at[0], at[1]});
@@ -413,6 +478,14 @@ std::string Scene::unit() const {
   return data_->read.unit ? std::string(formula::name(*data_->read.unit)) : std::string();
 }
 const std::vector<std::string>& Scene::moving() const { return data_->read.moving; }
+bool Scene::asks() const { return !data_->read.where.empty(); }
+std::vector<std::string> Scene::used() const {
+  const std::set<std::string> names = data_->heard_by(data_->source.listener).where().shapes();
+  return {names.begin(), names.end()};
+}
+Grid Scene::grid() const { return {io::number(data_->read.grid.step())}; }
+bool Scene::y_down() const { return data_->read.y_down; }
+bool Scene::of_board() const { return data_->read.board != nullptr; }
 const World& Scene::world() const { return data_->world(); }
 const Formula& Scene::where() const { return data_->where; }
 const std::string& Scene::minimize() const { return data_->read.minimize.text; }
@@ -430,14 +503,76 @@ const std::vector<Scene::Change>& Scene::changes() const { return data_->source.
 
 Scene Scene::asking(const Question& question) const {
   Data::Source source = data_->source;
-  source.changes.push_back({question, {}});
-  return Scene(std::make_shared<const Data>(asking_scene(data_->read, question), std::move(source)));
+  source.changes.push_back({question, {}, {}});
+  io::Scene scene = asking_scene(data_->read, question);
+  if (source.kept) {
+    auto kept = std::make_shared<io::KeptWork>();
+    const bool same =
+        !question.moving && (!scene.named_only || !(question.where || question.minimize || question.maximize));
+    if (same) kept->shapes = source.kept->shapes;
+    source.kept = std::move(kept);
+  }
+  return Scene(std::make_shared<const Data>(std::move(scene), std::move(source)));
 }
 
 Scene Scene::rotated(const Rotation& rotation) const {
   Data::Source source = data_->source;
-  source.changes.push_back({{}, rotation});
+  source.changes.push_back({{}, rotation, {}});
+  if (source.kept) source.kept = std::make_shared<const io::KeptWork>();
   return Scene(std::make_shared<const Data>(rotated_scene(data_->read, rotation.data()), std::move(source)));
+}
+
+Scene Scene::rotated(const Number& degrees) const {
+  Data::Source source = data_->source;
+  source.changes.push_back({{}, {}, degrees});
+  const exact::Real by = api::real_of(degrees);
+  source.turned = source.turned ? *source.turned + by : by;
+  io::Scene scene = turned_scene(data_->read, by);
+  if (source.kept) {
+    auto kept = std::make_shared<io::KeptWork>();
+    if (by.sign() == 0) {
+      kept->shapes = source.kept->shapes;
+    } else {
+      auto shapes = std::make_shared<io::KeptShapes>();
+      shapes->world = [before = data_, by] {
+        const io::GridPosition& about = before->read.free.about;
+        plane::Rounding rounding;
+        return formula::rotated_world(before->heard_by({}).solver()->world(),
+                                      {exact::Real(about[0]), exact::Real(about[1])}, by, rounding);
+      };
+      kept->shapes = std::move(shapes);
+    }
+    source.kept = std::move(kept);
+  }
+  return Scene(std::make_shared<const Data>(std::move(scene), std::move(source)));
+}
+
+Scene Scene::prepared() const {
+  if (data_->source.kept) return *this;
+  Data::Source source = data_->source;
+  source.kept = std::make_shared<const io::KeptWork>();
+  return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
+}
+
+bool Scene::is_prepared() const { return data_->source.kept != nullptr; }
+
+std::string Scene::edited_text() const {
+  std::string out = text();
+  if (out.empty() || of_board()) throw Error(ErrorCode::kBadValue, "this scene has no text of its own", name());
+  const auto put = [&](const char* key, const std::optional<std::string>& value) {
+    if (value && value->empty()) throw Error(ErrorCode::kUnsupported, fmt::format("no text says \"{}\" is none", key));
+    if (value) out = io::edited_scene(out, key, {*value});
+  };
+  for (const Change& change : changes()) {
+    if (!change.question || change.question->free)
+      throw Error(ErrorCode::kUnsupported, "the text of a scene does not say that it is rotated or over what it ranges",
+                  name());
+    put("where", change.question->where);
+    put("minimize", change.question->minimize);
+    put("maximize", change.question->maximize);
+    if (change.question->moving) out = io::edited_scene(out, "moving", *change.question->moving);
+  }
+  return out;
 }
 
 Scene Scene::with(const Options& options) const {
@@ -454,10 +589,38 @@ Scene Scene::with(const Listener& listener) const {
   return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
 }
 
-Answer Scene::check(const Pose& pose) const {
+Answer Scene::check(const Pose& pose, const CheckQuestion& question) const {
   if (data_->read.free.kind == io::Free::Kind::kTime && !pose.time)
     throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data_->read.file);
-  return at_pose(data_, pose, io::check_in_plane, io::check_in_space);
+  io::CheckWishes wishes{question.nearest};
+  if (question.snap) wishes.snap = api::real_of(*question.snap);
+  return at_pose(
+      data_, pose,
+      [&](io::AskedScene scene, const io::PlanarPose& at) { return io::check_in_plane(std::move(scene), at, wishes); },
+      [&](io::AskedScene scene, const space::RealVector& at) {
+        return io::check_in_space(std::move(scene), at, wishes);
+      });
+}
+
+Answer Scene::nearest(const Pose& pose) const {
+  if (pose.degrees) throw Error(ErrorCode::kUnsupported, "no degrees: the scene may be rotated by them", name());
+  return at_pose(
+      data_, pose,
+      [](io::AskedScene scene, const io::PlanarPose& at) { return io::nearest_in_plane(std::move(scene), at.at); },
+      [](io::AskedScene scene, const space::RealVector& at) { return io::nearest_in_space(std::move(scene), at); });
+}
+
+Answer Scene::between(const Point& first, const Point& second, const Pose& pose) const {
+  if (pose.degrees) throw Error(ErrorCode::kUnsupported, "no degrees: the scene may be rotated by them", name());
+  const auto place = [](const Point& p) { return exact::RealPoint{api::real_of(p.x), api::real_of(p.y)}; };
+  return at_pose(
+      data_, pose,
+      [&](io::AskedScene scene, const io::PlanarPose& at) {
+        return io::between_in_plane(std::move(scene), at.at, {place(first), place(second)});
+      },
+      [&](io::AskedScene, const space::RealVector&) -> Answer::Data {
+        throw Error(ErrorCode::kUnsupported, "the distance between features in space is not computed", name());
+      });
 }
 
 Answer Scene::measure(const Pose& pose, const std::vector<std::string>& words) const {
@@ -526,6 +689,11 @@ void Answer::write(std::string_view ending, const std::function<void(std::string
   part(file(ending, telling).text);
 }
 const std::vector<std::string>& Answer::notes() const { return data_->notes; }
+Place Answer::at() const {
+  Place out;
+  for (const exact::Real& c : data_->at) out.push_back(c.to_double());
+  return out;
+}
 Check Answer::check() const {
   if (!data_->check) throw Error(ErrorCode::kBadValue, "this is no answer to a check");
   return data_->check();
@@ -542,6 +710,9 @@ std::optional<SpaceRegion> Answer::space_region() const {
 bool Answer::sampled() const { return data_->sampled; }
 std::optional<LineMap> Answer::on_lines() const {
   return data_->line_map ? std::optional(data_->line_map()) : std::nullopt;
+}
+std::optional<Surface> Answer::surface() const {
+  return data_->surface ? std::optional(data_->surface()) : std::nullopt;
 }
 std::optional<Optimum> Answer::best() const { return data_->best ? std::optional(data_->best()) : std::nullopt; }
 std::vector<Interval> Answer::intervals() const {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string_view>
 
-#include "formula/planar/world.h"
+#include "formula/planar/solve.h"
 #include "formula/solid/solve_space.h"
 #include "io/question/asked_scene.h"
 #include "io/scene/scene.h"
@@ -23,8 +23,8 @@ const Scene& scene_of(const findspace::Scene& scene);
 findspace::Scene public_scene(Scene scene, std::string text = {});
 /// A shape of the scene. Throws Error(kUnknownName).
 Shape public_shape(const Scene& scene, std::string_view name);
-/// Of the plane, with the sets that were built of its shapes.
-World public_world(const Scene& scene, formula::World built);
+/// Of the plane, with the solver that was made of its shapes.
+World public_world(const Scene& scene, std::shared_ptr<const formula::Solver> built);
 /// Of space, with the solver that was made of its shapes.
 World public_solid_world(const Scene& scene, std::shared_ptr<const formula::SpaceSolver> built);
 /// Of the plane or of space.

@@ -10,6 +10,7 @@
 #include "api/values/region_data.h"
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
+#include "io/draw/draw_region.h"
 #include "io/export/write_drawing.h"
 #include "io/export/write_wkt.h"
 #include "io/scene/scene.h"
@@ -74,6 +75,17 @@ Region::Drawn Region::drawn(std::string_view ending, std::string_view name, DxfV
   if (ending == ".geojson") return plain(io::shapes_geojson({&named, 1}, step));
   if (ending == ".wkt") return plain(io::region_wkt(data_->cells, step));
   throw Error(ErrorCode::kUnsupported, fmt::format("a region is not written as '{}'", ending));
+}
+
+Region::Paths Region::paths(const Bounds& window, bool y_down) const {
+  io::Frame frame;
+  frame.world = {window.low, window.high};
+  frame.left = window.low[0];
+  frame.y_down = y_down;
+  frame.top = y_down ? window.low[1] : -window.high[1];
+  io::RegionDrawing drawn = io::region_drawing(plane::CurveNet(data_->cells, data_->grid.step()), frame);
+  return {std::move(drawn.faces),  std::move(drawn.closed), std::move(drawn.open),  std::move(drawn.free),
+          std::move(drawn.points), std::move(drawn.full),   std::move(drawn.hollow)};
 }
 
 std::string Region::picture(std::string_view title, std::string_view subtitle) const {

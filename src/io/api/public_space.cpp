@@ -5,14 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "api/query/space_region_data.h"
 #include "findspace/error.h"
 #include "findspace/text.h"
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
 #include "io/mesh/space_surface.h"
+#include "io/question/ray_map.h"
 #include "io/write/write_json_space.h"
 #include "space/body/body.h"
+#include "space/box/box_operations.h"
+#include "space/box/box_topology.h"
 #include "space/polytope/solid.h"
 
 namespace findspace {
@@ -41,6 +48,75 @@ Surface SpaceRegion::surface() const {
   io::Surface made =
       convex ? io::convex_surface(convex->set, data_->step) : io::box_surface(data_->region.boxes, data_->step);
   return {std::move(made.vertices), std::move(made.faces)};
+}
+
+namespace {
+
+/// What the closure of its interior leaves of a set.
+space::BoxComplex without_volume(const space::BoxComplex& set) {
+  const space::BoxComplex solid = space::regularized(set);
+  const std::array<const space::BoxComplex*, 2> both{&set, &solid};
+  return space::overlay(both, [](std::span<const space::Mark> m) { return space::Mark(m[0] != 0 && m[1] == 0); })
+      .simplified();
+}
+
+/// The corners of a flat box that is cut off at the window: of a sheet in order around it.
+std::vector<Position3> corners_of(const space::IntervalBox& box, const Real& step, const SpaceRegion::Bounds3& window) {
+  Position3 from{}, to{};
+  std::vector<std::size_t> wide;
+  for (std::size_t k = 0; k < 3; ++k) {
+    from[k] = box[k].from ? (*box[k].from * step).to_double() : window.low[k];
+    to[k] = box[k].to ? (*box[k].to * step).to_double() : window.high[k];
+    if (!(box[k].from && box[k].to && *box[k].from == *box[k].to)) wide.push_back(k);
+  }
+  std::vector<Position3> out{from};
+  if (wide.empty()) return out;
+  const auto add = [&](std::initializer_list<std::size_t> far) {
+    Position3 p = from;
+    for (const std::size_t k : far) p[k] = to[k];
+    out.push_back(p);
+  };
+  add({wide[0]});
+  if (wide.size() == 1) return out;
+  add({wide[0], wide[1]});
+  add({wide[1]});
+  return out;
+}
+
+SpaceRegion::Thin thin_boxes(const space::BoxComplex& set, const Real& step, const SpaceRegion::Bounds3& window) {
+  SpaceRegion::Thin out;
+  for (const space::IntervalBox& box : without_volume(set).boxes()) {
+    std::vector<Position3> corners = corners_of(box, step, window);
+    if (corners.size() == 1)
+      out.points.push_back(corners[0]);
+    else
+      (corners.size() == 2 ? out.curves : out.sheets).push_back(std::move(corners));
+  }
+  return out;
+}
+
+SpaceRegion::Thin thin_convex(const space::ConvexSet& set, const Real& step) {
+  SpaceRegion::Thin out;
+  const int dimension = set.region.dimension();
+  if (!set.frontier || dimension == 3) return out;
+  std::vector<Position3> corners = io::convex_surface(set, step).vertices;
+  if (dimension == 2) {
+    std::vector<Position3> sheet;
+    for (const int v : set.region.circuit(set.region.facets().at(0))) sheet.push_back(corners[std::size_t(v)]);
+    out.sheets.push_back(std::move(sheet));
+  } else if (dimension == 1) {
+    out.curves.push_back(std::move(corners));
+  } else {
+    out.points = std::move(corners);
+  }
+  return out;
+}
+
+}  // namespace
+
+SpaceRegion::Thin SpaceRegion::thin(const Bounds3& window) const {
+  const auto& convex = data_->region.convex;
+  return convex ? thin_convex(convex->set, data_->step) : thin_boxes(data_->region.boxes, data_->step, window);
 }
 
 std::string SpaceRegion::svg() const { return surface().text(".svg", data_->unit); }
@@ -154,6 +230,16 @@ Surface Shape::surface() const {
   if (dimension() == 2) throw Error(ErrorCode::kUnsupported, "a shape of the plane has no surface");
   io::SolidSurface made = io::solid_surface(*data_->tree, data_->grid.step());
   return {std::move(made.surface.vertices), std::move(made.surface.faces), std::move(made.lost)};
+}
+
+Surface Shape::drawn_surface(int lines) const {
+  if (dimension() == 2) throw Error(ErrorCode::kUnsupported, "a shape of the plane has no surface");
+  io::Surface made;
+  if (const auto boundary = formula::shape_boundary(*data_->tree))
+    made = io::surface_of(*boundary, data_->grid.step());
+  else if (lines > 0)
+    made = io::surface_on_lines(*data_->tree, lines, data_->grid.step_size());
+  return {std::move(made.vertices), std::move(made.faces)};
 }
 
 std::string Shape::svg() const {

@@ -142,12 +142,12 @@ struct AngleQuestion {
   AskedScene asked;
   formula::Formula formula;
   exact::RealPoint at;
-  formula::Solver solver;
+  std::shared_ptr<const formula::Solver> solver;
   AngleMap map{};
   std::vector<DegreeInterval> angles{}, possible{};
 
   AngleQuestion(AskedScene given, const exact::RealPoint& place)
-      : asked(std::move(given)), formula(question_over_angles(asked)), at(place), solver(asked.world()) {}
+      : asked(std::move(given)), formula(question_over_angles(asked)), at(place), solver(asked.solver()) {}
 
   std::string json() const {
     std::string text = rotations_json(map.set.angles, map.best ? &*map.best : nullptr);
@@ -170,7 +170,7 @@ std::vector<Interval> in_degrees(const std::vector<DegreeInterval>& angles) {
 Answer::Data map_of_angles(AskedScene given, const exact::RealPoint& at) {
   const auto q = std::make_shared<AngleQuestion>(std::move(given), at);
   q->asked.stage("solving");
-  const formula::RotationSolver rotated(q->solver, {at, {}, about(q->asked)});
+  const formula::RotationSolver rotated(*q->solver, {at, {}, about(q->asked)});
   q->map = solve(q->asked, rotated.maps(q->formula), q->formula);
   q->angles = degree_intervals(q->map.set.angles);
   q->possible = q->map.set.outer ? degree_intervals(*q->map.set.outer) : q->angles;
@@ -179,7 +179,7 @@ Answer::Data map_of_angles(AskedScene given, const exact::RealPoint& at) {
   out.json = [q](const Telling&) { return q->json(); };
   out.text = [q](const Telling&) { return q->text(); };
   out.files[".svg"] = [q](const Telling&) {
-    return Region::Drawn{picture(q->asked, q->solver.world(), q->formula, q->at, q->angles), {}};
+    return Region::Drawn{picture(q->asked, q->solver->world(), q->formula, q->at, q->angles), {}};
   };
   out.intervals = [q] { return in_degrees(q->angles); };
   out.possible = [q] { return in_degrees(q->possible); };

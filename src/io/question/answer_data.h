@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "exact/number/real.h"
+
 namespace findspace {
 
 struct Answer::Data {
@@ -19,7 +21,8 @@ struct Answer::Data {
   std::vector<std::string> notes{};
   std::function<std::string(const Telling&)> text{}, json{};
   std::map<std::string, std::function<Region::Drawn(const Telling&)>, std::less<>>
-      files{};  // beside JSON, by their endings
+      files{};                    // beside JSON, by their endings
+  std::vector<exact::Real> at{};  // of a question about one position
   std::function<Check()> check{};
   std::function<std::optional<NearestPlace>()> nearest{};
   std::function<std::vector<Measured>()> measured{};
@@ -27,6 +30,7 @@ struct Answer::Data {
   std::function<SpaceRegion()> space_region{};
   bool sampled = false;
   std::function<LineMap()> line_map{};
+  std::function<Surface()> surface{};
   std::function<void(const std::function<void(std::string_view)>&)> json_parts{};  // where it may be long
   std::function<Optimum()> best{};
   std::function<std::vector<Interval>()> intervals{}, possible{};

@@ -33,18 +33,18 @@ formula::Motion motion_of(const Scene& scene) {
 }  // namespace
 
 void AskedScene::note(const std::string& text) const {
-  if (listener_.note) listener_.note(text);
+  if (terms_.listener.note) terms_.listener.note(text);
 }
 
 void AskedScene::stage(const std::string& text) const {
-  if (listener_.stage) listener_.stage(text);
+  if (terms_.listener.stage) terms_.listener.stage(text);
 }
 
-std::string AskedScene::unit() const { return scene_.unit ? std::string(formula::name(*scene_.unit)) : ""; }
+std::string AskedScene::unit() const { return scene_->unit ? std::string(formula::name(*scene_->unit)) : ""; }
 
 std::vector<plane::Region> AskedScene::regions(const std::vector<plane::ShapePtr>& shapes) const {
   std::vector<std::string> notes;
-  std::vector<plane::Region> out = regions_of(scene_, shapes, notes);
+  std::vector<plane::Region> out = regions_of(*scene_, shapes, notes);
   for (const std::string& text : notes) note(text);
   return out;
 }
@@ -52,38 +52,38 @@ std::vector<plane::Region> AskedScene::regions(const std::vector<plane::ShapePtr
 void AskedScene::require_positions(bool line) const {
   using Kind = Free::Kind;
   auto refuse = [&](const std::string& what) {
-    throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_.file);
+    throw Error(ErrorCode::kUnsupported, what + " is not computed by this version", scene_->file);
   };
-  if (scene_.dimension != 2) refuse("a map of a 3D scene");
-  if (scene_.free.kind != Kind::kPosition &&
-      !(line && (scene_.free.kind == Kind::kLine || scene_.free.kind == Kind::kTime)))
+  if (scene_->dimension != 2) refuse("a map of a 3D scene");
+  if (scene_->free.kind != Kind::kPosition &&
+      !(line && (scene_->free.kind == Kind::kLine || scene_->free.kind == Kind::kTime)))
     refuse("this kind of \"free\"");
   require_moving();
 }
 
 void AskedScene::require_positions_in_space(bool line, bool poses) const {
   auto refuse = [&](const std::string& what) {
-    throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_.file);
+    throw Error(ErrorCode::kUnsupported, what + " is not computed in 3D", scene_->file);
   };
-  if (scene_.motion.given()) refuse("a scene with \"motion\"");
+  if (scene_->motion.given()) refuse("a scene with \"motion\"");
   using Kind = Free::Kind;
-  if (scene_.free.kind != Kind::kPosition && !(poses && scene_.free.kind == Kind::kPose) &&
-      !(line && scene_.free.kind == Kind::kLine))
+  if (scene_->free.kind != Kind::kPosition && !(poses && scene_->free.kind == Kind::kPose) &&
+      !(line && scene_->free.kind == Kind::kLine))
     refuse("this kind of \"free\"");
   require_moving();
 }
 
 void AskedScene::require_moving() const {
-  if (scene_.moving.empty())
-    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_.file);
+  if (scene_->moving.empty())
+    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_->file);
 }
 
 void AskedScene::require_question() const {
-  if (scene_.where.empty() && !goal())
-    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene_.file);
+  if (scene_->where.empty() && !goal())
+    throw Error(ErrorCode::kBadValue, "the scene has no \"where\": nothing says what must hold", scene_->file);
 }
 
-formula::Context AskedScene::context() const { return context_of(scene_); }
+formula::Context AskedScene::context() const { return context_of(*scene_); }
 
 formula::Formula AskedScene::formula(const FormulaText& text, const formula::Context& context) const {
   return read_formula(text, context);
@@ -94,19 +94,23 @@ formula::Goal AskedScene::goal(const FormulaText& text, const formula::Context& 
 }
 
 formula::Formula AskedScene::where() const {
+  return terms_.kept ? terms_.kept->where.get([&] { return read_where(); }) : read_where();
+}
+
+formula::Formula AskedScene::read_where() const {
   const formula::Context known = context();
-  if (scene_.conditions.empty()) return formula(scene_.where, known);
+  if (scene_->conditions.empty()) return formula(scene_->where, known);
   std::vector<formula::Formula> all;
-  for (const FormulaText& text : scene_.conditions) all.push_back(formula(text, known));
+  for (const FormulaText& text : scene_->conditions) all.push_back(formula(text, known));
   return formula::conjunction(all);
 }
 
 std::optional<AskedScene::Goal> AskedScene::goal() const {
-  const bool least = !scene_.minimize.empty();
-  const FormulaText& text = least ? scene_.minimize : scene_.maximize;
+  const bool least = !scene_->minimize.empty();
+  const FormulaText& text = least ? scene_->minimize : scene_->maximize;
   if (text.empty()) return std::nullopt;
-  if (least && !scene_.maximize.empty()) {
-    throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_.file);
+  if (least && !scene_->maximize.empty()) {
+    throw Error(ErrorCode::kBadValue, "the scene has both \"minimize\" and \"maximize\"", scene_->file);
   }
   try {
     return Goal{formula::parse_objective(text.text, context()),
@@ -117,19 +121,19 @@ std::optional<AskedScene::Goal> AskedScene::goal() const {
 }
 
 formula::World AskedScene::world() const {
-  return scene_.named_only ? world_of(where()) : world_with(scene_.shapes, true);
+  return scene_->named_only ? world_of(where()) : world_with(scene_->shapes, true);
 }
 
 formula::World AskedScene::world_of(const formula::Formula& formula, bool parts) const {
-  std::set<std::string> named(scene_.moving.begin(), scene_.moving.end());
+  std::set<std::string> named(scene_->moving.begin(), scene_->moving.end());
   const std::optional<Goal> goal = this->goal();
   named.merge(formula.shapes());
   if (goal)
     for (const formula::Distance& d : formula::distances_of(goal->objective)) add_names(d, named);
-  for (const Movement& m : scene_.motion.movements) named.insert(m.shape);
+  for (const Movement& m : scene_->motion.movements) named.insert(m.shape);
   std::set<const plane::Shape*> of_others;
   std::vector<const plane::Shape*> todo;
-  for (const plane::ShapePtr& s : scene_.shapes) todo.push_back(s.get());
+  for (const plane::ShapePtr& s : scene_->shapes) todo.push_back(s.get());
   while (!todo.empty()) {
     const plane::Shape* shape = todo.back();
     todo.pop_back();
@@ -137,8 +141,8 @@ formula::World AskedScene::world_of(const formula::Formula& formula, bool parts)
       if (of_others.insert(child.get()).second) todo.push_back(child.get());
   }
   std::vector<plane::ShapePtr> wanted;
-  for (const plane::ShapePtr& s : scene_.shapes)
-    if (named.count(s->name) != 0 || (!scene_.named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
+  for (const plane::ShapePtr& s : scene_->shapes)
+    if (named.count(s->name) != 0 || (!scene_->named_only && of_others.count(s.get()) == 0)) wanted.push_back(s);
   return world_with(wanted, parts);
 }
 
@@ -147,10 +151,10 @@ formula::World AskedScene::world_with(const std::vector<plane::ShapePtr>& shapes
   formula::World world;
   std::vector<plane::Region> built = regions(shapes);
   for (std::size_t k = 0; k < built.size(); ++k) world.shapes.emplace(shapes[k]->name, std::move(built[k]));
-  world.moving = scene_.moving;
+  world.moving = scene_->moving;
   world.step = step();
-  world.motion = motion_of(scene_);
-  world.instant = instant_;
+  world.motion = motion_of(*scene_);
+  world.instant = terms_.instant;
   for (const plane::ShapePtr& s : shapes) {
     if (!s->collection || !parts) continue;
     std::vector<plane::Region> built_parts = regions(s->children);
@@ -162,12 +166,41 @@ formula::World AskedScene::world_with(const std::vector<plane::ShapePtr>& shapes
   return world;
 }
 
+AskedScene AskedScene::over_time() const {
+  AskedScene out = *this;
+  out.terms_.instant.reset();
+  return out;
+}
+
+std::shared_ptr<const formula::Solver> AskedScene::solver() const {
+  if (!terms_.kept) return std::make_shared<const formula::Solver>(world());
+  const KeptShapes& shapes = *terms_.kept->shapes;
+  const std::shared_ptr<const formula::Solver>& all = shapes.planar.get(
+      [&] { return std::make_shared<const formula::Solver>(shapes.world ? shapes.world() : over_time().world()); });
+  if (!terms_.instant) return all;
+  formula::World then = all->world();
+  then.instant = terms_.instant;
+  return std::make_shared<const formula::Solver>(std::move(then));
+}
+
+std::shared_ptr<const formula::Solver> AskedScene::solver_of(const formula::Formula& formula, bool parts) const {
+  return terms_.kept ? solver() : std::make_shared<const formula::Solver>(world_of(formula, parts));
+}
+
+void AskedScene::want(std::vector<Placement::Near> near) {
+  auto changed = std::make_shared<Scene>(*scene_);
+  changed->place.near = std::move(near);
+  scene_ = std::move(changed);
+}
+
 void AskedScene::forget_shapes() {
-  for (plane::ShapePtr& s : scene_.shapes) {
-    auto bare = std::make_shared<plane::Shape>();
-    bare->name = s->name;
-    s = std::move(bare);
+  auto bare = std::make_shared<Scene>(*scene_);
+  for (plane::ShapePtr& s : bare->shapes) {
+    auto named = std::make_shared<plane::Shape>();
+    named->name = s->name;
+    s = std::move(named);
   }
+  scene_ = std::move(bare);
 }
 
 }  // namespace findspace::io

@@ -8,6 +8,7 @@
 
 #include <findspace/scene.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,20 +16,34 @@
 #include "formula/language/parse.h"
 #include "formula/language/parse_goal.h"
 #include "formula/planar/solve.h"
+#include "io/question/kept_work.h"
 #include "io/scene/scene.h"
 
 namespace findspace::io {
 
 class AskedScene {
  public:
-  /// At an instant of its motion, or over all its time.
-  AskedScene(Scene scene, findspace::Scene::Listener listener, std::optional<exact::Real> instant = std::nullopt)
-      : scene_(std::move(scene)), listener_(std::move(listener)), instant_(std::move(instant)) {}
+  /// How it is asked.
+  struct Terms {
+    findspace::Scene::Listener listener{};
+    std::optional<exact::Real> instant{};    // of its motion; nothing: over all its time
+    std::optional<exact::Real> turned{};     // by so many degrees what moves was rotated
+    std::shared_ptr<const KeptWork> kept{};  // of a prepared scene
+  };
+  AskedScene(std::shared_ptr<const Scene> scene, Terms terms) : scene_(std::move(scene)), terms_(std::move(terms)) {}
+  AskedScene(Scene scene, findspace::Scene::Listener listener)
+      : AskedScene(std::make_shared<const Scene>(std::move(scene)), Terms{std::move(listener), {}, {}, {}}) {}
 
-  const Scene& scene() const { return scene_; }
-  const exact::Real& step() const { return scene_.grid.step(); }
+  const Scene& scene() const { return *scene_; }
+  const exact::Real& step() const { return scene_->grid.step(); }
   std::string unit() const;
-  bool in_space() const { return scene_.dimension == 3; }
+  bool in_space() const { return scene_->dimension == 3; }
+  /// Where it was prepared, what it keeps; else null.
+  const std::shared_ptr<const KeptWork>& kept() const { return terms_.kept; }
+  bool at_instant() const { return terms_.instant.has_value(); }
+  /// Over all its time.
+  AskedScene over_time() const;
+  const std::optional<exact::Real>& turned() const { return terms_.turned; }
   /// What the reader of the answer should know.
   void note(const std::string& text) const;
   /// What is being done now.
@@ -55,6 +70,9 @@ class AskedScene {
   /// The same without shapes that the formula does not name and that others are made of; without the parts of
   /// collections, unless a report or a picture needs them.
   formula::World world_of(const formula::Formula& formula, bool parts = true) const;
+  /// Of all shapes, or of those that world_of() has; of a prepared scene always that of all.
+  std::shared_ptr<const formula::Solver> solver() const;
+  std::shared_ptr<const formula::Solver> solver_of(const formula::Formula& formula, bool parts = true) const;
   /// Throws where the scene asks for more than positions in the plane (or on a line of it or instants, if `line`).
   void require_positions(bool line) const;
   /// Throws where a 3D scene asks for more than positions of one moving shape (or those on a line, if `line`; or such
@@ -66,16 +84,16 @@ class AskedScene {
   void require_question() const;
 
   /// Bodies of a placement that come first.
-  void want(std::vector<Placement::Near> near) { scene_.place.near = std::move(near); }
+  void want(std::vector<Placement::Near> near);
   /// Lets go of how the shapes are made, where a world has their sets: only their names stay.
   void forget_shapes();
 
  private:
   formula::World world_with(const std::vector<plane::ShapePtr>& shapes, bool parts) const;
+  formula::Formula read_where() const;
 
-  Scene scene_;
-  findspace::Scene::Listener listener_;
-  std::optional<exact::Real> instant_;
+  std::shared_ptr<const Scene> scene_;
+  Terms terms_;
 };
 
 }  // namespace findspace::io

@@ -24,12 +24,18 @@ struct PositionsQuestion {
   formula::Formula formula{};
   std::optional<formula::World> world{};  // for a picture
   PlanarMap map{};
-  std::optional<plane::Summary> summary{};  // of positions in the plane
+  std::shared_ptr<const KeptRegion> known{};  // what the map is, where a prepared scene keeps it
+  Kept<plane::Summary> summarized{};
   std::vector<plane::LineInterval> intervals{}, possible{};
 
   explicit PositionsQuestion(AskedScene given) : asked(std::move(given)) {}
 
   bool line() const { return asked.scene().free.kind == Free::Kind::kLine; }
+  /// Of positions in the plane.
+  const plane::Summary& summary() const {
+    return summarized.get(
+        [&] { return known ? known->region.data().summary() : plane::summarize(map.region, asked.step()); });
+  }
   const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
   std::string title(const Applied& apply) const {
     std::string out = fmt::format("Positions of {}", asked.scene().moving_text());
@@ -40,14 +46,14 @@ struct PositionsQuestion {
     return apply.operation.empty() ? out : fmt::format("{}, {}", out, apply.operation);
   }
   std::string json(const Telling& telling) const {
-    return planar_map_json(asked, map, telling.exact, summary ? &*summary : nullptr);
+    return planar_map_json(asked, map, telling.exact, line() ? nullptr : &summary());
   }
   std::string svg(const std::string& title) const {
     Picture picture;
-    picture.title = title + (summary->empty ? ": none" : "");
+    picture.title = title + (summary().empty ? ": none" : "");
     picture.subtitle = asked.scene().where.text;
     picture.region = &map.region;
-    picture.summary = &*summary;
+    picture.summary = &summary();
     picture.around = map.feasible ? &*map.feasible : map.outer ? &*map.outer : nullptr;
     if (map.outer && !map.feasible) picture.around_text = "positions not excluded";
     add_scenery(asked, picture, *world, &formula);
@@ -64,13 +70,14 @@ struct PositionsQuestion {
   }
   Region shown(const plane::Region& region) const { return api::make_region(region, asked.scene().grid, asked.unit()); }
   RegionBounds bounds() const {
+    if (known) return {known->region, known->outer ? *known->outer : known->region};
     const Region inner = shown(map.region);
     return {inner, map.outer ? shown(*map.outer) : inner};
   }
 };
 
 void tell_positions(Answer::Data& out, const std::shared_ptr<const PositionsQuestion>& q, const std::string& title) {
-  out.text = [q, title](const Telling&) { return summary_text(title, *q->summary, q->asked.unit(), q->extreme()); };
+  out.text = [q, title](const Telling&) { return summary_text(title, q->summary(), q->asked.unit(), q->extreme()); };
   out.files[".wkt"] = [q](const Telling&) { return q->wkt(); };
   out.files[".dxf"] = [q](const Telling& telling) { return q->dxf(telling.dxf); };
   if (q->world) out.files[".svg"] = [q, title](const Telling&) { return Region::Drawn{q->svg(title), {}}; };
@@ -107,10 +114,17 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
   q->formula = q->asked.where();
   const bool drawn = pictures && !q->line();
   {
-    const formula::Solver solver(q->asked.world_of(q->formula, drawn));
-    if (!drawn) q->asked.forget_shapes();
-    q->map = planar_map(q->asked, solver, q->formula, apply);
-    if (drawn) q->world = solver.world();
+    const std::shared_ptr<const formula::Solver> solver = q->asked.solver_of(q->formula, drawn);
+    if (!drawn && !q->asked.kept()) q->asked.forget_shapes();
+    std::optional<formula::SolvedRegion> known;
+    if (q->asked.kept()) {
+      const std::shared_ptr<const KeptRegion> kept = region_of(q->asked, q->formula);
+      known = {kept->region.data().cells, std::nullopt, kept->compared};
+      if (kept->outer) known->outer = kept->outer->data().cells;
+      if (apply.operation.empty() && !q->asked.goal()) q->known = kept;
+    }
+    q->map = planar_map(q->asked, *solver, q->formula, apply, known ? &*known : nullptr);
+    if (drawn) q->world = solver->world();
   }  // without pictures its shapes, most of the memory, go here
   Answer::Data out;
   const std::string title = q->title(apply);
@@ -120,8 +134,7 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
     out.found = found_in(!q->intervals.empty(), !q->possible.empty());
     tell_line(out, q, title);
   } else {
-    q->summary = plane::summarize(q->map.region, q->asked.step());
-    out.found = found_in(!q->summary->empty, q->map.outer && !plane::is_empty(*q->map.outer));
+    out.found = found_in(!plane::is_empty(q->map.region), q->map.outer && !plane::is_empty(*q->map.outer));
     tell_positions(out, q, title);
   }
   out.json = [q](const Telling& telling) { return q->json(telling); };
@@ -135,9 +148,9 @@ Answer::Data map_of_instants(AskedScene given, const exact::RealPoint& at, const
   if (given.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", given.scene().file);
   given.require_question();
   const formula::Formula formula = given.where();
-  const formula::Solver solver(given.world_of(formula, false));
+  const std::shared_ptr<const formula::Solver> solver = given.solver_of(formula, false);
   given.stage("solving");
-  const auto found = std::make_shared<const PlanarInstants>(planar_instants(solver, formula, at));
+  const auto found = std::make_shared<const PlanarInstants>(planar_instants(*solver, formula, at));
   if (found->outer)
     given.note(
         "shapes rotate, or distances are in rotation: instants that certainly belong, and in \"outer\" the possible "

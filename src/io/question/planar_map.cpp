@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "io/question/planar_map.h"
 
+#include "api/values/region_data.h"
 #include "findspace/error.h"
 #include "io/write/write_summary.h"
 #include "plane/query/in_order.h"
@@ -94,6 +95,22 @@ PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, con
   if (known == nullptr || goal || !apply.operation.empty())
     map.region = plane::in_order(applied(std::move(map.region), apply.operation));
   return map;
+}
+
+std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula) {
+  const auto make = [&] {
+    const auto shown = [&](plane::Region region) {
+      if (asked.scene().free.kind == Free::Kind::kLine) region = on_line(region, asked.scene().free);
+      return api::make_region(std::move(region), asked.scene().grid, asked.unit());
+    };
+    formula::SolvedRegion found = formula::solve_region(*asked.solver_of(formula, false), formula);
+    KeptRegion out{shown(std::move(found.region)), std::nullopt, found.compared};
+    if (found.outer) out.outer = shown(*std::move(found.outer));
+    return out;
+  };
+  const std::shared_ptr<const KeptWork>& kept = asked.kept();
+  if (!kept) return std::make_shared<const KeptRegion>(make());
+  return {kept, &kept->region.get(make)};
 }
 
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct Applied {
 /// `known`: the region of the formula where it has been made already, its cells in order.
 PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, const formula::Formula& formula,
                      const Applied& apply = {}, const formula::SolvedRegion* known = nullptr);
+/// The region of the scene's formula, on its line where it has one; kept where the scene is prepared.
+std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula);
 /// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
 /// made already.
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact,

@@ -10,9 +10,12 @@
 #include <algorithm>
 
 #include "api/query/world_data.h"
+#include "api/values/region_data.h"
 #include "formula/language/text.h"
 #include "formula/planar/solve_rotation.h"
+#include "io/question/planar_map.h"
 #include "io/question/position_picture.h"
+#include "io/report/feature_pair.h"
 #include "io/report/position_report.h"
 #include "io/write/write_position.h"
 #include "io/write/write_witness.h"
@@ -68,7 +71,7 @@ struct PlanarQuestion {
   AskedScene asked;
   formula::Formula formula{};
   exact::RealPoint at;
-  std::optional<formula::Solver> solver{};
+  std::shared_ptr<const formula::Solver> solver{};
   std::optional<formula::RotationSolver> rotated{};  // where the moving shape turns
   formula::Pose pose{};
   formula::AskedNearest nearest{};
@@ -79,7 +82,8 @@ struct PlanarQuestion {
 
   distance::Coordinates place() const { return distance::coordinates(at); }
   std::optional<double> degrees() const {
-    return rotated ? std::optional(pose.degrees.to_double()) : std::optional<double>();
+    if (!rotated && !asked.turned()) return std::nullopt;
+    return (asked.turned().value_or(exact::Real()) + pose.degrees).to_double();
   }
   /// The shapes as they are drawn: of a shape that turns with its vertices rounded to the grid.
   template <class Draw>
@@ -106,7 +110,7 @@ std::shared_ptr<PlanarQuestion> planar_question(AskedScene given, const PlanarPo
   else
     asked.require_positions(true);
   out->formula = asked.where();
-  out->solver.emplace(all || turning ? asked.world() : asked.world_of(out->formula));
+  out->solver = all || turning ? asked.solver() : asked.solver_of(out->formula);
   if (turning) {
     out->pose = rotation_pose(asked, pose);
     out->rotated.emplace(*out->solver, out->pose);
@@ -123,7 +127,40 @@ WantedDistances wanted_distances(const std::vector<std::string>& words) {
   return out;
 }
 
-Answer::Data check_in_plane(AskedScene given, const PlanarPose& pose) {
+namespace {
+
+/// In the scene's unit, of a position in it.
+formula::TriedNearest nearest_in(const KeptRegion& region, const exact::RealPoint& at, const exact::Real& step) {
+  const auto near = region.region.data().answers().nearest({at.x / step, at.y / step});
+  if (!near && region.outer) return exact::Refusal("the region is known between bounds, and no position is certain");
+  if (!near) return std::optional<formula::NearestFeasible>();
+  return std::optional(formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)),
+                                                near->distance * step, near->attained});
+}
+
+/// From the region where that is kept, else from what is near.
+formula::TriedNearest nearest_of(const PlanarQuestion& q) {
+  if (!q.asked.kept() || q.asked.at_instant()) return q.solver->nearest_feasible(q.formula, q.at);
+  return nearest_in(*region_of(q.asked, q.formula), q.at, q.asked.step());
+}
+
+/// A corner or an edge of the region that is near, or the place itself.
+exact::RealPoint snapped(const AskedScene& asked, const PlanarPose& pose, const exact::Real& within) {
+  if (pose.degrees)
+    throw Error(ErrorCode::kUnsupported, "nothing snaps at an angle; the scene may be rotated by it",
+                asked.scene().file);
+  asked.require_moving();
+  const exact::Real& step = asked.step();
+  const auto region = region_of(asked.over_time(), asked.where());
+  const auto near = region->region.data().answers().snapped({pose.at.x / step, pose.at.y / step}, within / step);
+  return near ? distance::times(step, *near) : pose.at;
+}
+
+}  // namespace
+
+Answer::Data check_in_plane(AskedScene given, const PlanarPose& asked_pose, const CheckWishes& wishes) {
+  PlanarPose pose = asked_pose;
+  if (wishes.snap.sign() > 0) pose.at = snapped(given, pose, wishes.snap);
   const auto q = planar_question(std::move(given), pose, false);
   q->asked.stage("checking");
   if (q->rotated) {
@@ -131,10 +168,10 @@ Answer::Data check_in_plane(AskedScene given, const PlanarPose& pose) {
     q->say_rounding();
   } else {
     q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, q->at));
-    if (!q->check->holds) {
-      q->asked.stage("looking for the nearest feasible position");
-      q->nearest = q->solver->nearest_feasible(q->formula, q->at);
-    }
+  }
+  if (!q->check->holds && wishes.nearest && (!q->rotated || (q->asked.kept() && !pose.degrees))) {
+    q->asked.stage("looking for the nearest feasible position");
+    q->nearest = nearest_of(*q);
   }
   Answer::Data out;
   out.found = q->check->holds ? Found::kYes : Found::kNo;
@@ -151,7 +188,45 @@ Answer::Data check_in_plane(AskedScene given, const PlanarPose& pose) {
                          }),
                          {}};
   };
+  out.at = q->place();
   show_check(out, q->check, q->nearest);
+  return out;
+}
+
+Answer::Data nearest_in_plane(AskedScene given, const exact::RealPoint& at) {
+  const auto q = planar_question(std::move(given), {at}, false);
+  q->asked.stage("looking for the nearest feasible position");
+  if (q->rotated && !q->asked.kept())
+    return nearest_answer(
+        q->asked, exact::Refusal("the nearest feasible position of a shape that turns is not computed"), q->place());
+  return nearest_answer(q->asked, nearest_of(*q), q->place());
+}
+
+Answer::Data nearest_answer(const AskedScene& asked, formula::TriedNearest near, const distance::Coordinates& from) {
+  Answer::Data out;
+  out.found = !near ? Found::kUndecided : *near ? Found::kYes : Found::kNo;
+  out.at = from;
+  const auto found = std::make_shared<const formula::AskedNearest>(std::move(near));
+  out.json = [found](const Telling&) {
+    if (**found) return "{" + nearest_member(***found) + "}";
+    return fmt::format(R"({{"not_computed": {{"nearest_feasible": {}}}}})",
+                       json_string((*found)->refusal().error.message()));
+  };
+  out.text = [found, unit = asked.unit()](const Telling&) { return nearest_words(*found, unit); };
+  out.nearest = [found] { return nearest_place(*found); };
+  return out;
+}
+
+Answer::Data between_in_plane(AskedScene given, const exact::RealPoint& at,
+                              const std::array<exact::RealPoint, 2>& places) {
+  given.stage("measuring");
+  const auto asked = std::make_shared<const AskedScene>(std::move(given));
+  const auto found = std::make_shared<const FeaturePair>(features_between(asked->solver()->world(), at, places));
+  Answer::Data out;
+  out.at = distance::coordinates(at);
+  out.json = [asked, found](const Telling&) { return feature_pair_json(*found, asked->unit()); };
+  out.text = [asked, found](const Telling&) { return feature_pair_text(*found, asked->unit()); };
+  out.measured = [found] { return std::vector{Measured{"distance", api::public_value(found->distance), {}}}; };
   return out;
 }
 
@@ -172,19 +247,22 @@ Answer::Data measure_in_plane(AskedScene given, const PlanarPose& pose, const Wa
         q->drawn([&](const formula::World& world) { return measure_picture(q->asked, world, q->at, *q->distances); }),
         {}};
   };
+  out.at = q->place();
   show_measured(out, q->distances);
+  return out;
+}
+
+std::optional<NearestPlace> nearest_place(const formula::AskedNearest& nearest) {
+  const formula::NearestFeasible* near = formula::found(nearest);
+  if (near == nullptr) return std::nullopt;
+  NearestPlace out{{}, near->distance.to_double(), near->attained};
+  for (const exact::Real& c : near->at) out.at.push_back(c.to_double());
   return out;
 }
 
 void show_check(Answer::Data& answer, std::shared_ptr<const formula::Check> check, formula::AskedNearest nearest) {
   answer.check = [check = std::move(check)] { return api::public_check(*check); };
-  answer.nearest = [nearest = std::move(nearest)]() -> std::optional<NearestPlace> {
-    const formula::NearestFeasible* near = formula::found(nearest);
-    if (near == nullptr) return std::nullopt;
-    NearestPlace out{{}, near->distance.to_double(), near->attained};
-    for (const exact::Real& c : near->at) out.at.push_back(c.to_double());
-    return out;
-  };
+  answer.nearest = [nearest = std::move(nearest)] { return nearest_place(nearest); };
 }
 
 void show_measured(Answer::Data& answer, std::shared_ptr<const std::vector<formula::DistanceAt>> distances) {

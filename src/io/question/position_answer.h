@@ -6,6 +6,7 @@
 // at one position; texts and pictures when they are asked for.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +24,22 @@ struct PlanarPose {
   std::optional<exact::Real> degrees{};
 };
 
-Answer::Data check_in_plane(AskedScene asked, const PlanarPose& pose);
-Answer::Data check_in_space(AskedScene asked, const space::RealVector& at);
+/// What a check is asked for besides.
+struct CheckWishes {
+  bool nearest = true;  // the nearest feasible position, where the position is none
+  exact::Real snap{};   // go to a corner, an edge, in space to the nearest feasible position, within this
+};
+Answer::Data check_in_plane(AskedScene asked, const PlanarPose& pose, const CheckWishes& wishes);
+Answer::Data check_in_space(AskedScene asked, const space::RealVector& at, const CheckWishes& wishes);
+
+/// The nearest feasible position alone.
+Answer::Data nearest_in_plane(AskedScene asked, const exact::RealPoint& at);
+Answer::Data nearest_in_space(AskedScene asked, const space::RealVector& at);
+Answer::Data nearest_answer(const AskedScene& asked, formula::TriedNearest near, const distance::Coordinates& from);
+
+/// The features that are nearest to two places, where what moves stands at `at` (feature_pair.h).
+Answer::Data between_in_plane(AskedScene asked, const exact::RealPoint& at,
+                              const std::array<exact::RealPoint, 2>& places);
 
 /// Which distances are wanted: the kinds; none: all.
 struct WantedDistances {
@@ -39,6 +54,7 @@ Answer::Data measure_in_space(AskedScene asked, const space::RealVector& at, con
 
 /// The values behind a check and a measurement (Answer::check and so on).
 void show_check(Answer::Data& answer, std::shared_ptr<const formula::Check> check, formula::AskedNearest nearest);
+std::optional<NearestPlace> nearest_place(const formula::AskedNearest& nearest);
 void show_measured(Answer::Data& answer, std::shared_ptr<const std::vector<formula::DistanceAt>> distances);
 
 }  // namespace findspace::io

@@ -230,6 +230,10 @@ void tell(Answer::Data& out, const std::shared_ptr<const RaysQuestion>& q) {
       return api::public_optimum(*q->optimum, api::make_region(plane::Region::uniform(0), q->asked.scene().grid));
     };
   if (q->set.side != formula::Side::kNone) return;  // cells have no surface
+  out.surface = [q] {
+    Surface made = q->surface();
+    return findspace::Surface{std::move(made.vertices), std::move(made.faces)};
+  };
   for (const char* ending : kSurfaceEndings)
     out.files[ending] = [q, ending](const Telling&) {
       return Region::Drawn{surface_text(q->surface(), q->set.title, ending, q->asked.unit()), {}};
@@ -296,12 +300,14 @@ RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, bool listed
   return out;
 }
 
-RayChoice usual_lines(const AskedScene& asked, std::string_view what, std::string_view before, bool listed) {
-  asked.note(fmt::format("the {0} is taken on {1} x {1} lines of each axis, exact on each ({2} for others)", what,
-                         kUsualLines, before.empty() ? "lines" : fmt::format("{}resolution N", before)));
+RayChoice usual_lines(const AskedScene& asked, std::string_view what, std::string_view before, bool listed, int count) {
+  if (count < 0 || count > kMostLines)
+    throw Error(ErrorCode::kBadValue, fmt::format("lines: their number, from 1 to {}", kMostLines), asked.scene().file);
   RayChoice out{{}, formula::Side::kNone, listed};
-  out.lines.count = kUsualLines;
+  out.lines.count = count > 0 ? count : kUsualLines;
   out.lines.axes = true;
+  asked.note(fmt::format("the {0} is taken on {1} x {1} lines of each axis, exact on each ({2} for others)", what,
+                         out.lines.count, before.empty() ? "lines" : fmt::format("{}resolution N", before)));
   return out;
 }
 
@@ -336,16 +342,6 @@ Answer::Data shape_on_lines(AskedScene given, const std::string& name, const Ray
     return formula::RegionOnLines{space::shape_rays(shape, grid, by)};
   };
   return answered(q, choice.listed);
-}
-
-RaysDrawn draw_rays(const AskedScene& asked, const LineChoice& lines, const formula::Formula& where) {
-  RaysQuestion q(asked);
-  q.ask(where, {lines});
-  q.cast = cast_axes(q.set, q.step(), false);
-  RaysDrawn out;
-  q.json([&](std::string_view part) { out.json += part; });
-  out.surface = ray_surface_mesh(q.cast->surface, q.step());
-  return out;
 }
 
 Surface surface_on_lines(const plane::Shape& shape, int count, double step) {

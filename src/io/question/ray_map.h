@@ -27,20 +27,16 @@ struct RayChoice {
 
 /// What a question says; kBadValue for lines that are none.
 RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, bool listed);
-/// Those of a map (or shape) that has no exact form, where none were asked for; a note says so.
-RayChoice usual_lines(const AskedScene& asked, std::string_view what, std::string_view before, bool listed);
+/// Those of a map (or shape) that has no exact form, where none were asked for; a note says so. `count`: each way; 0:
+/// as usual.
+RayChoice usual_lines(const AskedScene& asked, std::string_view what, std::string_view before, bool listed,
+                      int count = 0);
 
 /// The positions of the scene's formula. Nothing can be made of them: an operation is refused.
 Answer::Data map_on_lines(AskedScene asked, const RayChoice& choice, const Applied& apply);
 /// A shape of the scene.
 Answer::Data shape_on_lines(AskedScene asked, const std::string& name, const RayChoice& choice);
 
-/// The map of a formula on the lines of all three axes as a picture: its JSON without the lines, and its surface.
-struct RaysDrawn {
-  std::string json;
-  Surface surface;
-};
-RaysDrawn draw_rays(const AskedScene& asked, const LineChoice& lines, const formula::Formula& where);
 /// The surface of a shape as `count` lines each way give it.
 Surface surface_on_lines(const plane::Shape& shape, int count, double step);
 

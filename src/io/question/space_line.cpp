@@ -54,9 +54,9 @@ Answer::Data map_of_space_line(AskedScene given) {
   given.require_positions_in_space(true);
   given.require_question();
   const formula::Formula formula = given.where();
-  const formula::SpaceSolver solver(space_world(given));
+  const std::shared_ptr<const formula::SpaceSolver> solver = space_solver(given);
   given.stage("solving");
-  const auto map = std::make_shared<const SpaceLineMap>(space_line_map(given, solver, formula));
+  const auto map = std::make_shared<const SpaceLineMap>(space_line_map(given, *solver, formula));
   if (map->side != formula::Side::kExact)
     given.note("protrusions are found by search: ends may be off by 2^-30 of the sizes");
   std::string title = fmt::format("Positions of {} on the line", fmt::join(given.scene().moving, ", "));

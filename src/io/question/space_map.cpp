@@ -37,16 +37,15 @@ struct SpaceMapQuestion {
   SpaceMapQuestion(AskedScene given, std::string operation, WorldOfScene maker)
       : asked(std::move(given)),
         formula(asked.where()),
-        solver(std::make_shared<const formula::SpaceSolver>(space_world(asked))),
+        solver(space_solver(asked)),
         apply(std::move(operation)),
         world_of(std::move(maker)) {}
 
   std::string title() const { return fmt::format("Positions of {}", fmt::join(asked.scene().moving, ", ")); }
   const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
-  std::string surface(const char* ending) const {
+  Surface surface() const {
     const auto& convex = map.convex;
-    const Surface made = convex ? convex_surface(convex->set, convex->step) : box_surface(map.boxes, asked.step());
-    return surface_text(made, title(), ending, asked.unit());
+    return convex ? convex_surface(convex->set, convex->step) : box_surface(map.boxes, asked.step());
   }
   /// The region among the shapes that have boxes; the moving ones stand at a sample position.
   std::string picture() const {
@@ -104,7 +103,9 @@ std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply,
   given.require_question();
   const auto q = std::make_shared<SpaceMapQuestion>(std::move(given), apply.operation, world_of);
   q->asked.stage("solving");
-  q->map = space_map(q->asked, *q->solver, q->formula, apply, flat);
+  const auto solve = [&] { return space_map(q->asked, *q->solver, q->formula, apply, flat); };
+  const bool plain = flat && apply.operation.empty() && !q->asked.goal();  // what a prepared scene keeps
+  q->map = plain && q->asked.kept() ? q->asked.kept()->space_region.get(solve) : solve();
   if (q->map.way == distance::Way::kLines) return std::nullopt;
   q->summary = api::summary_of(q->map, q->asked.step());
   Answer::Data out;
@@ -112,7 +113,13 @@ std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply,
   out.json = [q](const Telling&) { return space_map_json(q->asked, q->map, &q->summary); };
   out.text = [q](const Telling&) { return summary_text(q->title(), q->summary, q->asked.unit(), q->extreme()); };
   for (const char* ending : kSurfaceEndings)
-    out.files[ending] = [q, ending](const Telling&) { return Region::Drawn{q->surface(ending), {}}; };
+    out.files[ending] = [q, ending](const Telling&) {
+      return Region::Drawn{surface_text(q->surface(), q->title(), ending, q->asked.unit()), {}};
+    };
+  out.surface = [q] {
+    Surface made = q->surface();
+    return findspace::Surface{std::move(made.vertices), std::move(made.faces)};
+  };
   if (!q->map.convex) out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture(), {}}; };
   out.space_region = [q] { return q->region(); };
   if (q->map.extreme)

@@ -88,7 +88,7 @@ struct SpaceQuestion {
   AskedScene asked;
   space::RealVector at;
   formula::Formula formula{};
-  std::optional<formula::SpaceSolver> solver{};
+  std::shared_ptr<const formula::SpaceSolver> solver{};
   formula::AskedNearest nearest{};
   std::shared_ptr<const formula::Check> check{};
   std::shared_ptr<const std::vector<formula::DistanceAt>> distances{};
@@ -117,17 +117,39 @@ std::shared_ptr<SpaceQuestion> space_question(AskedScene given, const space::Rea
   given.require_positions_in_space(true, true);
   auto out = std::make_shared<SpaceQuestion>(std::move(given), at);
   if (of_formula) out->formula = out->asked.where();
-  out->solver.emplace(space_world(out->asked));
+  out->solver = space_solver(out->asked);
   return out;
 }
 
 }  // namespace
 
-Answer::Data check_in_space(AskedScene given, const space::RealVector& at) {
+namespace {
+
+formula::TriedNearest nearest_of(const SpaceQuestion& q) {
+  if (q.asked.scene().free.kind == Free::Kind::kLine) return exact::Refusal("positions are free on a line only");
+  return formula::nearest_feasible(*q.solver, q.formula, q.at);
+}
+
+}  // namespace
+
+Answer::Data nearest_in_space(AskedScene given, const space::RealVector& at) {
+  const auto q = space_question(std::move(given), at, true);
+  q->asked.stage("looking for the nearest feasible position");
+  return nearest_answer(q->asked, nearest_of(*q), q->place());
+}
+
+Answer::Data check_in_space(AskedScene given, const space::RealVector& at, const CheckWishes& wishes) {
   const auto q = space_question(std::move(given), at, true);
   q->asked.stage("checking");
   q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, at));
-  if (!q->check->holds) q->nearest = formula::nearest_feasible(*q->solver, q->formula, at);
+  if (!q->check->holds && (wishes.nearest || wishes.snap.sign() > 0)) q->nearest = nearest_of(*q);
+  const formula::NearestFeasible* there = formula::found(q->nearest);
+  if (there != nullptr && there->attained && there->distance <= wishes.snap) {
+    q->at = {there->at[0], there->at[1], there->at[2]};
+    q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, q->at));
+    q->nearest.reset();
+  }
+  if (!wishes.nearest) q->nearest.reset();
   note_late_rounding(q->asked, *q->solver);
   Answer::Data out;
   out.found = q->check->holds ? Answer::Found::kYes : Answer::Found::kNo;
@@ -138,6 +160,7 @@ Answer::Data check_in_space(AskedScene given, const space::RealVector& at) {
     return check_text(*q->check, where_text(q->at), q->place(), q->asked.unit(), q->nearest, telling.explain);
   };
   out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture_of_check(), {}}; };
+  out.at = q->place();
   show_check(out, q->check, q->nearest);
   return out;
 }
@@ -154,6 +177,7 @@ Answer::Data measure_in_space(AskedScene given, const space::RealVector& at, con
     return measure_text(*q->distances, where_text(q->at), q->place(), q->asked.unit(), telling.all || told);
   };
   out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture_of_measurement(), {}}; };
+  out.at = q->place();
   show_measured(out, q->distances);
   return out;
 }

@@ -42,6 +42,11 @@ formula::SpaceWorld space_world(const AskedScene& asked) {
   return world;
 }
 
+std::shared_ptr<const formula::SpaceSolver> space_solver(const AskedScene& asked) {
+  const auto make = [&] { return std::make_shared<const formula::SpaceSolver>(space_world(asked)); };
+  return asked.kept() != nullptr ? asked.kept()->shapes->solid.get(make) : make();
+}
+
 formula::RayWorld ray_world(const AskedScene& asked) {
   formula::RayWorld world;
   for (const auto& shape : asked.scene().shapes) world.shapes.emplace(shape->name, formula::RayShape(shape));

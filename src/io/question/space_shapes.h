@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace findspace::io {
 std::map<std::string, formula::SpaceShape> space_shapes(const AskedScene& asked,
                                                         const std::vector<plane::ShapePtr>& shapes);
 formula::SpaceWorld space_world(const AskedScene& asked);
+/// Of that, kept where the scene is prepared.
+std::shared_ptr<const formula::SpaceSolver> space_solver(const AskedScene& asked);
 /// The scene's shapes for rays; refers to them.
 formula::RayWorld ray_world(const AskedScene& asked);
 /// Says what was rounded to make the parts of a body, if it has been made.

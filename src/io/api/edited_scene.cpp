@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "serve/scene_source.h"
+#include "io/api/edited_scene.h"
 
 #include <algorithm>
 
 #include "findspace/text.h"
 #include "io/text/json_tree.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
 
 std::size_t offset_of(const std::string& text, int line, int column) {
@@ -43,8 +43,8 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
 /// The text with `value` under a key of the scene, which may not have been there.
 std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
   plane::WorkBudget work;
-  const io::JsonValue scene = io::parse_json(text, "scene", work);
-  const io::JsonValue* old = scene.find(key);
+  const JsonValue scene = parse_json(text, "scene", work);
+  const JsonValue* old = scene.find(key);
   if (old == nullptr) {
     const std::size_t brace = offset_of(text, scene.line, scene.column) + 1;
     return text.substr(0, brace) + "\n  \"" + key + "\": " + value + "," + text.substr(brace);
@@ -55,10 +55,8 @@ std::string with_key(const std::string& text, const std::string& key, const std:
 
 }  // namespace
 
-std::string edited_scene(const std::string& text, const std::string& where, const std::vector<std::string>& moving) {
-  const std::string with_where = with_key(text, "where", json_string(where));
-  const std::string moves = moving.size() == 1 ? json_string(moving[0]) : json_list(moving, json_string);
-  return moving.empty() ? with_where : with_key(with_where, "moving", moves);
+std::string edited_scene(const std::string& text, const std::string& key, const std::vector<std::string>& values) {
+  return with_key(text, key, values.size() == 1 ? json_string(values[0]) : json_list(values, json_string));
 }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

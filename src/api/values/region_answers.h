@@ -3,29 +3,24 @@
 //
 // A region that many positions are asked about, one after another: whether one belongs, the nearest one that does, and
 // what a position that is dragged snaps to. What an answer needs is made when it is first asked for. Guarantee: exact.
-// Cost: a position is looked up in a table; the nearest is linear in the cells. Threads: one at a time. Keywords: point
+// Cost: a position is looked up in a table; the nearest is linear in the cells. Threads: safe. Keywords: point
 // location, nearest neighbour, snapping.
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "plane/query/locate.h"
 #include "plane/query/nearest.h"
 
-namespace findspace::app {
+namespace findspace::api {
 
 class RegionAnswers {
  public:
-  /// `step`: a grid step in the scene's unit. `outer`: where the region is known between bounds.
-  RegionAnswers(plane::Region region, std::optional<plane::Region> outer, const exact::Real& step)
-      : region_(std::move(region)), outer_(std::move(outer)), step_(step) {}
+  /// Keeps a reference. `step`: a grid step in the scene's unit.
+  RegionAnswers(const plane::Region& region, const exact::Real& step) : region_(region), step_(step) {}
   RegionAnswers(const RegionAnswers&) = delete;
   RegionAnswers& operator=(const RegionAnswers&) = delete;
-
-  const plane::Region& region() const { return region_; }
-  const std::optional<plane::Region>& outer() const { return outer_; }
-  /// Its cells numbered from left to right.
-  const plane::Region& in_order() const;
 
   /// Positions in grid steps.
   bool has(const exact::RealPoint& p) const;
@@ -38,18 +33,20 @@ class RegionAnswers {
   std::optional<Near> nearest(const exact::RealPoint& p) const;
   /// A corner of the region that is no farther than `within`, or else a point of its boundary; one that belongs.
   std::optional<exact::RealPoint> snapped(const exact::RealPoint& p, const exact::Real& within) const;
-  /// A position that belongs, an isolated one where there is one. Nothing where the region is empty.
-  std::optional<exact::RealPoint> sample() const;
 
  private:
   const plane::Region& closure() const;
+  const plane::Region& boundary() const;
   const plane::Region& corners() const;
 
-  plane::Region region_;
-  std::optional<plane::Region> outer_;
+  const plane::Region& region_;
   exact::Real step_;
-  mutable std::optional<plane::Region> ordered_, closure_, boundary_, corners_;
-  mutable std::optional<plane::Locator> in_region_, in_closure_;
+  mutable std::once_flag closed_{}, bounded_{}, cornered_{}, located_{}, located_closed_{};
+  mutable std::optional<plane::Region> closure_{}, boundary_{}, corners_{};
+  mutable std::optional<plane::Locator> in_region_{}, in_closure_{};
 };
 
-}  // namespace findspace::app
+/// A position of a region, an isolated one where there is one. Nothing where the region is empty. Cost: linear.
+std::optional<exact::RealPoint> position_in(const plane::Region& region);
+
+}  // namespace findspace::api

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "serve/features.h"
+#include "io/report/feature_pair.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 #include "formula/language/parse.h"
 #include "formula/planar/solve.h"
 #include "io/write/json_text.h"
@@ -16,7 +17,7 @@
 #include "plane/query/curve_net.h"
 #include "plane/query/nearest.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
 
 using exact::Real;
@@ -25,15 +26,14 @@ using exact::RealPoint;
 /// How much farther a vertex may be than an edge to be meant, in parts of the shape's size.
 constexpr double kVertexFirst = 0.01;
 
-struct Feature {
-  std::string shape;
+struct PickedFeature {
+  formula::FeatureAt feature;
   bool moving = false;
   plane::Region set;  // in the shape's own coordinates
-  std::string json;
 };
 
-std::string spot_json(const plane::Place& p) {
-  return fmt::format("[{}, {}]", io::json_number(p[0]), io::json_number(p[1]));
+distance::Coordinates rounded_place(const plane::Place& p) {
+  return {Real::from_double(p[0]), Real::from_double(p[1])};
 }
 
 /// Nothing marked.
@@ -68,13 +68,6 @@ plane::Region marked_vertex(const plane::Region& shape, plane::Index vertex) {
   return plane::simplify(std::move(out));
 }
 
-std::string curve_json(const plane::CurveNet& net, const plane::CurveNet::Curve& curve, const plane::Place& by) {
-  const auto moved = [&](plane::Place p) { return spot_json({p[0] + by[0], p[1] + by[1]}); };
-  if (curve.arc)
-    return fmt::format(R"("arc": {{"center": {}, "radius": {}}})", moved(curve.center), io::json_number(curve.radius));
-  return fmt::format(R"("edge": [{}, {}])", moved(net.at(curve.from)), moved(net.at(curve.to)));
-}
-
 /// The vertices that people see as such.
 plane::Region corners(const plane::Region& shape, const plane::CurveNet& net) {
   plane::Region out = unmarked(shape);
@@ -88,7 +81,7 @@ class Picker {
  public:
   Picker(const formula::World& world, const RealPoint& at) : world_(world), at_(at) {}
 
-  Feature nearest(const RealPoint& place) const {
+  PickedFeature nearest(const RealPoint& place) const {
     const plane::Region* best = nullptr;
     std::string name;
     std::optional<plane::Nearest> near;
@@ -115,33 +108,35 @@ class Picker {
     return {(moving ? place.x - at_.x : place.x) / world_.step, (moving ? place.y - at_.y : place.y) / world_.step};
   }
 
-  Feature feature(const std::string& name, const plane::Region& shape, const RealPoint& p,
-                  const plane::Nearest& near) const {
-    Feature out;
-    out.shape = name;
+  PickedFeature feature(const std::string& name, const plane::Region& shape, const RealPoint& p,
+                        const plane::Nearest& near) const {
+    using Kind = formula::FeatureAt::Kind;
+    PickedFeature out;
+    out.feature.shape = name;
     out.moving = moves(name);
-    const plane::Place by = out.moving ? plane::Place{at_.x.to_double(), at_.y.to_double()} : plane::Place{};
     const plane::CurveNet net(shape, world_.step);
     const plane::Region marked = corners(shape, net);
     const auto corner = plane::nearest(
         marked, [](plane::Mark m) { return m > 0; }, p);
     const auto box = plane::summarize(shape, world_.step).bbox;
     const double size = box ? std::max(box->high[0] - box->low[0], box->high[1] - box->low[1]) : 0;
-    std::string what;
     const double farther = corner ? ((corner->distance - near.distance) * world_.step).to_double() : 0;
     const bool alone = near.cell.dimension == 0 && shape.vertices[near.cell.index].out == plane::kNone;
     if (alone || (corner && farther <= kVertexFirst * size)) {
       const plane::Index vertex = alone ? near.cell.index : corner->cell.index;
       out.set = marked_vertex(shape, vertex);
-      const plane::Place q = net.at(vertex);
-      what = "\"vertex\": " + spot_json({q[0] + by[0], q[1] + by[1]});
-    } else {
-      const plane::CurveNet::Curve& curve =
-          curve_with(net, near.cell.dimension == 1 ? near.cell.index : shape.vertices[near.cell.index].out / 2);
-      out.set = marked_curve(shape, curve);
-      what = curve_json(net, curve, by);
+      out.feature.points = {rounded_place(net.at(vertex))};
+      return out;
     }
-    out.json = fmt::format(R"({{"shape": {}, {}}})", io::json_string(name), what);
+    const plane::CurveNet::Curve& curve =
+        curve_with(net, near.cell.dimension == 1 ? near.cell.index : shape.vertices[near.cell.index].out / 2);
+    out.set = marked_curve(shape, curve);
+    out.feature.kind = curve.arc ? Kind::kArc : Kind::kEdge;
+    out.feature.points = {rounded_place(curve.arc ? curve.center : net.at(curve.from))};
+    if (curve.arc)
+      out.feature.radius = Real::from_double(curve.radius);
+    else
+      out.feature.points.push_back(rounded_place(net.at(curve.to)));
     return out;
   }
 
@@ -149,13 +144,27 @@ class Picker {
   RealPoint at_;
 };
 
+/// Where it stands in the scene.
+std::string place_in_scene(const distance::Coordinates& p, const RealPoint& stand) {
+  return fmt::format("[{}, {}]", json_number(p[0].to_double() + stand.x.to_double()),
+                     json_number(p[1].to_double() + stand.y.to_double()));
+}
+
+std::string feature_json(const formula::FeatureAt& f, const RealPoint& stand) {
+  const std::string first = place_in_scene(f.points[0], stand);
+  std::string what = "\"vertex\": " + first;
+  if (f.kind == formula::FeatureAt::Kind::kArc)
+    what = fmt::format(R"("arc": {{"center": {}, "radius": {}}})", first, json_number(f.radius.to_double()));
+  if (f.kind == formula::FeatureAt::Kind::kEdge)
+    what = fmt::format(R"("edge": [{}, {}])", first, place_in_scene(f.points[1], stand));
+  return fmt::format(R"({{"shape": {}, {}}})", json_string(f.shape), what);
+}
+
 }  // namespace
 
-std::string features_between(const formula::World& world, const RealPoint& at, const std::array<RealPoint, 2>& places,
-                             const std::string& unit) {
+FeaturePair features_between(const formula::World& world, const RealPoint& at, const std::array<RealPoint, 2>& places) {
   const Picker picker(world, at);
-  Feature from = picker.nearest(places[0]), to = picker.nearest(places[1]);
-  const std::string pair = fmt::format(R"("from": {}, "to": {})", from.json, to.json);
+  PickedFeature from = picker.nearest(places[0]), to = picker.nearest(places[1]);
   const bool both = from.moving && to.moving;
   const bool backwards = to.moving && !both;
   formula::World two;
@@ -169,21 +178,33 @@ std::string features_between(const formula::World& world, const RealPoint& at, c
   const formula::Solver solver(std::move(two));
   const formula::Formula formula = formula::parse_formula("distance(first, second) >= 0", context);
   const bool moves = (from.moving || to.moving) && !both;
-  const formula::Check check = solver.check(formula, moves ? at : RealPoint{});
-  const formula::DistanceAt& found = check.atoms.at(0).distance;
-  std::string points;
-  if (found.answer && found.answer->witness.size() == 2) {
-    auto shown = [&](std::size_t k) {
-      distance::Coordinates p = found.answer->witness[k].at;
-      if (both) p = {p[0] + at.x, p[1] + at.y};
-      return io::json_point(p);
-    };
-    const std::size_t first = backwards ? 1 : 0;
-    points = fmt::format(", \"points\": [{}, {}]", shown(first), shown(1 - first));
-  }
-  const auto closed = found.closed_form();
-  return fmt::format(R"({{{}{}, "distance": {}{}{}}})", io::unit_key(unit), pair, io::number(found.value()),
-                     closed ? ", \"closed_form\": " + io::json_string(*closed) : "", points);
+  FeaturePair out{std::move(solver.check(formula, moves ? at : RealPoint{}).atoms.at(0).distance), {}};
+  out.distance.features = {std::move(from.feature), std::move(to.feature)};
+  if (from.moving) out.stand[0] = at;
+  if (to.moving) out.stand[1] = at;
+  if (!out.distance.answer || out.distance.answer->witness.size() != 2) return out;
+  auto& witness = out.distance.answer->witness;
+  if (both)
+    for (auto& w : witness) w.at = {w.at[0] + at.x, w.at[1] + at.y};
+  if (backwards) std::swap(witness[0], witness[1]);
+  return out;
 }
 
-}  // namespace findspace::app
+std::string feature_pair_json(const FeaturePair& pair, const std::string& unit) {
+  const formula::DistanceAt& found = pair.distance;
+  std::string points;
+  if (found.answer && found.answer->witness.size() == 2)
+    points = fmt::format(", \"points\": [{}, {}]", json_point(found.answer->witness[0].at),
+                         json_point(found.answer->witness[1].at));
+  const auto closed = found.closed_form();
+  return fmt::format(R"({{{}"from": {}, "to": {}, "distance": {}{}{}}})", unit_key(unit),
+                     feature_json(found.features[0], pair.stand[0]), feature_json(found.features[1], pair.stand[1]),
+                     number(found.value()), closed ? ", \"closed_form\": " + json_string(*closed) : "", points);
+}
+
+std::string feature_pair_text(const FeaturePair& pair, const std::string& unit) {
+  const std::string value = fmt::format("{:.9g}", pair.distance.value().value_or(0));
+  return fmt::format("{}{}{} between {}\n", value, unit.empty() ? "" : " ", unit, witness_words(pair.distance));
+}
+
+}  // namespace findspace::io

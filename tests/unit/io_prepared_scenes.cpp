@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Scenes that keep what they make for the next question, and what programs ask that let people drag shapes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "findspace/error.h"
+#include "findspace/scene.h"
+
+namespace io_prepared_scenes {
+
+using namespace findspace;
+
+const char* const kPlate = R"json({
+  // a peg on a plate with a hole
+  "findspace": 1, "unit": "mm", "shapes": {
+    "plate": {"polygon": [[2, 2], [12, 2], [12, 10], [2, 10]], "holes": [[[5, 4], [7, 4], [7, 6], [5, 6]]]},
+    "table": {"box": {"min": [0, 0], "max": [20, 12]}},
+    "peg": {"box": {"min": [-1, -1], "max": [1, 1]}}},
+  "moving": "peg", "where": "inside(peg, table) and clear(peg, plate)"})json";
+
+const char* const kRooms = R"json({"findspace": 1, "shapes": {
+    "room": {"box": {"min": [0, 0, 0], "max": [9, 4, 3]}}, "crate": {"box": {"min": [0, 0, 0], "max": [2, 4, 1]}}},
+  "moving": "crate", "where": "inside(crate, room)"})json";
+
+Pose at(const char* x, const char* y) { return {{x, y}, {}, {}}; }
+
+TEST(PreparedScene, AnswersAsBefore) {
+  const Scene plain = Scene::json(kPlate), prepared = plain.prepared();
+  EXPECT_FALSE(plain.is_prepared());
+  EXPECT_TRUE(prepared.is_prepared());
+  for (const Pose& pose : {at("6", "5"), at("6.25", "5"), at("3", "3"), at("40", "0.1"), at("19", "11")}) {
+    EXPECT_EQ(prepared.check(pose).json(), plain.check(pose).json());
+    EXPECT_EQ(prepared.measure(pose).json(), plain.measure(pose).json());
+    EXPECT_EQ(prepared.explain(pose).json(), plain.explain(pose).json());
+    EXPECT_EQ(prepared.nearest(pose).json(), plain.nearest(pose).json());
+  }
+  for (const char* apply : {"", "interior", "complement"}) {
+    MapQuestion question;
+    question.apply = apply;
+    EXPECT_EQ(prepared.map(question).json(), plain.map(question).json());
+    EXPECT_EQ(prepared.map(question).region()->inner, plain.map(question).region()->inner);
+    EXPECT_EQ(prepared.map(question).file(".svg").text, plain.map(question).file(".svg").text);
+  }
+}
+
+TEST(PreparedScene, OtherFormulasAndShapesAreNotKept) {
+  const Scene scene = Scene::json(kPlate).prepared();
+  EXPECT_EQ(scene.check(at("6", "5")).found(), Answer::Found::kYes);  // just in the hole
+  Scene::Question apart, other;
+  apart.where = "gap(peg, plate) >= 0.5";
+  EXPECT_EQ(scene.asking(apart).check(at("6", "5")).found(), Answer::Found::kNo);
+  EXPECT_EQ(scene.check(at("6", "5")).found(), Answer::Found::kYes);
+  other.moving = {"plate"};
+  EXPECT_EQ(scene.asking(other).moving(), std::vector<std::string>{"plate"});
+  other.where = "inside(plate, table)";
+  EXPECT_NEAR(*scene.asking(other).map().region()->inner.area(), 10 * 4, 1e-9);
+  other.moving = {"plates"};
+  EXPECT_THROW(scene.asking(other), Error);
+}
+
+TEST(PreparedScene, SnapsToCornersThenEdges) {
+  for (const Scene& scene : {Scene::json(kPlate), Scene::json(kPlate).prepared()}) {
+    const auto snapped = [&](const Pose& pose, const char* within) { return scene.check(pose, {true, within}); };
+    EXPECT_EQ(snapped(at("6.3", "5.2"), "1").at(), (Place{6, 5}));
+    EXPECT_EQ(snapped(at("6.3", "5.2"), "1").found(), Answer::Found::kYes);
+    EXPECT_EQ(snapped(at("6.3", "5.2"), "0.1").at(), (Place{6.3, 5.2}));
+    EXPECT_EQ(snapped(at("1.2", "1.1"), "0.5").at(), (Place{1, 1}));
+    EXPECT_EQ(snapped(at("15", "1.1"), "0.5").at(), (Place{15, 1}));
+    EXPECT_TRUE(snapped(at("6.3", "5.2"), "0.1").nearest());
+    EXPECT_FALSE(scene.check(at("6.3", "5.2"), {false, {}}).nearest());
+  }
+  EXPECT_THROW(Scene::json(kPlate).check({{"6", "5"}, Number(30), {}}, {true, "1"}), Error);
+}
+
+TEST(PreparedScene, RegionsSnapAndShowThemselves) {
+  const Region region = Scene::json(kPlate).map().region()->inner;
+  EXPECT_EQ(*region.snapped({6.3, 5.2}, 1), (Position{6, 5}));
+  EXPECT_FALSE(region.snapped({6.3, 5.2}, "0.1"));
+  EXPECT_EQ(*region.some(), (Position{6, 5}));  // the isolated one
+  EXPECT_FALSE((region - region).some());
+  const Bounds all = *region.extent();
+  EXPECT_LT(std::abs(all.low[0] - 1) + std::abs(all.high[0] - 19), 1e-9);
+  const Region::Paths paths = region.paths(all);
+  EXPECT_EQ(paths.points, (std::vector<Position>{{6, -5}}));  // y downwards
+  EXPECT_FALSE(paths.faces.empty());
+  EXPECT_FALSE(paths.closed.empty());
+  EXPECT_TRUE(paths.open.empty());
+  EXPECT_EQ(region.paths(all, true).points, (std::vector<Position>{{6, 5}}));
+  EXPECT_FALSE(region.interior().paths(all).open.empty());
+  // Outside of the plate nothing bounds it: cut off at the window.
+  EXPECT_NE(region.complement().paths({{-50, -50}, {50, 50}}).faces.find("-50"), std::string::npos);
+}
+
+TEST(PreparedScene, IsRotatedInThePlane) {
+  const char* const text = R"json({"findspace": 1, "shapes": {"slot": {"box": {"min": [0, 0], "max": [9, 2]}},
+      "bar": {"box": {"min": [0, 0], "max": [1, 4]}}}, "moving": "bar", "where": "inside(bar, slot)",
+      "free": {"angle": {"about": [0, 0]}}})json";
+  for (const Scene& scene : {Scene::json(text), Scene::json(text).prepared()}) {
+    const Scene lying = scene.rotated(Number(90));
+    EXPECT_EQ(lying.free().kind, Scene::Free::Kind::kPosition);
+    EXPECT_NEAR(*lying.map().region()->inner.area(), 5 * 1, 1e-9);
+    EXPECT_TRUE(scene.rotated(Number(0)).map().region()->inner.empty());
+    EXPECT_NE(lying.check(at("5", "1")).json().find("\"angle\": 90"), std::string::npos);
+    EXPECT_EQ(lying.check(at("5", "1")).found(), scene.check({{"5", "1"}, Number(90), {}}).found());
+    EXPECT_EQ(lying.rotated(Number(-90)).map().region()->inner.empty(), true);
+    EXPECT_EQ(lying.shapes().at("bar").region().bounds()->low, (Position{-4, 0}));
+    EXPECT_EQ(lying.world().shape("bar"), lying.shapes().at("bar").region());
+  }
+  // What is off the grid is put on it once, in both the same.
+  const Scene plain = Scene::json(text), prepared = plain.prepared();
+  Scene::Question near;
+  near.where = "gap(bar, slot) <= 1";
+  EXPECT_EQ(prepared.rotated(Number(30)).asking(near).map().json(), plain.rotated(Number(30)).asking(near).map().json());
+  EXPECT_THROW(Scene::json(kRooms).rotated(Number(30)), Error);
+}
+
+TEST(PreparedScene, RangesOverSomethingElse) {
+  const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"slot": {"box": {"min": [-5, -2], "max": [5, 2]}},
+      "bar": {"box": {"min": [-1, -3], "max": [1, 3]}}}, "moving": "bar", "where": "inside(bar, slot)"})json")
+                          .prepared();
+  Scene::Question question;
+  question.free = Scene::Free::Kind::kAngle;
+  const std::vector<Interval> angles = scene.asking(question).map().intervals();
+  ASSERT_EQ(angles.size(), 2u);  // lying, either way
+  question.free = Scene::Free::Kind::kTime;
+  EXPECT_THROW(scene.asking(question), Error);
+  question.free = Scene::Free::Kind::kLine;
+  EXPECT_THROW(scene.asking(question), Error);
+}
+
+TEST(PreparedScene, MeasuresBetweenFeatures) {
+  const Scene scene = Scene::json(kPlate);
+  const Answer answer = scene.between({2, 2}, {5, 5}, at("3", "8"));
+  ASSERT_EQ(answer.measured().size(), 1u);
+  const DistanceValue value = *answer.measured()[0].value;
+  EXPECT_EQ(*value.value, 3);
+  ASSERT_EQ(value.features.size(), 2u);
+  EXPECT_EQ(value.features[0].kind, Feature::Kind::kVertex);
+  EXPECT_EQ(value.features[1].kind, Feature::Kind::kEdge);
+  EXPECT_EQ(value.features[1].shape, "plate");
+  // The moving shape stands elsewhere, and its features have their own coordinates.
+  const DistanceValue moved = *scene.between({20, 6}, {16, 6.5}, at("15", "6")).measured()[0].value;
+  EXPECT_EQ(*moved.value, 4);
+  EXPECT_EQ(moved.features[1].shape, "peg");
+  EXPECT_EQ(moved.features[1].points[0][0], 1);
+  EXPECT_EQ(moved.points[1][0], 16);
+  EXPECT_THROW(Scene::json(kRooms).between({0, 0}, {1, 1}, {}), Error);
+}
+
+TEST(PreparedScene, ItsTextIsEdited) {
+  const Scene scene = Scene::json(kPlate);
+  EXPECT_EQ(scene.edited_text(), kPlate);
+  Scene::Question question;
+  question.where = "gap(peg, plate) >= 3";
+  question.moving = {"peg", "plate"};
+  const std::string text = scene.asking(question).edited_text();
+  EXPECT_NE(text.find("// a peg on a plate with a hole"), std::string::npos);
+  const Scene again = Scene::json(text);
+  EXPECT_EQ(again.where().text(), *question.where);
+  EXPECT_EQ(again.moving(), *question.moving);
+  EXPECT_EQ(again.used(), (std::vector<std::string>{"peg", "plate"}));
+  EXPECT_THROW(scene.rotated(Number(30)).edited_text(), Error);
+  question.where = "";
+  EXPECT_THROW(scene.asking(question).edited_text(), Error);
+  EXPECT_TRUE(scene.asks());
+  EXPECT_FALSE(scene.asking(question).asks());
+}
+
+TEST(PreparedScene, InSpace) {
+  const Scene plain = Scene::json(kRooms), prepared = plain.prepared();
+  const Pose near{{"7.25", "0", "2"}, {}, {}};
+  for (const Scene& scene : {plain, prepared}) {
+    EXPECT_EQ(scene.check(near, {true, "0.5"}).at(), (Place{7, 0, 2}));
+    EXPECT_EQ(scene.check(near, {true, "0.125"}).at(), (Place{7.25, 0, 2}));
+    EXPECT_EQ(scene.nearest(near).nearest()->at, (Place{7, 0, 2}));
+    EXPECT_EQ(scene.explain(near).json(), plain.explain(near).json());
+    MapQuestion flat;
+    flat.surface = true;
+    const Answer map = scene.map(flat);
+    EXPECT_EQ(map.json(), plain.map(flat).json());
+    EXPECT_TRUE(map.surface()->faces.empty());
+    const SpaceRegion::Thin thin = map.space_region()->thin({{0, 0, 0}, {9, 9, 9}});
+    ASSERT_EQ(thin.sheets.size(), 1u);  // no room to move along y
+    EXPECT_EQ(thin.sheets[0].size(), 4u);
+    EXPECT_TRUE(thin.curves.empty() && thin.points.empty());
+  }
+  EXPECT_EQ(plain.shapes().at("room").drawn_surface().faces.size(), 6u);
+  const Shape ball = Shape::ball({0, 0, 0}, 2);
+  EXPECT_TRUE(ball.drawn_surface(0).faces.empty());
+  EXPECT_GT(ball.drawn_surface(16).faces.size(), 20u);
+  EXPECT_THROW(Shape::disc({0, 0}, 2).drawn_surface(), Error);
+}
+
+TEST(PreparedScene, OnLinesWhereThereIsNoExactForm) {
+  const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [4, 4, 4]}},
+      "B": {"ball": {"center": [0, 0, 0], "radius": 1}}}, "moving": "B",
+      "where": "clear(B, A) and reach(B, A) <= 12"})json")
+                          .prepared();
+  MapQuestion question;
+  question.surface = true;
+  question.listed = false;
+  question.resolution = 16;
+  const Answer map = scene.map(question);
+  EXPECT_TRUE(map.sampled());
+  EXPECT_GT(map.surface()->faces.size(), 100u);
+  EXPECT_NE(map.notes().at(0).find("16 x 16 lines"), std::string::npos);
+  question.resolution = -1;
+  EXPECT_THROW(scene.map(question), Error);
+}
+
+}  // namespace io_prepared_scenes
