@@ -36,10 +36,8 @@ bool is_exact(const RegionBounds& region) { return region.outer.shared_data() ==
 }  // namespace
 
 LoadedPlane::LoadedPlane(const Scene& given) : Loaded(given) {
-  if (!scene().moving().empty())
-    scene().world();  // builds its shapes
-  else
-    for (const auto& [name, shape] : scene().shapes()) shape.region();
+  if (!scene().moving().empty()) scene().world();  // builds its shapes
+  extent();
 }
 
 void LoadedPlane::forget_answers() {
@@ -60,15 +58,12 @@ const Scene& LoadedPlane::rotated(const std::optional<Number>& degrees) const {
   return rotated_->scene;
 }
 
-Region LoadedPlane::region_of(const std::string& shape) const {
-  return scene().moving().empty() ? scene().shapes().at(shape).region() : scene().world().shape(shape);
-}
-
 const std::optional<Bounds>& LoadedPlane::extent() const {
   if (extent_) return *extent_;
   extent_.emplace();
-  for (const std::string& name : scene().of_board() ? scene().used() : scene().names())
-    include(*extent_, region_of(name).extent());
+  std::vector<std::string> looked_at = scene().of_board() ? scene().used() : scene().names();
+  if (scene().of_board()) looked_at.insert(looked_at.end(), scene().moving().begin(), scene().moving().end());
+  for (const std::string& name : looked_at) include(*extent_, scene().shapes().at(name).region().extent());
   return *extent_;
 }
 
@@ -87,7 +82,9 @@ std::string LoadedPlane::drawing_json(const Region& region) const {
                      places_json(d.points), places_json(d.full), places_json(d.hollow));
 }
 
-std::string LoadedPlane::drawing_of(const std::string& shape) const { return drawing_json(region_of(shape)); }
+std::string LoadedPlane::drawing_of(const std::string& shape) const {
+  return drawing_json(scene().shapes().at(shape).region());
+}
 
 std::string LoadedPlane::brief_json(const RegionBounds& region) const {
   const std::optional<Position> some = region.inner.some();

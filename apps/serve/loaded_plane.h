@@ -37,7 +37,6 @@ class LoadedPlane final : public Loaded {
 
   /// What is asked where the moving shape is rotated, or stands as it is drawn.
   const Scene& rotated(const std::optional<Number>& degrees) const;
-  Region region_of(const std::string& shape) const;
   /// Of all shapes that are looked at.
   const std::optional<Bounds>& extent() const;
   std::string drawing_json(const Region& region) const;

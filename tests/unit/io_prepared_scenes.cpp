@@ -32,7 +32,7 @@ TEST(PreparedScene, AnswersAsBefore) {
   const Scene plain = Scene::json(kPlate), prepared = plain.prepared();
   EXPECT_FALSE(plain.is_prepared());
   EXPECT_TRUE(prepared.is_prepared());
-  for (const Pose& pose : {at("6", "5"), at("6.25", "5"), at("3", "3"), at("40", "0.1"), at("19", "11")}) {
+  for (const Pose& pose : {at("6", "5"), at("6.25", "5"), at("3", "4"), at("40", "0.1"), at("19", "11")}) {
     EXPECT_EQ(prepared.check(pose).json(), plain.check(pose).json());
     EXPECT_EQ(prepared.measure(pose).json(), plain.measure(pose).json());
     EXPECT_EQ(prepared.explain(pose).json(), plain.explain(pose).json());
@@ -114,7 +114,8 @@ TEST(PreparedScene, IsRotatedInThePlane) {
   const Scene plain = Scene::json(text), prepared = plain.prepared();
   Scene::Question near;
   near.where = "gap(bar, slot) <= 1";
-  EXPECT_EQ(prepared.rotated(Number(30)).asking(near).map().json(), plain.rotated(Number(30)).asking(near).map().json());
+  EXPECT_EQ(prepared.rotated(Number(30)).asking(near).map().json(),
+            plain.rotated(Number(30)).asking(near).map().json());
   EXPECT_THROW(Scene::json(kRooms).rotated(Number(30)), Error);
 }
 
@@ -134,10 +135,10 @@ TEST(PreparedScene, RangesOverSomethingElse) {
 
 TEST(PreparedScene, MeasuresBetweenFeatures) {
   const Scene scene = Scene::json(kPlate);
-  const Answer answer = scene.between({2, 2}, {5, 5}, at("3", "8"));
+  const Answer answer = scene.between({2, 2}, {5, 5}, at("16", "8"));
   ASSERT_EQ(answer.measured().size(), 1u);
   const DistanceValue value = *answer.measured()[0].value;
-  EXPECT_EQ(*value.value, 3);
+  EXPECT_EQ(*value.value, std::hypot(3, 2));
   ASSERT_EQ(value.features.size(), 2u);
   EXPECT_EQ(value.features[0].kind, Feature::Kind::kVertex);
   EXPECT_EQ(value.features[1].kind, Feature::Kind::kEdge);
@@ -155,14 +156,14 @@ TEST(PreparedScene, ItsTextIsEdited) {
   const Scene scene = Scene::json(kPlate);
   EXPECT_EQ(scene.edited_text(), kPlate);
   Scene::Question question;
-  question.where = "gap(peg, plate) >= 3";
+  question.where = "gap(peg, table) >= 3";
   question.moving = {"peg", "plate"};
   const std::string text = scene.asking(question).edited_text();
   EXPECT_NE(text.find("// a peg on a plate with a hole"), std::string::npos);
   const Scene again = Scene::json(text);
   EXPECT_EQ(again.where().text(), *question.where);
   EXPECT_EQ(again.moving(), *question.moving);
-  EXPECT_EQ(again.used(), (std::vector<std::string>{"peg", "plate"}));
+  EXPECT_EQ(again.used(), (std::vector<std::string>{"peg", "table"}));
   EXPECT_THROW(scene.rotated(Number(30)).edited_text(), Error);
   question.where = "";
   EXPECT_THROW(scene.asking(question).edited_text(), Error);

@@ -323,8 +323,7 @@ OnLine World::on_line(const Formula& formula, const Point3& through, const Point
 }
 
 Region World::shape(const std::string& name) const {
-  const auto& built = data_->plane("a shape as a region").world().shapes;
-  if (const auto found = built.find(name); found != built.end()) return data_->region(*found->second);
+  data_->plane("a shape as a region");
   return data_->region(api::region_on(data_->shape(name), data_->grid, name));
 }
 
