@@ -73,7 +73,8 @@ std::unique_ptr<Loaded> Loaded::make(const Scene& scene) {
 Scene Loaded::asked_of(const Scene& scene) {
   Scene::Question question;
   if (!scene.asks()) question.where = "true";
-  if (scene.dimension() == 2 && scene.free().kind != Kind::kLine) question.free = Kind::kPosition;
+  const Kind free = scene.free().kind;
+  if (scene.dimension() == 2 && free != Kind::kPosition && free != Kind::kLine) question.free = Kind::kPosition;
   return question.where || question.free ? scene.asking(question) : scene;
 }
 

@@ -43,7 +43,7 @@ LoadedPlane::LoadedPlane(const Scene& given) : Loaded(given) {
 void LoadedPlane::forget_answers() {
   upright_.reset();
   rotated_.reset();
-  extent_.reset();
+  if (scene().of_board()) extent_.reset();  // other shapes are looked at
 }
 
 const Scene& LoadedPlane::rotated(const std::optional<Number>& degrees) const {

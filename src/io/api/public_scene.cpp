@@ -281,6 +281,7 @@ struct Scene::Data {
         free(free_of(read)) {}
 
   const std::map<std::string, Shape>& shapes() const {
+    if (source.kept) return source.kept->shapes->shown.get([&] { return io::shapes_of(read); });
     std::call_once(shown_, [&] { shapes_ = io::shapes_of(read); });
     return shapes_;
   }

@@ -7,11 +7,14 @@
 #pragma once
 
 #include <findspace/region.h>
+#include <findspace/shape.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "formula/planar/solve.h"
 #include "formula/solid/solve_region.h"
@@ -36,6 +39,7 @@ class Kept {
 
 /// Of the shapes alone: scenes that differ in their formulas share it.
 struct KeptShapes {
+  Kept<std::map<std::string, Shape>> shown{};  // as public ones
   Kept<std::shared_ptr<const formula::Solver>> planar{};
   Kept<std::shared_ptr<const formula::SpaceSolver>> solid{};
   std::function<formula::World()> world{};  // how that of the plane is made, where another scene has most of it
