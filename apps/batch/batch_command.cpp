@@ -19,8 +19,8 @@
 #include "batch/job_list.h"
 #include "batch/job_workers.h"
 #include "common/commands.h"
-#include "common/process_team.h"
 #include "common/run_limits.h"
+#include "findspace/team.h"
 #include "findspace/text.h"
 
 namespace findspace::app {

@@ -13,7 +13,6 @@
 #include "command_line/command_line.h"
 #include "common/run_limits.h"
 #include "findspace/text.h"
-#include "plane/base/parallel.h"
 
 namespace findspace::app {
 namespace {

@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "findspace/error.h"
-#include "io/write/write_file.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
@@ -230,9 +230,9 @@ bool JobJournal::over() const {
 void JobJournal::finish() {
   lock(where_.size(), true);
   if (over()) return;
-  io::write_files({{results_, {}, [this](const io::Sink& sink) {
-                      for (std::size_t k = 0; k < where_.size(); ++k) sink(result(k) + "\n");
-                    }}});
+  write_files({{results_, {}, [this](const TextSink& sink) {
+                  for (std::size_t k = 0; k < where_.size(); ++k) sink(result(k) + "\n");
+                }}});
   std::error_code error;
   std::filesystem::remove(folder_ / "lock", error);  // first: from now on it is over for the others
   for (int k = 0; k < kRemovals; ++k) {              // a worker of another process may just have made its store there

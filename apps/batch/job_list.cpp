@@ -11,13 +11,12 @@
 #include "command_line/command_line.h"
 #include "command_line/option_checks.h"
 #include "findspace/error.h"
+#include "findspace/json.h"
 #include "findspace/text.h"
-#include "io/text/json_tree.h"
 
 namespace findspace::app {
 namespace {
 
-using io::JsonValue;
 using JsonKind = JsonValue::Kind;
 
 const std::vector<std::string> kKeys{"id", "verb", "scene", "path", "shapes", "options"};
@@ -103,8 +102,7 @@ void read_scene(const JsonValue& line, std::string_view text, const std::filesys
 }
 
 void read_line(std::string_view text, const std::filesystem::path& folder, Job& job) {
-  plane::WorkBudget work;
-  const JsonValue line = io::parse_json(text, "question", work);
+  const JsonValue line = read_json(text, "question");
   if (!line.is(JsonKind::kObject)) refuse(fmt::format("a question is an object, not {}", line.kind_name()));
   if (std::string id = id_of(line); !id.empty()) job.id = std::move(id);
   for (const std::string& key : line.keys)

@@ -20,7 +20,6 @@
 
 #include "batch/job_answer.h"
 #include "findspace/error.h"
-#include "store/result_file.h"
 
 namespace findspace::app {
 namespace {
@@ -89,9 +88,9 @@ JobWorkers::~JobWorkers() {
 }
 
 /// What questions share is made once. Without a store, because the disk is full or the folder gone, each makes its own.
-std::unique_ptr<ResultFile> JobWorkers::open_store() const {
+std::unique_ptr<StoreScope> JobWorkers::open_store() const {
   try {
-    return std::make_unique<ResultFile>(batch_.store, batch_.store_limit);
+    return std::make_unique<StoreScope>(ResultStore(batch_.store, batch_.store_limit));
   } catch (const Error&) {
     return nullptr;
   }
@@ -104,7 +103,6 @@ void JobWorkers::serve(int questions, int answers, int errors) {
   signal(SIGPIPE, SIG_DFL);
   dup2(errors, STDERR_FILENO);
   const auto store = open_store();
-  const plane::ScopedResultStore kept(store.get());
   for (std::size_t job = 0; ::read(questions, &job, sizeof job) == ssize_t(sizeof job);)
     if (!write_all(answers, answer_job(jobs_.job(job), job, batch_) + "\n")) break;
   _exit(0);

@@ -6,6 +6,7 @@
 // with the one that made them. Keywords: process pool, fork, prctl.
 #pragma once
 
+#include <findspace/store.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -54,7 +55,7 @@ class JobWorkers {
 
   void start(Worker& worker);
   void stop(Worker& worker);
-  std::unique_ptr<class ResultFile> open_store() const;
+  std::unique_ptr<StoreScope> open_store() const;
   [[noreturn]] void serve(int questions, int answers, int errors);
   Result end_of(Worker& worker);
   void read(Worker& worker, std::vector<Result>& out);

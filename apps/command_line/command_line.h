@@ -38,8 +38,7 @@ struct CommandLine {
 /// Prints help and messages itself.
 CommandLine read_command_line(int argc, char** argv);
 
-class ProcessTeam;
 /// The whole program; returns its exit status. `team`: of processes that run it together, or null.
-int run_program(int argc, char** argv, ProcessTeam* team);
+int run_program(int argc, char** argv, Team* team);
 
 }  // namespace findspace::app

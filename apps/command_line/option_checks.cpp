@@ -13,7 +13,6 @@
 #include "findspace/number.h"
 #include "findspace/surface.h"
 #include "findspace/vocabulary.h"
-#include "io/text/units.h"
 
 namespace findspace::app {
 namespace {
@@ -101,11 +100,10 @@ std::string tilt_text(const std::string& text) {
   return tilt && *tilt >= 0 && *tilt <= 180 ? "" : fmt::format("a tilt is from 0 to 180 degrees; not '{}'", text);
 }
 
-std::string unit_text(const std::string& text) try {
-  io::parse_unit(text);
-  return "";
-} catch (const Error& e) {
-  return e.message();
+std::string unit_text(const std::string& text) {
+  const std::vector<std::string> units = unit_words();
+  if (std::find(units.begin(), units.end(), text) != units.end()) return "";
+  return fmt::format("unknown unit '{}'; the units are {}", text, fmt::join(units, ", "));
 }
 
 std::vector<std::string> endings_of(std::string_view verb) {

@@ -4,10 +4,16 @@
 // The programs `findspace` and `findspace-mpi`: runs the verb of a command line, and turns whatever happens into an
 // exit status and a line that says what was wrong. docs/commands.md is the manual.
 
+#include <findspace/options.h>
+#include <findspace/stages.h>
+#include <findspace/store.h>
+#include <findspace/team.h>
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -15,35 +21,41 @@
 #include "command_line/command_line.h"
 #include "command_line/option_checks.h"
 #include "command_line/verbs.h"
-#include "common/process_team.h"
+#include "common/outputs.h"
 #include "common/run_limits.h"
-#include "common/session.h"
-#include "common/stage_dump.h"
-#include "io/text/read_text.h"
-#include "plane/base/parallel.h"
-#include "store/result_file.h"
 
 namespace findspace::app {
 namespace {
 
-/// The one of --store; where there is none, or the thread has one, nothing. A batch leaves it to its workers.
-std::unique_ptr<ResultFile> open_store(const VerbEntry& verb, const Options& options) {
-  if (options.store.empty() || verb.is("batch") || plane::result_store() != nullptr) return nullptr;
-  return std::make_unique<ResultFile>(options.store, options.store_limit);
+/// The one of --store, or none. A batch leaves it to its workers.
+std::unique_ptr<StoreScope> open_store(const VerbEntry& verb, const Options& options) {
+  if (options.store.empty() || verb.is("batch")) return nullptr;
+  return std::make_unique<StoreScope>(ResultStore(options.store, options.store_limit));
+}
+
+constexpr const char* kDump = "FINDSPACE_DUMP";
+
+/// Of the folder that the environment names, or none.
+std::unique_ptr<StageFiles> open_dump() {
+  const char* folder = std::getenv(kDump);  // NOLINT(concurrency-mt-unsafe): nothing here sets the environment
+  return folder == nullptr || *folder == '\0' ? nullptr : std::make_unique<StageFiles>(folder, kDump);
+}
+
+void finish_dump(const StageFiles& dump, Reporter& reporter) {
+  dump.finish();
+  const int files = dump.files(), left = dump.stages() - files;
+  const std::string more = left > 0 ? fmt::format("; {} more stages have no file", left) : "";
+  reporter.note(fmt::format("{}: {} file{} in {}{}", kDump, files, files == 1 ? "" : "s", dump.folder(), more));
 }
 
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   check_outputs(options, endings_of(verb.name));  // before anything is read
-  const plane::ThreadLimit threads(options.threads);
-  const auto dump = StageDump::from_environment();
-  const plane::ObserveStages observe(dump.get());
-  const io::TextReader shared = [&](const auto& read) { return options.team->shared_text(read); };
-  const io::ReadTextBy reading(options.team == nullptr ? nullptr : &shared);
-  const io::RowsByTeam rows(options.team);
+  const ThreadScope threads(options.threads);
+  const auto dump = open_dump();
+  const TeamScope team(options.team);
   const auto store = open_store(verb, options);
-  const plane::ScopedResultStore kept(store ? store.get() : plane::result_store());
   Outcome outcome = verb.run(options, reporter);
-  if (dump) dump->finish(reporter);
+  if (dump) finish_dump(*dump, reporter);
   return outcome;
 }
 
@@ -81,14 +93,14 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
 }
 
 /// Processes that search together wait for one another after the limit, so the one that writes ends them all.
-Options for_timer(Options options, std::string_view verb, const ProcessTeam* team) {
+Options for_timer(Options options, std::string_view verb, const Team* team) {
   constexpr double kForOthers = 10;  // seconds
   if (team == nullptr || team->count() == 1 || !ends_in_time(verb) || options.time_limit == 0) return options;
   options.time_limit = team->leads() ? options.time_limit + kForOthers : 0;
   return options;
 }
 
-int program(int argc, char** argv, ProcessTeam* team) {
+int program(int argc, char** argv, Team* team) {
   CommandLine line = read_command_line(argc, argv);
   if (line.verb.empty()) return line.answered;
   const VerbEntry& verb = *find_verb(line.verb);
@@ -121,7 +133,7 @@ Outcome run_question(std::string_view verb, const Options& options, Reporter& re
   return run(*find_verb(verb), options, reporter);
 }
 
-int run_program(int argc, char** argv, ProcessTeam* team) {
+int run_program(int argc, char** argv, Team* team) {
   end_on_signals();
   try {
     return program(argc, argv, team);

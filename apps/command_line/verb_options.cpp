@@ -14,7 +14,6 @@
 #include "command_line/help_pages.h"
 #include "command_line/option_checks.h"
 #include "common/options.h"
-#include "io/text/drawing_rules.h"
 
 namespace findspace::app {
 namespace {
@@ -88,13 +87,21 @@ void add_start(CLI::App& command, Options& o) {
 }
 
 /// How drawings are read, and curves beyond arcs.
+// In the order of CurveRule and of PartRule.
+const std::vector<std::string> kCurves{"near", "inside", "outside"}, kParts{"one", "elements", "outlines"};
+
+/// Of one of the words.
+std::size_t place_of(const std::string& word, const std::vector<std::string>& words) {
+  return std::size_t(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 void add_drawings(CLI::App& command, Options& o) {
   command
       .add_option_function<std::string>(
-          "--curves", [&o](const std::string& word) { o.drawings.curves = io::parse_curve_rule(word); },
+          "--curves", [&o](const std::string& word) { o.drawings.curves = CurveRule(place_of(word, kCurves)); },
           "near, inside or outside: where the arcs lie that stand for curves (default near: on either side)")
       ->type_name("SIDE")
-      ->check(CLI::IsMember({"near", "inside", "outside"}).description(""))
+      ->check(CLI::IsMember(kCurves).description(""))
       ->group(kDrawing);
   command
       .add_option("--tolerance", o.drawings.tolerance,
@@ -117,10 +124,10 @@ void add_drawings(CLI::App& command, Options& o) {
       ->group(kDrawing);
   command
       .add_option_function<std::string>(
-          "--parts", [&o](const std::string& word) { o.drawings.parts = io::parse_part_rule(word); },
+          "--parts", [&o](const std::string& word) { o.drawings.parts = PartRule(place_of(word, kParts)); },
           "of a drawing: one (all outlines together), elements (each is its area) or outlines (each with its holes)")
       ->type_name("RULE")
-      ->check(CLI::IsMember({"one", "elements", "outlines"}).description(""))
+      ->check(CLI::IsMember(kParts).description(""))
       ->group(kDrawing);
   command.add_option("--repair", o.drawings.repair, "join what is not joined in a mesh, up to this width (default 0)")
       ->type_name("LENGTH")

@@ -4,31 +4,31 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string_view>
 
 namespace findspace::app {
-
-using exact::Real;
-
 namespace {
 
-/// Decimals with commas between them.
-std::vector<Real> decimals(const std::string& text) {
-  std::vector<Real> out;
-  for (const std::string& number : at_commas(text)) out.push_back(Real::parse_decimal(number));
+/// Throws where it is none; kOutOfRange for exponents beyond reason.
+Number read_decimal(const std::string& text) {
+  Number out(text);
+  if (text.find('/') != text.npos) throw Error(ErrorCode::kSyntax, "a fraction");
+  out.value();  // refuses what is none
   return out;
 }
 
 }  // namespace
 
-namespace {
+std::optional<Number> decimal(const std::string& text) try { return read_decimal(text); } catch (const Error&) {
+  return std::nullopt;
+}
 
-/// Zeros without --at; not held to the grid's range.
-std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
-  if (!session.options().at) return std::vector<Real>(count);
+std::vector<Number> asked_coordinates(const Session& session, std::size_t count) {
+  if (!session.options().at) return {};
   const std::string& text = *session.options().at;
   try {
-    std::vector<Real> out = decimals(text);
+    std::vector<Number> out;
+    for (const std::string& number : at_commas(text)) out.push_back(read_decimal(number));
     if (out.size() != count) throw Error(ErrorCode::kSyntax, "too few or too many numbers");
     return out;
   } catch (const Error& e) {
@@ -40,49 +40,14 @@ std::vector<Real> asked_anywhere(const Session& session, std::size_t count) {
   }
 }
 
-/// Within the grid's range.
-std::vector<Real> coordinates(const Session& session, std::size_t count) {
-  std::vector<Real> out = asked_anywhere(session, count);
+std::vector<Number> asked_position(const Session& session) {
+  Pose pose{asked_coordinates(session, session.in_space() ? 3 : 2)};
   try {
-    for (const Real& c : out) session.scene().grid.steps(c);
+    session.scene().require(pose);
   } catch (const Error& e) {
     throw Error(ErrorCode::kUsage, fmt::format("--at {}: {}", *session.options().at, e.message()));
   }
-  return out;
-}
-
-}  // namespace
-
-exact::RealPoint asked_position(const Session& session) {
-  const std::vector<Real> p = coordinates(session, 2);
-  return {p[0], p[1]};
-}
-
-std::vector<Number> asked_coordinates(const Session& session, std::size_t count) {
-  if (!session.options().at) return {};
-  asked_anywhere(session, count);  // refuses what is none
-  std::vector<Number> out;
-  for (const std::string& number : at_commas(*session.options().at)) out.emplace_back(number);
-  return out;
-}
-
-std::optional<Point> asked_point(const Session& session) {
-  const std::vector<Number> c = asked_coordinates(session, 2);
-  if (c.empty()) return std::nullopt;
-  asked_position(session);  // refuses what is too far away
-  return Point{c[0], c[1]};
-}
-
-std::optional<Point3> asked_point_in_space(const Session& session) {
-  const std::vector<Number> c = asked_coordinates(session, 3);
-  if (c.empty()) return std::nullopt;
-  asked_position_in_space(session);  // refuses what is too far away
-  return Point3{c[0], c[1], c[2]};
-}
-
-std::array<Real, 3> asked_position_in_space(const Session& session) {
-  const std::vector<Real> p = coordinates(session, 3);
-  return {p[0], p[1], p[2]};
+  return std::move(pose.at);
 }
 
 namespace {
@@ -100,7 +65,7 @@ void check_angle(const std::string& angle) {
 
 /// --time, an instant of the scene's motion.
 Number instant(const Session& session, const std::string& time) {
-  const std::optional<Motion> motion = session.asked().motion();
+  const std::optional<Motion> motion = session.scene().motion();
   if (!motion) throw Error(ErrorCode::kUsage, "--time: the scene has no \"motion\"");
   const Number t(time);
   bool inside = false;
@@ -119,12 +84,7 @@ Number instant(const Session& session, const std::string& time) {
 
 Pose asked_pose(const Session& session) {
   const Options& options = session.options();
-  Pose pose;
-  if (session.in_space())
-    asked_position_in_space(session);  // refuses what is too far away
-  else
-    asked_position(session);
-  pose.at = asked_coordinates(session, session.in_space() ? 3 : 2);
+  Pose pose{asked_position(session)};
   if (options.angle && !session.in_space()) {
     check_angle(*options.angle);
     pose.degrees = *options.angle;

@@ -2,29 +2,16 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "common/line_choice.h"
 
+#include <findspace/error.h>
+#include <findspace/surface.h>
 #include <fmt/format.h>
 
-#include "exact/solid/ray_sign.h"
-#include "findspace/error.h"
+#include "common/outputs.h"
 
 namespace findspace::app {
 namespace {
 
-Number spacing(const Session& session, const std::string& text) {
-  try {
-    const auto steps = (exact::Real::parse_decimal(text) / session.step()).integer();
-    if (steps && *steps >= 1 && *steps <= exact::kRayLimit) return Number(text);
-  } catch (const Error&) {
-  }
-  throw Error(
-      ErrorCode::kUsage,
-      fmt::format("--step wants a decimal number of at least one grid step, and a multiple of it, not '{}'", text));
-}
-
-}  // namespace
-
-std::optional<MapLines> asked_lines(const Session& session) {
-  const Options& options = session.options();
+std::optional<MapLines> asked_lines(const Options& options) {
   if (options.resolution == 0 && options.spacing.empty()) {
     if (!options.side.empty() || !options.axis.empty())
       throw Error(ErrorCode::kUsage, "--side and --axis are for maps on lines: they need --resolution or --step");
@@ -32,10 +19,26 @@ std::optional<MapLines> asked_lines(const Session& session) {
   }
   MapLines out;
   out.count = options.resolution;
-  if (!options.spacing.empty()) out.apart = spacing(session, options.spacing);
+  if (!options.spacing.empty()) out.apart = options.spacing;
   if (!options.axis.empty()) out.axis = Shape::Axis(options.axis[0] - 'x');
   out.axes = options.axes;
   if (!options.side.empty()) out.side = options.side == "inner" ? MapLines::Side::kInner : MapLines::Side::kOuter;
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> space_formats() {
+  std::vector<std::string> out = Surface::endings();
+  out.insert(out.begin(), ".json");
+  return out;
+}
+
+SetInSpace asked_in_space(const Options& options) {
+  SetInSpace out{asked_lines(options), options.json, false};
+  const bool cells = out.lines && out.lines->side != MapLines::Side::kNone;  // which have no surface
+  check_outputs(options, cells ? std::vector<std::string>{".json"} : space_formats());
+  for (const auto& path : options.outputs) (path.extension() == ".json" ? out.listed : out.surface) = true;
   return out;
 }
 

@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Which lines a map of space is taken on: how many or how far apart, along which axis, or along all three.
+// How a set of space is asked for: on which lines, how many or how far apart, along which axis, or along all three; in
+// which files.
 #pragma once
 
 #include <findspace/scene.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "common/session.h"
+#include "common/options.h"
 
 namespace findspace::app {
 
-/// What --resolution, --step, --axis, --axes and --side ask for; nothing without the first two. Throws Error(kUsage).
-std::optional<MapLines> asked_lines(const Session& session);
+struct SetInSpace {
+  std::optional<MapLines>
+      lines{};           // what --resolution, --step, --axis, --axes and --side say; nothing without the first two
+  bool listed = false;   // JSON is written, which has the lines
+  bool surface = false;  // another file is, which needs flat faces
+};
+/// Throws Error(kUsage), for other files too.
+SetInSpace asked_in_space(const Options& options);
+/// JSON, and the endings of surfaces.
+std::vector<std::string> space_formats();
 
 /// Throws Error(kUsage) where one of these options was given: the verb's question has no lines in space.
 void refuse_lines(const Options& options, const char* because);

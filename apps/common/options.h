@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "findspace/files.h"
-#include "io/export/dxf_writer.h"
-#include "io/text/spool.h"
+#include "findspace/text.h"
+
+namespace findspace {
+class Team;
+}
 
 namespace findspace::app {
-
-class ProcessTeam;
 
 struct Options {
   std::string scene;                           // a path, or "-": standard input
@@ -70,7 +71,7 @@ struct Options {
   std::uint64_t seed = 1;                      // of pack
   unsigned workers = 0;                        // of batch; 0: one for each core
   bool as_they_come = false;                   // of batch: print results too
-  ProcessTeam* team = nullptr;                 // processes that answer one question together, or none
+  Team* team = nullptr;                        // processes that answer one question together, or none
   double work = 0;                             // of pack: millions of evaluations a thread; 0: no limit
 };
 
@@ -98,7 +99,7 @@ enum ExitStatus { kDone = 0, kEmpty = 1, kUsage = 2, kBadInput = 3, kLimit = 4, 
 struct Outcome {
   std::string text;  // for standard output
   ExitStatus status = kDone;
-  std::function<void(const io::Sink&)> stream = {};  // gives what is too long for memory, instead of the text
+  std::function<void(const TextSink&)> stream = {};  // gives what is too long for memory, instead of the text
 };
 
 }  // namespace findspace::app

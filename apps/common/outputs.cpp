@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
-#include "io/write/write_file.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 
@@ -21,7 +21,7 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
 }
 
 void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {
-  std::vector<io::FileText> files;
+  std::vector<FileText> files;
   for (const auto& path : options.outputs) {
     const auto stream = streams.find(path.extension().string());
     if (stream != streams.end())
@@ -29,7 +29,7 @@ void write_outputs(const Options& options, const Writers& writers, const Streams
     else
       files.push_back({path, writers.at(path.extension().string())(), {}});
   }
-  io::write_files(files);
+  findspace::write_files(files);
 }
 
 }  // namespace findspace::app

@@ -16,7 +16,7 @@ namespace findspace::app {
 /// How a verb writes its result in one format, e.g. {".svg", ...}.
 using Writers = std::map<std::string, std::function<std::string()>>;
 /// The same for results that are too long for memory.
-using Streams = std::map<std::string, std::function<void(const io::Sink&)>>;
+using Streams = std::map<std::string, std::function<void(const TextSink&)>>;
 
 /// Throws Error(kUsage) where an output has an ending that is not among the formats.
 void check_outputs(const Options& options, const std::vector<std::string>& formats);

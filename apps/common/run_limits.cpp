@@ -17,7 +17,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/write/write_file.h"
+#include "findspace/text.h"
 
 namespace findspace::app {
 namespace {
@@ -42,12 +42,12 @@ void put(std::string_view text, int file = STDERR_FILENO) {
 }
 
 [[noreturn]] void end(std::string_view why, int status) {
-  const io::Written written = io::remove_unfinished_files();
+  const Written written = remove_unfinished_files();
   put("\nfindspace: ");
   put(why);
-  if (printing != 0 || written == io::Written::kPart) {
+  if (printing != 0 || written == Written::kPart) {
     put("; what was printed is not whole\n");
-  } else if (written == io::Written::kFiles) {
+  } else if (written == Written::kFiles) {
     put("; the files that were replaced are whole\n");
   } else if (!kept.empty()) {
     put("; ");
@@ -62,7 +62,7 @@ void put(std::string_view text, int file = STDERR_FILENO) {
 extern "C" void on_signal(int signal) {
   constexpr int kBySignal = 128;
   if (const std::string* text = answer;
-      signal == SIGALRM && text != nullptr && printing == 0 && io::remove_unfinished_files() != io::Written::kPart) {
+      signal == SIGALRM && text != nullptr && printing == 0 && remove_unfinished_files() != Written::kPart) {
     put(*text, STDOUT_FILENO);
     _exit(kDone);
   }

@@ -27,7 +27,7 @@ Outcome told(const Session& session, const Answer& answer) {
   const Telling telling{options.all || !options.only.empty(), options.explain, options.exact, options.dxf};
   Writers writers;
   Streams streams;
-  const auto json = [answer, telling](const io::Sink& sink) { answer.write(".json", sink, telling); };
+  const auto json = [answer, telling](const TextSink& sink) { answer.write(".json", sink, telling); };
   for (const std::string& ending : answer.endings()) {
     if (answer.sampled() && ending == ".json") {
       streams.emplace(ending, json);

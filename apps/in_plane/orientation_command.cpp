@@ -14,7 +14,7 @@ namespace {
 
 /// The same session over positions of what moves, rotated; `called`: what notes call the rotation.
 Session rotated(const Session& session, const Options& options, const Rotation& rotation, const std::string& called) {
-  const Scene& scene = session.asked();
+  const Scene& scene = session.scene();
   Scene out = scene.rotated(rotation);
   for (std::size_t k = scene.notes().size(); k < out.notes().size(); ++k)
     session.reporter().note(fmt::format("{}: {}", called, out.notes()[k]));
@@ -47,7 +47,7 @@ Outcome at_each(const Session& session, Outcome (*ask)(const Session&)) {
   quiet.json = session.options().json || written;
   std::vector<std::string> entries, lines;
   std::optional<ExitStatus> status;
-  for (const Rotation& rotation : session.asked().free().rotations) {
+  for (const Rotation& rotation : session.scene().free().rotations) {
     const Session one = rotated(session, quiet, rotation, rotation.text());
     Outcome outcome = ask(one);
     status = status ? joined(*status, outcome.status) : outcome.status;
@@ -75,7 +75,7 @@ Outcome at_orientations(const Session& session, Outcome (*ask)(const Session&)) 
     const std::string called = options.angle ? "--angle " + *options.angle : "--orientation " + *options.orientation;
     return ask(rotated(session, options, *rotation, called));
   }
-  return session.asked().free().kind == Scene::Free::Kind::kPose ? at_each(session, ask) : ask(session);
+  return session.scene().free().kind == Scene::Free::Kind::kPose ? at_each(session, ask) : ask(session);
 }
 
 }  // namespace findspace::app

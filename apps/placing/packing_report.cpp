@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
-#include "common/process_team.h"
 #include "common/stop_on_interrupt.h"
+#include "findspace/team.h"
 
 namespace findspace::app {
 namespace {
@@ -43,7 +43,7 @@ findspace::Options search_options(const Options& options) {
 }
 
 PackPeers* peers_of(const Options& options) {
-  return options.team != nullptr && options.team->count() > 1 ? &options.team->peers() : nullptr;
+  return options.team != nullptr && options.team->count() > 1 ? options.team : nullptr;
 }
 
 PackLayout start_layout(const Packing& packing, const std::filesystem::path& path, std::uint64_t most) {

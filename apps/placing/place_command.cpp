@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "common/commands.h"
+#include "common/line_choice.h"
 #include "common/run_limits.h"
 #include "common/session.h"
 #include "common/told.h"
 #include "findspace/error.h"
-#include "in_space/space_outcome.h"
 
 namespace findspace::app {
 namespace {
@@ -41,7 +41,7 @@ Outcome run_place(const Options& given, Reporter& reporter) {
     const double gone = std::chrono::duration<double>(Clock::now() - begun).count();
     limits.seconds = std::max(options.time_limit * kSearching - gone, std::numeric_limits<double>::min());
   }
-  const Answer answer = session.asked().with(limits).place({{}, options.resolution});
+  const Answer answer = session.scene().with(limits).place({{}, options.resolution});
   reporter.stage("writing");
   return told(session, answer);
 }

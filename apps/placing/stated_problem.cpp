@@ -7,32 +7,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <optional>
-#include <string_view>
 
 #include "findspace/error.h"
 #include "findspace/text.h"
-#include "formula/language/lexer.h"
-#include "io/text/file_kind.h"
 #include "placing/packing_report.h"
 
 namespace findspace::app {
 namespace {
-
-constexpr std::array<std::string_view, 4> kDrawings{".svg", ".dxf", ".wkt", ".geojson"};
 
 struct Drawing {
   std::filesystem::path file;
   int count = 1;
 };
 
-bool is_drawing(const std::string& word) {
-  const std::string ending = io::lower_ending(std::filesystem::path(word).extension().string());
-  return std::find(kDrawings.begin(), kDrawings.end(), ending) != kDrawings.end();
+/// Whether shapes of that dimension are read from such a file.
+bool has_shapes(const std::string& word, int dimension) {
+  std::string ending = std::filesystem::path(word).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::vector<std::string> known = drawing_endings(dimension);
+  return std::find(known.begin(), known.end(), ending) != known.end();
 }
+bool is_drawing(const std::string& word) { return has_shapes(word, 2); }
 
 constexpr int kMostCopies = 1000000;
 
@@ -51,7 +50,7 @@ std::optional<int> count_of(const std::string& word) {
   if (count_of(word)) throw Error(ErrorCode::kUsage, fmt::format("{}: a count follows a drawing", word));
   throw Error(ErrorCode::kUsage, fmt::format("{}: a drawing ({}) and how many of it are meant, such as bracket.dxf "
                                              "x12; a problem in JSON stands alone",
-                                             formula::printable(word), fmt::join(kDrawings, " ")));
+                                             printable(word), fmt::join(drawing_endings(2), " ")));
 }
 
 /// Counts of the same file are added.
@@ -74,9 +73,9 @@ std::vector<Drawing> drawings_of(const std::vector<std::string>& words) {
   bool counted = true;
   for (const std::string& word : words) {
     if (is_drawing(word)) {
-      if (formula::printable(word) != word)
-        throw Error(ErrorCode::kUsage, fmt::format("{}: parts are called as their files, and this name is not UTF-8",
-                                                   formula::printable(word)));
+      if (printable(word) != word)
+        throw Error(ErrorCode::kUsage,
+                    fmt::format("{}: parts are called as their files, and this name is not UTF-8", printable(word)));
       result.push_back({std::filesystem::path(word).lexically_normal(), 1});
       counted = false;
     } else if (const std::optional<int> count = count_of(word); count && !counted) {
@@ -132,8 +131,7 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
 
 StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options) {
   if (is_drawing(words[0]) || words.size() > 1) return drawn_problem(words, options);
-  if (io::is_space_ending(io::lower_ending(std::filesystem::path(words[0]).extension().string())))
-    refuse_word(words[0]);
+  if (has_shapes(words[0], 3)) refuse_word(words[0]);
   if (options.sheet || !options.angles.empty() || options.mirrored || options.tilt || options.unit || options.layer)
     throw Error(
         ErrorCode::kUsage,

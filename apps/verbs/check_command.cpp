@@ -46,9 +46,9 @@ Outcome run_check(const Options& options, Reporter& reporter) {
     check_outputs(s.options(),
                   s.in_space() ? std::vector<std::string>{".json", ".svg"} : std::vector<std::string>{".svg", ".json"});
     const Pose pose = asked_pose(s);
-    if (s.asked().free().kind == Kind::kTime && !pose.time)
+    if (s.scene().free().kind == Kind::kTime && !pose.time)
       throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
-    return told(s, s.asked().check(pose));
+    return told(s, s.scene().check(pose));
   };
   if (session.in_space()) return at_orientations(session, check);
   refuse_orientation(options);
@@ -60,7 +60,7 @@ Outcome run_measure(const Options& options, Reporter& reporter) {
   const auto measure = [](const Session& s) {
     check_outputs(s.options(),
                   s.in_space() ? std::vector<std::string>{".json", ".svg"} : std::vector<std::string>{".svg", ".json"});
-    return told(s, s.asked().measure(asked_pose(s), wanted_words(s)));
+    return told(s, s.scene().measure(asked_pose(s), wanted_words(s)));
   };
   if (session.in_space()) return at_orientations(session, measure);
   refuse_orientation(options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
+#include <findspace/board.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,26 +9,31 @@
 #include "common/commands.h"
 #include "common/line_choice.h"
 #include "common/session.h"
-#include "in_space/space_commands.h"
-#include "io/board/board.h"
+#include "common/told.h"
 
 namespace findspace::app {
 namespace {
+
+/// Those that somebody may mean: of a board the parts and the lists of them, without pads and nets.
+std::vector<std::string> chief_names(const Scene& scene) {
+  std::vector<std::string> names = scene.names();
+  const std::optional<Board> board = scene.board();
+  if (!board) return names;
+  const std::vector<std::string> parts = board->parts();
+  std::erase_if(names, [&](const std::string& name) {
+    const bool list = scene.groups().count(name) > 0 && name.find(' ') == name.npos;
+    return !list && std::find(parts.begin(), parts.end(), name) == parts.end();
+  });
+  return names;
+}
 
 /// The shape asked for; of a scene with a single one its name may be left out.
 std::string chosen_shape(const Session& session) {
   const Options& o = session.options();
   if (o.shapes.size() == 1) return o.shapes[0];
-  const auto& shapes = session.scene().shapes;
-  if (o.shapes.empty() && shapes.size() == 1) return shapes[0]->name;
-  // Of a board the parts and the lists of them, without pads and nets.
-  const io::Board* const board = session.scene().board.get();
-  std::string names;
-  for (const auto& s : shapes)
-    if (board == nullptr || board->find(s->name) != nullptr ||
-        (session.scene().groups.count(s->name) > 0 && s->name.find(' ') == std::string::npos))
-      names += (names.empty() ? "" : ", ") + s->name;
-  throw Error(ErrorCode::kUsage, fmt::format("which shape? The scene has {}", names));
+  if (o.shapes.empty() && session.scene().names().size() == 1) return session.scene().names()[0];
+  throw Error(ErrorCode::kUsage,
+              fmt::format("which shape? The scene has {}", fmt::join(chief_names(session.scene()), ", ")));
 }
 
 /// The text of a file; what it loses is noted.
@@ -37,20 +43,37 @@ std::string drawn(const Session& session, const Region& region, const char* endi
   return std::move(text.text);
 }
 
+/// The boundary of a solid as a mesh, in every format of meshes and as a scene that states it.
+Outcome convert_solid(const Session& session, const std::string& name) {
+  check_outputs(session.options(), space_formats());
+  session.reporter().stage(fmt::format("shape {}", name));
+  const Surface found = session.scene().shape(name).surface();
+  if (!found.lost.empty()) session.reporter().note(found.lost);
+  const std::string unit = session.scene().unit();
+  const auto json = [&] { return found.scene_json(name, unit); };
+  Writers writers{{".json", json}};
+  for (const std::string& ending : Surface::endings())
+    writers.emplace(ending, [&, ending] { return found.text(ending, unit, name); });
+  write_outputs(session.options(), writers);
+  return {session.options().json || session.options().outputs.empty() ? json() : "", kDone};
+}
+
 }  // namespace
 
 Outcome run_describe(const Options& options, Reporter& reporter) {
   const Session session(options, reporter);
   const std::string name = chosen_shape(session);
-  if (session.in_space()) return describe_space(session, name);
-  refuse_lines(options, "for 3D shapes");
-  check_outputs(options, {".svg", ".wkt", ".json"});
-  const Region region = session.shape_region(name);
-  const auto json = [&] { return region.json(options.exact); };
-  const auto svg = [&] { return region.picture(name, session.scene().file); };
-  const auto wkt = [&] { return drawn(session, region, ".wkt", name); };
-  write_outputs(options, {{".json", json}, {".svg", svg}, {".wkt", wkt}});
-  return {options.json ? json() : region.text(name), region.empty() ? kEmpty : kDone};
+  ShapeQuestion question;
+  if (session.in_space()) {
+    SetInSpace set = asked_in_space(options);
+    question = {set.surface, std::move(set.lines), set.listed, "--"};
+  } else {
+    refuse_lines(options, "for 3D shapes");
+    check_outputs(options, {".svg", ".wkt", ".json"});
+  }
+  const Answer answer = session.scene().describe(name, question);
+  if (session.in_space()) reporter.stage("writing");
+  return told(session, answer);
 }
 
 Outcome run_convert(const Options& options, Reporter& reporter) {
@@ -60,9 +83,9 @@ Outcome run_convert(const Options& options, Reporter& reporter) {
   if (options.constructive && (session.in_space() || !json_asked))
     throw Error(ErrorCode::kUsage, "--constructive is for the JSON of plane shapes: -o NAME.json or --json");
   const std::string name = chosen_shape(session);
-  if (session.in_space()) return convert_space(session, name);
+  if (session.in_space()) return convert_solid(session, name);
   check_outputs(options, {".svg", ".dxf", ".geojson", ".wkt", ".json"});
-  const Region region = session.shape_region(name);
+  const Region region = session.scene().describe(name).region()->inner;
   const auto json = [&] { return options.constructive ? region.scene_json(name) : region.json(true); };
   Writers writers{{".json", json}};
   for (const char* ending : {".svg", ".dxf", ".geojson", ".wkt"})

@@ -20,38 +20,28 @@ using Kind = Scene::Free::Kind;
 /// Positions in space, on lines where they are asked for or there is no exact form.
 Outcome map_positions(const Session& session) {
   const Options& options = session.options();
+  SetInSpace set = asked_in_space(options);
   MapQuestion question;
   question.apply = options.apply;
   question.before = "--";
-  question.lines = asked_lines(session);
-  question.listed = options.json;
-  for (const auto& path : options.outputs) {
-    const bool json = path.extension() == ".json";
-    question.listed |= json;
-    question.surface |= !json;
-  }
-  const bool cells = question.lines && question.lines->side != MapLines::Side::kNone;
-  std::vector<std::string> formats = Surface::endings();
-  if (cells) formats.clear();
-  formats.insert(formats.begin(), ".json");
-  check_outputs(options, formats);
-  const Answer answer = session.asked().map(question);
+  question.lines = std::move(set.lines);
+  question.listed = set.listed;
+  question.surface = set.surface;
+  const Answer answer = session.scene().map(question);
   session.reporter().stage("writing");
   return told(session, answer);
 }
 
 Outcome map_in_space(const Session& session) {
   const Options& options = session.options();
-  const bool line = session.asked().free().kind == Kind::kLine;
-  session.require_positions_in_space(line, true);
-  session.require_question();
+  const bool line = session.scene().free().kind == Kind::kLine;
   if (line) {
     refuse_lines(options, "for maps of space, not of a line");
     if (options.orientation)
       throw Error(ErrorCode::kUsage, "--orientation is for maps of positions and of poses, not of a line");
     check_outputs(options, {".json"});
     if (!options.apply.empty()) throw Error(ErrorCode::kUsage, "--apply is for maps of space, not of a line");
-    const Answer answer = session.asked().map();
+    const Answer answer = session.scene().map();
     return told(session, answer);
   }
   return at_orientations(session, map_positions);
@@ -75,7 +65,7 @@ void refuse_apply(const Options& options, Kind free) {
 
 Outcome run_map(const Options& options, Reporter& reporter) {
   Session session(options, reporter);
-  const Kind free = session.asked().free().kind;
+  const Kind free = session.scene().free().kind;
   if (!session.in_space()) refuse_orientation(options);
   if (options.at && free != Kind::kTime && free != Kind::kAngle)
     throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
@@ -86,9 +76,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
                                  [](const auto& path) { return path.extension() == ".svg"; });
   MapQuestion question{asked_pose(session), options.apply, drawn, false, {}, true, "--"};
-  Scene scene = session.asked();
-  session.forget_shapes();
-  const Answer answer = std::move(scene).map(question);
+  const Answer answer = session.take().map(question);
   reporter.stage("writing");
   return told(session, answer);
 }

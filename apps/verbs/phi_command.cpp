@@ -16,11 +16,7 @@ namespace {
 
 std::optional<Number> limit_of(const std::optional<std::string>& text, const char* option) {
   if (!text) return std::nullopt;
-  try {
-    if (const Number rho = *text; text->find('/') == text->npos && rho >= 0) return rho;
-  } catch (const Error&) {
-    // Said below.
-  }
+  if (const auto rho = decimal(*text); rho && *rho >= 0) return rho;
   throw Error(ErrorCode::kUsage, fmt::format("{} wants a decimal number >= 0, not '{}'", option, *text));
 }
 
@@ -55,8 +51,8 @@ Outcome run_phi_verb(const Options& options, Reporter& reporter) {
   check_outputs(options, endings);
   question.a = options.shapes[0];
   question.b = options.shapes[1];
-  question.unit = session.unit();
-  const Shape a = session.shape(question.a), b = session.shape(question.b);
+  question.unit = session.scene().unit();
+  const Shape a = session.scene().shape(question.a), b = session.scene().shape(question.b);
   const Phi phi(a, b);
   note_parts(session, question.a, phi.parts_of_a(), phi.rounded_of_a(), a);
   note_parts(session, question.b, phi.parts_of_b(), phi.rounded_of_b(), b);

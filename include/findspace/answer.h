@@ -53,14 +53,15 @@ class Answer {
   /// Yes; no, which is proven; or neither, as only bounds are known or a limit came first.
   enum class Found { kYes, kNo, kUndecided };
   /// Whether the formula holds there; of a placement whether all have a place; or of a map or an explanation anywhere;
-  /// of a measurement kYes. On a line of space between bounds: whether the intervals that the text gives are some.
+  /// of a measurement kYes; of a shape whether anything belongs to it. On a line of space between bounds: whether the
+  /// intervals that the text gives are some.
   Found found() const;
 
   /// In words, as the program prints it.
   std::string text(const Telling& telling = {}) const;
   /// As the program prints it with --json (docs/results.md).
   std::string json(const Telling& telling = {}) const;
-  /// The endings of the files that it can be: ".json", ".svg", of maps ".wkt" and ".dxf" too.
+  /// The endings of the files that it can be: ".json", ".svg", of maps ".wkt" and ".dxf" too, in space surfaces.
   std::vector<std::string> endings() const;
   /// The text of such a file, and what it does not say. Error(kUnsupported) for another ending.
   Region::Drawn file(std::string_view ending, const Telling& telling = {}) const;
@@ -80,17 +81,17 @@ class Answer {
   /// Of a measurement: its distances, pair by pair; none of other answers.
   std::vector<Measured> measured() const;
 
-  /// Of a map of positions in the plane, all or those on a line: where the formula holds, or is best. Nothing of other
-  /// answers.
+  /// Of a map of positions in the plane, all or those on a line: where the formula holds, or is best. Of a shape of the
+  /// plane: its set, twice. Nothing of other answers.
   std::optional<RegionBounds> region() const;
   /// Of a map of positions in space: the same, exactly.
   std::optional<SpaceRegion> space_region() const;
-  /// Of a map of positions in space that has no exact form, or was asked for on lines: where these meet it, cast anew.
+  /// Of a map or a shape of space that has no exact form, or was asked for on lines: where these meet it, cast anew.
   /// Of lines along all axes, those along z. Nothing of other answers.
   std::optional<LineMap> on_lines() const;
   /// Of both: its surface; nothing of other answers, and of cells about lines.
   std::optional<Surface> surface() const;
-  /// Whether it is a map on lines. It is found(), then, where a line shows it for certain, and not where cells about
+  /// Whether it is one on lines. A map is found(), then, where a line shows it for certain, and not where cells about
   /// the lines show that nothing is.
   bool sampled() const;
   /// Of a map with an objective, or with `-> min`: the best value. Over angles, and in space, `at` is empty:

@@ -18,6 +18,7 @@
 #include "findspace/files.h"
 #include "findspace/formula.h"
 #include "findspace/number.h"
+#include "findspace/scene.h"
 #include "findspace/values.h"
 #include "findspace/world.h"
 
@@ -36,6 +37,15 @@ struct BoardOptions {
   std::vector<BoardGroup> groups = {};      // beside those of the board
   std::vector<std::string> fixed = {};      // parts and groups that must not move, beside those that are locked
   std::uint64_t input_limit = kUsualInput;  // bytes
+};
+
+/// What a scene of a board asks.
+struct BoardQuestion {
+  std::vector<std::string> move = {};                    // parts and groups: together, in a placement each on its own
+  std::string where = {}, minimize = {}, maximize = {};  // formulas, as a scene has them
+  std::string before = {};                               // what messages put before these three words
+  bool place = false;                                    // it is a placement of these parts
+  std::vector<Number> angles = {};  // they may have these, in degrees as KiCad counts them, from the part's own on
 };
 
 /// What a check of a board says.
@@ -95,6 +105,9 @@ class Board {
   BoardVerdict check(const std::optional<Formula>& rules = {}, const std::string& place = "rules") const;
   /// The world in which these parts or groups move together; a position is that of the first one's anchor.
   World world(const std::vector<std::string>& moving) const;
+  /// A scene whose lengths and positions are the board's own. Error(kUnknownName) for what is to move and is no part,
+  /// kBadValue where that is fixed, or is to be placed and is locked.
+  Scene scene(const BoardQuestion& question) const;
 
   struct Data;
   explicit Board(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace findspace {
 
@@ -38,6 +39,9 @@ struct DrawingRules {
   /// These where they say something, else those.
   DrawingRules over(const DrawingRules& those) const;
 };
+
+/// The endings of drawings (2) or of meshes and models (3) that shapes are read from, in small letters: ".dxf", ".stl".
+std::vector<std::string> drawing_endings(int dimension);
 
 inline constexpr std::uint64_t kUsualInput = std::uint64_t{256} << 20;  // bytes
 inline constexpr std::uint64_t kUsualWork = 20'000'000;                 // units

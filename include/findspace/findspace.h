@@ -12,6 +12,7 @@
 //   motion.h, line_map.h   shapes that move in time, poses; regions of space on lines
 //   placement.h   several shapes put down
 //   options.h   limits of questions, progress, cancellation
+//   store.h, team.h, stages.h   results kept between runs; processes that answer together; files of each stage
 //   region.h    the answers: exact point sets
 //   files.h     what reading may open and cost, versions of what is written
 //   packing.h   many parts on a strip or on sheets; solid_packing.h: solids upon a floor or in containers
@@ -19,7 +20,7 @@
 //   phi.h       Phi-functions with gradients
 //   board.h     circuit boards: rules of their parts
 //   vocabulary.h   the words that formulas are written with
-//   text.h      files within limits, and pieces of JSON
+//   text.h      files within limits, files written whole, and pieces of JSON; json.h: JSON read
 //   error.h     what is thrown for bad input
 #pragma once
 
@@ -30,6 +31,7 @@
 #include "findspace/explanation.h"
 #include "findspace/files.h"
 #include "findspace/formula.h"
+#include "findspace/json.h"
 #include "findspace/line_map.h"
 #include "findspace/motion.h"
 #include "findspace/number.h"
@@ -43,7 +45,10 @@
 #include "findspace/shape.h"
 #include "findspace/solid_packing.h"
 #include "findspace/space_region.h"
+#include "findspace/stages.h"
+#include "findspace/store.h"
 #include "findspace/surface.h"
+#include "findspace/team.h"
 #include "findspace/text.h"
 #include "findspace/values.h"
 #include "findspace/vocabulary.h"

@@ -47,6 +47,20 @@ class CancelScope {
   std::unique_ptr<Limits> limits_;
 };
 
+/// While it lives, at most so many threads of the process work at once, whatever options say; 0: one for each core.
+class ThreadScope {
+ public:
+  /// From now on.
+  explicit ThreadScope(unsigned threads);
+  ~ThreadScope();
+  ThreadScope(const ThreadScope&) = delete;
+  ThreadScope& operator=(const ThreadScope&) = delete;
+
+ private:
+  struct Limits;
+  std::unique_ptr<Limits> limits_;
+};
+
 struct Options {
   unsigned threads = 0;    // 0: one for each core
   double seconds = 0;      // of each question; 0: no limit

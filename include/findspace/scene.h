@@ -26,6 +26,9 @@
 
 namespace findspace {
 
+class Board;
+struct BoardQuestion;
+
 /// How a shape of space is turned, counter-clockwise seen from the axis' positive end. Immutable, cheap to copy.
 class Rotation {
  public:
@@ -84,7 +87,15 @@ struct MapQuestion {
   std::optional<MapLines> lines{};  // of space: on these; nothing: exactly, or else as many as follows
   int resolution = 0;               // of space, where there is no exact form: lines each way of each axis; 0: 128
   bool listed = true;               // of lines: JSON has them; else they take less time
-  std::string before{};             // what messages put before "apply"
+  std::string before{};             // what messages put before "apply", "resolution" and "step"
+};
+
+/// What a description of a shape is asked for, in space.
+struct ShapeQuestion {
+  bool surface = false;             // it is wanted with flat faces, which a polytope grown by a ball has not
+  std::optional<MapLines> lines{};  // on these; nothing: exactly, or on 128 lines each way of each axis
+  bool listed = true;               // of lines: JSON has them; else they take less time
+  std::string before{};             // what messages put before "resolution" and "step"
 };
 
 /// What a placement is asked for, besides what the scene says in "place".
@@ -113,8 +124,12 @@ class Scene {
   // ---- what it says
   /// By name; a group is one as well.
   const std::map<std::string, Shape>& shapes() const;
+  /// One of them. Error(kUnknownName), which proposes the nearest name.
+  Shape shape(std::string_view name) const;
   /// Their names in the order of the file.
   std::vector<std::string> names() const;
+  /// Names of shapes by the name of a group; also of shapes that move.
+  const std::map<std::string, std::vector<std::string>>& groups() const;
   /// 2 or 3.
   int dimension() const;
   /// Of lengths, or empty.
@@ -157,6 +172,9 @@ class Scene {
   const std::string& folder() const;
   /// As messages call it.
   const std::string& name() const;
+  /// Of Board::scene(): the board (board.h), and what was asked; nothing of other scenes.
+  std::optional<Board> board() const;
+  std::optional<BoardQuestion> board_question() const;
   /// What might be opened, and at what cost.
   const ReadOptions& reading() const;
   /// What was changed on the way: points that were rounded, rings that were reversed.
@@ -215,6 +233,8 @@ class Scene {
 
   // ---- questions. Error(kBadValue) where nothing moves, or a pose is none of this scene; kUnsupported for what is not
   // computed; Stopped at a limit
+  /// Refuses a pose as the questions do: Error(kBadValue), kOutOfRange, kSyntax.
+  void require(const Pose& pose) const;
   /// Whether the formula holds at a pose, condition by condition; where it does not, the nearest feasible position too.
   Answer check(const Pose& pose = {}, const CheckQuestion& question = {}) const;
   /// The feasible position that is nearest to a pose without degrees, which may be feasible itself.
@@ -234,6 +254,9 @@ class Scene {
   /// angles of free() where there are some; and what stands in the way at a position, where one is given. Where free()
   /// is an angle and none is given: over all angles at the position.
   Answer explain(const Pose& pose = {}) const;
+  /// A shape as a point set: in the plane exactly, in space exactly where it is made of boxes or is one convex set,
+  /// else on many lines. Error(kUnknownName).
+  Answer describe(const std::string& shape, const ShapeQuestion& question = {}) const;
   /// The placement of "place": one shape after another, or all at once. `seconds` of the options end the search with
   /// what was found by then.
   Answer place(const PlaceQuestion& question = {}) const;

@@ -10,6 +10,7 @@
 
 #include "findspace/board.h"
 #include "interruptible.h"
+#include "numbers.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -39,6 +40,14 @@ BoardOptions board_options(const std::string& name, const Groups& groups, const 
 std::vector<std::string> names_of(const py::object& moving) {
   if (py::isinstance<py::str>(moving)) return {moving.cast<std::string>()};
   return moving.cast<std::vector<std::string>>();
+}
+
+BoardQuestion question_of(const py::object& move, const std::string& where, const std::string& minimize,
+                          const std::string& maximize, bool place, const std::vector<py::object>& angles,
+                          const std::string& before) {
+  BoardQuestion out{names_of(move), where, minimize, maximize, before, place, {}};
+  for (const py::object& angle : angles) out.angles.push_back(number(angle));
+  return out;
 }
 
 py::tuple packed_board(const Board& board) {
@@ -188,6 +197,42 @@ BoardVerdict
           },
           py::arg("moving"),
           "The world in which a part, a group or a list of these moves; a position is that of the first one's anchor.")
+      .def(
+          "scene",
+          [](const Board& b, const py::object& move, const std::string& where, const std::string& minimize,
+             const std::string& maximize, bool place, const std::vector<py::object>& angles,
+             const std::string& before) {
+            const BoardQuestion question = question_of(move, where, minimize, maximize, place, angles, before);
+            return interruptible([&] { return b.scene(question); });
+          },
+          py::arg("move") = std::vector<std::string>(), py::arg("where") = "", py::kw_only(), py::arg("minimize") = "",
+          py::arg("maximize") = "", py::arg("place") = false, py::arg("angles") = std::vector<py::object>(),
+          py::arg("before") = "",
+          R"doc(A scene whose lengths and positions are the board's own.
+
+Parameters
+----------
+move : str or list of str
+    Parts and groups that move, together; in a placement each on its own.
+where, minimize, maximize : str
+    Formulas, as a scene has them.
+place : bool
+    It is a placement of these parts.
+angles : list of numbers
+    The angles that they may have, in degrees as KiCad counts them, from the part's own on.
+before : str
+    What messages put before the words of the formulas.
+
+Examples
+--------
+>>> import findspace as fs
+>>> part = '(footprint "a:b" (layer "F.Cu") (at 4 5) (property "Reference" "U1") ' \
+...     '(fp_rect (start -1 -1) (end 1 1) (layer "F.CrtYd")))'
+>>> board = fs.Board.text('(kicad_pcb (version 20221018) (layers (0 "F.Cu" signal) (44 "Edge.Cuts" user)) ' +
+...     '(gr_rect (start 0 0) (end 20 10) (layer "Edge.Cuts"))' + part + ')')
+>>> board.scene("U1", "inside(U1, board)").map().region[0].bounds
+(1.0, 1.0, 19.0, 9.0)
+)doc")
       .def("__repr__", [](const Board& b) { return "<Board of " + std::to_string(b.parts().size()) + " parts>"; });
 }
 

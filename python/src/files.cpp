@@ -112,6 +112,15 @@ DxfVersion dxf_version(const std::string& word) {
 }
 
 void bind_files(py::module_& m) {
+  m.def("drawing_endings", &drawing_endings, py::arg("dimension"),
+        R"doc(The endings of drawings (2) or of meshes and models (3) that shapes are read from.
+
+Examples
+--------
+>>> import findspace as fs
+>>> fs.drawing_endings(2)
+['.svg', '.dxf', '.wkt', '.geojson']
+)doc");
   bind_rules(m);
   py::class_<ReadOptions>(m, "ReadOptions", R"doc(What reading may open and cost; the same limits as the program's.
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "interruptible.h"
 #include "pickles.h"
 
 namespace findspace::python {
@@ -76,6 +77,46 @@ False
       .def_property_readonly("requested", &Cancel::requested, "Whether it is requested.");
 }
 
+void bind_store(py::module_& m) {
+  py::class_<ResultStore>(m, "ResultStore", R"doc(Results in a folder, kept between runs and shared by processes.
+
+Sums, Phi-functions and what else is costly and depends on its operands alone is looked for there, and kept there, by
+what this process asks within ``with``. A result from the store is the bytes of the one that would be made.
+
+Parameters
+----------
+folder : str
+    Made where there is none; it may be shared by machines.
+limit : int
+    Bytes; the oldest entries go first.
+
+Examples
+--------
+>>> import findspace as fs, tempfile
+>>> with tempfile.TemporaryDirectory() as folder, fs.ResultStore(folder):
+...     world = fs.World({"A": fs.Shape.box((0, 0), (9, 9)), "B": fs.Shape.disc((0, 0), 1)}, "B")
+...     world.solve("inside(B, A)").area
+49.0
+)doc")
+      .def(py::init([](const std::string& folder, std::uint64_t limit) { return ResultStore(folder, limit); }),
+           py::arg("folder"), py::arg("limit") = std::uint64_t{1} << 30)
+      .def_property_readonly("folder", &ResultStore::folder, "As it was made.")
+      .def_property_readonly("limit", &ResultStore::limit, "In bytes.")
+      .def(
+          "__enter__",
+          [](const ResultStore& s) {
+            open_stores().push_back(s);
+            return s;
+          },
+          "What is asked from now on uses it.")
+      .def(
+          "__exit__", [](const ResultStore&, const py::args&) { open_stores().pop_back(); }, "As before.")
+      .def(py::pickle(
+          [](const ResultStore& s) { return py::make_tuple(s.folder(), s.limit()); },
+          [](const py::tuple& t) { return ResultStore(t[0].cast<std::string>(), t[1].cast<std::uint64_t>()); }))
+      .def("__repr__", [](const ResultStore& s) { return "<ResultStore '" + s.folder() + "'>"; });
+}
+
 }  // namespace
 
 Options options_of(const std::optional<Options>& given, const py::kwargs& words) {
@@ -85,6 +126,7 @@ Options options_of(const std::optional<Options>& given, const py::kwargs& words)
 
 void bind_options(py::module_& m) {
   bind_cancel(m);
+  bind_store(m);
   py::class_<Options>(m, "Options", R"doc(How much a question may cost, and who hears of it.
 
 Calls that take options take their words as well: ``world.limited(seconds=5)`` is

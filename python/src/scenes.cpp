@@ -8,6 +8,7 @@
 #include <map>
 
 #include "files.h"
+#include "findspace/board.h"
 #include "findspace/scene.h"
 #include "interruptible.h"
 #include "numbers.h"
@@ -80,8 +81,9 @@ std::optional<MapLines> lines_of(const py::tuple& asked) {
 }
 
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures`, `surface`, `before`, lines_of() and `resolution`; of place `near` and `lines`; of
-/// nearest what a measurement has, of between two places more, of check `nearest` and `snap`.
+/// its position, `apply`, `pictures`, `surface`, `before`, lines_of() and `resolution`; of describe the shape, `surface`,
+/// `before` and lines_of(); of place `near` and `lines`; of nearest what a measurement has, of between two places more,
+/// of check `nearest` and `snap`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
     MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
@@ -90,6 +92,12 @@ Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& a
     question.lines = lines_of(asked[5].cast<py::tuple>());
     question.resolution = asked[6].cast<int>();
     return interruptible([&] { return scene.map(question); });
+  }
+  if (verb == "describe") {
+    const auto shape = asked[0].cast<std::string>();
+    const ShapeQuestion question{asked[1].cast<bool>(), lines_of(asked[3].cast<py::tuple>()), true,
+                                 asked[2].cast<std::string>()};
+    return interruptible([&] { return scene.describe(shape, question); });
   }
   if (verb == "place") {
     const PlaceQuestion question{near_of(asked[0].cast<py::iterable>()), asked[1].cast<int>()};
@@ -300,7 +308,30 @@ py::tuple state_of(const Scene& s) {
   }
   Options limits = s.options();
   limits.progress = nullptr;  // few functions pickle
+  if (const auto board = s.board()) {
+    const BoardQuestion q = *s.board_question();
+    const py::tuple question =
+        py::make_tuple(q.move, q.where, q.minimize, q.maximize, q.before, q.place, texts(q.angles));
+    return py::make_tuple(*board, question, changes, limits, s.is_prepared());
+  }
   return py::make_tuple(s.text(), s.folder(), s.reading(), s.name(), changes, limits, s.is_prepared());
+}
+
+/// The scene without what was changed since it was read.
+Scene read_again(const py::tuple& t) {
+  if (t.size() == 7)
+    return Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>(), t[2].cast<ReadOptions>(),
+                       t[3].cast<std::string>());
+  const auto q = t[1].cast<py::tuple>();
+  BoardQuestion question{q[0].cast<std::vector<std::string>>(),
+                         q[1].cast<std::string>(),
+                         q[2].cast<std::string>(),
+                         q[3].cast<std::string>(),
+                         q[4].cast<std::string>(),
+                         q[5].cast<bool>(),
+                         {}};
+  for (const py::handle angle : q[6]) question.angles.push_back(number(angle));
+  return t[0].cast<Board>().scene(question);
 }
 
 /// One of the scene's by its words, or another one.
@@ -311,10 +342,9 @@ Rotation rotation_named(const Scene& scene, const std::string& text) {
 }
 
 Scene scene_of(const py::tuple& t) {
-  Scene out = Scene::json(t[0].cast<std::string>(), t[1].cast<std::string>(), t[2].cast<ReadOptions>(),
-                          t[3].cast<std::string>());
+  Scene out = read_again(t);
   using Text = std::optional<std::string>;
-  for (const py::handle each : t[4]) {
+  for (const py::handle each : t[t.size() - 3]) {
     const auto c = each.cast<py::tuple>();
     if (c.size() != 2) {
       const auto free = c[5].cast<std::optional<int>>();
@@ -327,8 +357,8 @@ Scene scene_of(const py::tuple& t) {
       out = out.rotated(rotation_named(out, c[1].cast<std::string>()));
     }
   }
-  out = out.with(t[5].cast<Options>());
-  return t[6].cast<bool>() ? out.prepared() : out;
+  out = out.with(t[t.size() - 2].cast<Options>());
+  return t[t.size() - 1].cast<bool>() ? out.prepared() : out;
 }
 
 }  // namespace
@@ -377,6 +407,9 @@ Examples
       .def_property_readonly("text", &Scene::text, "What it was read from.")
       .def_property_readonly("folder", &Scene::folder, "Where its files are looked for.")
       .def_property_readonly("reading", &Scene::reading, "What may be opened, and at what cost.")
+      .def("shape", &Scene::shape, py::arg("name"), "One of them.")
+      .def_property_readonly("groups", &Scene::groups, "Names of shapes by the name of a group.")
+      .def_property_readonly("board", &Scene::board, "The Board that it is a scene of, or None.")
       .def_property_readonly("names", &Scene::names, "Names of its shapes in the order of the file.")
       .def_property_readonly("dimension", &Scene::dimension, "2 or 3.")
       .def_property_readonly("unit", &Scene::unit, "Of lengths, or ''.")
@@ -438,6 +471,13 @@ Examples
             return s.with(options_of(options, words));
           },
           py::arg("options") = py::none(), "The same scene with other limits: an Options, or its words.")
+      .def(
+          "require",
+          [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time) {
+            s.require(pose_of(at, degrees, time));
+          },
+          py::arg("at") = py::none(), py::arg("degrees") = py::none(), py::arg("time") = py::none(),
+          "Refuses a pose as the questions do, without asking one.")
       .def(
           "check",
           [](const Scene& s, const std::optional<py::sequence>& at, const py::object& degrees, const py::object& time,
@@ -564,6 +604,34 @@ Examples
           py::arg("at") = py::none(), py::arg("degrees") = py::none(),
           "Why the formula holds nowhere, or how far its levels can be tightened; and what is in the way at a "
           "position.")
+      .def(
+          "describe",
+          [](const Scene& s, const std::string& shape, bool surface, const std::string& before, int lines,
+             const py::object& apart, const std::string& axis, const std::string& side) {
+            return answered(s, "describe",
+                            py::make_tuple(shape, surface, before, py::make_tuple(lines, apart, axis, side)));
+          },
+          py::arg("shape"), py::kw_only(), py::arg("surface") = false, py::arg("before") = "", py::arg("lines") = 0,
+          py::arg("apart") = py::none(), py::arg("axis") = "z", py::arg("side") = "",
+          R"doc(A shape as a point set: in the plane exactly, in space where it is made of boxes or is one convex set.
+
+Parameters
+----------
+shape : str
+    Its name.
+surface : bool
+    Of space: it is wanted with flat faces, which a polytope grown by a ball has not.
+before, lines, apart, axis, side
+    Of space, as in `map`.
+
+Examples
+--------
+>>> import findspace as fs
+>>> scene = fs.Scene.json('{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0], "max": [9, 9, 9]}}, '
+...     '"B": {"ball": {"center": [0, 0, 0], "radius": 2}}}}')
+>>> scene.describe("A").found, scene.describe("B", lines=16).sampled
+('yes', True)
+)doc")
       .def_property_readonly("places", &Scene::places, "Whether it says what to place.")
       .def(
           "place",

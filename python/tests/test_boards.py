@@ -57,6 +57,23 @@ def test_parts_of_a_board_move():
         board.world([])
 
 
+def test_boards_are_scenes():
+    board = fs.Board.text(SMALL.read_text(), groups={"ends": ["R1", "H1"]})
+    scene = board.scene("R2", "inside(R2, board) and clear(R2, others)")
+    assert scene.moving[0] == "R2" and scene.board.source == board.source and scene.groups["ends"] == ["R1", "H1"]
+    assert fs.Scene.json('{"findspace": 1, "shapes": {}}').board is None
+    found = scene.map()
+    assert found.region[0] == board.world("R2").solve(scene.where)
+    same = again(found)
+    assert same.region[0] == found.region[0] and again(scene).board.parts == board.parts
+    closer = scene.asking(where="clear(R2, ends, 6.5mm)")
+    assert [again(closer).check((20, 10)).found, again(scene).check((20, 10)).found] == ["no", "yes"]
+    turned = again(board.scene("R2", angles=[0, "45"]))
+    assert turned.free.kind == "pose" and len(turned.free.angles) == 2
+    placed = board.scene(["R1", "R2"], place=True).place()
+    assert placed.found == "yes" and "kicad_pcb" in placed.file(".kicad_pcb")[0]
+
+
 def test_boards_say_what_is_wrong(tmp_path):
     with pytest.raises(fs.Error) as caught:
         fs.Board.file(str(tmp_path / "none.kicad_pcb"))

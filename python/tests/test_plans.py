@@ -150,7 +150,7 @@ def test_scenes_map_positions_in_space():
     assert not answer.sampled and answer.on_lines is None
     lines = again(scene.map(lines=8, axis="x", side="inner"))
     assert lines.sampled and lines.space_region is None and lines.endings == [".json"]
-    assert 0 < lines.on_lines.volume < 343 and len(lines.on_lines.lines) == 16
+    assert 0 < lines.on_lines.volume < 343 and len(lines.on_lines.lines) == 12
     assert scene.map(apart=1, axis="xyz").found == "yes"
     for wrong in ({"axis": "x"}, {"lines": 8, "axis": "w"}, {"lines": 8, "side": "left"}):
         with pytest.raises(ValueError):
@@ -374,3 +374,29 @@ def test_limits_of_input_have_a_code():
     with pytest.raises(fs.Error) as caught:
         fs.Shape.json(json.dumps({"union": [{"disc": {"center": [0, 0], "radius": "-1"}}]}))
     assert caught.value.code in ("bad value", "syntax")
+
+
+def test_shapes_are_described():
+    scene = fs.Scene.json('{"findspace": 1, "unit": "mm", "shapes": {"box": {"box": {"min": [0, 0, 0], "max": [9, 2, 2]}}, '
+                          '"ball": {"ball": {"center": [0, 0, 0], "radius": 2}}}}')
+    box = scene.describe("box")
+    assert box.found == "yes" and "volume  36 mm³" in box.text() and ".obj" in box.endings
+    assert pickle.loads(pickle.dumps(box)).json() == box.json()
+    lines = scene.describe("ball", lines=4, axis="x")
+    assert lines.sampled and len(lines.on_lines.lines) == 12 and scene.describe("ball", surface=True).sampled
+    flat = fs.Scene.json('{"findspace": 1, "shapes": {"a": {"disc": {"center": [0, 0], "radius": 2}}}}')
+    assert flat.describe("a").region[0] == flat.shape("a").region
+    flat.require((3, 4))
+    with pytest.raises(fs.Error):
+        flat.require((3, 4, 5))
+
+
+def test_results_are_kept(tmp_path):
+    def solved():
+        return fs.World({"A": fs.Shape.box((0, 0), (9, 9)), "B": fs.Shape.disc((0, 0), 1)}, "B").solve("inside(B, A)")
+    store = pickle.loads(pickle.dumps(fs.ResultStore(str(tmp_path / "kept"), limit=1 << 20)))
+    assert store.limit == 1 << 20 and "kept" in repr(store)
+    alone = solved()
+    with store:
+        assert solved() == alone
+    assert any(path.suffix == ".sqlite" for path in (tmp_path / "kept").iterdir())

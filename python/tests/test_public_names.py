@@ -12,8 +12,8 @@ HEADERS = sorted((pathlib.Path(__file__).parents[2] / "include" / "findspace").g
 ELSEWHERE = {
     "AdjustedPhi::Value": "AdjustedPhiValue", "AdjustedPhi::at": "AdjustedPhi.__call__",
     "Phi::Value": "PhiValue", "Phi::at": "Phi.__call__", "PhiQuestion": "Phi.text",
-    "BoardOptions": "Board.file", "BoardGroup": "Board.file", "Board::options": "Board.__getstate__",
-    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "CheckQuestion": "Scene.check", "MapLines": "Scene.map", "PlaceQuestion": "Scene.place",
+    "BoardOptions": "Board.file", "BoardQuestion": "Board.scene", "StoreScope": "ResultStore.__enter__", "BoardGroup": "Board.file", "Board::options": "Board.__getstate__",
+    "Telling": "Answer.text", "NearestPlace": "Answer.nearest", "Pose": "Scene.check", "MapQuestion": "Scene.map", "CheckQuestion": "Scene.check", "ShapeQuestion": "Scene.describe", "MapLines": "Scene.map", "PlaceQuestion": "Scene.place",
     "PlaceQuestion::Near": "Scene.place", "Scene::Question": "Scene.asking",
     "Scene::with": "Scene.limited", "Scene::motion": "World.motion",
     "Demands": "place", "Placement::Positions": "Placement.positions", "WorldOptions": "World",
@@ -48,7 +48,7 @@ ELSEWHERE = {
     "pack_problem": "PackProblem.json", "solid_pack_problem": "SolidPackProblem.json",
 }
 # Types whose values are plain ones of Python, and so are their members'.
-PLAIN = {"Telling", "CheckQuestion", "Region::Paths", "SpaceRegion::Thin", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
+PLAIN = {"ShapeQuestion", "BoardQuestion", "StoreScope", "Telling", "CheckQuestion", "Region::Paths", "SpaceRegion::Thin", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
          "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
          "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",
@@ -66,7 +66,11 @@ NEEDLESS = {
     "kUsualInput": "that of ReadOptions()", "kUsualWork": "that of ReadOptions()",
     "Number": "numbers of Python, or text", "Level": "numbers of Python, or text", "Point": "a pair", "Point3": "a triple",
     "Position": "a pair of floats", "Position3": "a triple of floats", "Place": "a list of floats",
-    "CancelScope": "Ctrl-C ends questions",
+    "CancelScope": "Ctrl-C ends questions", "ThreadScope": "threads of Options",
+    "StageFiles": "FINDSPACE_DUMP of the program", "Team": "peers of a search; findspace-mpi", "TeamScope": "findspace-mpi",
+    "TextSink": "texts are whole", "FileText": "open()", "write_files": "open()", "Written": "open()",
+    "remove_unfinished_files": "open()", "printable": "repr()", "JsonValue": "the module json", "read_json": "the module json",
+    "Scene::board_question": "pickle",
     "read_text": "open()", "read_standard_input": "sys.stdin", "json_number": "the module json",
     "json_string": "the module json", "json_list": "the module json",
     "Answer::Found": "text", "MapLines::Side": "text", "Answer::write": "texts are whole", "Scene::Free::Kind": "text", "Scene::Listener": "notes of each answer",

@@ -54,6 +54,31 @@ TEST(PublicBoard, SaysWhichPartsBreakARule) {
   EXPECT_FALSE(Board::text(board("5 2")).check("clear(self, others, 1.5)").holds());
 }
 
+TEST(PublicBoard, IsASceneThatAsks) {
+  const Board apart = Board::text(board("5 5"), {.name = "small", .groups = {{"ends", {"U1"}}}});
+  const Scene scene = apart.scene({.move = {"U2"}, .where = "inside(U2, board) and clear(U2, ends, 0.5)"});
+  EXPECT_EQ(scene.moving(), (std::vector<std::string>{"U2"}));
+  EXPECT_EQ(scene.board()->source(), apart.source());
+  EXPECT_EQ(scene.board_question()->move, scene.moving());
+  EXPECT_EQ(scene.groups().at("ends"), (std::vector<std::string>{"U1"}));
+  EXPECT_EQ(scene.check({{5, 5}}).found(), Answer::Found::kYes);
+  EXPECT_EQ(scene.check({{4, 4}}).found(), Answer::Found::kNo);
+  EXPECT_EQ(scene.map().region()->inner.area(), apart.world({"U2"}).solve(scene.where()).area());
+  const Scene turned = apart.scene({.move = {"U2"}, .angles = {0, "45"}});
+  EXPECT_EQ(turned.free().kind, Scene::Free::Kind::kPose);
+  EXPECT_EQ(turned.free().angles.size(), 2u);
+  const Answer placed = apart.scene({.move = {"U1", "U2"}, .place = true}).place();
+  EXPECT_EQ(placed.found(), Answer::Found::kYes);
+  EXPECT_NE(placed.file(".kicad_pcb").text.find("kicad_pcb"), std::string::npos);
+  for (const char* before : {"--", ""}) try {
+      apart.scene({.move = {"U2"}, .where = "inside(U2, ", .before = before}).map();
+      ADD_FAILURE();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.place(), std::string(before) + "where:1:12");
+    }
+  EXPECT_FALSE(Scene::json(R"({"findspace": 1, "shapes": {}})").board());
+}
+
 TEST(PublicBoard, MistakesHaveAPlace) {
   const auto place_of = [](const auto& ask) -> std::string {
     try {

@@ -324,6 +324,64 @@ TEST(PublicScene, PlacesWhatItSays) {
   EXPECT_FALSE(stopped.placement()->unproven().empty());
 }
 
+TEST(PublicScene, DescribesItsShapes) {
+  const Scene scene = Scene::json(kScene);
+  const Answer plate = scene.describe("plate");
+  EXPECT_EQ(plate.found(), Answer::Found::kYes);
+  EXPECT_EQ(plate.region()->inner.area(), 80);
+  EXPECT_EQ(plate.text(), plate.region()->outer.text("plate"));
+  EXPECT_NE(plate.json({.exact = true}).find("\"cells\""), std::string::npos);
+  EXPECT_EQ(plate.json(), scene.shape("plate").region().json());
+  EXPECT_EQ(plate.endings(), (std::vector<std::string>{".json", ".dxf", ".geojson", ".svg", ".wkt"}));
+  EXPECT_NE(plate.file(".wkt").text.find("POLYGON"), std::string::npos);
+  EXPECT_EQ(scene.groups().at("both"), (std::vector<std::string>{"a", "b"}));
+  EXPECT_THROW(scene.describe("plat"), Error);
+  EXPECT_THROW(scene.describe("plate", {.lines = MapLines{8}}), Error);
+  const Scene solids = Scene::json(R"json({"findspace": 1, "unit": "mm", "shapes": {
+    "box": {"box": {"min": [0, 0, 0], "max": [9, 2, 2]}}, "ball": {"ball": {"center": [0, 0, 0], "radius": 2}},
+    "none": {"intersection": ["box", {"translate": [0, 3, 0], "of": "box"}]},
+    "cut": {"difference": ["ball", "box"]}}})json");
+  EXPECT_NE(solids.describe("box").text().find("volume  36 mm³"), std::string::npos);
+  EXPECT_NE(solids.describe("box").file(".obj").text.find("v 9 2 2"), std::string::npos);
+  EXPECT_EQ(solids.describe("none").found(), Answer::Found::kNo);
+  EXPECT_FALSE(solids.describe("ball").sampled());
+  EXPECT_TRUE(solids.describe("ball", {.surface = true}).sampled());
+  const Answer cut = solids.describe("cut");
+  EXPECT_TRUE(cut.sampled());
+  EXPECT_FALSE(cut.on_lines()->lines.empty());
+  EXPECT_EQ(cut.notes().size(), 1u);
+  EXPECT_EQ(solids.describe("ball", {.lines = MapLines{.count = 4}}).on_lines()->lines.size(), 12u);
+}
+
+TEST(PublicScene, RefusesPosesThatItHasNot) {
+  const Scene scene = Scene::json(kScene);
+  scene.require({{3, "0.5"}});
+  EXPECT_THROW(scene.require({{3}}), Error);
+  EXPECT_THROW(scene.require({{"1e9", 0}}), Error);
+  EXPECT_THROW(scene.require({{"x", 0}}), Error);
+  EXPECT_THROW(scene.require({{}, {}, 1}), Error);
+}
+
+TEST(PublicScene, LinesThatAreNoneAreRefusedInTheWordsOfTheCaller) {
+  const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0, 0],
+    "max": [9, 2, 2]}}}})json");
+  const auto fault = [&](const std::string& before) -> std::string {
+    try {
+      ShapeQuestion question;
+      question.lines = MapLines{0, Number("0.00000015")};
+      question.before = before;
+      scene.describe("a", question);
+    } catch (const Error& e) {
+      return e.message();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault("--"),
+            "--step wants a decimal number of at least one grid step, and a multiple of it, not "
+            "'0.00000015'");
+  EXPECT_EQ(fault(""), "lines are apart by at least one grid step, and a multiple of it");
+}
+
 TEST(PublicScene, PlacesInSpace) {
   const Scene scene =
       Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [9, 2, 2]}},

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "findspace/error.h"
-#include "io/write/write_file.h"
+#include "findspace/text.h"
 
 namespace findspace::io {
 namespace io_write_file {
@@ -82,12 +83,12 @@ TEST_F(WriteFile, TakesTextPieceByPiece) {
     spool.append(part);
     all += part;
   }
-  write_files({{folder_ / "a", {}, [&](const Sink& sink) {
+  write_files({{folder_ / "a", {}, [&](const TextSink& sink) {
                   spool.copy_to(sink);
                   spool.copy_to(sink);
                 }}});
   EXPECT_EQ(read(folder_ / "a"), all + all);
-  const auto fails = [&](const Sink& sink) {
+  const auto fails = [&](const TextSink& sink) {
     sink("half");
     throw Error(ErrorCode::kFile, "no more");
   };

@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+#include "plane/base/parallel.h"
+
 namespace findspace::api {
 namespace {
 
@@ -60,5 +62,12 @@ struct CancelScope::Limits {
 
 CancelScope::CancelScope(const Cancel& cancel) : limits_(std::make_unique<Limits>(cancel)) {}
 CancelScope::~CancelScope() = default;
+
+struct ThreadScope::Limits {
+  plane::ThreadLimit threads;
+};
+
+ThreadScope::ThreadScope(unsigned threads) : limits_(new Limits{plane::ThreadLimit(threads)}) {}
+ThreadScope::~ThreadScope() = default;
 
 }  // namespace findspace

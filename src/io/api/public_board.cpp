@@ -76,6 +76,24 @@ World Board::world(const std::vector<std::string>& moving) const {
   return io::public_world(io::board_scene(data_->board, question));
 }
 
+Scene Board::scene(const BoardQuestion& asked) const {
+  io::BoardQuestion question = data_->question;
+  question.move = asked.move;
+  question.where = asked.where;
+  question.minimize = asked.minimize;
+  question.maximize = asked.maximize;
+  question.place = asked.place;
+  for (const Number& angle : asked.angles) question.angles.push_back(api::real_of(angle));
+  io::Scene made = io::board_scene(data_->board, question);
+  const auto call = [&](io::FormulaText& text) {  // that calls them as the command line does
+    if (text.file.starts_with("--")) text.file = asked.before + text.file.substr(2);
+  };
+  for (io::FormulaText* text : {&made.where, &made.minimize, &made.maximize}) call(*text);
+  for (io::FormulaText& text : made.place.constraints) call(text);
+  for (io::FormulaText& text : made.place.minimize) call(text);
+  return io::public_scene(std::move(made), *this, asked);
+}
+
 std::size_t BoardVerdict::parts() const { return data_->check.parts(); }
 const std::string& BoardVerdict::rules() const { return data_->check.rules(); }
 const std::vector<std::string>& BoardVerdict::notes() const { return data_->check.notes(); }

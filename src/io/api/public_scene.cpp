@@ -22,6 +22,7 @@
 #include "io/question/placement_answer.h"
 #include "io/question/position_answer.h"
 #include "io/question/ray_map.h"
+#include "io/question/shape_answer.h"
 #include "io/question/space_map.h"
 #include "io/question/space_shapes.h"
 #include "io/text/read_text.h"
@@ -267,6 +268,8 @@ struct Scene::Data {
     Listener listener{};
     std::optional<exact::Real> turned{};
     std::shared_ptr<const io::KeptWork> kept{};  // where it was prepared
+    std::optional<Board> board{};
+    BoardQuestion question{};  // of the board
   };
 
   io::Scene read;
@@ -378,7 +381,8 @@ Answer at_pose(const std::shared_ptr<const Scene::Data>& data, const Pose& pose,
 /// Positions, exactly where they have such a form and no lines are asked for.
 Answer::Data in_space(const io::AskedScene& scene, const MapQuestion& question) {
   const io::Applied apply{question.apply, question.before};
-  if (question.lines) return io::map_on_lines(scene, io::ray_choice(scene, *question.lines, question.listed), apply);
+  if (question.lines)
+    return io::map_on_lines(scene, io::ray_choice(scene, *question.lines, question.before, question.listed), apply);
   if (auto found = io::map_of_space(scene, apply, question.surface, io::public_solid_world)) return *std::move(found);
   const io::RayChoice usual = io::usual_lines(scene, "map", question.before, question.listed, question.resolution);
   return io::map_on_lines(scene, usual, apply);
@@ -455,6 +459,14 @@ findspace::Scene public_scene(Scene scene, std::string text) {
   return findspace::Scene(std::make_shared<const findspace::Scene::Data>(std::move(scene), std::move(nowhere)));
 }
 
+findspace::Scene public_scene(Scene scene, const findspace::Board& board, const findspace::BoardQuestion& question) {
+  findspace::Scene::Data::Source source;
+  source.text = board.source();
+  source.board = board;
+  source.question = question;
+  return findspace::Scene(std::make_shared<const findspace::Scene::Data>(std::move(scene), std::move(source)));
+}
+
 }  // namespace io
 
 Scene Scene::file(const std::string& path, const ReadOptions& reading) {
@@ -469,11 +481,13 @@ Scene Scene::json(std::string_view text, const std::string& folder, const ReadOp
 }
 
 const std::map<std::string, Shape>& Scene::shapes() const { return data_->shapes(); }
+Shape Scene::shape(std::string_view name) const { return shapes().at(data_->read.shape(name)->name); }
 std::vector<std::string> Scene::names() const {
   std::vector<std::string> out;
   for (const plane::ShapePtr& s : data_->read.shapes) out.push_back(s->name);
   return out;
 }
+const std::map<std::string, std::vector<std::string>>& Scene::groups() const { return data_->read.groups; }
 int Scene::dimension() const { return data_->read.dimension; }
 std::string Scene::unit() const {
   return data_->read.unit ? std::string(formula::name(*data_->read.unit)) : std::string();
@@ -498,6 +512,10 @@ std::optional<Motion> Scene::motion() const {
 const std::string& Scene::text() const { return data_->source.text; }
 const std::string& Scene::folder() const { return data_->source.folder; }
 const std::string& Scene::name() const { return data_->read.file; }
+std::optional<Board> Scene::board() const { return data_->source.board; }
+std::optional<BoardQuestion> Scene::board_question() const {
+  return data_->source.board ? std::optional(data_->source.question) : std::nullopt;
+}
 const ReadOptions& Scene::reading() const { return data_->source.reading; }
 const std::vector<std::string>& Scene::notes() const { return data_->read.notes; }
 const std::vector<Scene::Change>& Scene::changes() const { return data_->source.changes; }
@@ -590,6 +608,12 @@ Scene Scene::with(const Listener& listener) const {
   return Scene(std::make_shared<const Data>(data_->read, std::move(source)));
 }
 
+void Scene::require(const Pose& pose) const {
+  data_->position(pose);
+  data_->instant(pose);
+  if (pose.degrees) api::real_of(*pose.degrees);
+}
+
 Answer Scene::check(const Pose& pose, const CheckQuestion& question) const {
   if (data_->read.free.kind == io::Free::Kind::kTime && !pose.time)
     throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data_->read.file);
@@ -638,6 +662,15 @@ Answer Scene::measure(const Pose& pose, const std::vector<std::string>& words) c
 
 Answer Scene::map(const MapQuestion& question) const& { return map_of(data_, question); }
 Answer Scene::map(const MapQuestion& question) && { return map_of(std::move(data_), question); }
+
+Answer Scene::describe(const std::string& shape, const ShapeQuestion& question) const {
+  if (question.lines && dimension() == 2) throw Error(ErrorCode::kBadValue, "lines are for shapes of space", name());
+  const Shape made = this->shape(shape);
+  return asked(data_, std::nullopt, [&](io::AskedScene scene) {
+    return scene.in_space() ? io::described_in_space(std::move(scene), shape, question)
+                            : io::described_in_plane(scene, shape, made);
+  });
+}
 
 bool Scene::places() const { return data_->read.place.given(); }
 

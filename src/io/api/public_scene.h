@@ -4,6 +4,7 @@
 // A scene that was read, as the public headers show it.
 #pragma once
 
+#include <findspace/board.h>
 #include <findspace/scene.h>
 #include <findspace/world.h>
 
@@ -21,6 +22,7 @@ namespace findspace::io {
 /// What a public scene is of, and a public scene that was read otherwise than from its text.
 const Scene& scene_of(const findspace::Scene& scene);
 findspace::Scene public_scene(Scene scene, std::string text = {});
+findspace::Scene public_scene(Scene scene, const findspace::Board& board, const findspace::BoardQuestion& question);
 /// A shape of the scene. Throws Error(kUnknownName).
 Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the solver that was made of its shapes.

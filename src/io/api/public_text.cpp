@@ -7,7 +7,9 @@
 
 #include <cmath>
 
+#include "formula/language/lexer.h"
 #include "io/report/position_report.h"
+#include "io/text/file_kind.h"
 #include "io/text/put.h"
 
 namespace findspace {
@@ -29,6 +31,16 @@ std::string json_string(std::string_view text) {
   }
   return out + "\"";
 }
+
+std::vector<std::string> drawing_endings(int dimension) {
+  std::vector<std::string> out;
+  for (const char* ending : {".svg", ".dxf", ".wkt", ".geojson", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb",
+                             ".step", ".stp", ".iges", ".igs"})
+    if (dimension == 3 ? io::is_space_ending(ending) : io::is_plane_ending(ending)) out.emplace_back(ending);
+  return out;
+}
+
+std::string printable(std::string_view text) { return formula::printable(text); }
 
 std::vector<std::string> usual_distance_words() { return {io::kUsualDistances.begin(), io::kUsualDistances.end()}; }
 

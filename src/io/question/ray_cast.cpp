@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "io/question/ray_set.h"
-#include "io/question/row_team.h"
+#include "io/team/row_team.h"
 #include "space/rays/ray_axes.h"
 #include "space/rays/ray_cells.h"
 #include "space/rays/ray_sources.h"

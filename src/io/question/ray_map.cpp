@@ -278,7 +278,20 @@ Answer::Data answered(const std::shared_ptr<RaysQuestion>& q, bool listed) {
 
 }  // namespace
 
-RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, bool listed) {
+namespace {
+
+/// In grid steps; nothing where it is no decimal, or not a whole number of them.
+std::optional<std::int64_t> steps_between(const AskedScene& asked, const Number& apart) try {
+  const auto steps = (api::real_of(apart) / asked.step()).integer();
+  if (!steps || *steps < 1 || *steps > exact::kRayLimit) return std::nullopt;
+  return static_cast<std::int64_t>(*steps);
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+}  // namespace
+
+RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, std::string_view before, bool listed) {
   using From = MapLines::Side;
   RayChoice out{{},
                 lines.side == From::kInner   ? formula::Side::kInner
@@ -289,10 +302,13 @@ RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, bool listed
   if (lines.apart ? lines.count != 0 : lines.count < 1 || lines.count > kMostLines)
     refuse(fmt::format("lines: their number, from 1 to {}, or how far they are apart", kMostLines));
   if (lines.apart) {
-    const auto steps = (api::real_of(*lines.apart) / asked.step()).integer();
-    if (!steps || *steps < 1 || *steps > exact::kRayLimit)
-      refuse("lines are apart by at least one grid step, and a multiple of it");
-    out.lines.apart = static_cast<std::int64_t>(*steps);
+    const auto steps = steps_between(asked, *lines.apart);
+    if (!steps && !before.empty())
+      throw Error(ErrorCode::kUsage,
+                  fmt::format("{}step wants a decimal number of at least one grid step, and a multiple of it, not '{}'",
+                              before, lines.apart->text()));
+    if (!steps) refuse("lines are apart by at least one grid step, and a multiple of it");
+    out.lines.apart = *steps;
   }
   out.lines.count = lines.count;
   out.lines.axis = static_cast<int>(lines.axis);

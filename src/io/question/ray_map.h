@@ -25,8 +25,8 @@ struct RayChoice {
   bool listed = true;                         // JSON has the lines
 };
 
-/// What a question says; kBadValue for lines that are none.
-RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, bool listed);
+/// What a question says; kBadValue for lines that are none, kUsage where messages put "--" `before` "step".
+RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, std::string_view before, bool listed);
 /// Those of a map (or shape) that has no exact form, where none were asked for; a note says so. `count`: each way; 0:
 /// as usual.
 RayChoice usual_lines(const AskedScene& asked, std::string_view what, std::string_view before, bool listed,

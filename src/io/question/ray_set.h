@@ -14,7 +14,7 @@
 #include "formula/solid/ray_minima.h"
 #include "formula/solid/solve_rays.h"
 #include "io/question/asked_scene.h"
-#include "io/question/row_team.h"
+#include "io/team/row_team.h"
 #include "io/write/write_json_rays.h"
 #include "space/rays/ray_extreme.h"
 #include "space/rays/ray_intervals.h"

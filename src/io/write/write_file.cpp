@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "io/write/write_file.h"
+// Files that are written whole (findspace/text.h).
 
 #include <fcntl.h>
 #include <signal.h>
@@ -12,13 +12,15 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
 
 #include "findspace/error.h"
+#include "findspace/text.h"
 
-namespace findspace::io {
+namespace findspace {
 namespace {
 
 // What a signal handler may read. Entries are used again and never freed.
@@ -121,7 +123,7 @@ void write_text(int descriptor, const std::filesystem::path& path, std::string_v
 }
 
 void write_all(int descriptor, const FileText& file) {
-  const Sink sink = [&](std::string_view text) { write_text(descriptor, file.path, text); };
+  const TextSink sink = [&](std::string_view text) { write_text(descriptor, file.path, text); };
   file.make ? file.make(sink) : sink(file.text);
 }
 
@@ -190,4 +192,4 @@ void write_files(const std::vector<FileText>& files) {
   }
 }
 
-}  // namespace findspace::io
+}  // namespace findspace

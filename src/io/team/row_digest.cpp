@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "io/question/row_team.h"
+#include "io/team/row_digest.h"
 
 #include <algorithm>
 #include <span>
@@ -9,16 +9,6 @@
 #include "plane/base/parallel.h"
 
 namespace findspace::io {
-namespace {
-
-thread_local RowTeam* team_of_thread = nullptr;
-
-}  // namespace
-
-RowTeam* row_team() { return team_of_thread; }
-RowsByTeam::RowsByTeam(RowTeam* team) : before_(team_of_thread) { team_of_thread = team; }
-RowsByTeam::~RowsByTeam() { team_of_thread = before_; }
-
 std::vector<RowDigest> digests_of(const space::RaySource& source, const RowDigester& digester, bool written, int begin,
                                   int count) {
   std::vector<RowDigest> out(static_cast<std::size_t>(count));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "store/result_file.h"
+#include "io/store/result_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 #include "findspace/error.h"
 
-namespace findspace::app {
+namespace findspace::io {
 namespace {
 
 constexpr int kFormat = 2;
@@ -223,4 +223,4 @@ bool ResultFile::set_lock(std::uint64_t byte, short type, bool wait) const {
 void ResultFile::begin(std::string_view content) { set_lock(hash_of(content) % kNewFileByte, F_WRLCK, true); }
 void ResultFile::end(std::string_view content) { set_lock(hash_of(content) % kNewFileByte, F_UNLCK, false); }
 
-}  // namespace findspace::app
+}  // namespace findspace::io

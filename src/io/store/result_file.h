@@ -19,7 +19,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace findspace::app {
+namespace findspace::io {
 
 class ResultFile : public plane::ResultStore {
  public:
@@ -61,4 +61,4 @@ class ResultFile : public plane::ResultStore {
   int begun_anew_ = 0;
 };
 
-}  // namespace findspace::app
+}  // namespace findspace::io
