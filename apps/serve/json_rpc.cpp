@@ -16,7 +16,6 @@
 namespace findspace::app {
 namespace {
 
-using io::JsonValue;
 using JsonKind = JsonValue::Kind;
 
 constexpr int kSceneFault = -32000, kLimitReached = -32001;
@@ -138,8 +137,7 @@ std::string JsonRpc::answer(const JsonValue& request) {
 std::string JsonRpc::answer(std::string_view text) {
   JsonValue request;
   try {
-    plane::WorkBudget work;
-    request = io::parse_json(text, "request", work);
+    request = read_json(text, "request");
   } catch (const Error& e) {
     return error_text("null", RequestError::kParse, e.what());
   }

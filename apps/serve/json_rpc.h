@@ -29,9 +29,9 @@ class JsonRpc {
   std::string answer(std::string_view request);
 
  private:
-  std::string answer(const io::JsonValue& request);
-  std::string result(const std::string& method, const io::JsonValue& parameters);
-  std::string call_tool(const io::JsonValue& parameters);
+  std::string answer(const JsonValue& request);
+  std::string result(const std::string& method, const JsonValue& parameters);
+  std::string call_tool(const JsonValue& parameters);
 
   SceneStore& store_;
   double seconds_;

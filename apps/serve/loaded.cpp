@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "findspace/board.h"
 #include "findspace/error.h"
 #include "findspace/text.h"
 #include "findspace/vocabulary.h"
@@ -101,7 +102,7 @@ std::string Loaded::shape_json(const std::string& name, const std::vector<std::s
   const bool moves = holds(scene_.moving(), name), named = holds(used, name);
   std::string out = fmt::format(R"({{"name": {}, "moving": {}, "used": {})", json_string(name), moves, named);
   // A board has many shapes: only those that the formula looks at are built.
-  const std::string look = drawing && (moves || named || !scene_.of_board()) ? drawing_of(name) : "";
+  const std::string look = drawing && (moves || named || !scene_.board()) ? drawing_of(name) : "";
   if (!look.empty()) out += ", \"drawing\": " + look;
   return out + "}";
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "findspace/board.h"
 #include "findspace/error.h"
 #include "findspace/text.h"
 
@@ -43,7 +44,7 @@ LoadedPlane::LoadedPlane(const Scene& given) : Loaded(given) {
 void LoadedPlane::forget_answers() {
   upright_.reset();
   rotated_.reset();
-  if (scene().of_board()) extent_.reset();  // other shapes are looked at
+  if (scene().board()) extent_.reset();  // other shapes are looked at
 }
 
 const Scene& LoadedPlane::rotated(const std::optional<Number>& degrees) const {
@@ -61,8 +62,9 @@ const Scene& LoadedPlane::rotated(const std::optional<Number>& degrees) const {
 const std::optional<Bounds>& LoadedPlane::extent() const {
   if (extent_) return *extent_;
   extent_.emplace();
-  std::vector<std::string> looked_at = scene().of_board() ? scene().used() : scene().names();
-  if (scene().of_board()) looked_at.insert(looked_at.end(), scene().moving().begin(), scene().moving().end());
+  const bool board = scene().board().has_value();
+  std::vector<std::string> looked_at = board ? scene().used() : scene().names();
+  if (board) looked_at.insert(looked_at.end(), scene().moving().begin(), scene().moving().end());
   for (const std::string& name : looked_at) include(*extent_, scene().shapes().at(name).region().extent());
   return *extent_;
 }

@@ -14,7 +14,6 @@
 namespace findspace::app {
 namespace {
 
-using io::JsonValue;
 using JsonKind = JsonValue::Kind;
 
 constexpr std::string_view

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/text/json_tree.h"
+#include "findspace/json.h"
 #include "serve/scene_store.h"
 
 namespace findspace::app {
@@ -31,7 +31,7 @@ struct Parameter {
 struct Method {
   std::string_view name, about;
   std::span<const Parameter> parameters;
-  std::string (*run)(SceneStore&, const io::JsonValue& parameters);  // gives JSON
+  std::string (*run)(SceneStore&, const JsonValue& parameters);  // gives JSON
 };
 
 std::span<const Method> methods();
@@ -41,6 +41,6 @@ std::string parameters_schema(const Method& method);
 std::string protocol_json();
 
 /// The answer to a request as JSON. Throws RequestError, and Error.
-std::string run_method(SceneStore& store, std::string_view name, const io::JsonValue& parameters);
+std::string run_method(SceneStore& store, std::string_view name, const JsonValue& parameters);
 
 }  // namespace findspace::app

@@ -8,8 +8,8 @@
 
 #include "common/session.h"
 #include "findspace/error.h"
+#include "findspace/json.h"
 #include "findspace/text.h"
-#include "io/text/json_tree.h"
 #include "placing/packing_report.h"
 #include "serve/methods.h"
 
@@ -19,8 +19,7 @@ namespace {
 /// Whether a file is a packing problem: it lists items, or kinds of items in space. Throws Error for a layout alone.
 bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   if (path.extension() != ".json") return false;
-  plane::WorkBudget work;
-  const io::JsonValue file = io::parse_json(read_text(path, most), path.string(), work);
+  const JsonValue file = read_json(read_text(path, most), path.string());
   const auto has = [&](const char* key) { return file.find(key) != nullptr; };
   if (has("layout") && !has("shapes"))
     throw Error(ErrorCode::kUsage, "a layout is shown with its problem: findspace view PROBLEM --start LAYOUT",
@@ -30,7 +29,7 @@ bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
 
 Scene read_scene(const Options& options) {
   Reporter reporter(true);
-  return Session(options, reporter).asked().with(Scene::Listener());
+  return Session(options, reporter).scene().with(Scene::Listener());
 }
 
 }  // namespace

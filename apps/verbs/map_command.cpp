@@ -75,7 +75,8 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   refuse_apply(options, free);
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),
                                  [](const auto& path) { return path.extension() == ".svg"; });
-  MapQuestion question{asked_pose(session), options.apply, drawn, false, {}, true, "--"};
+  MapQuestion question{asked_pose(session), options.apply, drawn};
+  question.before = "--";
   const Answer answer = session.take().map(question);
   reporter.stage("writing");
   return told(session, answer);

@@ -137,8 +137,6 @@ class Scene {
   /// The grid of its coordinates; whether y runs downwards in pictures.
   Grid grid() const;
   bool y_down() const;
-  /// Whether it was made of a board of KiCad.
-  bool of_board() const;
   /// What moves, together; none where the scene does not say.
   const std::vector<std::string>& moving() const;
   /// With what moves, in time too. Error(kBadValue) where the scene does not say what does.

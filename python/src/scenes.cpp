@@ -81,9 +81,9 @@ std::optional<MapLines> lines_of(const py::tuple& asked) {
 }
 
 /// `asked`: of check, measure and explain the position, the angle and the instant, of measure the distances too; of map
-/// its position, `apply`, `pictures`, `surface`, `before`, lines_of() and `resolution`; of describe the shape, `surface`,
-/// `before` and lines_of(); of place `near` and `lines`; of nearest what a measurement has, of between two places more,
-/// of check `nearest` and `snap`.
+/// its position, `apply`, `pictures`, `surface`, `before`, lines_of() and `resolution`; of describe the shape,
+/// `surface`, `before` and lines_of(); of place `near` and `lines`; of nearest what a measurement has, of between two
+/// places more, of check `nearest` and `snap`.
 Answer answer_of(const Scene& scene, const std::string& verb, const py::tuple& asked) {
   if (verb == "map") {
     MapQuestion question{pose_of(position_of(asked[0]), py::none(), py::none()), asked[1].cast<std::string>(),
@@ -419,7 +419,6 @@ Examples
           "grid", [](const Scene& s) { return s.grid().step.text(); },
           "The step of the grid of its coordinates, as text.")
       .def_property_readonly("y_down", &Scene::y_down, "Whether y runs downwards in pictures.")
-      .def_property_readonly("of_board", &Scene::of_board, "Whether it was made of a board of KiCad.")
       .def_property_readonly("moving", &Scene::moving, "What moves, together.")
       .def_property_readonly("name", &Scene::name, "As messages call it.")
       .def_property_readonly(

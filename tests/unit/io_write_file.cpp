@@ -10,6 +10,7 @@
 
 #include "findspace/error.h"
 #include "findspace/text.h"
+#include "io/text/spool.h"
 
 namespace findspace::io {
 namespace io_write_file {

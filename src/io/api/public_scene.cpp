@@ -500,7 +500,6 @@ std::vector<std::string> Scene::used() const {
 }
 Grid Scene::grid() const { return {io::number(data_->read.grid.step())}; }
 bool Scene::y_down() const { return data_->read.y_down; }
-bool Scene::of_board() const { return data_->read.board != nullptr; }
 const World& Scene::world() const { return data_->world(); }
 const Formula& Scene::where() const { return data_->where; }
 const std::string& Scene::minimize() const { return data_->read.minimize.text; }
@@ -577,7 +576,8 @@ bool Scene::is_prepared() const { return data_->source.kept != nullptr; }
 
 std::string Scene::edited_text() const {
   std::string out = text();
-  if (out.empty() || of_board()) throw Error(ErrorCode::kBadValue, "this scene has no text of its own", name());
+  if (out.empty() || data_->source.board)
+    throw Error(ErrorCode::kBadValue, "this scene has no text of its own", name());
   const auto put = [&](const char* key, const std::optional<std::string>& value) {
     if (value && value->empty()) throw Error(ErrorCode::kUnsupported, fmt::format("no text says \"{}\" is none", key));
     if (value) out = io::edited_scene(out, key, {*value});
