@@ -67,8 +67,6 @@ World::Data data_of(const Scene& scene) {
 
 }  // namespace
 
-Shape public_shape(const Scene& scene, std::string_view name) { return shape_of(scene, scene.shape(name)); }
-
 World public_world(const Scene& scene, std::shared_ptr<const formula::Solver> built) {
   auto data = std::make_shared<World::Data>(data_of(scene));
   data->planar = std::move(built);
@@ -450,14 +448,6 @@ Explanation explained(const io::AskedScene& scene, const Pose& pose) {
 }  // namespace
 
 namespace io {
-
-const Scene& scene_of(const findspace::Scene& scene) { return scene.data().read; }
-
-findspace::Scene public_scene(Scene scene, std::string text) {
-  findspace::Scene::Data::Source nowhere;
-  nowhere.text = std::move(text);
-  return findspace::Scene(std::make_shared<const findspace::Scene::Data>(std::move(scene), std::move(nowhere)));
-}
 
 findspace::Scene public_scene(Scene scene, const findspace::Board& board, const findspace::BoardQuestion& question) {
   findspace::Scene::Data::Source source;

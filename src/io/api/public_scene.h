@@ -9,7 +9,6 @@
 #include <findspace/world.h>
 
 #include <memory>
-#include <string_view>
 
 #include "formula/planar/solve.h"
 #include "formula/solid/solve_space.h"
@@ -19,12 +18,8 @@
 
 namespace findspace::io {
 
-/// What a public scene is of, and a public scene that was read otherwise than from its text.
-const Scene& scene_of(const findspace::Scene& scene);
-findspace::Scene public_scene(Scene scene, std::string text = {});
+/// A scene of a board.
 findspace::Scene public_scene(Scene scene, const findspace::Board& board, const findspace::BoardQuestion& question);
-/// A shape of the scene. Throws Error(kUnknownName).
-Shape public_shape(const Scene& scene, std::string_view name);
 /// Of the plane, with the solver that was made of its shapes.
 World public_world(const Scene& scene, std::shared_ptr<const formula::Solver> built);
 /// Of space, with the solver that was made of its shapes.

@@ -43,6 +43,10 @@ struct SpaceMapQuestion {
 
   std::string title() const { return fmt::format("Positions of {}", fmt::join(asked.scene().moving, ", ")); }
   const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
+  std::string json() const {
+    if (map.convex) return space_json(map.convex->set, summary, map.convex->step, asked.unit(), extreme());
+    return space_json(map.boxes, summary, asked.step(), asked.unit(), extreme());
+  }
   Surface surface() const {
     const auto& convex = map.convex;
     return convex ? convex_surface(convex->set, convex->step) : box_surface(map.boxes, asked.step());
@@ -72,8 +76,6 @@ struct SpaceMapQuestion {
   }
 };
 
-}  // namespace
-
 formula::SpaceRegion space_map(const AskedScene& asked, const formula::SpaceSolver& solver,
                                const formula::Formula& formula, const Applied& apply, bool flat) {
   formula::RegionQuery query{{}, {}, flat};
@@ -84,18 +86,7 @@ formula::SpaceRegion space_map(const AskedScene& asked, const formula::SpaceSolv
   return api::solved_in_space(solver, formula, query, apply.operation);
 }
 
-std::string space_map_json(const AskedScene& asked, const formula::SpaceRegion& map, const space::SpaceSummary* known) {
-  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
-  const space::SpaceSummary summary = known != nullptr ? *known : api::summary_of(map, asked.step());
-  if (map.convex) return space_json(map.convex->set, summary, map.convex->step, asked.unit(), extreme);
-  return space_json(map.boxes, summary, asked.step(), asked.unit(), extreme);
-}
-
-std::vector<std::string> space_formats() {
-  std::vector<std::string> out{".json"};
-  out.insert(out.end(), kSurfaceEndings.begin(), kSurfaceEndings.end());
-  return out;
-}
+}  // namespace
 
 std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply, bool flat,
                                          const WorldOfScene& world_of) {
@@ -110,7 +101,7 @@ std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply,
   q->summary = api::summary_of(q->map, q->asked.step());
   Answer::Data out;
   out.found = found_in(!q->summary.empty, false);
-  out.json = [q](const Telling&) { return space_map_json(q->asked, q->map, &q->summary); };
+  out.json = [q](const Telling&) { return q->json(); };
   out.text = [q](const Telling&) { return summary_text(q->title(), q->summary, q->asked.unit(), q->extreme()); };
   for (const char* ending : kSurfaceEndings)
     out.files[ending] = [q, ending](const Telling&) {
