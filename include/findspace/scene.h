@@ -204,6 +204,7 @@ class Scene {
     std::optional<Question> question{};
     /// Of rotated().
     std::optional<Rotation> rotation{};
+    /// The same of the plane.
     std::optional<Number> degrees{};
   };
   /// All of them.

@@ -296,7 +296,7 @@ Examples
 --------
 >>> import findspace as fs
 >>> fs.Shape.box((0, 0), (2, 1)).region.paths((0, 0, 2, 1))["faces"]
-'M0,0L2,0L2,-1L0,-1Z'
+'M0 0L2 0L2 -1L0 -1L0 0Z'
 )doc")
       .def(
           "sample",

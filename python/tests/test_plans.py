@@ -400,3 +400,48 @@ def test_results_are_kept(tmp_path):
     with store:
         assert solved() == alone
     assert any(path.suffix == ".sqlite" for path in (tmp_path / "kept").iterdir())
+
+
+PLATE = ('{"findspace": 1, "shapes": {"plate": {"polygon": [[2, 2], [12, 2], [12, 10], [2, 10]], "holes": [[[5, 4], [7, 4], [7, 6], [5, 6]]]},'
+         '"table": {"box": {"min": [0, 0], "max": [20, 12]}}, "peg": {"box": {"min": [-1, -1], "max": [1, 1]}}},'
+         '"moving": "peg", "where": "inside(peg, table) and clear(peg, plate)"}')
+
+
+def test_prepared_scenes_answer_as_before():
+    plain = fs.Scene.json(PLATE)
+    scene = plain.prepared()
+    assert (plain.is_prepared, scene.is_prepared) == (False, True)
+    for at in ((6, 5), (6.25, 5), (40, 0.125)):
+        assert scene.check(at).json() == plain.check(at).json()
+        assert scene.nearest(at).json() == plain.nearest(at).json()
+    assert scene.map().region[0] == plain.map().region[0]
+    assert scene.check((6.3, 5.2), snap=1).at == (6, 5)
+    assert scene.check((6.3, 5.2), nearest=False).nearest is None
+    again = pickle.loads(pickle.dumps(scene.rotated(90).asking(moving=["peg"])))
+    assert again.is_prepared and again.check((6, 5)).found == "yes"
+    assert pickle.loads(pickle.dumps(scene.check((6.3, 5.2), snap=1))).at == (6, 5)
+
+
+def test_scenes_are_edited_and_range_over_something_else():
+    scene = fs.Scene.json(PLATE)
+    assert (scene.asks, scene.used, scene.grid, scene.y_down, scene.board) == (True, ["peg", "plate", "table"], "0.000001", False, None)
+    other = scene.asking("clear(peg, plate)", moving=["peg"])
+    assert fs.Scene.json(other.edited_text()).where.text == "clear(peg, plate)"
+    angles = scene.asking(free="angle").map((6, 5)).intervals
+    assert [(a.start, a.end) for a in angles] == [(0, 0), (90, 90), (180, 180), (270, 270)]
+    with pytest.raises(ValueError):
+        scene.asking(free="anything")
+    value = scene.between((2, 2), (5, 5), at=(16, 8)).measured[0].value
+    assert (value.value, [f.kind for f in value.features]) == (13**0.5, ["vertex", "edge"])
+
+
+def test_regions_and_solids_show_themselves():
+    region = fs.Scene.json(PLATE).map().region[0]
+    assert (region.snapped((6.3, 5.2), 1), region.snapped((6.3, 5.2), "0.1"), region.some()) == ([6, 5], None, [6, 5])
+    paths = region.paths(region.extent)
+    assert paths["points"] == [[6, -5]] and paths["closed"] and not paths["open"]
+    slot = fs.World({"room": fs.Shape.box((0, 0, 0), (9, 4, 3)), "crate": fs.Shape.box((0, 0, 0), (2, 4, 1))}, "crate").solve("inside(crate, room)")
+    sheets, curves, points = slot.thin((0, 0, 0), (9, 9, 9))
+    assert (len(sheets), len(sheets[0]), curves, points) == (1, 4, [], [])
+    ball = fs.Shape.ball((0, 0, 0), 2)
+    assert (len(ball.drawn_surface(0).faces), len(ball.drawn_surface(16).faces) > 20) == (0, True)
