@@ -39,6 +39,7 @@ class Team : public PackPeers {
     std::size_t from = 0;
     /// What it is about.
     int kind = 0;
+    /// What it says.
     std::string bytes;
   };
   /// Sends one; it may wait while two others are on their way to their ends.

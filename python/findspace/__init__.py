@@ -15,9 +15,9 @@ from ._findspace import (AdjustedPhi, AdjustedPhiValue, Answer, AtomValue, Board
                          Optimum, Options, Orientation, PackContainer, PackFault, PackGroup, PackLayout, PackPart,
                          PackProblem, PackProgress, PackRemnant, PackSheet, PackSolid, PackVerdict, PackZone, Packing,
                          Phi, PhiValue, PlacedPart, PlacedSolid, Placement, PoseMap, PredicateWord, Query, ReadOptions,
-                         Region, Ring, Rotation, Scene, Shape, SignMap, SolidPackLayout, SolidPackProblem, SolidPacking,
+                         Region, ResultStore, Ring, Rotation, Scene, Shape, SignMap, SolidPackLayout, SolidPackProblem, SolidPacking,
                          SpaceRegion, Stopped, Surface, World, clear, cover, covers, depth, diameter, disjoint,
-                         distance, distance_words, far, gap, group, hausdorff, inside, keepout, margin, near,
+                         distance, distance_words, drawing_endings, far, gap, group, hausdorff, inside, keepout, margin, near,
                          nearest_word, overlaps, pack, place, predicate_words, protrusion, reach, touches, unit_words,
                          usual_distance_words, within)
 from . import _page, _plot, _shapely
@@ -28,9 +28,9 @@ __all__ = ["AdjustedPhi", "AdjustedPhiValue", "Answer", "AtomValue", "Board", "B
            "LineMap", "Measured", "Optimum", "Options", "Orientation", "PackContainer", "PackFault", "PackGroup", "PackLayout",
            "PackPart", "PackProblem", "PackProgress", "PackRemnant", "PackSheet", "PackSolid", "PackVerdict",
            "PackZone", "Packing", "Phi", "PhiValue", "PlacedPart", "PlacedSolid", "Placement", "PoseMap",
-           "PredicateWord", "Query", "ReadOptions", "Region", "Ring", "Rotation", "Scene", "Shape", "SignMap", "SolidPackLayout",
+           "PredicateWord", "Query", "ReadOptions", "Region", "ResultStore", "Ring", "Rotation", "Scene", "Shape", "SignMap", "SolidPackLayout",
            "SolidPackProblem", "SolidPacking", "SpaceRegion", "Stopped", "Surface", "World", "clear", "cover",
-           "covers", "depth", "diameter", "disjoint", "distance", "distance_words", "far", "gap", "group", "hausdorff",
+           "covers", "depth", "diameter", "disjoint", "distance", "distance_words", "drawing_endings", "far", "gap", "group", "hausdorff",
            "inside", "keepout", "margin", "near", "nearest_word", "overlaps", "pack", "place", "predicate_words",
            "protrusion", "reach", "shape", "touches", "unit_words", "usual_distance_words", "within"]
 

@@ -150,7 +150,7 @@ def test_scenes_map_positions_in_space():
     assert not answer.sampled and answer.on_lines is None
     lines = again(scene.map(lines=8, axis="x", side="inner"))
     assert lines.sampled and lines.space_region is None and lines.endings == [".json"]
-    assert 0 < lines.on_lines.volume < 343 and len(lines.on_lines.lines) == 12
+    assert 0 < lines.on_lines.volume < 343 and len(lines.on_lines.lines) == 16
     assert scene.map(apart=1, axis="xyz").found == "yes"
     for wrong in ({"axis": "x"}, {"lines": 8, "axis": "w"}, {"lines": 8, "side": "left"}):
         with pytest.raises(ValueError):
