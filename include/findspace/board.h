@@ -41,11 +41,13 @@ struct BoardOptions {
 
 /// What a scene of a board asks.
 struct BoardQuestion {
-  std::vector<std::string> move = {};                    // parts and groups: together, in a placement each on its own
-  std::string where = {}, minimize = {}, maximize = {};  // formulas, as a scene has them
-  std::string before = {};                               // what messages put before these three words
-  bool place = false;                                    // it is a placement of these parts
-  std::vector<Number> angles = {};  // they may have these, in degrees as KiCad counts them, from the part's own on
+  std::vector<std::string> move = {};  // parts and groups: together, in a placement each on its own
+  std::string where = {};              // a formula, as a scene has it
+  std::string minimize = {};           // an objective
+  std::string maximize = {};           // the same
+  std::string before = {};             // what messages put before these three words
+  bool place = false;                  // it is a placement of these parts
+  std::vector<Number> angles = {};     // they may have these, in degrees as KiCad counts them, from the part's own on
 };
 
 /// What a check of a board says.

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // JSON as a tree that forgets nothing, for programs that take questions as JSON: every number keeps its text, so that a
-// decimal can be read exactly, and every value its place, so that a mistake is reported where it stands. `//` and
-// `/* */` comments are allowed. Refused: duplicate keys, more than 200 levels, NaN and infinity, text after the end.
+// decimal can be read exactly, and every value its place, so that a mistake is reported where it stands. Comments of
+// C++ are allowed. Refused: duplicate keys, more than 200 levels, NaN and infinity, text after the end.
 // Cost: linear in the text. Keywords: parser, number as string, line and column.
 #pragma once
 
@@ -18,11 +18,13 @@ namespace findspace {
 
 /// A value, with all that it holds.
 struct JsonValue {
+  /// What JSON has.
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
   /// Which of these it is.
   Kind kind = Kind::kNull;
   bool boolean = false;             // of kBoolean
-  int line = 0, column = 0;         // where it begins, from 1, in bytes
+  int line = 0;                     // where it begins, from 1
+  int column = 0;                   // the same in the line, in bytes
   std::string text{};               // of kString the value, of kNumber as written
   std::vector<std::string> keys{};  // of kObject, in the order of the file
   std::vector<JsonValue> items{};   // of kArray; of kObject the values, one for each key
