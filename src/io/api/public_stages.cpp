@@ -25,6 +25,8 @@ namespace {
 
 constexpr int kMostFiles = 999;  // three digits; maps on lines by values have a search an end
 
+}  // namespace
+
 class StageWriter : public plane::StageObserver {
  public:
   StageWriter(std::filesystem::path folder, const std::string& name) : folder_(std::move(folder)) {
@@ -68,8 +70,6 @@ class StageWriter : public plane::StageObserver {
   int stages_ = 0;
   std::optional<Error> failed_;
 };
-
-}  // namespace
 
 struct StageFiles::Data {
   std::string folder;
