@@ -62,7 +62,7 @@ struct Pose {
 struct CheckQuestion {
   bool nearest = true;  // the nearest feasible position too, where the position is none
   /// Something is dragged: where a corner of the region, an edge of it, or in space the nearest feasible position is no
-  /// farther than this, the answer is about that one, exactly.
+  /// farther than this, the answer is about that one, exactly. Error(kBadValue) below 0.
   std::optional<Number> snap{};
 };
 

@@ -71,6 +71,7 @@ TEST(PreparedScene, SnapsToCornersThenEdges) {
     EXPECT_EQ(snapped(at("1.2", "1.1"), "0.5").at(), (Place{1, 1}));
     EXPECT_EQ(snapped(at("15", "1.1"), "0.5").at(), (Place{15, 1}));
     EXPECT_TRUE(snapped(at("6.3", "5.2"), "0.1").nearest());
+    EXPECT_THROW(snapped(at("6.3", "5.2"), "-1"), Error);
     EXPECT_FALSE(scene.check(at("6.3", "5.2"), {false, {}}).nearest());
   }
   EXPECT_THROW(Scene::json(kPlate).check({{"6", "5"}, Number(30), {}}, {true, "1"}), Error);

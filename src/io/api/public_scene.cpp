@@ -15,6 +15,7 @@
 #include "api/query/world_data.h"
 #include "api/values/limits.h"
 #include "formula/planar/solve_rotation.h"
+#include "io/api/changed_scene.h"
 #include "io/api/edited_scene.h"
 #include "io/question/answer_data.h"
 #include "io/question/asked_scene.h"
@@ -27,7 +28,6 @@
 #include "io/question/space_shapes.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
-#include "space/shape/rotated_shape.h"
 
 namespace findspace {
 namespace io {
@@ -87,12 +87,6 @@ World public_world(const Scene& scene) {
 
 }  // namespace io
 
-struct Rotation::Data {
-  std::string text;
-  space::Rotation rotation;
-  bool whole = false;  // it has its point; else it is about the scene's
-};
-
 namespace {
 
 Number grid_number(const io::Scene& scene, std::int64_t steps) {
@@ -121,140 +115,7 @@ Scene::Free free_of(const io::Scene& scene) {
   return out;
 }
 
-/// As the program takes it: errors are kSyntax, but kBadValue for what is no rotation.
-space::Rotation rotation_of(std::string_view text) {
-  const auto decimals = [](std::string_view list) {
-    std::vector<exact::Real> out;
-    for (std::size_t at = 0; at <= list.size();) {
-      const std::size_t end = std::min(list.find(',', at), list.size());
-      out.push_back(exact::Real::parse_decimal(list.substr(at, end - at)));
-      at = end + 1;
-    }
-    return out;
-  };
-  const auto refuse = [] { throw Error(ErrorCode::kSyntax, "too few or too many numbers"); };
-  const space::Point origin{};
-  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos) {
-    const std::string_view axis = text.substr(0, colon);
-    const std::size_t letter = axis.size() == 1 ? std::string_view("xyz").find(axis) : std::string_view::npos;
-    space::RealVector direction;
-    if (letter != std::string_view::npos) {
-      direction[letter] = exact::Real(1);
-    } else {
-      const std::vector<exact::Real> numbers = decimals(axis);
-      if (numbers.size() != 3) refuse();
-      std::copy(numbers.begin(), numbers.end(), direction.begin());
-    }
-    return space::Rotation::about_direction(direction, exact::Real::parse_decimal(text.substr(colon + 1)), origin);
-  }
-  const std::vector<exact::Real> n = decimals(text);
-  if (n.size() == 4) return space::Rotation::of_quaternion({n[0], n[1], n[2], n[3]}, origin);
-  if (n.size() != 9) refuse();
-  return space::Rotation::of_matrix({space::RealVector{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}},
-                                    origin);
-}
-
-/// The scene of positions in which what moves is rotated.
-io::Scene rotated_scene(io::Scene scene, const Rotation::Data& given) {
-  if (scene.dimension != 3)
-    throw Error(ErrorCode::kUnsupported, "orientations are for 3D scenes; in the plane an angle says all", scene.file);
-  space::Rotation rotation = given.rotation;
-  if (!given.whole) {
-    const io::GridPosition& c = scene.free.about;
-    const space::RealVector about{exact::Real(c[0]), exact::Real(c[1]), exact::Real(c[2])};
-    const space::RealVector moved = rotation.linear(about);
-    for (std::size_t k = 0; k < 3; ++k) rotation.by[k] = about[k] - moved[k];
-  }
-  scene.free.kind = io::Free::Kind::kPosition;
-  plane::Rounding rounding;
-  for (plane::ShapePtr& shape : scene.shapes) {
-    if (std::find(scene.moving.begin(), scene.moving.end(), shape->name) == scene.moving.end()) continue;
-    plane::Shape turned = *space::rotated(*shape, rotation, rounding);
-    turned.name = shape->name;
-    shape = std::make_shared<const plane::Shape>(std::move(turned));
-  }
-  if (rounding.points > 0)
-    scene.notes.push_back(fmt::format("{} points were put on the grid, moved by at most {:.2g} {}", rounding.points,
-                                      rounding.largest * scene.grid.step_size(),
-                                      scene.unit ? formula::name(*scene.unit) : ""));
-  return scene;
-}
-
-/// The construction that turns a shape.
-plane::ShapePtr turned(const plane::ShapePtr& shape, const plane::GridPoint& about, const exact::Real& degrees) {
-  auto out = std::make_shared<plane::Shape>();
-  if (shape->collection) {  // its parts keep their names
-    *out = *shape;
-    for (plane::ShapePtr& part : out->children) part = turned(part, about, degrees);
-    return out;
-  }
-  out->kind = plane::Shape::Kind::kRotate;
-  out->name = shape->name;
-  out->place = shape->place;
-  out->children = {shape};
-  out->points = {about};
-  out->degrees = degrees;
-  return out;
-}
-
-/// The scene of the plane in which what moves is turned.
-io::Scene turned_scene(io::Scene scene, const exact::Real& degrees) {
-  if (scene.dimension == 3)
-    throw Error(ErrorCode::kUnsupported, "in space an orientation says how a shape is turned", scene.file);
-  if (scene.motion.given())
-    throw Error(ErrorCode::kUnsupported, "an angle in a scene with \"motion\" is not computed", scene.file);
-  const plane::GridPoint about{scene.free.about[0], scene.free.about[1]};
-  if (scene.free.kind != io::Free::Kind::kLine) scene.free.kind = io::Free::Kind::kPosition;
-  if (degrees.sign() == 0) return scene;
-  for (plane::ShapePtr& shape : scene.shapes)
-    if (std::find(scene.moving.begin(), scene.moving.end(), shape->name) != scene.moving.end())
-      shape = turned(shape, about, degrees);
-  return scene;
-}
-
-/// The scene over positions, or over angles or instants at one.
-void range_over(io::Scene& scene, Scene::Free::Kind kind) {
-  using Kind = Scene::Free::Kind;
-  if (int(scene.free.kind) == int(kind)) return;
-  if (kind == Kind::kLine || kind == Kind::kPose)
-    throw Error(ErrorCode::kBadValue, "a line and poses are said by \"free\" of the scene", scene.file);
-  if (kind == Kind::kTime && !scene.motion.given())
-    throw Error(ErrorCode::kBadValue, "the scene has no \"motion\"", scene.file);
-  scene.free.kind = io::Free::Kind(kind);
-}
-
-io::Scene asking_scene(io::Scene scene, const Scene::Question& question) {
-  if (question.minimize && question.maximize && !question.minimize->empty() && !question.maximize->empty())
-    throw Error(ErrorCode::kBadValue, "\"minimize\" and \"maximize\": one objective is meant");
-  if (question.where) {
-    scene.where = {*question.where, question.before + "where", 1, 1};
-    scene.conditions.clear();
-  }
-  if (question.minimize || question.maximize) {
-    scene.minimize = {question.minimize.value_or(""), question.before + "minimize", 1, 1};
-    scene.maximize = {question.maximize.value_or(""), question.before + "maximize", 1, 1};
-  }
-  if (question.moving) {
-    scene.moving.clear();
-    for (const std::string& name : *question.moving) scene.moving.push_back(scene.shape(name)->name);
-  }
-  if (question.free) range_over(scene, *question.free);
-  return scene;
-}
-
 }  // namespace
-
-Rotation Rotation::read(std::string_view text) {
-  return Rotation(std::make_shared<const Data>(Data{std::string(text), rotation_of(text)}));
-}
-const std::string& Rotation::text() const { return data_->text; }
-std::array<std::array<double, 3>, 3> Rotation::matrix() const {
-  std::array<std::array<double, 3>, 3> out{};
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t k = 0; k < 3; ++k) out[r][k] = data_->rotation.rows[r][k].to_double();
-  return out;
-}
-bool Rotation::exact() const { return !data_->rotation.rounded; }
 
 struct Scene::Data {
   /// Where it comes from, and how it is asked.
@@ -512,7 +373,7 @@ const std::vector<Scene::Change>& Scene::changes() const { return data_->source.
 Scene Scene::asking(const Question& question) const {
   Data::Source source = data_->source;
   source.changes.push_back({question, {}, {}});
-  io::Scene scene = asking_scene(data_->read, question);
+  io::Scene scene = io::asking_scene(data_->read, question);
   if (source.kept) {
     auto kept = std::make_shared<io::KeptWork>();
     const bool same =
@@ -527,7 +388,7 @@ Scene Scene::rotated(const Rotation& rotation) const {
   Data::Source source = data_->source;
   source.changes.push_back({{}, rotation, {}});
   if (source.kept) source.kept = std::make_shared<const io::KeptWork>();
-  return Scene(std::make_shared<const Data>(rotated_scene(data_->read, rotation.data()), std::move(source)));
+  return Scene(std::make_shared<const Data>(io::rotated_scene(data_->read, rotation.data()), std::move(source)));
 }
 
 Scene Scene::rotated(const Number& degrees) const {
@@ -535,7 +396,7 @@ Scene Scene::rotated(const Number& degrees) const {
   source.changes.push_back({{}, {}, degrees});
   const exact::Real by = api::real_of(degrees);
   source.turned = source.turned ? *source.turned + by : by;
-  io::Scene scene = turned_scene(data_->read, by);
+  io::Scene scene = io::turned_scene(data_->read, by);
   if (source.kept) {
     auto kept = std::make_shared<io::KeptWork>();
     if (by.sign() == 0) {
@@ -609,6 +470,7 @@ Answer Scene::check(const Pose& pose, const CheckQuestion& question) const {
     throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data_->read.file);
   io::CheckWishes wishes{question.nearest};
   if (question.snap) wishes.snap = api::real_of(*question.snap);
+  if (wishes.snap.sign() < 0) throw Error(ErrorCode::kBadValue, "snap is a distance, not below 0", name());
   return at_pose(
       data_, pose,
       [&](io::AskedScene scene, const io::PlanarPose& at) { return io::check_in_plane(std::move(scene), at, wishes); },
@@ -689,65 +551,6 @@ Answer Scene::explain(const Pose& pose) const {
     out.json = [text = found.json](const Telling&) { return text; };
     return out;
   });
-}
-
-Answer::Found Answer::found() const { return data_->found; }
-std::string Answer::text(const Telling& telling) const { return data_->text(telling); }
-std::string Answer::json(const Telling& telling) const { return data_->json(telling); }
-std::vector<std::string> Answer::endings() const {
-  std::vector<std::string> out{".json"};
-  for (const auto& [ending, make] : data_->files) out.push_back(ending);
-  return out;
-}
-Region::Drawn Answer::file(std::string_view ending, const Telling& telling) const {
-  if (ending == ".json") return {json(telling), {}};
-  const auto found = data_->files.find(ending);
-  if (found == data_->files.end())
-    throw Error(ErrorCode::kUnsupported,
-                fmt::format("the ending '{}' is none of {}", ending, fmt::join(endings(), " ")));
-  return found->second(telling);
-}
-void Answer::write(std::string_view ending, const std::function<void(std::string_view)>& part,
-                   const Telling& telling) const {
-  if (ending == ".json" && data_->json_parts) return data_->json_parts(part);
-  part(file(ending, telling).text);
-}
-const std::vector<std::string>& Answer::notes() const { return data_->notes; }
-Place Answer::at() const {
-  Place out;
-  for (const exact::Real& c : data_->at) out.push_back(c.to_double());
-  return out;
-}
-Check Answer::check() const {
-  if (!data_->check) throw Error(ErrorCode::kBadValue, "this is no answer to a check");
-  return data_->check();
-}
-std::optional<NearestPlace> Answer::nearest() const { return data_->nearest ? data_->nearest() : std::nullopt; }
-std::vector<Measured> Answer::measured() const { return data_->measured ? data_->measured() : std::vector<Measured>(); }
-
-std::optional<RegionBounds> Answer::region() const {
-  return data_->region ? std::optional(data_->region()) : std::nullopt;
-}
-std::optional<SpaceRegion> Answer::space_region() const {
-  return data_->space_region ? std::optional(data_->space_region()) : std::nullopt;
-}
-bool Answer::sampled() const { return data_->sampled; }
-std::optional<LineMap> Answer::on_lines() const {
-  return data_->line_map ? std::optional(data_->line_map()) : std::nullopt;
-}
-std::optional<Surface> Answer::surface() const {
-  return data_->surface ? std::optional(data_->surface()) : std::nullopt;
-}
-std::optional<Optimum> Answer::best() const { return data_->best ? std::optional(data_->best()) : std::nullopt; }
-std::vector<Interval> Answer::intervals() const {
-  return data_->intervals ? data_->intervals() : std::vector<Interval>();
-}
-std::vector<Interval> Answer::possible() const { return data_->possible ? data_->possible() : std::vector<Interval>(); }
-std::optional<PoseMap> Answer::poses() const { return data_->poses ? std::optional(data_->poses()) : std::nullopt; }
-
-std::optional<Explanation> Answer::explanation() const { return data_->explanation; }
-std::optional<Placement> Answer::placement() const {
-  return data_->placement ? std::optional(data_->placement()) : std::nullopt;
 }
 
 }  // namespace findspace
