@@ -68,6 +68,9 @@ const check = latest(async (at: Place, snap: number) => {
   verdict(answer.true ? "Feasible" : `Not feasible${off ? `, ${withUnit(off.distance, unit())} away` : ""}${wrong.length ? `: ${wrong.join(", ")}` : ""}`, answer.true);
 });
 
+/// The answer to what the last drag asked for. A drag is kept for undo once it is answered, and before the next act begins.
+let dragged: Promise<void> = Promise.resolve();
+
 /// Where on the slider of angles or of time the formula holds.
 const turns = latest(async () => {
   const method = poses.method;
@@ -164,6 +167,7 @@ function sliders(): void {
 
 async function restore(back: boolean): Promise<void> {
   if (placing && !summary.moving.length) return placing.step(back);
+  await dragged;
   const to = history.step(back);
   if (!to) return;
   picture.at = to.at;
@@ -196,6 +200,7 @@ function showScene(): void {
 }
 
 async function toNearest(): Promise<void> {
+  await dragged;
   const { nearest_feasible } = await call<{ nearest_feasible: Nearest | null }>("nearest", { at: picture.at, ...poseOf(false) });
   if (nearest_feasible) await check(nearest_feasible.at, 1e-9 * Math.max(1, ...nearest_feasible.at.map(Math.abs)));
   keep();
@@ -282,8 +287,8 @@ function onKey(e: KeyboardEvent): void {
 
 function connect(): void {
   for (const at of ["pointerenter", "focusin"]) get("poses").addEventListener(at, () => showTurns(true));
-  picture.onDrag = (at) => void check(at, kSnapPixels * picture.unit);
-  picture.onDragged = () => setTimeout(() => { keep(); showTurns(); }, 80);
+  picture.onDrag = (at) => { dragged = check(at, kSnapPixels * picture.unit).catch(fault); };
+  picture.onDragged = () => void dragged.then(() => { keep(); showTurns(); });
   picture.onPick = (at) => void pickFeature(at).catch(fault);
   editor.onText = (formula) => void setWhere(formula);
   editor.onDone = () => { sliders(); keep(); };

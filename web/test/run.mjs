@@ -39,19 +39,21 @@ function scene(name, content) {
 /// The program, the link that it prints, and a promise of its end.
 async function view(path) {
   const child = spawn(program, ["view", path, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+  const ended = new Promise((done) => child.once("exit", done));
   const link = await new Promise((done, fail) => {
     child.stdout.once("data", (d) => done(String(d).trim()));
-    child.once("exit", (code) => fail(new Error(`view ends with ${code}`)));
+    ended.then((code) => fail(new Error(`view ends with ${code}`)));
   });
-  return { child, link, ended: new Promise((done) => child.once("exit", done)) };
+  return { child, link, ended };
 }
 
 const kFlags = ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
 const kLongest = 120_000;  // of whatever is waited for: the machine may be busy
+const kLongestTest = 300_000;
 const launch = () => puppeteer.launch({ executablePath: "/usr/bin/chromium", args: kFlags, protocolTimeout: kLongest, timeout: kLongest });
 let browser = await launch();
 const running = [];
-const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill(); };
+const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill("SIGKILL"); };
 process.on("SIGTERM", () => { endAll(); process.exit(1); });
 
 async function open(path, { dark = false, width = 1280, height = 800 } = {}) {
@@ -577,13 +579,18 @@ const tests = {
 };
 
 async function passes(name) {
+  const begun = Date.now(), seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
+  let timer;
+  const late = new Promise((_, fail) => { timer = setTimeout(() => fail(new Error("the test does not end")), kLongestTest); });
   try {
-    await tests[name]();
-    console.log(`ok    ${name}`);
+    await Promise.race([tests[name](), late]);
+    console.log(`ok    ${name}, ${seconds()}`);
     return true;
   } catch (e) {
-    console.log(`FAILS ${name}\n${e.stack ?? e}`);
+    console.log(`FAILS ${name}, ${seconds()}\n${e.stack ?? e}`);
     return false;
+  } finally {
+    clearTimeout(timer);
   }
 }
 
