@@ -155,7 +155,7 @@ std::set<std::string> Formula::shapes() const {
     out.insert(d.first.begin(), d.first.end());
     out.insert(d.second.begin(), d.second.end());
   };
-  for (const Atom& a : atoms_) {
+  for (const Atom& a : atoms()) {
     add(a.distance);
     for (const SumTerm& t : a.more) add(t.distance);
   }
@@ -164,20 +164,25 @@ std::set<std::string> Formula::shapes() const {
 
 Formula::Formula(Atom atom) : Formula(Node{Op::kAtom, 0, {}}, {std::move(atom)}) {}
 
-Formula::Formula(Node root, std::vector<Atom> atoms) : root_(flattened(std::move(root))), atoms_(std::move(atoms)) {
-  const std::vector<std::size_t> first = first_alike(atoms_);
-  sign_map_of_.reserve(atoms_.size());
-  sign_maps_.reserve(atoms_.size());
-  for (std::size_t k = 0; k < atoms_.size(); ++k) {
-    sign_map_of_.push_back(first[k] == k ? sign_maps_.size() : sign_map_of_[first[k]]);
-    if (first[k] == k) sign_maps_.push_back({atoms_[k].distance, atoms_[k].level, atoms_[k].minimum, atoms_[k].more});
+Formula::Formula(Node root, std::vector<Atom> atoms) {
+  const auto made = std::make_shared<Content>(Content{flattened(std::move(root)), std::move(atoms)});
+  const std::vector<std::size_t> first = first_alike(made->atoms);
+  made->sign_map_of.reserve(made->atoms.size());
+  made->sign_maps.reserve(made->atoms.size());
+  for (std::size_t k = 0; k < made->atoms.size(); ++k) {
+    const Atom& atom = made->atoms[k];
+    made->sign_map_of.push_back(first[k] == k ? made->sign_maps.size() : made->sign_map_of[first[k]]);
+    if (first[k] == k) made->sign_maps.push_back({atom.distance, atom.level, atom.minimum, atom.more});
   }
-  Program compiled = compile(root_, atoms_, sign_map_of_);
-  program_ = std::move(compiled.instructions);
-  entry_ = compiled.entry;
+  Program compiled = compile(made->root, made->atoms, made->sign_map_of);
+  made->program = std::move(compiled.instructions);
+  made->entry = compiled.entry;
+  content_ = made;
 }
 
-bool operator==(const Formula& a, const Formula& b) { return same_tree(a.root_, b.root_) && a.atoms_ == b.atoms_; }
+bool operator==(const Formula& a, const Formula& b) {
+  return a.content_ == b.content_ || (same_tree(a.root(), b.root()) && a.atoms() == b.atoms());
+}
 
 bool has_sums(const Formula& formula) {
   return std::any_of(formula.atoms().begin(), formula.atoms().end(), [](const Atom& a) { return !a.more.empty(); });

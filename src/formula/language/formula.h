@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -118,6 +119,7 @@ struct Instruction {
   std::int32_t on_true, on_false;
 };
 
+/// Cheap to copy: copies share what never changes.
 class Formula {
  public:
   /// `true`: the formula that always holds.
@@ -127,31 +129,36 @@ class Formula {
   /// are flattened. Precondition: operands as Node says, or none (`and` of nothing is true, `or` of nothing false) or
   /// one.
   Formula(Node root, std::vector<Atom> atoms);
+  Formula(const Formula&) = default;  // no move: what was moved from would be no formula
+  Formula& operator=(const Formula&) = default;
 
-  const Node& root() const { return root_; }
+  const Node& root() const { return content_->root; }
   /// From left to right, one for each occurrence.
-  const std::vector<Atom>& atoms() const { return atoms_; }
+  const std::vector<Atom>& atoms() const { return content_->atoms; }
   /// The names of all shapes that it speaks of.
   std::set<std::string> shapes() const;
   /// The distinct ones, in order of first occurrence.
-  const std::vector<SignMap>& sign_maps() const { return sign_maps_; }
+  const std::vector<SignMap>& sign_maps() const { return content_->sign_maps; }
   /// The index into sign_maps() that decides atoms()[atom].
-  std::size_t sign_map_of(std::size_t atom) const { return sign_map_of_[atom]; }
+  std::size_t sign_map_of(std::size_t atom) const { return content_->sign_map_of[atom]; }
 
-  std::span<const Instruction> program() const { return program_; }
+  std::span<const Instruction> program() const { return content_->program; }
   /// Where the program begins: an index, or Instruction::kTrue or kFalse for a constant.
-  std::int32_t entry() const { return entry_; }
+  std::int32_t entry() const { return content_->entry; }
 
   /// The same tree with the same atoms (not merely an equivalent formula).
   friend bool operator==(const Formula& a, const Formula& b);
 
  private:
-  Node root_;
-  std::vector<Atom> atoms_;
-  std::vector<SignMap> sign_maps_;
-  std::vector<std::size_t> sign_map_of_;
-  std::vector<Instruction> program_;
-  std::int32_t entry_ = Instruction::kTrue;
+  struct Content {
+    Node root;
+    std::vector<Atom> atoms;
+    std::vector<SignMap> sign_maps{};
+    std::vector<std::size_t> sign_map_of{};
+    std::vector<Instruction> program{};
+    std::int32_t entry = Instruction::kTrue;
+  };
+  std::shared_ptr<const Content> content_;
 };
 
 /// Whether some atom compares a sum of distances.
