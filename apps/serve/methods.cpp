@@ -92,14 +92,21 @@ constexpr Parameter kPackParameters[] = {
     kDrawing};
 constexpr Parameter kPackingParameters[] = {
     kOfScene, {"since", kWhole, "the number of the layout that is known already: it is not given again"}};
+constexpr Parameter kSheet{"sheet", kWhole,
+                           "of the layout, from 0, to which the item is moved; else it stays on its own"};
+constexpr Parameter kContainer{"container", kWhole, "the same of solids"};
 constexpr Parameter kRepairParameters[] = {
     kOfScene,
     {"item", kWhole, "the number of an item in the layout, from 0", true},
-    {"at", kPosition, "where it is moved to: two numbers, of solids three", true}};
+    {"at", kPosition, "where it is moved to: two numbers, of solids three", true},
+    kSheet,
+    kContainer};
 constexpr Parameter kVerifyParameters[] = {
     kOfScene,
     {"item", kWhole, "the number of an item in the layout, from 0, that is moved"},
-    {"at", kPosition, "where it is moved to: two numbers, of solids three"}};
+    {"at", kPosition, "where it is moved to: two numbers, of solids three"},
+    kSheet,
+    kContainer};
 
 [[noreturn]] void refuse(std::string message) { throw RequestError{RequestError::kParams, std::move(message)}; }
 
@@ -326,6 +333,8 @@ std::optional<MovedItem> moved_item(const JsonValue& parameters) {
   numbers(parameters, "at", 0);  // refuses what is none
   MovedItem result{whole(parameters, "item", 0), {}};
   for (const JsonValue& number : at->items) result.at.emplace_back(number.text);
+  for (const char* holder : {"sheet", "container"})
+    if (parameters.find(holder) != nullptr) result.in = whole(parameters, holder, 0);
   return result;
 }
 

@@ -18,30 +18,44 @@
 namespace findspace::app {
 namespace {
 
+/// As far as an item that is moved by so much can reach then, and more.
+void lengthen(Number& size, double by) {
+  size = fmt::format("{:.0f}", std::ceil(size.value() + std::max(0.0, by)) + 1);
+}
+
 /// What packings in the plane and in space do differently.
 struct Plane {
   using Problem = Packing;
   using Layout = PackLayout;
-  static constexpr std::size_t kDimension = 2, kAlong = 0;
-  static constexpr const char* kSize = "length";
+  static constexpr std::size_t kDimension = 2;
+  static constexpr const char *kSize = "length", *kHolder = "sheet";
 
-  static Packing read(const std::string& problem, const PackReading& asked) {
-    Packing result = Packing::json(problem, asked);
-    const PackProblem& read = result.problem();
-    if (!read.sheets.empty() || read.box)
-      throw Error(ErrorCode::kUnsupported, "the page shows strips; sheets and boxes are packed by 'findspace pack'",
-                  asked.name);
-    if (!read.fixed.empty())
-      throw Error(ErrorCode::kUnsupported, "the page moves all parts; fixed ones are packed around by 'findspace pack'",
-                  asked.name);
-    return result;
+  static Packing read(const std::string& problem, const PackReading& asked) { return Packing::json(problem, asked); }
+  static std::string holder(const Packing& packing, bool drawn) {
+    const PackProblem& problem = packing.problem();
+    if (problem.box) return R"("box": true)";
+    if (problem.sheets.empty()) return fmt::format(R"("height": {})", json_number(problem.height.value()));
+    std::size_t k = 0;
+    return fmt::format(R"("sheets": {})", json_list(problem.sheets, [&](const PackSheet& sheet) {
+                         const std::size_t kind = k++;
+                         return fmt::format(R"({{"name": {}, "count": {}{}}})", json_string(sheet.name), sheet.count,
+                                            drawn ? looks(packing, kind) : "");
+                       }));
   }
-  static std::string holder(const Packing& packing, bool) {
-    return fmt::format(R"("height": {})", json_number(packing.problem().height.value()));
+  static std::string looks(const Packing& packing, std::size_t sheet) {
+    return fmt::format(R"(, "drawing": {}, "zones": {})", json_string(packing.sheet_outline(sheet)),
+                       json_string(packing.sheet_zones(sheet)));
   }
   static std::string drawing(const Packing& packing, std::size_t part) { return json_string(packing.outline(part)); }
   static Number& size(PackLayout& layout) { return layout.length; }
   static std::array<Number*, 2> place(PlacedPart& item) { return {&item.x, &item.y}; }
+  static std::size_t& holder_of(PlacedPart& item) { return item.sheet; }
+  static std::size_t holders(const PackLayout& layout) { return layout.sheets.size(); }
+  static void grow(const Packing& packing, PackLayout& layout, const std::array<double, 2>& by) {
+    if (!packing.problem().sheets.empty()) return;
+    lengthen(layout.length, by[0]);
+    if (packing.problem().box) lengthen(layout.height, by[1]);
+  }
   static std::optional<PackLayout> moved(const Packing& packing, const PackLayout& layout, const MovedItem& to) {
     return packing.moved(layout, to.item, {to.at[0].value(), to.at[1].value()});
   }
@@ -50,8 +64,8 @@ struct Plane {
 struct Space {
   using Problem = SolidPacking;
   using Layout = SolidPackLayout;
-  static constexpr std::size_t kDimension = 3, kAlong = 2;
-  static constexpr const char* kSize = "height";
+  static constexpr std::size_t kDimension = 3;
+  static constexpr const char *kSize = "height", *kHolder = "container";
 
   static SolidPacking read(const std::string& problem, const PackReading& asked) {
     if (asked.height)
@@ -80,6 +94,11 @@ struct Space {
   static std::string drawing(Surface surface) { return SpaceDrawing{std::move(surface), {}}.json(); }
   static Number& size(SolidPackLayout& layout) { return layout.height; }
   static std::array<Number*, 3> place(PlacedSolid& item) { return {&item.at.x, &item.at.y, &item.at.z}; }
+  static std::size_t& holder_of(PlacedSolid& item) { return item.container; }
+  static std::size_t holders(const SolidPackLayout& layout) { return layout.containers.size(); }
+  static void grow(const SolidPacking&, SolidPackLayout& layout, const std::array<double, 3>& by) {
+    lengthen(layout.height, by[2]);
+  }
   static std::optional<SolidPackLayout> moved(const SolidPacking& packing, const SolidPackLayout& layout,
                                               const MovedItem& to) {
     return packing.moved(layout, to.item, {to.at[0], to.at[1], to.at[2]});
@@ -151,7 +170,7 @@ class JobOf : public PackingJob {
     count(state);
   }
 
-  /// The best layout, which has that item. Throws Error.
+  /// The best layout, with that item in the sheet or container that it is moved to. Throws Error.
   Layout known(const MovedItem& moved) const {
     const std::lock_guard lock(guard_);
     if (!best_) throw Error(ErrorCode::kBadValue, "there is no layout yet");
@@ -159,15 +178,21 @@ class JobOf : public PackingJob {
       throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", best_->items.size() - 1));
     if (moved.at.size() != Kind::kDimension)
       throw Error(ErrorCode::kBadValue, fmt::format("a place of this layout has {} numbers", Kind::kDimension));
-    return *best_;
+    Layout layout = *best_;
+    if (!moved.in) return layout;
+    const std::size_t holders = Kind::holders(layout);
+    if (*moved.in >= std::max<std::size_t>(1, holders))
+      throw Error(ErrorCode::kBadValue, fmt::format("the layout has no {} {}", Kind::kHolder, *moved.in));
+    Kind::holder_of(layout.items[moved.item]) = *moved.in;
+    return layout;
   }
 
-  /// The strip may become longer, and what stands upon a floor higher: as far as the item can reach then.
-  static void put(Layout& layout, const MovedItem& moved) {
+  /// The strip may become longer, and what stands upon a floor higher.
+  void put(Layout& layout, const MovedItem& moved) const {
     const auto place = Kind::place(layout.items[moved.item]);
-    Number& size = Kind::size(layout);
-    const double by = moved.at[Kind::kAlong].value() - place[Kind::kAlong]->value();
-    size = fmt::format("{:.0f}", std::ceil(size.value() + std::max(0.0, by)) + 1);
+    std::array<double, Kind::kDimension> by{};
+    for (std::size_t k = 0; k < Kind::kDimension; ++k) by[k] = moved.at[k].value() - place[k]->value();
+    Kind::grow(packing_, layout, by);
     for (std::size_t k = 0; k < Kind::kDimension; ++k) *place[k] = moved.at[k];
   }
 

@@ -28,10 +28,12 @@ struct PackingStart {
   double seconds = 0;    // 0: until no better layout comes for a while
 };
 
-/// An item of the best layout, and where it is moved to: as many numbers as there are dimensions.
+/// An item of the best layout, and where it is moved to: as many numbers as there are dimensions, in a sheet or
+/// container of the layout, its own where none is said.
 struct MovedItem {
   std::size_t item = 0;
   std::vector<Number> at;
+  std::optional<std::size_t> in = {};
 };
 
 class PackingJob {

@@ -239,8 +239,9 @@ class Packing {
   PackVerdict verdict(const PackLayout& layout) const;
   /// Error(kBadValue) unless every copy that is wanted is in the layout, or said to be left out.
   void check_copies(const PackLayout& layout) const;
-  /// In a strip without fixed parts: the layout with one of its items put there, its origin on the grid, and the others
-  /// out of its way; the strip may become longer. Nothing where they cannot make room. Error(kUnsupported) elsewhere.
+  /// The layout with one of its items put there, its origin on the grid, and the others out of its way. A strip or a
+  /// box may become longer; on sheets it stays on the one that the layout says, and no other is taken. Nothing where
+  /// they cannot make room. Error(kBadValue) for a part that is fixed.
   std::optional<PackLayout> moved(const PackLayout& layout, std::size_t item, const Position& at) const;
 
   /// A layout of this problem from JSON. Error(kSyntax) with line and column.
@@ -252,6 +253,10 @@ class Packing {
   std::string dxf(const PackLayout& layout, DxfVersion version = DxfVersion::kR12) const;
   /// A part, counted as in problem().parts, as SVG path data about its origin, y downwards.
   std::string outline(std::size_t part) const;
+  /// A kind of sheet, counted as in problem().sheets, in the same way: its outline and holes.
+  std::string sheet_outline(std::size_t sheet) const;
+  /// All zones on a kind of sheet, in the same way; empty where there are none.
+  std::string sheet_zones(std::size_t sheet) const;
 
   struct Data;
   explicit Packing(std::shared_ptr<const Data> data) : data_(std::move(data)) {}

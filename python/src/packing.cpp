@@ -27,17 +27,17 @@ std::vector<Ring> rings_of(const py::sequence& outline, const py::sequence& hole
   std::vector<Ring> rings;
   const auto add = [&](const py::sequence& corners) {
     Ring& ring = rings.emplace_back();
-    for (const py::handle& p : corners) ring.push_back(point(py::reinterpret_borrow<py::sequence>(p)));
+    for (const py::object& p : corners) ring.push_back(point(p));
   };
   add(outline);
-  for (const py::handle& hole : holes) add(py::reinterpret_borrow<py::sequence>(hole));
+  for (const py::object& hole : holes) add(hole);
   return rings;
 }
 
 std::vector<Number> numbers(const py::sequence& values) {
   refuse_text(values, "angles are a list of numbers");
   std::vector<Number> result;
-  for (const py::handle& value : values) result.push_back(number(value));
+  for (const py::object& value : values) result.push_back(number(value));
   return result;
 }
 
@@ -401,10 +401,15 @@ at : (float, float)
 Returns
 -------
 PackLayout or None
-    The strip may become longer, and the item lie a little aside; None where the others cannot make room.
+    The strip or box may become longer, on sheets all stays on those in use. The item may lie a little aside. None where
+    the others cannot make room.
 )doc")
       .def("outline", &Packing::outline, py::arg("part"),
-           "A part, counted as in `problem.parts`, as SVG path data about its origin, y downwards.");
+           "A part, counted as in `problem.parts`, as SVG path data about its origin, y downwards.")
+      .def("sheet_outline", &Packing::sheet_outline, py::arg("sheet"),
+           "A kind of sheet, counted as in `problem.sheets`, in the same way: its outline and holes.")
+      .def("sheet_zones", &Packing::sheet_zones, py::arg("sheet"),
+           "All zones on a kind of sheet, in the same way; empty where there are none.");
 }
 
 }  // namespace

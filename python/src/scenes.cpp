@@ -28,7 +28,7 @@ Pose pose_of(const std::optional<py::sequence>& at, const py::object& degrees, c
   Pose out{{}, amount(degrees), amount(time)};
   if (!at) return out;
   refuse_text(*at, "a position is (x, y) or (x, y, z)");
-  for (const py::handle c : *at) out.at.push_back(number(c));
+  for (const py::object& c : *at) out.at.push_back(number(c));
   return out;
 }
 

@@ -180,7 +180,7 @@ void bind_phi_text(py::class_<Phi>& phi) {
          const py::object& greatest, std::string a, std::string b, std::string unit) {
         PhiQuestion question{std::move(a), std::move(b), std::move(unit), {}, amount(least), amount(greatest)};
         if (position)
-          for (const py::handle& coordinate : *position) question.at.push_back(number(coordinate));
+          for (const py::object& coordinate : *position) question.at.push_back(number(coordinate));
         return py::bytes(interruptible([&] { return f.text(ending, question); }));
       },
       py::arg("ending"), py::arg("position") = py::none(), py::arg("least") = py::none(),

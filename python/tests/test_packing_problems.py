@@ -26,6 +26,27 @@ def test_pack_with_a_tilt():
         fs.pack(fs.PackProblem([bar(tilt=-1)], height=20), work=1)
 
 
+def test_parts_of_arrays_are_parts_of_lists():
+    outline, hole = [[0, 0], [8, 0], [8, 6.5], [0, 6]], [[1, 1], [3, 1], [1, 3]]
+    listed = fs.PackPart("plate", outline, holes=[hole], angles=[0, 90])
+    part = fs.PackPart("plate", np.array(outline), holes=np.array([hole]), angles=np.array([0, 90]))
+    assert (part.rings, part.angles) == (listed.rings, listed.angles)
+    layout = fs.pack(fs.PackProblem([part], height=9), work=0.2)
+    assert layout.items[0].part == "plate"
+
+
+def test_sheets_are_drawn_and_parts_moved_on_them():
+    zone = fs.PackZone([(0, 0), (1, 0), (1, 4), (0, 4)], keeps_out=["tile"])
+    plate = fs.PackSheet("plate", [(0, 0), (9, 0), (9, 4), (0, 4)], zones=[zone])
+    packing = fs.Packing(fs.PackProblem([fs.PackPart("tile", [(0, 0), (3, 0), (3, 3), (0, 3)], count=2)], sheets=[plate]))
+    assert packing.sheet_outline(0).startswith("M") and packing.sheet_zones(0).count("L") == 3
+    with pytest.raises(fs.Error, match="no sheet 1"):
+        packing.sheet_outline(1)
+    layout = packing.search(work=0.2)
+    moved = packing.moved(layout, 0, np.array([4, 1]))
+    assert packing.verdict(moved) and moved.sheets == ["plate"]
+
+
 def test_pack_on_sheets_and_into_a_strip():
     domino = fs.PackPart("domino", [(0, 0), (1, 0), (1, 2), (0, 2)], count=8, angles=[0, 90])
     layout = fs.pack(fs.PackProblem([domino], height=4), work=5)

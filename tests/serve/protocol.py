@@ -217,6 +217,33 @@ class Answers(unittest.TestCase):
         self.assertEqual(server.wait(), 0)
         server.stdout.close()
 
+    def test_packings_on_sheets_and_in_boxes(self):
+        square = {"shape": {"type": "simple_polygon", "data": [[0, 0], [3, 0], [3, 3], [0, 3]]}}
+        items = [{"id": "tile", "demand": 2, **square}]
+        sheets = {"name": "kit", "sheets": [{"id": "plate", "width": 9, "height": 4, "count": 2}], "items": items}
+        at = [{"part": "tile", "copy": 1, "sheet": 0, "angle": 0, "at": ["0", "0"]}, {"part": "tile", "copy": 2, "sheet": 1, "angle": 0, "at": ["0", "0"]}]
+        layout = {"layout": {"container": {"sheets": ["plate", "plate"]}, "length": "3", "items": at}}
+        box = {"name": "kit", "box": True, "items": items}
+        requests = [
+            {"id": 1, "method": "pack", "params": {"text": json.dumps(sheets), "drawing": True, "search": False, "start": json.dumps(layout)}},
+            {"id": 2, "method": "verify", "params": {"item": 1, "at": [1, 1], "sheet": 0}},
+            {"id": 3, "method": "verify", "params": {"item": 1, "at": [4, 1], "sheet": 0}},
+            {"id": 4, "method": "repair", "params": {"item": 1, "at": [4, 1], "sheet": 0}},
+            {"id": 5, "method": "repair", "params": {"item": 1, "at": [0, 0], "sheet": 5}},
+            {"id": 6, "method": "pack", "params": {"text": json.dumps(box), "search": False, "scene": "box"}},
+        ]
+        lines = "".join(json.dumps({"jsonrpc": "2.0", **r}) + "\n" for r in requests)
+        run = subprocess.run([PROGRAM, "serve", "--stdio"], input=lines, capture_output=True, text=True, timeout=120)
+        loaded, overlaps, free, made, missing, boxed = [json.loads(line) for line in run.stdout.splitlines()]
+        self.assertEqual([(s["name"], s["count"], s["zones"]) for s in loaded["result"]["sheets"]], [("plate", 2, "")])
+        self.assertTrue(loaded["result"]["sheets"][0]["drawing"].startswith("M0,"))
+        self.assertFalse(overlaps["result"]["verdict"]["feasible"])
+        self.assertTrue(free["result"]["verdict"]["feasible"])
+        self.assertEqual(made["result"]["layout"]["container"], {"sheets": ["plate"]})
+        self.assertEqual([i["at"] for i in made["result"]["layout"]["items"]], [["0", "0"], ["4", "1"]])
+        self.assertIn("no sheet 5", missing["error"]["message"])
+        self.assertIs(boxed["result"]["box"], True)
+
     def test_packings_of_solids(self):
         def block(x, y, z):
             return {"box": {"min": [0, 0, 0], "max": [x, y, z]}}

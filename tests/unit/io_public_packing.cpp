@@ -281,9 +281,72 @@ TEST(PublicPacking, TheOthersMakeRoomForAnItem) {
   ASSERT_TRUE(moved.has_value());
   EXPECT_TRUE(packing.verdict(*moved).feasible());
   EXPECT_THROW(packing.moved(layout, 3, {0, 0}), Error);
-  PackProblem sheets = dots_and_block();
-  sheets.sheets = {PackSheet::rectangle("sheet", 9, 9)};
-  EXPECT_THROW(Packing(sheets).moved(layout, 0, {0, 0}), Error);
+}
+
+TEST(PublicPacking, OnSheetsTheOthersMakeRoomAsWell) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("sheet", 9, 9, 2)};
+  problem.sheets[0].zones = {{{box_ring(0, 0, 1, 9)}, {"tile"}}};
+  problem.parts = {{"tile", {box_ring(0, 0, 3, 3)}, 4}};
+  const Packing packing(problem);
+  PackLayout layout;
+  layout.sheets = {"sheet", "sheet"};
+  layout.items = {{"tile", 1, 0, 0, false, 1, 0},
+                  {"tile", 2, 0, 0, false, 4, 0},
+                  {"tile", 3, 0, 0, false, 1, 3},
+                  {"tile", 4, 1, 0, false, 5, 5}};
+  ASSERT_TRUE(packing.verdict(layout).feasible());
+  // Where it is free it stands, and nothing else moves.
+  const auto free = packing.moved(layout, 0, {5, 5});
+  ASSERT_TRUE(free.has_value());
+  EXPECT_EQ(free->items[0].x, Number(5));
+  EXPECT_EQ(free->items[0].y, Number(5));
+  EXPECT_EQ(free->items[1].x, Number(4));
+  // Upon another, in the zone and over the sheet's corner.
+  for (const Position at : {Position{4, 1}, Position{0, 5}, Position{8, 8}}) {
+    const auto made = packing.moved(layout, 0, at);
+    ASSERT_TRUE(made.has_value());
+    EXPECT_TRUE(packing.verdict(*made).feasible());
+    EXPECT_EQ(made->sheets, layout.sheets);
+    EXPECT_EQ(made->items.size(), 4u);
+  }
+  EXPECT_EQ(packing.sheet_outline(0), "M0,-0L9,-0L9,-9L0,-9z");
+  EXPECT_EQ(packing.sheet_zones(0), "M0,-0L1,-0L1,-9L0,-9z");
+  EXPECT_THROW(packing.sheet_outline(1), Error);
+}
+
+TEST(PublicPacking, OnAFullSheetTheyChangePlacesOrHaveNoRoom) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("sheet", 5, 3)};
+  problem.parts = {{"tile", {box_ring(0, 0, 3, 3)}, 1}, {"bar", {box_ring(0, 0, 2, 3)}, 1}};
+  PackLayout layout;
+  layout.sheets = {"sheet"};
+  layout.items = {{"tile", 1, 0, 0, false, 0, 0}, {"bar", 1, 0, 0, false, 3, 0}};
+  const Packing packing(problem);
+  const auto made = packing.moved(layout, 1, {0, 0});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_TRUE(packing.verdict(*made).feasible());
+  EXPECT_EQ(made->items[0].x, Number(2));
+  problem.fixed = {{"tile", 0, 0, 0, false, "sheet"}};
+  EXPECT_THROW(Packing(problem).moved(layout, 0, {2, 0}), Error);
+  problem.fixed = {{"tile", 1, 0, 0, false, "sheet"}};
+  layout.items[0].x = 1;
+  EXPECT_FALSE(Packing(problem).moved(layout, 1, {0, 0}).has_value());
+}
+
+TEST(PublicPacking, ABoxGrowsWhereThatMakesRoom) {
+  PackProblem problem;
+  problem.box = true;
+  problem.parts = {{"tile", {box_ring(0, 0, 3, 3)}, 2}};
+  PackLayout layout;
+  layout.length = 6;
+  layout.height = 3;
+  layout.items = {{"tile", 1, 0, 0, false, 0, 0}, {"tile", 2, 0, 0, false, 3, 0}};
+  const Packing packing(problem);
+  const auto made = packing.moved(layout, 0, {1.5, 0});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_TRUE(packing.verdict(*made).feasible());
+  EXPECT_EQ(made->height, Number(3));
 }
 
 TEST(PublicPacking, JsonIsReadAsItIsAsked) {

@@ -150,8 +150,8 @@ TEST(ResultStore, KeepsResults) {
     std::uintmax_t now = 0;
     for (const auto& entry : fs::directory_iterator(folder.path))
       if (entry.path().extension() != ".sqlite-shm") now += entry.file_size();
-    if (k == 0) EXPECT_GT(now, 0u);
-    if (k == 1) EXPECT_EQ(now, size);  // found, not made again
+    EXPECT_TRUE(k != 0 || now > 0);
+    EXPECT_TRUE(k != 1 || now == size);  // found, not made again
     size = now;
   }
 }

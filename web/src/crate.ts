@@ -4,7 +4,7 @@
 // The picture of a layout of solids, in the picture of space: upon a floor, or in containers side by side along x. A
 // solid is chosen by a click or in a list, and dragged along an axis by its arrows, or moved by keys.
 import type { Corner, PackedItem, PackingProblem, PackingState, Place, ShapeInfo, SpaceDrawing } from "./engine";
-import { hueOf, keyedMove, nameOf, numberOf, placeOf, sizeOf } from "./layout";
+import { holderOf, hueOf, keyedMove, nameOf, numberOf, placeOf, sizeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
 import { make } from "./panel";
 import type { SpaceStage } from "./space";
@@ -23,8 +23,10 @@ export class CratePicture implements LayoutPicture {
   private from: number[] = [0];  // of each container
   private picked = "";
   onGrab: (item: number) => void = () => {};
-  onDrag: (item: number, at: Place) => void = () => {};
-  onDrop: (item: number, at: Place) => void = () => {};
+  onDrag: (item: number, at: Place, to: number) => void = () => {};
+  onDrop: (item: number, at: Place, to: number) => void = () => {};
+  onHover: (item: number | null) => void = () => {};
+  still = false;
 
   constructor(private readonly stage: SpaceStage, private readonly list: HTMLElement) {
     stage.turnsAll = true;
@@ -33,24 +35,25 @@ export class CratePicture implements LayoutPicture {
     stage.onDragPlaced = (k, at) => {
       if (held !== k) this.onGrab(k);
       held = k;
-      this.onDrag(k, this.within(k, at));
+      this.onDrag(k, this.within(k, at), holderOf(this.items[k]!));
     };
     stage.onMovePlaced = (k, at) => {
       held = -1;
-      this.onDrop(k, this.within(k, at));
+      this.onDrop(k, this.within(k, at), holderOf(this.items[k]!));
     };
   }
 
   private get index(): number { return this.items.findIndex((i) => nameOf(i) === this.picked); }
 
   /// In its container.
-  private within(k: number, [x, y, z]: Place): Place { return this.stage.rounded([x! - this.from[this.items[k]!.container ?? 0]!, y!, z!]); }
+  private within(k: number, [x, y, z]: Place): Place { return this.stage.rounded([x! - this.from[holderOf(this.items[k]!)]!, y!, z!]); }
 
-  private drawnAt(item: PackedItem, [x, y, z]: Place): Place { return [x! + this.from[item.container ?? 0]!, y!, z!]; }
+  private drawnAt(item: PackedItem, [x, y, z]: Place): Place { return [x! + this.from[holderOf(item)]!, y!, z!]; }
 
   private pick(k: number): void {
     const name = nameOf(this.items[k]!);
     this.picked = name === this.picked ? "" : name;
+    this.onHover(this.picked ? k : null);
     this.show(this.problem!, this.state!, this.items);
   }
 
@@ -63,7 +66,7 @@ export class CratePicture implements LayoutPicture {
       shape: i.part, copy: i.copy, angle: 0, turns: false, at: this.drawnAt(i, placeOf(i)), colour: `hsl(${hueOf(problem, i.part)}, 45%, 60%)`,
       ...(i.rotation ? { rotation: i.rotation.map((row) => row.map(numberOf)) } : {}),
     }));
-    this.stage.setPlaced(placed, this.index, problem.parts.map((p) => p.name));
+    this.stage.setPlaced(placed, this.still ? -1 : this.index, problem.parts.map((p) => p.name));
     this.showList();
   }
 
@@ -90,7 +93,7 @@ export class CratePicture implements LayoutPicture {
     this.items.forEach((item, k) => {
       const button = make("button", make("li", this.list), nameOf(item));
       button.ariaPressed = String(nameOf(item) === this.picked);
-      button.title = "Move it by its arrows, or by arrow keys, Page Up and Page Down";
+      if (!this.still) button.title = "Move it by its arrows, or by arrow keys, Page Up and Page Down";
       button.onclick = () => this.pick(k);
     });
     if (focused >= 0) this.list.querySelectorAll("button")[focused]?.focus();

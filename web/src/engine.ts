@@ -37,17 +37,22 @@ export interface Feature { shape: string; vertex?: Point; edge?: [Point, Point];
 export interface Between { from: Feature; to: Feature; distance: number; points?: [Point, Point] }
 export interface Placement { positions: { shape: string; at: Place | null; angle?: number; copy?: number }[]; proven: boolean; reason?: string }
 export interface PackedPart { name: string; demand: number; drawing: string | SpaceDrawing }
+/// `drawing`, `zones`: path data about the lower left corner.
+export interface PackingSheet { name: string; count: number; drawing: string; zones: string }
 /// `height`: of a strip; `floor` or `containers`: of solids.
 export interface PackingProblem {
-  name: string; dimension: 2 | 3; height?: number; floor?: Point; containers?: { name: string; size: Corner; drawing: SpaceDrawing }[]; lower_bound: number; items: number;
+  name: string; dimension: 2 | 3; height?: number; box?: boolean; sheets?: PackingSheet[]; floor?: Point; containers?: { name: string; size: Corner; drawing: SpaceDrawing }[]; lower_bound: number; items: number;
   parts: PackedPart[];
 }
-/// `angle`, `mirrored`: of the plane; `rotation`, `container`: of space.
-export interface PackedItem { part: string; copy: number; angle?: number | string; mirrored?: boolean; rotation?: (number | string)[][]; container?: number; at: string[] }
-/// `length`: of a strip; `height`: of solids.
+/// `angle`, `mirrored`, `sheet`: of the plane; `rotation`, `container`: of space.
+export interface PackedItem { part: string; copy: number; angle?: number | string; mirrored?: boolean; rotation?: (number | string)[][]; sheet?: number; container?: number; at: string[] }
+/// `length`: of a strip or box, of the last sheet what is used; `height`: of solids.
 export interface PackingState {
   running: boolean; number: number; seconds: number; length?: number; height?: number; density: number; failure?: string;
-  layout?: { items: PackedItem[]; lower_bound?: string; container?: { containers?: string[] }; proven: boolean };
+  layout?: {
+    items: PackedItem[]; left_out?: { part: string; copies: number; why: string }[]; lower_bound?: string; proven: boolean;
+    container?: { box?: string; sheets?: string[]; containers?: string[] };
+  };
 }
 export interface Verdict { verdict: { feasible: boolean; faults: { of: string[]; text: string }[] } }
 

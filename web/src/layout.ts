@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a picture of a layout can do, of a strip (strip.ts) and of solids (crate.ts).
+// What a picture of a layout can do, in the plane (strip.ts) and of solids (crate.ts).
 import type { PackedItem, PackingProblem, PackingState, Place } from "./engine";
 
 export interface LayoutPicture {
-  /// An item is taken in hand, is dragged to a place, and is put there.
+  /// An item is taken in hand, is dragged to a place, and is put there: on the sheet or in the container `to`, counted from 0.
   onGrab: (item: number) => void;
-  onDrag: (item: number, at: Place) => void;
-  onDrop: (item: number, at: Place) => void;
+  onDrag: (item: number, at: Place, to: number) => void;
+  onDrop: (item: number, at: Place, to: number) => void;
+  /// The pointer is over an item, or over none.
+  onHover: (item: number | null) => void;
+  /// Nothing can be moved.
+  still: boolean;
   show(problem: PackingProblem, state: PackingState, items: PackedItem[]): void;
   /// An item is drawn elsewhere, and as a bad one where it must not be.
-  showAt(item: number, at: Place, good: boolean): void;
+  showAt(item: number, at: Place, good: boolean, to: number): void;
   fit(): void;
   zoom(by: number): void;
   /// As picture.ts.
@@ -30,6 +34,7 @@ export const numberOf = (text: string | number): number => {
 };
 
 export const placeOf = (item: PackedItem): Place => item.at.map(numberOf);
+export const holderOf = (item: PackedItem): number => item.sheet ?? item.container ?? 0;
 export const nameOf = (item: PackedItem): string => `${item.part} ${item.copy}`;
 export const sizeOf = (state: PackingState): number => state.length ?? state.height ?? 0;
 export const hueOf = (problem: PackingProblem, part: string): number => (360 * problem.parts.findIndex((p) => p.name === part)) / problem.parts.length;

@@ -22,7 +22,7 @@ import { showOperations, showSection } from "./views";
 const get = <T extends Element = HTMLElement>(id: string): T => document.getElementById(id) as unknown as T;
 const kSnapPixels = 9, kManyFaces = 500, kManyLetters = 200_000, kSlowTurns = 300;
 
-const alone = readAlone();
+const { scene: alone, packing: alonePacking } = readAlone();
 const hidden = new Set<string>();
 const editor = new Editor(get<HTMLTextAreaElement>("where"), get("caret"), get("mistake"), get("words"));
 const history = new History(get<HTMLButtonElement>("undo"), get<HTMLButtonElement>("redo"));
@@ -429,7 +429,7 @@ async function choosePicture(loaded: Summary): Promise<void> {
 async function newSpace(unit: string): Promise<SpaceStage> {
   const program = globalThis as { findspaceSpace?: typeof SpaceStage };
   if (!program.findspaceSpace) {
-    spaceText = alone ? get("space-program").textContent! : await spaceScript();
+    spaceText = alone || alonePacking ? get("space-program").textContent! : await spaceScript();
     const script = document.createElement("script");
     script.nonce = document.querySelector<HTMLElement>("#program")!.nonce ?? "";
     script.textContent = spaceText;
@@ -449,18 +449,19 @@ function buttons(): void {
   };
   get("save-svg").onclick = () => save("findspace.svg", new Blob([picture.svg()], { type: "image/svg+xml" }));
   get("save-png").onclick = () => void picture.png().then((png) => save("findspace.png", png), fault);
-  get("save-page").onclick = () => { if (map) save("findspace.html", new Blob([alonePage({ summary, map, at: picture.at }, spaceText)], { type: "text/html" })); };
+  get("save-page").onclick = () => { if (map) save("findspace.html", new Blob([alonePage({ scene: { summary, map, at: picture.at } }, spaceText)], { type: "text/html" })); };
   const moves: Record<string, () => void> = { "zoom-in": () => picture.zoom(0.8), "zoom-out": () => picture.zoom(1.25), fit: () => picture.fit() };
   for (const [id, act] of Object.entries(moves)) get(id).onclick = act;
 }
 
 async function beginPacking(): Promise<void> {
-  for (const id of ["place", "nearest", "explain", "measure", "between", "formula", "poses", "shapes", "save-page", "save-scene"]) get(id).hidden = true;
+  for (const id of ["place", "nearest", "explain", "measure", "between", "formula", "poses", "shapes", "save-scene"]) get(id).hidden = true;
   document.querySelectorAll("aside > h2").forEach((e) => e.remove());
   get("packing").hidden = false;
   for (const id of ["picture", "space"]) get(id).setAttribute("aria-label", "The layout");
   const box = get("packing").querySelector("div")!, list = make("ul", get("packing"));
   list.id = "placed";
+  const savePage = async () => save("findspace.html", new Blob([alonePage({ packing: await page.taken() }, spaceText)], { type: "text/html" }));
   const page = new PackingPage(async (problem) => {
     const space = problem.dimension === 3;
     showCanvas(space);
@@ -470,25 +471,31 @@ async function beginPacking(): Promise<void> {
     const made = await newSpace("");
     showSection(get("views"), made, "");
     return new CratePicture(made, list);
-  }, box, verdict, history);
-  await page.begin();
+  }, box, verdict, (text) => { get("hover").textContent = text; }, history);
+  if (alonePacking) {
+    for (const id of ["actions", "save-page", "save-scene"]) get(id).remove();
+    await page.beginAlone(alonePacking);
+  } else {
+    await page.begin();
+  }
   document.addEventListener("keydown", (e) => {
     if ((e.target as Element).closest("input, textarea, select")) return;
-    if (page.key(e) || viewKey(e, page.view)) e.preventDefault();
+    if ((!alonePacking && page.key(e)) || viewKey(e, page.view)) e.preventDefault();
   });
   const clicks: Record<string, () => void> = {
     "zoom-in": () => page.view.zoom(0.8), "zoom-out": () => page.view.zoom(1.25), fit: () => page.view.fit(),
-    undo: () => page.step(true), redo: () => page.step(false),
+    ...(alonePacking ? {} : { undo: () => page.step(true), redo: () => page.step(false), "save-page": () => void savePage().catch(fault) }),
     "save-svg": () => save("findspace.svg", new Blob([page.view.svg()], { type: "image/svg+xml" })),
     "save-png": () => void page.view.png().then((png) => save("findspace.png", png), fault),
     theme: () => { changeTheme(); page.view.recolour(); },
   };
   for (const [id, act] of Object.entries(clicks)) get(id).onclick = act;
-  onDropped((text) => page.open(text));
+  if (!alonePacking) onDropped((text) => page.open(text));
 }
 
 async function begin(): Promise<void> {
   buttons();
+  if (alonePacking) return beginPacking();
   if (!alone) stayOpen((gone) => { if (gone) verdict("The program has ended", false); });
   if (!alone && document.querySelector<HTMLMetaElement>("meta[name=findspace-kind]")?.content === "packing") return beginPacking();
   const loaded = alone?.summary ?? (await call<Summary>("copy", { scene: "scene", as: kOwn, drawing: true }));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// A packing that goes on, in a strip or of solids: its best layout as it is found, and parts that are dragged; the
-// others make room for them. Undo goes back to the layouts before each act.
-import { save } from "./alone";
+// A packing that goes on, in the plane or of solids: its best layout as it is found, and parts that are dragged; the
+// others make room for them. Undo goes back to the layouts before each act. Without an engine: a layout to look at.
+import { placeText, save } from "./alone";
+import type { AlonePacking } from "./alone";
 import { call, latest, Refusal } from "./engine";
 import type { PackedItem, PackingProblem, PackingState, Place, Verdict } from "./engine";
 import type { History } from "./history";
-import { nameOf, placeOf, sizeOf } from "./layout";
+import { holderOf, nameOf, numberOf, placeOf, sizeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
 import { make } from "./panel";
 import { shown } from "./picture";
@@ -31,11 +32,24 @@ export class PackingPage {
   private past: string[] = [];
   private future: string[] = [];
 
-  /// `make`: a picture of the problem.
+  /// `make`: a picture of the problem; `hover`: where it is said what the pointer is over.
   constructor(
     private readonly makePicture: (problem: PackingProblem) => Promise<LayoutPicture>, private readonly box: HTMLElement,
-    private readonly verdict: (text: string, good: boolean | null) => void, private readonly history: History,
+    private readonly verdict: (text: string, good: boolean | null) => void, private readonly hover: (text: string) => void, private readonly history: History,
   ) {}
+
+  /// What a page that stands alone needs.
+  async taken(): Promise<AlonePacking> { return { problem: this.problem!, state: await this.ask("packing", { since: 0 }) }; }
+
+  /// A layout to look at.
+  async beginAlone({ problem, state }: AlonePacking): Promise<void> {
+    make("p", this.box, "", "facts").id = "pack-facts";
+    this.problem = problem;
+    await this.picturePut();
+    this.picture!.still = true;
+    this.show({ ...state, running: false });
+    this.verdict("A layout, proved where it was found", null);
+  }
 
   async begin(): Promise<void> {
     this.controls();
@@ -50,12 +64,24 @@ export class PackingPage {
   /// The problem that the engine has then, and its picture.
   private async load(asked: object): Promise<void> {
     this.problem = await call<PackingProblem>("pack", { ...kOfPacking, drawing: true, ...asked });
-    this.picture = await this.makePicture(this.problem);
+    await this.picturePut();
+    this.picture!.onGrab = () => this.grab();
+    this.picture!.onDrag = (item, at, to) => void this.check(nameOf(this.items[item]!), at, to);
+    this.picture!.onDrop = (item, at, to) => void this.drop(nameOf(this.items[item]!), at, to);
+  }
+
+  private async picturePut(): Promise<void> {
+    this.picture = await this.makePicture(this.problem!);
     this.shown = 0;
-    this.picture.onGrab = () => this.grab();
-    this.picture.onDrag = (item, at) => void this.check(nameOf(this.items[item]!), at);
-    this.picture.onDrop = (item, at) => void this.drop(nameOf(this.items[item]!), at);
-    document.title = `${this.problem.name || "packing"} – findspace`;
+    this.picture.onHover = (item) => this.hover(item === null ? "" : this.about(this.items[item]!));
+    document.title = `${this.problem!.name || "packing"} – findspace`;
+  }
+
+  private about(item: PackedItem): string {
+    const holders = this.state?.layout?.container, turned = numberOf(item.angle ?? 0);
+    const where = (holders?.sheets ?? holders?.containers)?.[holderOf(item)];
+    const how = [placeText(placeOf(item)), ...(turned ? [`${shown(turned)}°`] : []), ...(item.mirrored ? ["mirrored"] : []), ...(where ? [`${where} ${holderOf(item) + 1}`] : [])];
+    return `${nameOf(item)}: ${how.join(", ")}`;
   }
 
   get view(): LayoutPicture { return this.picture!; }
@@ -108,14 +134,18 @@ export class PackingPage {
 
   private get bound(): number { return Math.max(this.problem!.lower_bound, Number(this.state?.layout?.lower_bound ?? 0)); }
 
-  private isBest(): boolean { return !this.problem!.containers && sizeOf(this.state!) > 0 && sizeOf(this.state!) <= this.bound; }
+  /// Whether sheets or containers are counted, not a length.
+  private get holders(): boolean { return !!(this.problem!.sheets ?? this.problem!.containers); }
+
+  private isBest(): boolean { return !this.holders && !this.problem!.box && sizeOf(this.state!) > 0 && sizeOf(this.state!) <= this.bound; }
 
   private facts(): string {
     const { number, density, seconds, layout } = this.state!, size = shown(sizeOf(this.state!)), space = this.problem!.dimension === 3;
-    const containers = layout?.container?.containers?.length ?? 0;
-    const what = !space ? `length ${size}` : containers ? `${containers} container${containers === 1 ? "" : "s"}, ${size} of the last` : `height ${size}`;
-    const bound = this.problem!.containers ? "" : ` No layout is ${space ? "lower" : "shorter"} than ${shown(this.bound)}.`;
-    return `Layout ${number}: ${what}, density ${(100 * density).toFixed(2)} %, after ${seconds.toFixed(1)} s.${bound}`;
+    const { box, sheets, containers } = layout?.container ?? {}, holders = (sheets ?? containers)?.length ?? 0, kind = sheets ? "sheet" : "container";
+    const what = holders ? `${holders} ${kind}${holders === 1 ? "" : "s"}, ${size} of the last` : box ? `${size} × ${shown(numberOf(box))}` : `${space ? "height" : "length"} ${size}`;
+    const bound = this.holders ? (this.bound > 1 ? ` No layout of all parts takes fewer than ${shown(this.bound)} ${kind}s.` : "") : this.problem!.box ? "" : ` No layout is ${space ? "lower" : "shorter"} than ${shown(this.bound)}.`;
+    const left = (layout?.left_out ?? []).reduce((sum, out) => sum + out.copies, 0);
+    return `Layout ${number}: ${what}, density ${(100 * density).toFixed(2)} %, after ${seconds.toFixed(1)} s.${bound}${left ? ` ${left} left out.` : ""}`;
   }
 
   /// Keys move the chosen item, undo and redo.
@@ -128,7 +158,7 @@ export class PackingPage {
     if (!move) return false;
     const item = this.items[move.item]!;
     this.grab();
-    void this.drop(nameOf(item), placeOf(item).map((x, k) => x + move.by[k]!));
+    void this.drop(nameOf(item), placeOf(item).map((x, k) => x + move.by[k]!), holderOf(item));
     return true;
   }
 
@@ -182,22 +212,25 @@ export class PackingPage {
   }
 
   /// Whether the part may stand there as the others do.
-  private readonly check = latest(async (name: string, at: Place) => {
+  private readonly check = latest(async (name: string, at: Place, to: number) => {
     await this.stopped;
     const item = this.items.findIndex((i) => nameOf(i) === name);
-    const { verdict } = await call<Verdict>("verify", { ...kOfPacking, item, at });
+    const { verdict } = await call<Verdict>("verify", { ...kOfPacking, item, at, ...this.holder(to) });
     if (!this.held) return;
-    this.picture!.showAt(item, at, verdict.feasible);
+    this.picture!.showAt(item, at, verdict.feasible, to);
     this.verdict(verdict.feasible ? "Free there" : verdict.faults[0]!.text, verdict.feasible);
     this.said = "";
   });
 
-  private async drop(name: string, at: Place): Promise<void> {
+  /// The sheet or container as requests name it.
+  private holder(to: number): object { return this.problem!.sheets ? { sheet: to } : this.problem!.containers ? { container: to } : {}; }
+
+  private async drop(name: string, at: Place, to: number): Promise<void> {
     try {
       await this.stopped;
       const item = this.items.findIndex((i) => nameOf(i) === name), before = textOf(this.state!);
       this.verdict("The others make room", null);
-      this.show(await this.ask("repair", { item, at }));
+      this.show(await this.ask("repair", { item, at, ...this.holder(to) }));
       this.past.push(before);
       this.future = [];
       this.allow();

@@ -8,7 +8,7 @@
 // With WORDS, a regular expression, only the tests whose names fit. Pictures of the page go to FOLDER, for people to look at. Chromium is the system's.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdtempSync, mkdirSync, writeFileSync, existsSync } from "node:fs";
+import { mkdtempSync, mkdirSync, writeFileSync, existsSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import puppeteer from "puppeteer-core";
@@ -333,6 +333,61 @@ const tests = {
     await until(page, (text) => document.getElementById("pack-facts").textContent !== text, dragged);
     await close(opened);
   },
+  async "sheets beside each other: a part goes to another one, and the layout is taken away"() {
+    const square = [[0, 0], [10, 0], [10, 10], [0, 10]];
+    const plate = { id: "plate", count: 2, shape: { type: "polygon", data: { outer: [[0, 0], [30, 0], [30, 20], [0, 20]], inner: [[[2, 12], [6, 12], [6, 16], [2, 16]]] } }, zones: [{ shape: { type: "simple_polygon", data: [[22, 0], [30, 0], [30, 6], [22, 6]] }, keeps_out: ["tile"] }] };
+    const problem = { name: "kit", sheets: [plate], items: [{ id: "tile", demand: 3, shape: { type: "simple_polygon", data: square } }], fixed: [{ part: "tile", at: [12, 10], sheet: "plate", number: 1 }] };
+    const opened = await open(scene("kit.json", problem)), { page } = opened;
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 3);
+    await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
+    const layout = { layout: { container: { sheets: ["plate", "plate"] }, length: "20", items: [
+      { part: "tile", copy: 1, sheet: 0, angle: 0, at: ["12", "10"] }, { part: "tile", copy: 2, sheet: 1, angle: 0, at: ["0", "0"] }, { part: "tile", copy: 3, sheet: 1, angle: 0, at: ["12", "0"] }] } };
+    const dropped = (text) => page.evaluate((text) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], "layout.json"));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true }));
+    }, text);
+    await dropped(JSON.stringify(layout));
+    const facts = () => page.$eval("#pack-facts", (e) => e.textContent);
+    await until(page, () => /2 sheets/.test(document.getElementById("pack-facts").textContent));
+    assert.equal((await page.$$("#layer-holders .container")).length, 2);
+    assert.equal((await page.$$("#layer-holders .zone")).length, 2);
+    await page.evaluate(() => document.getElementById("fit").click());
+    await shot(page, "sheets-light");
+    const middle = (copy) => page.$$eval("#layer-items .item", (all, copy) => { const b = all.find((e) => e.querySelector("title").textContent === `tile ${copy}`).getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2, b.width]; }, copy);
+    const [x, y, width] = await middle(3), before = await facts();
+    await page.mouse.move(x, y);
+    await until(page, () => document.getElementById("hover").textContent === "tile 3: (12, 0), plate 2");
+    // Upon the fixed part of the other sheet it is wrong, beside it free.
+    const [fx, fy] = await middle(1);
+    await page.mouse.down();
+    await page.mouse.move(fx + width / 2, fy, { steps: 4 });
+    await until(page, () => document.getElementById("verdict").className === "bad");
+    await page.mouse.move(fx - 1.1 * width, fy + 0.95 * width, { steps: 4 });
+    await until(page, () => document.getElementById("verdict").textContent === "Free there");
+    await page.mouse.up();
+    await until(page, (text) => document.getElementById("pack-facts").textContent !== text, before);
+    await until(page, () => document.querySelectorAll("#layer-items .item").length === 3);
+    await shot(page, "sheets-moved-light");
+    const session = await page.createCDPSession();
+    await session.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder, eventsEnabled: true });
+    const file = join(folder, "findspace.html");
+    rmSync(file, { force: true });
+    await page.evaluate(() => document.getElementById("save-page").click());
+    for (const end = Date.now() + kLongest; Date.now() < end && !existsSync(file);) await new Promise((done) => setTimeout(done, 50));
+    const shownFacts = await facts();
+    await close(opened);
+    const alone = await openPage("file://" + file);
+    assert.equal((await alone.$$("#layer-items .item")).length, 3);
+    assert.equal(await alone.$eval("#pack-facts", (e) => e.textContent), shownFacts);
+    await alone.mouse.move(...(await alone.$$eval("#layer-items .item", (all) => { const b = all.find((e) => e.querySelector("title").textContent === "tile 2").getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })));
+    await until(alone, () => document.getElementById("hover").textContent === "tile 2: (0, 0), plate 2");
+    assert.deepEqual(alone.faults, []);
+    await shot(alone, "sheets-alone-light");
+    await alone.close();
+    rmSync(file, { force: true });
+  },
   async "undo and redo of a packing, and a layout that is dropped"() {
     const opened = await open(join(here, "../../tests/data/nesting/fu.json")), { page } = opened;
     await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
@@ -350,7 +405,7 @@ const tests = {
     await until(page, () => document.querySelector('[data-item="3"].wrong') && / overlap by /.test(document.getElementById("verdict").textContent));
     await shot(page, "pack-wrong-light");
     // Behind the end of the strip it is free.
-    const strip = await (await page.$("#picture rect")).boundingBox();
+    const strip = await (await page.$("#layer-holders .container")).boundingBox();
     await page.mouse.move(strip.x + strip.width + box.width, strip.y + strip.height / 2, { steps: 3 });
     await until(page, () => document.getElementById("verdict").textContent === "Free there" && !document.querySelector(".wrong"));
     const other = await (await page.$('[data-item="6"]')).boundingBox();
@@ -390,7 +445,7 @@ const tests = {
     await page.setViewport({ width: 800, height: 700, hasTouch: true });
     await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
     await page.evaluate(() => document.getElementById("pack-stop").click());
-    const session = await page.createCDPSession(), box = await (await page.$("#picture rect")).boundingBox();
+    const session = await page.createCDPSession(), box = await (await page.$("#layer-holders .container")).boundingBox();
     const touch = (type, apart) => session.send("Input.dispatchTouchEvent", { type, touchPoints: (apart ? [-1, 1] : []).map((side, id) => ({ id, x: box.x + box.width / 2 + side * apart, y: box.y - 10 })) });
     const width = () => page.$eval("#picture", (e) => Number(e.getAttribute("viewBox").split(" ")[2]));
     const before = await width();

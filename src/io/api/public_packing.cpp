@@ -310,6 +310,15 @@ io::LayoutFacts facts_of(const Packing::Data& data, const packing::Layout& place
 
 }  // namespace
 
+namespace {
+
+std::size_t kind_of_sheet(const packing::Problem& problem, std::size_t sheet) {
+  if (sheet >= problem.sheets.size()) throw Error(ErrorCode::kBadValue, fmt::format("there is no sheet {}", sheet));
+  return sheet;
+}
+
+}  // namespace
+
 PackSheet PackSheet::rectangle(std::string name, const Number& width, const Number& height, int count) {
   return {std::move(name), {{{0, 0}, {width, 0}, {width, height}, {0, height}}}, count};
 }
@@ -365,11 +374,13 @@ PackVerdict Packing::verdict(const PackLayout& layout) const {
 
 std::optional<PackLayout> Packing::moved(const PackLayout& layout, std::size_t item, const Position& at) const {
   const packing::Problem& inner = data_->problem;
-  if (inner.on_sheets() || inner.box || !inner.fixed.empty())
-    throw Error(ErrorCode::kUnsupported, "parts are moved by hand in strips without fixed parts");
   if (item >= layout.items.size())
     throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
-  const auto made = packing::with_room(inner, layout_of(inner, layout), item, at);
+  const packing::Layout before = layout_of(inner, layout);
+  for (const packing::FixedPart& fixed : inner.fixed)
+    if (packing::is_fixed_part(before, before.items[item], fixed))
+      throw Error(ErrorCode::kBadValue, "part '" + layout.items[item].part + "' is fixed where it stands");
+  const auto made = packing::with_room(inner, before, item, at);
   return made ? std::optional(public_layout(inner, *made)) : std::nullopt;
 }
 
@@ -394,6 +405,14 @@ std::string Packing::dxf(const PackLayout& layout, DxfVersion version) const {
 std::string Packing::outline(std::size_t part) const {
   if (part >= data_->problem.parts.size()) throw Error(ErrorCode::kBadValue, fmt::format("there is no part {}", part));
   return io::outline_path(data_->problem, part);
+}
+
+std::string Packing::sheet_outline(std::size_t sheet) const {
+  return io::sheet_path(data_->problem, kind_of_sheet(data_->problem, sheet));
+}
+
+std::string Packing::sheet_zones(std::size_t sheet) const {
+  return io::zones_path(data_->problem, kind_of_sheet(data_->problem, sheet));
 }
 
 std::optional<PackLayout> pack(const PackProblem& problem, const Options& options,

@@ -102,6 +102,13 @@ Outlines outlines_of(const Outlined& outlined, packing::int128 steps) {
   return outlines_of(outlined.shape, steps, 0, 0);
 }
 
+Outlines zones_of(const packing::Problem& problem, const packing::Sheet& sheet) {
+  Outlines result;
+  for (const packing::Zone& zone : sheet.zones)
+    for (auto& ring : outlines_of(zone, problem.steps())) result.push_back(std::move(ring));
+  return result;
+}
+
 std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layout& layout) {
   std::vector<Page> pages;
   const double length = layout.length.to_double(), height = height_of(problem, layout).to_double();
@@ -114,8 +121,7 @@ std::vector<Page> pages_of(const packing::Problem& problem, const packing::Layou
     page.width = double(box.high.x) / double(problem.steps());
     page.height = double(box.high.y) / double(problem.steps());
     page.outline = outlines_of(sheet, problem.steps());
-    for (const packing::Zone& zone : sheet.zones)
-      for (auto& ring : outlines_of(zone, problem.steps())) page.zones.push_back(std::move(ring));
+    page.zones = zones_of(problem, sheet);
   }
   return pages;
 }
@@ -146,6 +152,12 @@ std::string path_of(const Outlines& outlines) {
   return path;
 }
 
+std::string downward_path(Outlines outlines) {
+  for (auto& ring : outlines)
+    for (DrawnCorner& c : ring) c = {c.x, -c.y, -c.bulge};
+  return path_of(outlines);
+}
+
 }  // namespace
 
 std::string left_out_json(const std::string& part, const packing::LeftOut& out) {
@@ -173,10 +185,15 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
 std::string outline_path(const packing::Problem& problem, std::size_t part) {
   packing::Placed item;
   item.part = part;
-  Outlines outlines = outlines_of(problem, item);
-  for (auto& ring : outlines)
-    for (DrawnCorner& c : ring) c = {c.x, -c.y, -c.bulge};
-  return path_of(outlines);
+  return downward_path(outlines_of(problem, item));
+}
+
+std::string sheet_path(const packing::Problem& problem, std::size_t sheet) {
+  return downward_path(outlines_of(problem.sheets[sheet], problem.steps()));
+}
+
+std::string zones_path(const packing::Problem& problem, std::size_t sheet) {
+  return downward_path(zones_of(problem, problem.sheets[sheet]));
 }
 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts) {

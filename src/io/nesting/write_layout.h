@@ -39,6 +39,9 @@ std::string layout_json(const packing::Problem& problem, const packing::Layout& 
 std::string layout_svg(const packing::Problem& problem, const packing::Layout& layout, const LayoutFacts& facts);
 /// A part as SVG path data about its origin, y downwards.
 std::string outline_path(const packing::Problem& problem, std::size_t part);
+/// A kind of sheet, and all zones on it, in the same way.
+std::string sheet_path(const packing::Problem& problem, std::size_t sheet);
+std::string zones_path(const packing::Problem& problem, std::size_t sheet);
 /// Outlines on the layers "cut" and "sheet", arcs as bulges.
 std::string layout_dxf(const packing::Problem& problem, const packing::Layout& layout, DxfVersion version);
 

@@ -295,6 +295,15 @@ double area(const Problem& problem, const Layout& layout) {
   return sum;
 }
 
+Fraction top_of(const Problem& problem, const Layout& layout) {
+  Fraction top = 0;
+  for (const Placed& item : layout.items) {
+    const LatticeBox box = box_of(problem.parts[item.part], item.angle, item.mirrored);
+    top = std::max(top, item.y + Fraction(box.high.y, problem.steps()) + problem.edge);
+  }
+  return top;
+}
+
 double container_area(const Problem& problem, const Layout& layout) {
   if (!problem.on_sheets()) return height_of(problem, layout).to_double() * layout.length.to_double();
   const double steps = double(problem.steps());

@@ -167,6 +167,8 @@ double area(const Problem& problem, const Layout& layout);
 inline const Fraction& height_of(const Problem& problem, const Layout& layout) {
   return problem.box ? layout.height : problem.height;
 }
+/// Where the highest item ends, the edge above it included.
+Fraction top_of(const Problem& problem, const Layout& layout);
 /// What a layout's container holds: the strip up to its length; its sheets, the last up to what is used of it.
 double container_area(const Problem& problem, const Layout& layout);
 

@@ -74,10 +74,7 @@ class BoxSearch {
 
   /// The box ends where its parts end.
   void offer(Layout layout, const PackProgress& state) {
-    for (const Placed& item : layout.items) {
-      const LatticeBox box = box_of(problem_.parts[item.part], item.angle, item.mirrored);
-      layout.height = std::max(layout.height, item.y + Fraction(box.high.y, problem_.steps()) + problem_.edge);
-    }
+    layout.height = top_of(problem_, layout);
     if (best_ && container_area(problem_, layout) >= container_area(problem_, *best_)) return;
     best_ = std::move(layout);
     PackProgress of_box = state;

@@ -3,64 +3,114 @@
 
 #include "packing/search/make_room.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "exact/margins/packing.h"
 #include "packing/compaction/finish.h"
-#include "packing/search/arrangement.h"
+#include "packing/search/separation.h"
 
 namespace findspace::packing {
 namespace {
 
-/// The layout with its overlaps taken out, in a strip as much longer as that needs.
-std::optional<Layout> separated(const Problem& problem, const Layout& layout) {
-  constexpr std::array<double, 7> kLonger{1, 1.02, 1.05, 1.1, 1.25, 1.5, 2};
-  const FieldTable table(problem);
-  const Row row(problem, table, {});
-  const double length = (layout.length - problem.edge - problem.edge).to_double();
-  for (const double longer : kLonger) {
-    std::vector<Pose> poses = poses_of(problem, table, row, layout);
-    const Arrangement strip(table, row, poses, length * longer);
-    for (Pose& pose : poses) pose.at = strip.inside(pose.variant, pose.at);
-    LinearMoves moves(table, row);
-    double reached = length * longer;
-    if (!moves.separate(poses, reached, length * longer)) continue;
-    if (auto made = finished(problem, table, row, poses, moves.shorten(poses, reached))) return made;
-  }
-  return std::nullopt;
-}
+constexpr Patience kRoomPatience{100, 2};
 
-/// The layout with what overlaps an item set behind the end of the strip, then shortened.
-std::optional<Layout> set_aside(const Problem& problem, const Layout& layout, std::size_t item) {
-  const FieldTable table(problem);
-  const Row row(problem, table, {});
-  double length = (layout.length - problem.edge - problem.edge).to_double();
-  std::vector<Pose> poses = poses_of(problem, table, row, layout);
-  const Arrangement strip(table, row, poses, length);
-  poses[item].at = strip.inside(poses[item].variant, poses[item].at);
-  const double touching = table.height() * margin::kNoOverlap;
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    if (k == item || table.depth(poses[k], poses[item]) <= touching) continue;
-    const Variant& variant = table.variants()[poses[k].variant];
-    poses[k].at = {length + table.gap() - variant.low.x, -variant.low.y};
-    length = poses[k].at.x + variant.high.x;
+class RoomMaker {
+ public:
+  RoomMaker(const Problem& problem, const Layout& layout, std::size_t item)
+      : problem_(problem), table_(problem), row_(problem, table_, layout.sheets) {
+    const std::vector<const Placed*> movable = movable_items(problem, table_, layout);
+    item_ = std::size_t(std::find(movable.begin(), movable.end(), &layout.items[item]) - movable.begin());
+    poses_ = poses_of(problem, table_, row_, layout);
+    length_ = problem.on_sheets() ? row_.rooms().end() : (layout.length - problem.edge - problem.edge).to_double();
   }
-  LinearMoves moves(table, row);
-  return finished(problem, table, row, poses, moves.shorten(poses, length));
-}
+
+  /// The layout with its overlaps taken out, in a strip as much longer as that needs.
+  std::optional<Layout> separated() const {
+    constexpr std::array<double, 7> kLonger{1, 1.02, 1.05, 1.1, 1.25, 1.5, 2};
+    for (const double longer : kLonger) {
+      std::vector<Pose> poses = inside(length_ * longer);
+      LinearMoves moves(table_, row_);
+      double reached = length_ * longer;
+      if (!moves.separate(poses, reached, length_ * longer)) continue;
+      if (auto made = finished(problem_, table_, row_, poses, moves.shorten(poses, reached))) return made;
+    }
+    return std::nullopt;
+  }
+
+  /// The layout with what overlaps the item set behind the end of the strip, then shortened.
+  std::optional<Layout> set_aside() const {
+    double length = length_;
+    std::vector<Pose> poses = poses_;
+    poses[item_] = inside(length)[item_];
+    const double touching = table_.height() * margin::kNoOverlap;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (k == item_ || table_.depth(poses[k], poses[item_]) <= touching) continue;
+      const Variant& variant = table_.variants()[poses[k].variant];
+      poses[k].at = {length + table_.gap() - variant.low.x, -variant.low.y};
+      length = poses[k].at.x + variant.high.x;
+    }
+    LinearMoves moves(table_, row_);
+    return finished(problem_, table_, row_, poses, moves.shorten(poses, length));
+  }
+
+  /// On the sheets that are used: as it is, or with its overlaps taken out by small moves, or by a search.
+  std::optional<Layout> on_its_sheets() const {
+    std::vector<Pose> poses = inside(length_);
+    if (auto made = finished(problem_, table_, row_, poses, length_)) return made;
+    double reached = length_;
+    if (LinearMoves(table_, row_).separate(poses, reached, length_))
+      if (auto made = finished(problem_, table_, row_, poses, reached)) return made;
+    Random random(1);
+    SeparationOf<PlaneKit> separation(table_, row_, inside(length_), length_, random);
+    separation.begin(inside(length_), length_, length_);
+    using State = SeparationOf<PlaneKit>::State;
+    State state = State::kUnderWay;
+    while (state == State::kUnderWay) state = separation.pass(kRoomPatience);
+    if (state == State::kStuck) return std::nullopt;
+    return finished(problem_, table_, row_, separation.free().poses, separation.free().length);
+  }
+
+ private:
+  std::vector<Pose> inside(double length) const {
+    const Arrangement strip(table_, row_, poses_, length);
+    std::vector<Pose> poses = poses_;
+    for (Pose& pose : poses) pose.at = strip.inside(pose.variant, pose.at);
+    return poses;
+  }
+
+  const Problem& problem_;
+  FieldTable table_;
+  Row row_;
+  std::size_t item_ = 0;
+  std::vector<Pose> poses_;
+  double length_ = 0;
+};
 
 }  // namespace
 
 std::optional<Layout> with_room(const Problem& problem, const Layout& layout, std::size_t item,
                                 std::array<double, 2> at) {
+  if (problem.box) {
+    Problem strip = problem;
+    strip.box = false;
+    strip.height = layout.height;
+    std::optional<Layout> made = with_room(strip, layout, item, at);
+    if (made) made->height = top_of(problem, *made);
+    return made;
+  }
   Layout moved = layout;
   const double steps = double(problem.steps());
   moved.items[item].x = Fraction(int128(std::llround(at[0] * steps)), problem.steps());
   moved.items[item].y = Fraction(int128(std::llround(at[1] * steps)), problem.steps());
-  auto made = separated(problem, moved);
-  return made ? made : set_aside(problem, moved, item);
+  for (const FixedPart& fixed : problem.fixed)
+    if (is_fixed_part(moved, moved.items[item], fixed)) return std::nullopt;
+  const RoomMaker maker(problem, moved, item);
+  if (problem.on_sheets()) return maker.on_its_sheets();
+  auto made = maker.separated();
+  return made ? made : maker.set_aside();
 }
 
 }  // namespace findspace::packing
