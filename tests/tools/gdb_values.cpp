@@ -120,10 +120,10 @@ void space_values() {
 
 void formula_values() {
   /// formula = gamma1(B, A) >= 1/2 and not (eta1(B, A+C) < 0 or gamma1(B, C, along=(1, 0)) != 3)
-  /// formula.root_ = atom 0 and not (atom 1 or atom 2)
-  /// formula.atoms_._M_impl._M_start[0] = gamma1(B, A) >= 1/2
-  /// formula.atoms_._M_impl._M_start[1].distance = eta1(B, A+C)
-  /// formula.sign_maps_._M_impl._M_start[0] = sign of gamma1(B, A) - 1/2
+  /// formula.content_._M_ptr->root = atom 0 and not (atom 1 or atom 2)
+  /// formula.content_._M_ptr->atoms._M_impl._M_start[0] = gamma1(B, A) >= 1/2
+  /// formula.content_._M_ptr->atoms._M_impl._M_start[1].distance = eta1(B, A+C)
+  /// formula.content_._M_ptr->sign_maps._M_impl._M_start[0] = sign of gamma1(B, A) - 1/2
   const formula::Formula formula =
       formula::parse_formula("gamma1(B, A) >= 0.5 and not (eta1(B, A+C) < 0 or gamma1(B, C, along=(1, 0)) != 3)",
                              {.shapes = {"A", "B", "C"}, .moving = {"B"}, .extra = {}, .unit = {}});

@@ -327,8 +327,9 @@ def node_text(node, atom):
 
 
 def formula_text(value):
-    atoms = elements(value["atoms_"])
-    return node_text(value["root_"], lambda k: atom_text(atoms[k]))
+    content = value["content_"]["_M_ptr"].dereference()
+    atoms = elements(content["atoms"])
+    return node_text(content["root"], lambda k: atom_text(atoms[k]))
 
 
 # --- all of them ---------------------------------------------------------------------------------------------------
