@@ -334,6 +334,16 @@ TEST(PublicPacking, OnAFullSheetTheyChangePlacesOrHaveNoRoom) {
   EXPECT_FALSE(Packing(problem).moved(layout, 1, {0, 0}).has_value());
 }
 
+TEST(PublicPacking, APartThatFitsNowhereIsNotMoved) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("sheet", 5, 3)};
+  problem.parts = {{"long", {box_ring(0, 0, 6, 1)}, 1}, {"bar", {box_ring(0, 0, 2, 3)}, 1}};
+  PackLayout layout;
+  layout.sheets = {"sheet"};
+  layout.items = {{"long", 1, 0, 0, false, 0, 0}, {"bar", 1, 0, 0, false, 3, 0}};
+  EXPECT_FALSE(Packing(problem).moved(layout, 0, {0, 1}).has_value());
+}
+
 TEST(PublicPacking, ABoxGrowsWhereThatMakesRoom) {
   PackProblem problem;
   problem.box = true;

@@ -41,7 +41,7 @@ export class StripPicture implements LayoutPicture {
     this.layer.replaceChildren();
     items.forEach((item, k) => {
       const part = problem.parts.find((p) => p.name === item.part)!;
-      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": `${nameOf(item)}; arrow keys move it`, d: part.drawing as string, transform: this.transform(item, placeOf(item), holderOf(item)) }, this.layer);
+      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": nameOf(item) + (this.still ? "" : "; arrow keys move it"), d: part.drawing as string, transform: this.transform(item, placeOf(item), holderOf(item)) }, this.layer);
       (path as SVGPathElement).style.setProperty("--hue", String(hueOf(problem, item.part)));
       element("title", {}, path).textContent = nameOf(item);
     });

@@ -27,6 +27,9 @@ class RoomMaker {
     length_ = problem.on_sheets() ? row_.rooms().end() : (layout.length - problem.edge - problem.edge).to_double();
   }
 
+  /// Whether the item can stand anywhere.
+  bool fits() const { return item_ < poses_.size(); }
+
   /// The layout with its overlaps taken out, in a strip as much longer as that needs.
   std::optional<Layout> separated() const {
     constexpr std::array<double, 7> kLonger{1, 1.02, 1.05, 1.1, 1.25, 1.5, 2};
@@ -108,6 +111,7 @@ std::optional<Layout> with_room(const Problem& problem, const Layout& layout, st
   for (const FixedPart& fixed : problem.fixed)
     if (is_fixed_part(moved, moved.items[item], fixed)) return std::nullopt;
   const RoomMaker maker(problem, moved, item);
+  if (!maker.fits()) return std::nullopt;
   if (problem.on_sheets()) return maker.on_its_sheets();
   auto made = maker.separated();
   return made ? made : maker.set_aside();
