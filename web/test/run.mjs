@@ -445,6 +445,7 @@ const tests = {
     await page.setViewport({ width: 800, height: 700, hasTouch: true });
     await until(page, () => document.querySelectorAll("#layer-items .item").length === 12);
     await page.evaluate(() => document.getElementById("pack-stop").click());
+    await until(page, () => document.getElementById("verdict").textContent.startsWith("Stopped"));
     const session = await page.createCDPSession(), box = await (await page.$("#layer-holders .container")).boundingBox();
     const touch = (type, apart) => session.send("Input.dispatchTouchEvent", { type, touchPoints: (apart ? [-1, 1] : []).map((side, id) => ({ id, x: box.x + box.width / 2 + side * apart, y: box.y - 10 })) });
     const width = () => page.$eval("#picture", (e) => Number(e.getAttribute("viewBox").split(" ")[2]));
