@@ -147,9 +147,14 @@ std::string Loaded::summary_json(bool drawing) const {
                      words());
 }
 
-std::string Loaded::explain_json(const Spot& spot) const {
+std::string Loaded::explain_json(const Spot& spot, const std::optional<Kind>& over) const {
   require_moving();
-  const bool drawn = spot.angle || !(is_free(Kind::kAngle) || is_free(Kind::kPose));
+  if (over) {
+    Scene::Question free;
+    free.free = *over;
+    return asked().asking(free).explain({spot.at, {}, {}}).json();
+  }
+  const bool drawn = spot.angle || !(is_free(Kind::kAngle) || is_free(Kind::kPose) || is_free(Kind::kTime));
   const Scene question = drawn ? asked() : scene_.asks() ? scene_ : asking(scene_, "");
   return question.explain({spot.at, spot.angle, spot.time}).json();
 }

@@ -51,7 +51,8 @@ class Loaded {
   virtual std::string check_json(const Spot& spot, const CheckQuestion& question) const = 0;
   virtual std::string nearest_json(const Spot& spot) const = 0;
   virtual std::string measure_json(const Spot& spot) const = 0;
-  std::string explain_json(const Spot& spot) const;
+  /// `over`: kAngle or kTime, of all angles or instants at the position; nothing: of what is free.
+  std::string explain_json(const Spot& spot, const std::optional<Scene::Free::Kind>& over) const;
   /// The angles, or the instants, at which the formula holds at a position.
   virtual std::string angles_json(const Spot& spot) const = 0;
   virtual std::string instants_json(const Spot& spot) const = 0;

@@ -67,7 +67,10 @@ constexpr Parameter kCheckParameters[] = {
      "where a corner, an edge or the nearest feasible position is no farther, the answer is about that "
      "one, exactly"}};
 constexpr Parameter kExplainParameters[] = {
-    kOfScene, {"at", kPosition, "what stands in the way of this position too"}, kAngle};
+    kOfScene,
+    {"at", kPosition, "what stands in the way of this position too"},
+    kAngle,
+    {"over", R"({"enum": ["angles", "instants"]})", "of all angles, or all instants of the motion, at the position"}};
 constexpr Parameter kBetweenParameters[] = {kOfScene,
                                             {"from", kPlace, "a place at the first feature", true},
                                             {"to", kPlace, "a place at the second feature", true},
@@ -259,7 +262,11 @@ std::string between(SceneStore& store, const JsonValue& parameters) {
 
 std::string explain(SceneStore& store, const JsonValue& parameters) {
   const Loaded& loaded = store.scene(name_of(parameters));
-  return loaded.explain_json(spot_of(parameters));
+  const std::string over = text(parameters, "over").value_or("");
+  if (over.empty()) return loaded.explain_json(spot_of(parameters), std::nullopt);
+  if (over != "angles" && over != "instants") refuse("\"over\" is \"angles\" or \"instants\"");
+  return loaded.explain_json(needed_spot(parameters),
+                             over == "angles" ? Scene::Free::Kind::kAngle : Scene::Free::Kind::kTime);
 }
 
 std::string angles(SceneStore& store, const JsonValue& parameters) {

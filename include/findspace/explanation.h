@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Why a formula holds nowhere, and what would change that; where it holds, how far each level can move before it holds
-// nowhere (World::explain, at some angles World::explain_poses, over all angles World::explain_angles). Guarantee:
+// nowhere (World::explain, at some angles World::explain_poses, over all angles World::explain_angles, over the time
+// of a motion World::explain_instants). Guarantee:
 // whether there is room, and which conditions contradict each other, is exact; levels say their bounds. Source:
 // docs/results.md, "explain". Keywords: infeasibility, conflict, slack, relaxation, sensitivity.
 #pragma once
@@ -30,6 +31,7 @@ struct LevelChange {
   bool reached = false;                   // there is room at this very level; else only beyond it, as near as you like
   std::optional<std::vector<double>> at;  // the last position that remains: x, y, in space z
   std::optional<double> angle;            // of some or all angles: in degrees from 0 on and below 360, there
+  std::optional<double> time;             // of the instants of a motion: the last that remains
   std::string refused;                    // of kUnknown: why
 };
 
@@ -49,6 +51,7 @@ struct Explanation {
     std::optional<double> upper;            // nothing: no amount that was tried leaves a position
     std::optional<std::vector<double>> at;  // a position for it
     std::optional<double> angle;            // of some or all angles: in degrees, there
+    std::optional<double> time;             // of the instants of a motion: one for it
   };
   std::optional<Together> together;  // where it holds nowhere and a condition has a level, all of one unit
 

@@ -136,6 +136,10 @@ class World {
   /// explain() for the moving shape at p, over all its angles: whether there is one, and how far each level can move
   /// until there is one, or none. Refused as angles() is, and with a motion. Of the plane.
   Explanation explain_angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
+  /// explain() over the instants of the motion, for the moving shape at p: whether there is one at which the formula
+  /// holds, and how far each level can move until there is one, or none. Refused where shapes turn in time and for
+  /// distances in rotation. kBadValue without a motion. Of the plane.
+  Explanation explain_instants(const Formula& formula, const Point& p) const;
   /// The same as solve(), also where shapes turn in time or distances are in rotation: between bounds.
   RegionBounds solve_bounds(const Formula& formula) const;
   /// The instants of the motion at which the formula holds at p.

@@ -29,10 +29,12 @@ void bind_explanation(py::module_& m) {
       .def_readonly("reached", &LevelChange::reached, "Whether there is room at this very level.")
       .def_readonly("at", &LevelChange::at, "The last position that remains, or None.")
       .def_readonly("angle", &LevelChange::angle, "The angle there in degrees, of some or all angles; else None.")
+      .def_readonly("time", &LevelChange::time, "Of the instants of a motion the last that remains; else None.")
       .def_readonly("refused", &LevelChange::refused, "Why it is not decided, or ''.")
       .def(pickled<LevelChange>(&LevelChange::kind, &LevelChange::text, &LevelChange::becomes, &LevelChange::to,
                                 &LevelChange::by, &LevelChange::exact, &LevelChange::lower, &LevelChange::upper,
-                                &LevelChange::reached, &LevelChange::at, &LevelChange::angle, &LevelChange::refused))
+                                &LevelChange::reached, &LevelChange::at, &LevelChange::angle, &LevelChange::time,
+                                &LevelChange::refused))
       .def("__repr__", [](const LevelChange& c) { return "<LevelChange " + c.text + ">"; });
   using Together = Explanation::Together;
   py::class_<Explanation> explanation(m, "Explanation", "Why a formula holds nowhere, or how much slack it has.");
@@ -41,7 +43,8 @@ void bind_explanation(py::module_& m) {
       .def_readonly("upper", &Together::upper, "So much does, or None.")
       .def_readonly("at", &Together::at, "A position for it, or None.")
       .def_readonly("angle", &Together::angle, "The angle there in degrees, of some or all angles; else None.")
-      .def(pickled<Together>(&Together::lower, &Together::upper, &Together::at, &Together::angle));
+      .def_readonly("time", &Together::time, "Of the instants of a motion one for it; else None.")
+      .def(pickled<Together>(&Together::lower, &Together::upper, &Together::at, &Together::angle, &Together::time));
   explanation.def_readonly("feasible", &Explanation::feasible, "Whether the formula holds somewhere.")
       .def_readonly("conflict", &Explanation::conflict, "Conditions that contradict each other.")
       .def_readonly("smallest", &Explanation::smallest, "No conflict has fewer.")

@@ -210,6 +210,34 @@ Examples
 ('margin(bar, room) >= 1', 90.0)
 )doc")
       .def(
+          "explain_instants",
+          [](const World& w, const Formula& f, const py::sequence& at) {
+            const Point place = point(at);
+            return interruptible([&] { return w.explain_instants(f, place); });
+          },
+          py::arg("formula"), py::arg("position"),
+          R"doc(The same as `explain` for the moving shape at a position, over the instants of the motion.
+
+Parameters
+----------
+formula : Formula or str
+position : (x, y)
+
+Raises
+------
+Error
+    Without a motion; where shapes turn in time; for distances in rotation.
+
+Examples
+--------
+>>> import findspace as fs
+>>> world = fs.World({"post": fs.Shape.box((9, 3), (11, 5)), "bus": fs.Shape.box((0, 0), (2, 1))}, moving="bus")
+>>> world = world.in_motion({"bus": [(0, (0, 0)), (10, (20, 0))]})
+>>> slack = world.explain_instants("gap(bus, post) <= 3", (0, 0)).slack[0]
+>>> slack.becomes, slack.time
+('gap(bus, post) <= 2', 3.5)
+)doc")
+      .def(
           "solve_bounds",
           [](const World& w, const Formula& f) {
             const RegionBounds found = interruptible([&] { return w.solve_bounds(f); });

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Scenes whose formulas contradict themselves, explained, and every claim of the explanation asked of `map`.
 
-usage: contradictions.py PROGRAM [--count N] [--seed N] [--poses | --angles]
+usage: contradictions.py PROGRAM [--count N] [--seed N] [--poses | --angles | --instants]
 
 Each scene is a disc or a box among two to four shapes and three to six random conditions, some joined by `or` and
 `not`. Of the infeasible ones:
@@ -13,7 +13,8 @@ Each scene is a disc or a box among two to four shapes and three to six random c
 * all levels moved by "upper" make room, by "lower" they do not.
 Of as many feasible ones, a level moved by less than its slack leaves room, and by more it does not.
 With --poses B is an L at two to four right angles: `map` is asked at each, of B drawn as it stands there, and at
-`at` and `angle` the conditions hold. With --angles it stays at a position and turns: `map` is asked for its angles."""
+`at` and `angle` the conditions hold. With --angles it stays at a position and turns: `map` is asked for its angles. With --instants B moves along a path, a
+position stays, and `map` is asked for instants."""
 import argparse
 import json
 import random
@@ -164,6 +165,23 @@ class AngledScene(PosedScene):
         return ["--at", self.place]
 
 
+class MovingScene(Scene):
+    def __init__(self, rng):
+        super().__init__(rng)
+        self.place = f"{rng.randint(-6, 6)},{rng.randint(-6, 6)}"
+        times = sorted(rng.sample(range(10), rng.randint(2, 4)))
+        self.motion = {"time": [0, 10], "B": {"times": times, "path": [[rng.randint(-9, 9), rng.randint(-9, 9)] for _ in times]}}
+
+    def scene(self, texts):
+        return super().scene(texts) | {"motion": self.motion, "free": "time"}
+
+    def room(self, maps, texts):
+        return maps.found("map", self.scene(texts), self.position())
+
+    def position(self):
+        return ["--at", self.place]
+
+
 class Check:
     def __init__(self, program):
         self.program, self.maps = program, Maps(program)
@@ -174,6 +192,11 @@ class Check:
 
     def at(self, scene, texts, found):
         """At the position and the angle that are named the conditions hold, but for the rounding of the position."""
+        if "time" in found:
+            # The instant is rounded.
+            near = [f"--time={found['time'] + by!r}" for by in (0, -1e-9, 1e-9)]
+            good = any(self.maps.found("check", scene.scene(texts), [*scene.position(), t]) for t in near)
+            self.expect(good, scene, f"does not hold at {scene.place}: {found}")
         if "angle" not in found:
             return
         if "at" not in found:
@@ -248,12 +271,14 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--poses", action="store_true")
     parser.add_argument("--angles", action="store_true")
+    parser.add_argument("--instants", action="store_true")
     options = parser.parse_args()
     rng = random.Random(options.seed)
     check = Check(options.program)
     left = {True: options.count // 5, False: options.count}
     while any(left.values()):
-        scene = (AngledScene if options.angles else PosedScene if options.poses else Scene)(rng)
+        kind = AngledScene if options.angles else MovingScene if options.instants else PosedScene if options.poses else Scene
+        scene = kind(rng)
         if len({c.atom() for c in scene.conditions}) < len(scene.conditions):
             continue
         if not left[check.room(scene, scene.texts())]:

@@ -524,6 +524,55 @@ TEST(PublicExplanation, OfAllAnglesAtAPosition) {
   EXPECT_TRUE(best.together->angle.has_value());
 }
 
+/// A bus that passes a post, 2 beside it while 3.5 <= time <= 5.5.
+World passing_bus() {
+  const World still({{"post", Shape::box({9, 3}, {11, 24})}, {"bus", Shape::box({0, 0}, {2, 1})}}, "bus");
+  return still.with(Motion{0, 10, {{"bus", {{0, {0, 0}, 0}, {10, {20, 0}, 0}}}}});
+}
+
+TEST(PublicExplanation, OfTheInstantsOfAMotion) {
+  const Explanation found = passing_bus().explain_instants("gap(bus, post) <= 3", Point{0, 0});
+  EXPECT_TRUE(found.feasible);
+  ASSERT_EQ(found.slack.size(), 1u);
+  EXPECT_EQ(found.slack[0].to, 2);
+  EXPECT_TRUE(found.slack[0].exact && found.slack[0].reached);
+  EXPECT_EQ(found.slack[0].time, 3.5);
+  EXPECT_FALSE(found.slack[0].at || found.slack[0].angle);
+  EXPECT_NE(found.text.find("the last instant is 3.5"), std::string::npos);
+  // The farthest corners are 25 apart until 2 and from 7 on; until then (6, 1) comes no nearer to (9, 3).
+  const World world = passing_bus();
+  const Explanation none = world.explain_instants("gap(bus, post) <= 3 and reach(bus, post) >= 25", Point{0, 0});
+  EXPECT_FALSE(none.feasible);
+  EXPECT_EQ(none.conflict, (std::vector<std::string>{"gap(bus, post) <= 3", "reach(bus, post) >= 25"}));
+}
+
+TEST(PublicExplanation, OfInstantsAtOpenEnds) {
+  const World world = passing_bus();
+  // The infimum of the distance, that of (6, 1) and (9, 3), is taken at 2 and 7 only.
+  const Explanation open = world.explain_instants("gap(bus, post) <= 3 and reach(bus, post) > 25", Point{0, 0});
+  EXPECT_FALSE(open.feasible);
+  ASSERT_EQ(open.relax.size(), 2u);
+  EXPECT_FALSE(open.relax[0].reached);
+  EXPECT_EQ(open.relax[0].time, 2);
+  EXPECT_TRUE(open.relax[0].exact);
+  EXPECT_DOUBLE_EQ(open.relax[0].to, std::sqrt(13));
+  EXPECT_THROW(world.explain_instants("eta1(bus, post, rotating=(0, 0)) >= 10", Point{0, 0}), Error);
+  const World still({{"post", Shape::box({9, 3}, {11, 24})}, {"bus", Shape::box({0, 0}, {2, 1})}}, "bus");
+  EXPECT_THROW(still.explain_instants("gap(bus, post) <= 3", Point{0, 0}), Error);
+}
+
+TEST(PublicExplanation, OfInstantsOfDistancesThatJumpOrAreOfAllTheTime) {
+  const World world = passing_bus();
+  const Explanation along = world.explain_instants("gap(bus, post, along=(0, 1)) <= 1", Point{0, 0});
+  EXPECT_FALSE(along.feasible);
+  EXPECT_EQ(along.relax.at(0).to, 2);
+  EXPECT_TRUE(along.relax[0].reached);
+  EXPECT_EQ(along.relax[0].time, 3.5);
+  const Explanation all = world.explain_instants("inf gap(bus, post) <= 1 and gap(bus, post) >= 3", Point{0, 0});
+  EXPECT_EQ(all.conflict, (std::vector<std::string>{"inf gap(bus, post) <= 1"}));
+  EXPECT_EQ(all.relax.at(0).to, 2);
+}
+
 TEST(PublicExplanation, DegreesAndLengthsDoNotMoveTogether) {
   const World world({{"room", Shape::box({-4, -4}, {4, 4})}, {"bar", Shape::box({-3, -1}, {3, 1})}}, "bar");
   const std::string turns = "eta1(bar, room, rotating=(1.5, 0)) >= 100";

@@ -28,7 +28,7 @@ export interface Interval { from: number | null; to: number | null; from_in: boo
 export interface Atom { text: string; value: number | string | null; true: boolean; lacks?: number; witness: { points?: Place[] } }
 export interface Nearest { at: Place; distance: number; attained: boolean }
 export interface Check { at: Place; true: boolean; atoms: Atom[]; nearest_feasible?: Nearest }
-export interface Change { text: string; to: number | string | null; by?: number; reached?: boolean; becomes?: string; at?: Place; free?: boolean; refused?: string; proven?: boolean; lower?: number; upper?: number }
+export interface Change { text: string; to: number | string | null; by?: number; reached?: boolean; becomes?: string; at?: Place; angle?: number; time?: number; free?: boolean; refused?: string; proven?: boolean; lower?: number; upper?: number }
 export interface Explanation {
   feasible: boolean; conflict?: string[]; relax?: Change[]; slack?: Change[];
   relax_all?: { lower: number; upper: number | null; at?: Place };

@@ -99,15 +99,21 @@ async function pick(text: string): Promise<void> {
   await check(picture.at, 0);
 }
 
-const explain = latest(async () => {
-  const answer = await call<Explanation>("explain", poseOf(false));
-  roomy = answer.feasible;
+/// Of all positions; with `over` of all angles or instants where the part is.
+const explain = latest(async (over: "angles" | "instants" | null) => {
+  const answer = await call<Explanation>("explain", over ? { over, at: picture.at } : poseOf(false));
+  if (!over) roomy = answer.feasible;
+  const box = get("why").querySelector("div")!;
   get("why").hidden = false;
-  showWhy(get("why").querySelector("div")!, answer, unit(), {
+  showWhy(box, answer, unit(), {
     go: (at) => void moveTo(at).then(keep),
+    pose: (value) => { poses.set(value); void setPose().then(keep); },
     canReplace: (text) => summary.where.includes(text),
     replace: (text, by) => void setWhere(summary.where.replace(text, () => by)).then(() => { sliders(); keep(); }),
   });
+  if (over) box.prepend(make("p", box, `Where the part is, at ${over === "angles" ? "any angle" : "any instant"}:`));
+  const other = over ? null : poses.method;
+  if (over || other) make("button", box, over ? "At all positions" : `Here, at any ${other === "angles" ? "angle" : "instant"}`).onclick = () => void explain(other).catch(fault);
 });
 
 async function solve(): Promise<void> {
@@ -129,7 +135,7 @@ async function showMap(found: RegionMap): Promise<void> {
   if (empty && !found.outer_drawing) {
     verdict(found.on_lines ? "No position was found on the lines of the map" : "No position is feasible", false);
     roomy = false;
-    const told = !summary.motion && !isLarge() && (await explain().then(() => true, () => false));
+    const told = !summary.motion && !isLarge() && (await explain(null).then(() => true, () => false));
     // Lines may miss what an explanation finds.
     if (roomy) empty = false;
     else if (told) verdict("No position is feasible", false);
@@ -172,7 +178,7 @@ async function restore(back: boolean): Promise<void> {
   if (!to) return;
   picture.at = to.at;
   if (to.angle !== poses.pose.angle) {
-    poses.setAngle(to.angle);
+    poses.set(to.angle);
     picture.setPose(poses.pose);
   }
   if (JSON.stringify(to.moving) !== JSON.stringify(summary.moving)) await setMoving(to.moving);
@@ -275,11 +281,11 @@ function onKey(e: KeyboardEvent): void {
   }
   const turn = (by: number) => {
     if (poses.method !== "angles") return;
-    poses.setAngle((poses.pose.angle + by + 360) % 360);
+    poses.set((poses.pose.angle + by + 360) % 360);
     void setPose().then(keep);
   };
   const keys: Record<string, () => void> = {
-    n: () => void toNearest(), e: () => void explain().catch(fault), m: () => measure(!measuring), r: () => turn(15), R: () => turn(-15),
+    n: () => void toNearest(), e: () => void explain(null).catch(fault), m: () => measure(!measuring), r: () => turn(15), R: () => turn(-15),
     Escape: () => measure(false),
   };
   keys[e.key]?.();
@@ -298,7 +304,7 @@ function connect(): void {
     if (typedPlace().every(Number.isFinite)) void moveTo(typedPlace()).then(keep);
   };
   const clicks: Record<string, () => void> = {
-    nearest: () => void toNearest(), explain: () => void explain().catch(fault), measure: () => measure(!measuring),
+    nearest: () => void toNearest(), explain: () => void explain(null).catch(fault), measure: () => measure(!measuring),
     undo: () => void restore(true), redo: () => void restore(false),
   };
   for (const [id, act] of Object.entries(clicks)) get(id).onclick = act;

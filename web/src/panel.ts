@@ -45,7 +45,8 @@ const changeWords = (c: Change, unit: string, slack: boolean): string => {
   return `${slack ? "slack" : "change by"} ${withUnit(c.by ?? 0, unit)}, to ${c.reached ? "" : slack ? "just before " : "just beyond "}${to}${known}`;
 };
 
-export interface WhyActions { go(at: Place): void; replace(text: string, by: string): void; canReplace(text: string): boolean }
+/// `pose`: to an angle, or an instant.
+export interface WhyActions { go(at: Place): void; pose(value: number): void; replace(text: string, by: string): void; canReplace(text: string): boolean }
 
 export function showWhy(box: Element, e: Explanation, unit: string, actions: WhyActions): void {
   box.replaceChildren();
@@ -61,9 +62,10 @@ export function showWhy(box: Element, e: Explanation, unit: string, actions: Why
     const row = make("li", list);
     make("code", row, c.text);
     make("div", row, changeWords(c, unit, slack));
-    const { at, becomes } = c;
+    const { at, becomes } = c, pose = c.angle ?? c.time;
     if (!slack && becomes && actions.canReplace(c.text)) make("button", row, "Change").onclick = () => actions.replace(c.text, becomes);
     if (at) make("button", row, slack ? "Last position" : "Position").onclick = () => actions.go(at);
+    else if (pose !== undefined) make("button", row, c.time === undefined ? `${shown(pose)}°` : `Time ${shown(pose)}`).onclick = () => actions.pose(pose);
   }
   if (e.relax_all && e.relax_all.upper !== null)
     make("p", box, `All levels together: between ${shown(e.relax_all.lower)} and ${withUnit(e.relax_all.upper, unit)}.`);

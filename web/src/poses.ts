@@ -15,13 +15,14 @@ export class Poses {
   private track: HTMLElement | null = null;
   private range: HTMLInputElement | null = null;
   private number: HTMLInputElement | null = null;
+  private over: "angles" | "instants" = "angles";
   private from = 0;
   private to = 360;
 
   constructor(private readonly box: HTMLElement) {}
 
-  /// Which method says what holds along the slider, if there is one.
-  get method(): "angles" | "instants" | null { return this.track ? (this.pose.time === null ? "angles" : "instants") : null; }
+  /// What the slider goes over, if there is one: the method that says where the formula holds along it.
+  get method(): "angles" | "instants" | null { return this.track && this.over; }
 
   show(summary: Summary): void {
     this.box.replaceChildren();
@@ -29,6 +30,7 @@ export class Poses {
     this.track = this.range = this.number = null;
     if (summary.dimension === 3 || !summary.moving.length) return;
     const time = summary.motion;
+    this.over = time ? "instants" : "angles";
     [this.from, this.to] = time ? [time.start, time.end] : [0, 360];
     const label = make("label", this.box, "", "pose");
     make("span", label, time ? "Time" : "Angle");
@@ -63,10 +65,11 @@ export class Poses {
     };
   }
 
-  setAngle(angle: number): void {
-    if (this.pose.time !== null || !this.range) return;
-    this.pose = { angle, time: null };
-    this.range.value = this.number!.value = String(angle);
+  /// To an angle, or an instant.
+  set(value: number): void {
+    if (!this.range) return;
+    this.pose = this.over === "angles" ? { angle: value, time: null } : { angle: 0, time: value };
+    this.range.value = this.number!.value = String(value);
   }
 
   /// Not known for where the part is now.

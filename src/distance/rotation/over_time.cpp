@@ -30,18 +30,20 @@ using plane::operator-;
 
 namespace {
 
-/// f at some points of a path, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
+using plane::PathPiece;
+
+/// f at some points of pieces, as numbers, brackets its extremum: it changes by at most the way (Piyavskii 1972).
 class PathSearch {
  public:
-  PathSearch(const TDistance& f, const RelativePath& path, Sense sense)
-      : f_(f), path_(path), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+  PathSearch(const TDistance& f, std::span<const PathPiece> pieces, Sense sense)
+      : f_(f), pieces_(pieces), sign_(sense == Sense::kMinimum ? 1 : -1) {}
 
   std::optional<Bracket> run() {
     constexpr int kFirst = 4, kMost = 200;
-    best_ = look(0, 0);
     double length = 0;
-    for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
+    for (std::size_t leg = 0; leg < pieces_.size(); ++leg) {
       double f = look(leg, 0);
+      if (way(leg) == 0) continue;
       for (int k = 1; k <= kFirst; ++k) {
         const double to = double(k) / kFirst, g = look(leg, to);
         push({leg, to - 1.0 / kFirst, to, f, g, 0});
@@ -102,15 +104,14 @@ class PathSearch {
   }
 
   double way(std::size_t leg) const {
-    const RealPoint d = path_[leg + 1] - path_[leg];
+    const RealPoint d = pieces_[leg].to - pieces_[leg].from;
     return std::hypot(near_value(d.x), near_value(d.y)) * margin::kUpward;
   }
 
   double look(std::size_t leg, double part) {
-    const RealPoint& from = path_[leg];
-    const RealPoint& to = path_[std::min(leg + 1, path_.size() - 1)];
+    const RealPoint& from = pieces_[leg].from;
     const Real s = Real::from_double(part);
-    const RealPoint d = to - from;
+    const RealPoint d = pieces_[leg].to - from;
     const double v = sign_ * f_.value({from.x + s * d.x, from.y + s * d.y})->value.to_double();
     best_ = std::min(best_, v);
     return v;
@@ -122,7 +123,7 @@ class PathSearch {
   }
 
   const TDistance& f_;
-  const RelativePath& path_;
+  std::span<const PathPiece> pieces_;
   double sign_, best_ = std::numeric_limits<double>::infinity();
   plane::Subdivision<Gap> gaps_;
 };
@@ -143,18 +144,12 @@ class OverTime : public PositionFunction {
   SignMap sign_map(const Real& level) const override { return extreme_along(f_->sign_map(level), path_, sense_); }
 
   std::optional<PlanarAnswer> value(const RealPoint& p) const override {
-    if (!defined()) return std::nullopt;
     RelativePath moved = path_;
     for (RealPoint& w : moved) w = w + p;
-    const Extremum e = extremum(*f_, plane::region_of_path(moved), sense_, bracket(moved));
-    if (!e.exists()) return std::nullopt;
-    if (e.proven()) return exact_answer(e.answer->value, Way::kMap);
-    return enclosed_answer(*e.value(), *e.value(), *e.bound());
+    return best_on_pieces(*f_, plane::pieces_of_path(moved), sense_);
   }
 
  private:
-  std::optional<Bracket> bracket(const RelativePath& path) const { return PathSearch(*f_, path, sense_).run(); }
-
   TDistancePointer f_;
   RelativePath path_;
   Sense sense_;
@@ -173,18 +168,7 @@ class JumpingOverTime : public PositionFunction {
 
   std::optional<PlanarAnswer> value(const RealPoint& p) const override {
     if (!defined()) return std::nullopt;
-    if (sign(p, Real()) == 0) return exact_answer(Real(), Way::kMap);
-    if (sign(p, Real::from_double(-margin::kBeyondAll)) <= 0) return lowest_answer(Way::kMap);
-    if (sign(p, Real::from_double(margin::kBeyondAll)) > 0) return std::nullopt;
-    double low = -margin::kBeyondAll, high = margin::kBeyondAll;  // f is above the one, not above the other
-    for (int k = 0; k < 110; ++k) {
-      const double middle = low + (high - low) / 2;
-      if (middle <= low || middle >= high) break;
-      (sign(p, Real::from_double(middle)) > 0 ? low : high) = middle;
-    }
-    const Real whole = exact::round(Real::from_double(high));
-    if (sign(p, whole) == 0) return exact_answer(whole, Way::kMap);
-    return enclosed_answer(Real::from_double(high), Real::from_double(low), Real::from_double(high));
+    return bisected([&](const Real& level) { return sign(p, level); });
   }
 
  private:
@@ -226,6 +210,30 @@ class AtInstant : public PositionFunction {
 };
 
 }  // namespace
+
+std::optional<PlanarAnswer> best_on_pieces(const TDistance& f, std::span<const PathPiece> pieces, Sense sense) {
+  if (!f.defined()) return std::nullopt;
+  const Extremum e = extremum(f, plane::region_of_pieces(pieces), sense, PathSearch(f, pieces, sense).run());
+  if (!e.exists()) return std::nullopt;
+  if (e.answer->minus_infinity) return lowest_answer(Way::kMap);
+  if (e.proven()) return exact_answer(e.answer->value, Way::kMap);
+  return enclosed_answer(*e.value(), *e.value(), *e.bound());
+}
+
+std::optional<PlanarAnswer> bisected(const std::function<Mark(const Real&)>& sign) {
+  if (sign(Real()) == 0) return exact_answer(Real(), Way::kMap);
+  if (sign(Real::from_double(-margin::kBeyondAll)) <= 0) return lowest_answer(Way::kMap);
+  if (sign(Real::from_double(margin::kBeyondAll)) > 0) return std::nullopt;
+  double low = -margin::kBeyondAll, high = margin::kBeyondAll;  // f is above the one, not above the other
+  for (int k = 0; k < 110; ++k) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    (sign(Real::from_double(middle)) > 0 ? low : high) = middle;
+  }
+  const Real whole = exact::round(Real::from_double(high));
+  if (sign(whole) == 0) return exact_answer(whole, Way::kMap);
+  return enclosed_answer(Real::from_double(high), Real::from_double(low), Real::from_double(high));
+}
 
 PositionFunctionPointer over_time(TDistancePointer f, RelativePath path, Sense sense) {
   return std::make_shared<OverTime>(std::move(f), std::move(path), sense);

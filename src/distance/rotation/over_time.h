@@ -10,10 +10,13 @@
 // for each leg. Keywords: dynamic collision detection, moving obstacles, swept volume, space-time.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "distance/planar_features/t_distance.h"
 #include "distance/planar_least/extremum.h"
+#include "plane/build/path_region.h"
 
 namespace findspace::distance {
 
@@ -26,6 +29,14 @@ PositionFunctionPointer over_time(TDistancePointer f, RelativePath path, Sense s
 /// The same of a distance that jumps (along a direction), of the values that it takes: its inf is at most a level where
 /// f is at some instant, its sup where f is at every instant. Values are found by bisection, to about 1e-14.
 PositionFunctionPointer jumping_over_time(PositionFunctionPointer f, RelativePath path, Sense sense);
+
+/// The inf or sup of f on pieces of a way, of which there is one at least; where it is not proven, a place takes the
+/// value. Nothing where f has none.
+std::optional<PlanarAnswer> best_on_pieces(const TDistance& f, std::span<const plane::PathPiece> pieces, Sense sense);
+
+/// The number of which the sign minus every level is known, by bisection to about 1e-14; a whole one exactly. Nothing
+/// above all levels.
+std::optional<PlanarAnswer> bisected(const std::function<plane::Mark(const exact::Real&)>& sign);
 
 /// p -> f(p + by): f at an instant.
 PositionFunctionPointer at_instant(PositionFunctionPointer f, const exact::RealPoint& by);

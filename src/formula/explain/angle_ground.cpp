@@ -32,9 +32,9 @@ std::optional<RemainingPlace> angle_in(const RotationMap& set) {
   return out;
 }
 
-class AngleGround : public Ground {
+class AngleGround : public KnownCells {
  public:
-  AngleGround(const RotationMaps& maps, const Demands& demands) : maps_(maps), demands_(demands) {
+  AngleGround(const RotationMaps& maps, const Demands& demands) : KnownCells(demands), maps_(maps) {
     for (const Atom& a : demands.formula().atoms())
       if (maps.rotations_twice(a.distance))
         refuse(a.distance, "over angles an explanation knows no distance in rotation about another point");
@@ -44,24 +44,20 @@ class AngleGround : public Ground {
       distinct.insert(met_at(demands, signs));
       return true;
     });
-    met_.assign(distinct.begin(), distinct.end());
+    know(distinct);
   }
 
-  exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
-    return has_room(demands_, met_, assumed);
-  }
-  Conflict conflict() override { return find_conflict(demands_, met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     const RotationMap within =
-        angles([&](std::span<const Mark> signs) { return holds_without(demands_, signs, k, sign); });
-    const distance::RotationOptimum best = maps_.best(demands_.formula().atoms()[k].distance, within, sense);
-    LevelChange out = changed(demands_, k, best, best.attained && best.proven());
+        angles([&](std::span<const Mark> signs) { return holds_without(demands(), signs, k, sign); });
+    const distance::RotationOptimum best = maps_.best(demands().formula().atoms()[k].distance, within, sense);
+    LevelChange out = changed(demands(), k, best, best.attained && best.proven());
     if (out.kind == LevelChange::Kind::kTo) out.place = angle_in(best.at).value_or(RemainingPlace());
     return out;
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
     const FindPlace find = [this](const Formula& near) { return angle_in(maps_.feasible(near)); };
-    return common_relaxation(find, maps_.world().step(), demands_, enough);
+    return common_relaxation(find, maps_.world().step(), demands(), enough);
   }
 
  private:
@@ -74,9 +70,7 @@ class AngleGround : public Ground {
   }
 
   const RotationMaps& maps_;
-  const Demands& demands_;
   std::vector<RotationMap> signs_;
-  std::vector<MetDemands> met_;  // in the cells of the circle
 };
 
 }  // namespace

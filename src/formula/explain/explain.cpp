@@ -161,6 +161,12 @@ Explanation explain(const RotationMaps& maps, const Formula& formula) {
   return Explainer(*angle_ground(maps, demands), demands).run();
 }
 
+Explanation explain_instants(const Solver& solver, const Formula& formula, const RealPoint& p) {
+  refuse_sums(formula);
+  const Demands demands(formula);
+  return Explainer(*time_ground(solver.prepared(), solver.prepared().steps(p), demands), demands).run();
+}
+
 namespace {
 
 template <class S, class Place>

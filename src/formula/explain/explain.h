@@ -10,11 +10,11 @@
 // enclosed. The common relaxation moves all levels by one amount t and is enclosed: `lower` leaves no position, `upper`
 // does. In space a search decides where the positions are not made of boxes (space_ground.cpp): what it does not decide
 // is said so, of the whole by Error(kLimit). Over angles the moving shape stays at a position, and an angle takes the
-// place of a position (angle_ground.cpp). Refused: over positions shapes that rotate in time and distances in rotation,
-// whose regions are known between bounds; over angles distances in rotation about another point; in space distances
-// along a direction, and `-> min`. Cost: in the plane one overlay and one least value for each demand, some fifteen
-// regions for the common relaxation; in space a search each. Keywords: infeasibility analysis, irreducible infeasible
-// subsystem, elastic relaxation, slack, sensitivity.
+// place of a position (angle_ground.cpp), over time an instant (time_ground.cpp). Refused: over positions shapes that
+// rotate in time and distances in rotation, whose regions are known between bounds, and over time the same; over angles
+// distances in rotation about another point; in space distances along a direction, and `-> min`. Cost: in the plane one
+// overlay and one least value for each demand, some fifteen regions for the common relaxation; in space a search each.
+// Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack, sensitivity.
 #pragma once
 
 #include <cstdint>
@@ -32,11 +32,12 @@
 
 namespace findspace::formula {
 
-/// One that remains, or that is there then: a position, or over all angles an angle.
+/// One that remains, or that is there then: a position, or over all angles an angle, over time an instant.
 struct RemainingPlace {
   std::optional<distance::Coordinates> at;  // in the scene's unit
   std::size_t pose = 0;                     // of `at`: which of the poses that were asked about
   std::optional<double> degrees;            // from 0 on, below 360
+  std::optional<double> time;               // an instant of the motion
 };
 
 /// How one demand's level can move while all others stay.
@@ -83,6 +84,9 @@ Explanation explain(Poses poses, const Formula& formula);
 Explanation explain(const SpaceSolver& solver, const Formula& formula);
 /// Over all angles of the moving shape.
 Explanation explain(const RotationMaps& maps, const Formula& formula);
+
+/// Over all instants of the motion at a position in the scene's unit.
+Explanation explain_instants(const Solver& solver, const Formula& formula, const exact::RealPoint& p);
 
 /// What stands in the way at one position.
 struct PositionExplanation {

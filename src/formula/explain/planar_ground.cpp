@@ -76,21 +76,17 @@ distance::OptimalValue best_of(const distance::OptimalValue& a, const distance::
   return out;
 }
 
-class PlanarGround : public Ground {
+class PlanarGround : public KnownCells {
  public:
-  PlanarGround(Poses poses, const Demands& demands) : poses_(poses), demands_(demands) {
+  PlanarGround(Poses poses, const Demands& demands) : KnownCells(demands), poses_(poses) {
     std::set<MetDemands> distinct;
     for (const auto& pose : poses) {
       const std::vector<MetDemands> here = cells_.emplace_back(pose->prepared(), demands).all();
       distinct.insert(here.begin(), here.end());
     }
-    met_.assign(distinct.begin(), distinct.end());
+    know(distinct);
   }
 
-  exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
-    return has_room(demands_, met_, assumed);
-  }
-  Conflict conflict() override { return find_conflict(demands_, met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     LevelChange out = best_at(0, k, sign, sense);
     for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
@@ -103,14 +99,14 @@ class PlanarGround : public Ground {
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
     const FindPlace find = [this](const Formula& near) { return place_of(near); };
-    return common_relaxation(find, poses_.front()->world().step, demands_, enough);
+    return common_relaxation(find, poses_.front()->world().step, demands(), enough);
   }
 
  private:
   LevelChange best_at(std::size_t pose, std::size_t k, int sign, Sense sense) const {
-    const Objective objective{Objective::Kind::kDistance, demands_.formula().atoms()[k].distance, false, {}, {}};
+    const Objective objective{Objective::Kind::kDistance, demands().formula().atoms()[k].distance, false, {}, {}};
     const Optimum best = exact_optimum(*poses_[pose], without(cells_[pose], k, sign), {objective, sense});
-    LevelChange out = changed(demands_, k, best, best.attained && best.proven());
+    LevelChange out = changed(demands(), k, best, best.attained && best.proven());
     if (out.kind == Kind::kTo) out.place = place_in(best.at, pose).value_or(RemainingPlace());
     return out;
   }
@@ -137,13 +133,11 @@ class PlanarGround : public Ground {
   }
   /// The positions that the formula has without demand k, of those where its distance minus the level has `sign`.
   plane::Region without(const Cells& cells, std::size_t k, int sign) const {
-    return cells.region([&](std::span<const Mark> signs) { return holds_without(demands_, signs, k, sign); });
+    return cells.region([&](std::span<const Mark> signs) { return holds_without(demands(), signs, k, sign); });
   }
 
   Poses poses_;
-  const Demands& demands_;
-  std::vector<Cells> cells_;     // at each pose
-  std::vector<MetDemands> met_;  // in the cells of all
+  std::vector<Cells> cells_;  // at each pose
 };
 
 }  // namespace

@@ -163,9 +163,14 @@ std::array<Section, 2> sign_bounds_in_time(const PreparedWorld& world, const Sig
 
 }  // namespace
 
+std::vector<Section> signs_in_time(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  std::vector<Section> out(formula.sign_maps().size());
+  plane::parallel_for(out.size(), [&](std::size_t k) { out[k] = signs_in_time(world, formula.sign_maps()[k], p); });
+  return out;
+}
+
 Section instants_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
-  std::vector<Section> lines(formula.sign_maps().size());
-  plane::parallel_for(lines.size(), [&](std::size_t k) { lines[k] = signs_in_time(world, formula.sign_maps()[k], p); });
+  std::vector<Section> lines = signs_in_time(world, formula, p);
   // Also where there are no atoms.
   lines.push_back(Section::constant(world.motion().start, world.motion().end, 0));
   Section line = overlay_sections(lines, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });

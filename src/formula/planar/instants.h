@@ -7,6 +7,8 @@
 // continuous collision detection.
 #pragma once
 
+#include <vector>
+
 #include "formula/planar/prepared_world.h"
 #include "formula/planar/region_bounds.h"
 
@@ -15,6 +17,11 @@ namespace findspace::formula {
 /// The marks that the formula has at p, in grid steps, from the start to the end of the motion, 1 where it holds at the
 /// instant. Distances with inf or sup keep to the whole time.
 plane::Section instants_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);
+
+/// The signs of each of its sign maps, likewise. Throws Error(kUnsupported) where shapes rotate in time, and for
+/// distances in rotation.
+std::vector<plane::Section> signs_in_time(const PreparedWorld& world, const Formula& formula,
+                                          const exact::RealPoint& p);
 
 /// The same where shapes rotate in time.
 InstantBounds instant_bounds_at(const PreparedWorld& world, const Formula& formula, const exact::RealPoint& p);

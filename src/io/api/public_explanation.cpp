@@ -23,6 +23,7 @@ std::vector<double> position(const distance::Coordinates& p) {
 template <class Value>
 void put_place(const io::ExplanationReport& report, const formula::RemainingPlace& place, Value& out) {
   out.angle = place.degrees;
+  out.time = place.time;
   if (!place.at) return;
   out.at = position(*place.at);
   if (!report.degrees.empty()) out.angle = report.degrees[place.pose];
@@ -32,7 +33,7 @@ LevelChange public_change(const io::ExplanationReport& report, const formula::Le
   using Kind = LevelChange::Kind;
   static_assert(int(formula::LevelChange::Kind::kUnknown) == int(Kind::kUnknown));
   const io::SaidChange said = io::said(report, change);
-  LevelChange out{Kind(int(change.kind)), said.text, said.becomes, 0, 0, false, 0, 0, change.reached, {}, {},
+  LevelChange out{Kind(int(change.kind)), said.text, said.becomes, 0, 0, false, 0, 0, change.reached, {}, {}, {},
                   change.refused};
   if (out.kind != Kind::kTo) return out;
   const distance::OutwardEnds ends = distance::outward(said.level.answer->bounds());
@@ -62,7 +63,7 @@ Explanation public_explanation(const io::ExplanationReport& report) {
   for (const formula::LevelChange& c : e.relax) out.relax.push_back(public_change(report, c));
   for (const formula::LevelChange& c : e.slack) out.slack.push_back(public_change(report, c));
   if (e.together) {
-    out.together = {e.together->lower.to_double(), {}, {}, {}};
+    out.together = {e.together->lower.to_double(), {}, {}, {}, {}};
     if (e.together->upper) out.together->upper = e.together->upper->to_double();
     put_place(report, e.together->place, *out.together);
   }
@@ -144,7 +145,18 @@ Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at) 
   asked.stage("explaining");
   const formula::RotationSolver rotated(*solver, {at, {}, pole});
   const formula::Explanation found = formula::explain(rotated.maps(formula), formula);
-  return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, true});
+  return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, Sought::kAngle});
+}
+
+Explanation explain_instants(const AskedScene& asked, const exact::RealPoint& at) {
+  asked.require_positions(true);
+  if (asked.goal()) throw Error(ErrorCode::kUnsupported, "an objective in time is not computed", asked.scene().file);
+  asked.require_question();
+  const formula::Formula formula = asked.where();
+  const std::shared_ptr<const formula::Solver> solver = asked.solver();
+  asked.stage("explaining");
+  const formula::Explanation found = formula::explain_instants(*solver, formula, at);
+  return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, Sought::kInstant});
 }
 
 }  // namespace io
@@ -157,7 +169,19 @@ Explanation World::explain_angles(const Formula& formula, const Point& at, const
     const formula::Formula asked = data_->formula(formula.text());
     const formula::RotationSolver rotated(solver, {{place[0], place[1]}, {}, exact::RealPoint{centre[0], centre[1]}});
     const formula::Explanation found = formula::explain(rotated.maps(asked), asked);
-    return public_explanation({asked, found, nullptr, {}, solver.world().step, data_->unit(), {}, true});
+    return public_explanation({asked, found, nullptr, {}, solver.world().step, data_->unit(), {}, io::Sought::kAngle});
+  });
+}
+
+Explanation World::explain_instants(const Formula& formula, const Point& at) const {
+  const formula::Solver& solver = data_->plane("an explanation over time");
+  if (!data_->motion) throw Error(ErrorCode::kBadValue, "an explanation over time needs a motion");
+  const distance::Coordinates place = api::place_of(*data_, at);
+  return api::limited(data_->options, [&] {
+    const formula::Formula asked = data_->formula(formula.text());
+    const formula::Explanation found = formula::explain_instants(solver, asked, {place[0], place[1]});
+    return public_explanation(
+        {asked, found, nullptr, {}, solver.world().step, data_->unit(), {}, io::Sought::kInstant});
   });
 }
 

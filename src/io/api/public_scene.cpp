@@ -283,10 +283,13 @@ std::vector<io::Placement::Near> near_of(const PlaceQuestion& question) {
 
 Explanation explained(const io::AskedScene& scene, const Pose& pose) {
   const std::vector<Number>& at = pose.at;
-  if (!pose.degrees && scene.scene().free.kind == io::Free::Kind::kAngle)
-    return io::explain_angles(
-        scene, at.empty() ? exact::RealPoint() : exact::RealPoint{api::real_of(at[0]), api::real_of(at[1])});
-  if (!scene.in_space() && (pose.degrees || scene.scene().free.kind == io::Free::Kind::kPose)) {
+  const io::Free::Kind free = scene.scene().free.kind;
+  if (free == io::Free::Kind::kTime || (!pose.degrees && free == io::Free::Kind::kAngle)) {
+    exact::RealPoint place;
+    if (!at.empty()) place = {api::real_of(at[0]), api::real_of(at[1])};
+    return free == io::Free::Kind::kTime ? io::explain_instants(scene, place) : io::explain_angles(scene, place);
+  }
+  if (!scene.in_space() && (pose.degrees || free == io::Free::Kind::kPose)) {
     std::optional<exact::Real> degrees;
     std::optional<exact::RealPoint> p;
     if (pose.degrees) degrees = api::real_of(*pose.degrees);

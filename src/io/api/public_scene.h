@@ -32,5 +32,7 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
                           const std::optional<exact::RealPoint>& at);
 /// Of the plane: its formula over all angles at a position.
 Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at);
+/// Of the plane: its formula over all instants of its motion at a position.
+Explanation explain_instants(const AskedScene& asked, const exact::RealPoint& at);
 
 }  // namespace findspace::io

@@ -39,6 +39,7 @@ std::string place_members(const ExplanationReport& r, const formula::RemainingPl
   std::string out;
   if (place.at) put(out, R"(, "at": {})", json_point(*place.at));
   if (place.degrees) put(out, R"(, "angle": {})", json_number(*place.degrees));
+  if (place.time) put(out, R"(, "time": {})", json_number(*place.time));
   if (place.at && !r.degrees.empty()) put(out, R"(, "angle": {})", json_number(r.degrees[place.pose]));
   return out;
 }
@@ -82,8 +83,12 @@ std::string amount(const ExplanationReport& r, std::size_t atom, double value) {
 }
 
 /// What there is room for.
-const char* noun(const ExplanationReport& r) { return r.over_angles ? "angle" : "position"; }
-std::string article(const ExplanationReport& r) { return r.over_angles ? "an angle" : "a position"; }
+const char* noun(const ExplanationReport& r) {
+  return r.sought == Sought::kAngle ? "angle" : r.sought == Sought::kInstant ? "instant" : "position";
+}
+std::string article(const ExplanationReport& r) {
+  return fmt::format("{} {}", r.sought == Sought::kPosition ? "a" : "an", noun(r));
+}
 
 /// Of a level that is not exact.
 std::string bounds_text(const distance::OptimalValue& level) {
@@ -95,6 +100,7 @@ std::string bounds_text(const distance::OptimalValue& level) {
 /// Empty if there is none.
 std::string place_text(const ExplanationReport& r, const formula::RemainingPlace& place) {
   if (place.degrees) return fmt::format("{}°", shown(*place.degrees));
+  if (place.time) return shown(*place.time);
   if (!place.at) return "";
   const std::string at = shown_point(*place.at);
   return r.degrees.empty() ? at : fmt::format("{} at {}°", at, shown(r.degrees[place.pose]));

@@ -6,12 +6,16 @@
 // report, infeasibility, slack.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "formula/explain/explain.h"
 
 namespace findspace::io {
+
+/// What an explanation looks for: a position; or at one position an angle, or an instant.
+enum class Sought : std::uint8_t { kPosition, kAngle, kInstant };
 
 /// An explanation beside what it speaks of. `here` may be null.
 struct ExplanationReport {
@@ -22,7 +26,7 @@ struct ExplanationReport {
   exact::Real step;          // one grid step in the scene's unit
   std::string unit;
   std::vector<double> degrees = {};  // of the poses that were asked about; empty: as drawn alone
-  bool over_angles = false;          // of one position: angles take the place of positions
+  Sought sought = Sought::kPosition;
 };
 
 /// A change of a level in the words of the formula's writer.
