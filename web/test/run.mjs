@@ -538,6 +538,44 @@ const tests = {
     await until(page, () => document.getElementById("verdict").textContent === "Feasible");
     await close(opened);
   },
+  async "why, at any instant and at any angle where the part is"() {
+    const bus = {
+      findspace: 1, unit: "m", moving: "bus", where: "gap(bus, post) <= 1",
+      shapes: { post: { box: { min: [9, 3], max: [11, 5] } }, bus: { box: { min: [0, 0], max: [2, 1] } } },
+      motion: { time: [0, 10], bus: { path: [[0, 0], [20, 0]], times: [0, 10] } },
+    };
+    const click = (page, text) => page.evaluate((text) => [...document.querySelectorAll("#why button")].find((b) => b.textContent === text).click(), text);
+    const words = (page) => page.$eval("#why", (e) => e.textContent);
+    const atOrigin = (page) => page.evaluate(() => {
+      for (const id of ["x", "y"]) document.getElementById(id).value = "0";
+      document.getElementById("y").dispatchEvent(new Event("change"));
+    });
+    let opened = await open(scene("bus.json", bus)), { page } = opened;
+    await atOrigin(page);
+    await until(page, () => document.getElementById("atoms").textContent.includes("2 m"));
+    await page.keyboard.press("e");
+    await until(page, () => document.getElementById("why").textContent.includes("Here, at any instant"));
+    await click(page, "Here, at any instant");
+    await until(page, () => document.getElementById("why").textContent.includes("Where the part is, at any instant"));
+    assert.match(await words(page), /contradicts itself.*change by 1 m, to 2 m/);
+    await shot(page, "why-instants-light");
+    await click(page, "Time 3.5");
+    await until(page, () => document.querySelector("#poses input[type=range]").value === "3.5");
+    await until(page, () => document.getElementById("atoms").textContent.includes("2 m"));
+    await close(opened);
+    const bar = {
+      findspace: 1, unit: "m", moving: "bar", where: "margin(bar, room) >= 0.5",
+      shapes: { room: { box: { min: [-2, -4], max: [2, 4] } }, bar: { box: { min: [-3, -1], max: [3, 1] } } },
+    };
+    ({ page } = (opened = await open(scene("bar.json", bar))));
+    await atOrigin(page);
+    await until(page, () => document.getElementById("why").textContent.includes("Here, at any angle"));
+    await click(page, "Here, at any angle");
+    await until(page, () => document.getElementById("why").textContent.includes("slack 0.5 m, to 1 m"));
+    await click(page, "90°");
+    await until(page, () => document.getElementById("verdict").textContent === "Feasible");
+    await close(opened);
+  },
   async "a placement: a part is dragged, the others make room, undo"() {
     const opened = await open(example("components.json")), { page } = opened;
     await until(page, () => document.getElementById("verdict").textContent === "All 4 are placed");
