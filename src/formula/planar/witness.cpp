@@ -3,8 +3,11 @@
 
 #include "formula/planar/witness.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "plane/complex/extent.h"
 #include "plane/query/nearest.h"
 
 namespace findspace::formula {
@@ -21,6 +24,17 @@ double away(const Region& r, const RealPoint& at, bool inside) {
   auto n = plane::nearest(
       r, [](plane::Mark m) { return m > 0; }, at);
   return n ? n->distance.to_double() : std::numeric_limits<double>::infinity();
+}
+
+/// All of a set lies farther than `least` from the point.
+bool beyond(const Region& r, const RealPoint& at, double least) {
+  if (r.faces[0].mark > 0) return false;
+  const std::optional<plane::PieceBox> box = plane::extent(r);
+  if (!box) return false;
+  const auto apart = [](double low, double high, const exact::Interval& c) {
+    return std::max(low - c.hi, c.lo - high);
+  };
+  return std::max(apart(box->x0, box->x1, at.x.interval()), apart(box->y0, box->y1, at.y.interval())) > least;
 }
 
 /// Ends of arcs where a circle was only cut into halves are not vertices.
@@ -62,6 +76,7 @@ FeatureAt named_feature(const distance::Feature& f, const Region& region, const 
   RealPoint home = f.of_moving ? RealPoint{f.at.x - p.x, f.at.y - p.y} : f.at;
   double least = std::numeric_limits<double>::infinity();
   auto nearer = [&](const Region& r) {
+    if (beyond(r, home, least)) return false;
     double d = away(r, home, f.cell->dimension == 2);
     if (!(d < least)) return false;
     least = d;
