@@ -27,6 +27,7 @@ export class PackingPage {
   private shown = 0;
   private said = "";
   private held = 0;
+  private searched = false;  // when the state was last shown: the last layout of a search comes after it
   private looked = false;  // somebody has turned or moved the picture
   private stopped: Promise<void> = Promise.resolve();
   private past: string[] = [];
@@ -124,8 +125,10 @@ export class PackingPage {
     const said = state.failure ?? (state.running ? "Packing" : this.isBest() ? "No better layout is possible" : sizeOf(state) ? "Stopped: the best layout is kept" : "Not begun");
     if (said !== this.said || state.number !== this.shown) this.verdict(said, state.failure ? false : state.running ? null : true);
     this.said = said;
+    const searched = this.searched || state.running;
+    this.searched = state.running;
     if (!state.layout || state.number === this.shown) return;
-    const fits = this.shown === 0 || (state.running && !this.looked);
+    const fits = this.shown === 0 || (searched && !this.looked);
     this.shown = state.number;
     this.items = state.layout.items;
     this.picture!.show(this.problem!, this.state, this.items);
