@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exact/margins/plane.h"
 
@@ -40,6 +41,15 @@ bool projection_inside(const CellComplex& c, Index edge, double x, double y) {
   return e.half * turn(p) <= 0 && e.half * turn(q) >= 0;
 }
 
+/// Whether the box of a straight edge is farther than `reach`, as near as rounding; of an arc never.
+bool is_beyond(const CellComplex& c, Index edge, double x, double y, double reach) {
+  const Edge& e = c.edges[edge];
+  if (e.half != 0) return false;
+  const exact::Point &p = c.point(e.v0), &q = c.point(e.v1);
+  return x < std::min(p.x, q.x) - reach || x > std::max(p.x, q.x) + reach || y < std::min(p.y, q.y) - reach ||
+         y > std::max(p.y, q.y) + reach;
+}
+
 double edge_distance(const CellComplex& c, Index edge, double x, double y) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (c.edges[edge].half == 0) {
@@ -71,24 +81,29 @@ Nearest exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
 }  // namespace
 
 std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
-  double x = middle(from.x), y = middle(from.y), least = std::numeric_limits<double>::infinity(), scale = 0;
+  const double x = middle(from.x), y = middle(from.y);
+  double scale = std::abs(x) + std::abs(y), greatest = 0, reach = std::numeric_limits<double>::infinity();
+  for (Index v = 0; v < c.vertices.size(); ++v)
+    greatest = std::max({greatest, std::abs(c.point(v).x), std::abs(c.point(v).y)});
+  scale += greatest;
+  // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; they are compared
+  // exactly.
   std::vector<Candidate> all;
-  auto take = [&](double d, Cell cell) {
+  const auto take = [&](double d, Mark mark, Cell cell) {
+    if (d > reach || !wanted(mark)) return;
     all.push_back({d, cell});
-    least = std::min(least, d);
+    reach = std::min(reach, d + (scale + d) * margin::kNearestCandidate);
   };
   for (Index v = 0; v < c.vertices.size(); ++v) {
-    const exact::Point& p = c.point(v);
-    scale = std::max({scale, std::abs(p.x), std::abs(p.y)});
-    if (wanted(c.vertices[v].mark)) take(std::hypot(p.x - x, p.y - y), {0, v});
+    const double dx = c.point(v).x - x, dy = c.point(v).y - y;
+    take(std::sqrt(dx * dx + dy * dy), c.vertices[v].mark, {0, v});
   }
   for (Index e = 0; e < c.edges.size(); ++e)
-    if (wanted(c.edges[e].mark) && projection_inside(c, e, x, y)) take(edge_distance(c, e, x, y), {1, e});
-  // Rounding can only exchange candidates within this of the least; they are compared exactly.
-  double tolerance = (scale + std::abs(x) + std::abs(y) + least) * margin::kNearestCandidate;
+    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y))
+      take(edge_distance(c, e, x, y), c.edges[e].mark, {1, e});
   std::optional<Nearest> best;
   for (const Candidate& k : all) {
-    if (k.distance > least + tolerance) continue;
+    if (k.distance > reach) continue;
     Nearest n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
     if (!best || n.distance.to_double() < best->distance.to_double()) best = std::move(n);
   }
