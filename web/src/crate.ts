@@ -4,7 +4,7 @@
 // The picture of a layout of solids, in the picture of space: upon a floor, or in containers side by side along x. A
 // solid is chosen by a click or in a list, and dragged along an axis by its arrows, or moved by keys.
 import type { Corner, PackedItem, PackingProblem, PackingState, Place, ShapeInfo, SpaceDrawing } from "./engine";
-import { holderOf, hueOf, keyedMove, nameOf, numberOf, placeOf, sizeOf } from "./layout";
+import { holderOf, hueOf, keyedHolder, keyedMove, nameOf, numberOf, placeOf, sizeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
 import { make } from "./panel";
 import type { SpaceStage } from "./space";
@@ -93,7 +93,7 @@ export class CratePicture implements LayoutPicture {
     this.items.forEach((item, k) => {
       const button = make("button", make("li", this.list), nameOf(item));
       button.ariaPressed = String(nameOf(item) === this.picked);
-      if (!this.still) button.title = "Move it by its arrows, or by arrow keys, Page Up and Page Down";
+      if (!this.still) button.title = "Move it by its arrows, or by arrow keys, Page Up and Page Down; [ and ] move it to another container";
       button.onclick = () => this.pick(k);
     });
     if (focused >= 0) this.list.querySelectorAll("button")[focused]?.focus();
@@ -101,10 +101,12 @@ export class CratePicture implements LayoutPicture {
 
   showAt(item: number, at: Place, good: boolean): void { this.stage.showPlacedAt(item, this.drawnAt(this.items[item]!, at), good); }
 
-  keyed(e: KeyboardEvent): { item: number; by: Place } | null {
+  keyed(e: KeyboardEvent): { item: number; by: Place; to: number } | null {
     if (e.key === "Escape" && this.picked) this.pick(this.index);
-    const by = keyedMove(e, 3, this.stage.unit);
-    return this.index >= 0 && by ? { item: this.index, by: this.stage.rounded(by) } : null;
+    if (this.index < 0) return null;
+    const own = holderOf(this.items[this.index]!), to = keyedHolder(e, own, this.from.length);
+    const by = keyedMove(e, 3, this.stage.unit) ?? (to === own ? null : [0, 0, 0]);
+    return by && { item: this.index, by: this.stage.rounded(by), to };
   }
 
   fit(): void { this.stage.fit(); }

@@ -23,8 +23,9 @@ export interface LayoutPicture {
   recolour(): void;
   svg(): string;
   png(): Promise<Blob>;
-  /// The item that keys move, if there is one, and by how much along which axis this one moves it.
-  keyed(e: KeyboardEvent): { item: number; by: Place } | null;
+  /// The item that keys move, if there is one, by how much along which axis this one moves it, and onto which sheet or
+  /// into which container.
+  keyed(e: KeyboardEvent): { item: number; by: Place; to: number } | null;
 }
 
 /// "17/3"
@@ -40,6 +41,9 @@ export const sizeOf = (state: PackingState): number => state.length ?? state.hei
 export const hueOf = (problem: PackingProblem, part: string): number => (360 * problem.parts.findIndex((p) => p.name === part)) / problem.parts.length;
 
 const kWays: Record<string, [number, number]> = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1], PageDown: [2, -1], PageUp: [2, 1] };
+
+/// The sheet or container, of so many, to which a key moves from one of them.
+export const keyedHolder = (e: KeyboardEvent, from: number, count: number): number => (e.key === "[" ? Math.max(0, from - 1) : e.key === "]" ? Math.min(count - 1, from + 1) : from);
 
 /// By how much a key moves along the axes; `unit`: units a pixel.
 export function keyedMove(e: KeyboardEvent, dimension: number, unit: number): Place | null {

@@ -161,7 +161,7 @@ export class PackingPage {
     if (!move) return false;
     const item = this.items[move.item]!;
     this.grab();
-    void this.drop(nameOf(item), placeOf(item).map((x, k) => x + move.by[k]!), holderOf(item));
+    void this.drop(nameOf(item), placeOf(item).map((x, k) => x + move.by[k]!), move.to);
     return true;
   }
 

@@ -4,7 +4,7 @@
 // The picture of a layout in a strip, in a box, or on sheets beside each other; its parts are dragged, or moved by keys
 // where they have the focus.
 import type { PackedItem, PackingProblem, PackingState, Place, Point } from "./engine";
-import { holderOf, hueOf, keyedMove, nameOf, numberOf, placeOf } from "./layout";
+import { holderOf, hueOf, keyedHolder, keyedMove, nameOf, numberOf, placeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
 import { kShift, roundLength, shortDecimals, shown } from "./picture";
 import { element, pictureOf, pictureText } from "./svg";
@@ -41,7 +41,7 @@ export class StripPicture implements LayoutPicture {
     this.layer.replaceChildren();
     items.forEach((item, k) => {
       const part = problem.parts.find((p) => p.name === item.part)!;
-      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": nameOf(item) + (this.still ? "" : "; arrow keys move it"), d: part.drawing as string, transform: this.transform(item, placeOf(item), holderOf(item)) }, this.layer);
+      const path = element("path", { class: "item", "data-item": `${k}`, tabindex: "0", role: "button", "aria-label": nameOf(item) + (this.still ? "" : this.holders.length > 1 ? "; arrow keys move it, [ and ] to another sheet" : "; arrow keys move it"), d: part.drawing as string, transform: this.transform(item, placeOf(item), holderOf(item)) }, this.layer);
       (path as SVGPathElement).style.setProperty("--hue", String(hueOf(problem, item.part)));
       element("title", {}, path).textContent = nameOf(item);
     });
@@ -126,9 +126,12 @@ export class StripPicture implements LayoutPicture {
     this.bar.firstElementChild!.textContent = shown(length);
   }
 
-  keyed(e: KeyboardEvent): { item: number; by: Place } | null {
-    const item = (e.target as Element).getAttribute("data-item"), by = keyedMove(e, 2, this.unit);
-    return item !== null && by ? { item: Number(item), by } : null;
+  keyed(e: KeyboardEvent): { item: number; by: Place; to: number } | null {
+    const item = (e.target as Element).getAttribute("data-item");
+    if (item === null) return null;
+    const own = holderOf(this.items[Number(item)]!), to = keyedHolder(e, own, this.holders.length);
+    const by = keyedMove(e, 2, this.unit) ?? (to === own ? null : [0, 0]);
+    return by && { item: Number(item), by, to };
   }
 
   private follow(): void {

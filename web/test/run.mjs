@@ -370,6 +370,14 @@ const tests = {
     await until(page, (text) => document.getElementById("pack-facts").textContent !== text, before);
     await until(page, () => document.querySelectorAll("#layer-items .item").length === 3);
     await shot(page, "sheets-moved-light");
+    // And back by a key.
+    const moved = await facts();
+    await page.$$eval("#layer-items .item", (all) => all.find((e) => e.querySelector("title").textContent === "tile 3").focus());
+    await page.keyboard.press("]");
+    await until(page, (text) => document.getElementById("pack-facts").textContent !== text, moved);
+    const [bx, by] = await middle(3);
+    await page.mouse.move(bx, by);
+    await until(page, () => /^tile 3: .*, plate 2$/.test(document.getElementById("hover").textContent));
     const session = await page.createCDPSession();
     await session.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder, eventsEnabled: true });
     const file = join(folder, "findspace.html");
@@ -382,7 +390,7 @@ const tests = {
     assert.equal((await alone.$$("#layer-items .item")).length, 3);
     assert.equal(await alone.$eval("#pack-facts", (e) => e.textContent), shownFacts);
     await alone.mouse.move(...(await alone.$$eval("#layer-items .item", (all) => { const b = all.find((e) => e.querySelector("title").textContent === "tile 2").getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })));
-    await until(alone, () => document.getElementById("hover").textContent === "tile 2: (0, 0), plate 2");
+    await until(alone, () => /^tile 2: .*, plate 2$/.test(document.getElementById("hover").textContent));
     assert.deepEqual(alone.faults, []);
     await shot(alone, "sheets-alone-light");
     await alone.close();
