@@ -93,13 +93,7 @@ RowDigester with_progress(const Team& team, const RowDigester& digester) {
   };
 }
 
-thread_local RowTeam* team_of_thread = nullptr;
-
 }  // namespace
-
-RowTeam* row_team() { return team_of_thread; }
-RowsByTeam::RowsByTeam(RowTeam* team) : before_(team_of_thread) { team_of_thread = team; }
-RowsByTeam::~RowsByTeam() { team_of_thread = before_; }
 
 /// The leader's end of what all processes make of the rows of a source.
 template <class Item>

@@ -18,6 +18,7 @@
 
 #include "formula/solid/solve_rays.h"
 #include "io/team/row_digest.h"
+#include "plane/base/of_thread.h"
 
 namespace findspace::io {
 
@@ -68,18 +69,9 @@ class RowTeam {
   std::unique_ptr<Made> made_;        // of the others: the last source, kept for the next block
 };
 
-/// The team of this thread, or null.
-RowTeam* row_team();
 /// While it lives, maps on lines that this thread asks for are made by the team. Null: by this process alone.
-class RowsByTeam {
- public:
-  explicit RowsByTeam(RowTeam* team);
-  ~RowsByTeam();
-  RowsByTeam(const RowsByTeam&) = delete;
-  RowsByTeam& operator=(const RowsByTeam&) = delete;
-
- private:
-  RowTeam* before_;
-};
+using RowsByTeam = plane::OfThread<RowTeam>;
+/// The team of this thread, or null.
+inline RowTeam* row_team() { return RowsByTeam::now(); }
 
 }  // namespace findspace::io

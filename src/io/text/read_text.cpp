@@ -102,16 +102,12 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t most_byte
   return read_all(file.number, most_bytes, size, path.string());
 }
 
-thread_local const TextReader* reader_of_thread = nullptr;
-
 std::string by_reader(const std::function<std::string()>& read) {
-  return reader_of_thread == nullptr ? read() : (*reader_of_thread)(read);
+  const TextReader* const reader = ReadTextBy::now();
+  return reader == nullptr ? read() : (*reader)(read);
 }
 
 }  // namespace
-
-ReadTextBy::ReadTextBy(const TextReader* reader) : before_(reader_of_thread) { reader_of_thread = reader; }
-ReadTextBy::~ReadTextBy() { reader_of_thread = before_; }
 
 }  // namespace io
 

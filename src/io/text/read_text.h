@@ -11,6 +11,7 @@
 #include <string>
 
 #include "findspace/text.h"
+#include "plane/base/of_thread.h"
 
 namespace findspace::io {
 
@@ -21,15 +22,6 @@ using findspace::read_text;
 using TextReader = std::function<std::string(const std::function<std::string()>& read)>;
 
 /// While it lives, this thread gets all texts of files by way of the reader. Null: it reads them itself.
-class ReadTextBy {
- public:
-  explicit ReadTextBy(const TextReader* reader);
-  ~ReadTextBy();
-  ReadTextBy(const ReadTextBy&) = delete;
-  ReadTextBy& operator=(const ReadTextBy&) = delete;
-
- private:
-  const TextReader* before_;
-};
+using ReadTextBy = plane::OfThread<const TextReader>;
 
 }  // namespace findspace::io

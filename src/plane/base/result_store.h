@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "plane/base/bytes.h"
+#include "plane/base/of_thread.h"
 
 namespace findspace::plane {
 
@@ -30,20 +31,10 @@ class ResultStore {
   virtual void end(std::string_view content) = 0;
 };
 
-/// The one of this thread, or null.
-ResultStore* result_store();
-
 /// While it lives, the thread has this store; null: none.
-class ScopedResultStore {
- public:
-  explicit ScopedResultStore(ResultStore* store);
-  ~ScopedResultStore();
-  ScopedResultStore(const ScopedResultStore&) = delete;
-  ScopedResultStore& operator=(const ScopedResultStore&) = delete;
-
- private:
-  ResultStore* before_;
-};
+using ScopedResultStore = OfThread<ResultStore>;
+/// The one of this thread, or null.
+inline ResultStore* result_store() { return ScopedResultStore::now(); }
 
 /// How results of one kind are kept. `write` gives no bytes, and `read` nothing, where that cannot be.
 template <class Result>

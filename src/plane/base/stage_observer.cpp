@@ -8,8 +8,6 @@
 namespace findspace::plane {
 namespace {
 
-thread_local StageObserver* observer_of_thread = nullptr;
-
 constexpr std::size_t kMostDrawn = 20000;  // cells of one search: more make a file that no viewer opens
 
 }  // namespace
@@ -35,11 +33,6 @@ void StageDrawing::add_box(const Corner& low, const Corner& high) {
        {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
     faces.push_back({first + face[0], first + face[1], first + face[2], first + face[3]});
 }
-
-StageObserver* stage_observer() { return observer_of_thread; }
-
-ObserveStages::ObserveStages(StageObserver* observer) : before_(observer_of_thread) { observer_of_thread = observer; }
-ObserveStages::~ObserveStages() { observer_of_thread = before_; }
 
 bool ObservedCells::full() {
   drawing_.planar = planar_;

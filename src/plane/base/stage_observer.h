@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "plane/base/of_thread.h"
+
 namespace findspace::plane {
 
 struct CellComplex;
@@ -39,20 +41,10 @@ class StageObserver {
   virtual void drawing(std::string_view stage, const std::string& title, const StageDrawing& drawing) = 0;
 };
 
-/// The one of this thread, or null.
-StageObserver* stage_observer();
-
 /// While it lives, the observer is given the stages of this thread; null: none is.
-class ObserveStages {
- public:
-  explicit ObserveStages(StageObserver* observer);
-  ~ObserveStages();
-  ObserveStages(const ObserveStages&) = delete;
-  ObserveStages& operator=(const ObserveStages&) = delete;
-
- private:
-  StageObserver* before_;
-};
+using ObserveStages = OfThread<StageObserver>;
+/// The one of this thread, or null.
+inline StageObserver* stage_observer() { return ObserveStages::now(); }
 
 /// The cells that one search looks at, given to the observer when the search ends. Without an observer it holds
 /// nothing.

@@ -9,16 +9,6 @@
 #include <algorithm>
 
 namespace findspace::plane {
-namespace {
-
-thread_local StopCheck* of_thread = nullptr;
-
-}  // namespace
-
-StopCheck* stop_check() { return of_thread; }
-
-ScopedStopCheck::ScopedStopCheck(StopCheck* limit) : before_(of_thread) { of_thread = limit; }
-ScopedStopCheck::~ScopedStopCheck() { of_thread = before_; }
 
 void with_threads(unsigned threads, const std::function<void()>& task) {
   if (threads == 0) {

@@ -9,6 +9,8 @@
 
 #include <functional>
 
+#include "plane/base/of_thread.h"
+
 namespace findspace::plane {
 
 class StopCheck {
@@ -18,20 +20,10 @@ class StopCheck {
   virtual void poll() = 0;
 };
 
-/// The one of this thread, or null.
-StopCheck* stop_check();
-
 /// While it lives, the thread has this check; null: none.
-class ScopedStopCheck {
- public:
-  explicit ScopedStopCheck(StopCheck* limit);
-  ~ScopedStopCheck();
-  ScopedStopCheck(const ScopedStopCheck&) = delete;
-  ScopedStopCheck& operator=(const ScopedStopCheck&) = delete;
-
- private:
-  StopCheck* before_;
-};
+using ScopedStopCheck = OfThread<StopCheck>;
+/// The one of this thread, or null.
+inline StopCheck* stop_check() { return ScopedStopCheck::now(); }
 
 /// task(), whose parallel work is done by at most so many threads (0: one for each core).
 void with_threads(unsigned threads, const std::function<void()>& task);
