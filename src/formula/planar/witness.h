@@ -3,7 +3,8 @@
 //
 // Witnesses in the scene's terms: which vertex, edge or arc of which shape, and of which part of a collection, attains
 // a distance. A collection counts as the union of its parts (distances.md 5); the part that decides is the one on which
-// the point lies. Cost: linear in the parts' cells, exact for those alone whose boxes are near. Keywords: closest features, contact, report.
+// the point lies. Cost: linear in the parts' cells, exact for those alone whose boxes are near. Keywords: closest
+// features, contact, report.
 #pragma once
 
 #include <map>
