@@ -118,7 +118,9 @@ class ProvedSearch {
   }
 
   void offer(std::optional<SolidLayout> better) {
-    if (better && better->height < layout_->height) take(*std::move(better), state(better->height));
+    if (!better || !(better->height < layout_->height)) return;
+    const PackProgress reached = state(better->height);
+    take(*std::move(better), reached);
   }
 
   PackProgress state() const { return state(layout_->height); }
