@@ -5,8 +5,8 @@
 
 usage: targets_of_tests.py PRESET CTEST_OPTION...
 
-The options choose tests as they do for ctest (`-I 2,,3`). PRESET is a test preset with build/PRESET as its folder, which
-has been configured. The library of CAD files is among the targets where it is built, as programs load it."""
+The options choose tests as they do for ctest (`-I 2,,3`). PRESET is a test preset of a build that has been configured.
+The library of CAD files is among the targets where it is built, as programs load it."""
 import os
 import re
 import subprocess
@@ -16,8 +16,10 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def chosen(preset, options):
+    """The folder of the build, and the tests."""
     told = subprocess.run(["ctest", "--preset", preset, "-N", *options], cwd=ROOT, capture_output=True, text=True, check=True)
-    return set(re.findall(r"^  Test +#\d+: (\S+)", told.stdout, re.MULTILINE))
+    build = re.search(r"^Test project (.*)$", told.stdout, re.MULTILINE)[1]
+    return build, set(re.findall(r"^  Test +#\d+: (\S+)", told.stdout, re.MULTILINE))
 
 
 def targets(build, names):
@@ -39,8 +41,7 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     preset, *options = sys.argv[1:]
-    build = os.path.join(ROOT, "build", preset)
-    names = chosen(preset, options)
+    build, names = chosen(preset, options)
     if not names:
         sys.exit(f"targets_of_tests: no test of {preset} for {' '.join(options)}")
     known = outputs(build)

@@ -284,6 +284,8 @@ std::vector<io::Placement::Near> near_of(const PlaceQuestion& question) {
 Explanation explained(const io::AskedScene& scene, const Pose& pose) {
   const std::vector<Number>& at = pose.at;
   const io::Free::Kind free = scene.scene().free.kind;
+  if (free == io::Free::Kind::kTime && pose.degrees)
+    throw Error(ErrorCode::kUnsupported, "an explanation over time at an angle is not computed", scene.scene().file);
   if (free == io::Free::Kind::kTime || (!pose.degrees && free == io::Free::Kind::kAngle)) {
     exact::RealPoint place;
     if (!at.empty()) place = {api::real_of(at[0]), api::real_of(at[1])};

@@ -108,7 +108,6 @@ std::string by_reader(const std::function<std::string()>& read) {
 }
 
 }  // namespace
-
 }  // namespace io
 
 std::string read_text(const std::string& path, std::uint64_t most_bytes, const std::string& root) {
