@@ -110,15 +110,6 @@ std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const CurveRe
   return add(std::move(l));
 }
 
-std::uint32_t Geometry::add_grid_point(std::int64_t x, std::int64_t y) {
-  Point& p = points.emplace_back();
-  p.gx = x;
-  p.gy = y;
-  p.x = double(x);
-  p.y = double(y);
-  return std::uint32_t(points.size() - 1);
-}
-
 std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
   auto ix = x.integer(), iy = y.integer();
   if (fits(ix) && fits(iy)) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));

@@ -118,7 +118,14 @@ class Geometry {
   std::uint32_t add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y);
   /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
   std::uint32_t add_displaced(const SupportingCurve& line, const CurveReals& shift);
-  std::uint32_t add_grid_point(std::int64_t x, std::int64_t y);
+  std::uint32_t add_grid_point(std::int64_t x, std::int64_t y) {
+    Point& p = points.emplace_back();
+    p.gx = x;
+    p.gy = y;
+    p.x = double(x);
+    p.y = double(y);
+    return std::uint32_t(points.size() - 1);
+  }
   std::uint32_t add_real_point(const Real& x, const Real& y);
   /// The point where supporting curves i and j meet; `root` as in `Meeting` (geometry_signs.h). They must meet there.
   std::uint32_t add_crossing(std::uint32_t i, std::uint32_t j, int root);

@@ -3,6 +3,8 @@
 
 #include "plane/complex/primitives.h"
 
+#include <algorithm>
+
 #include "exact/number/primitive.h"
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/simplify.h"
@@ -15,11 +17,15 @@ namespace {
 class RingBuilder {
  public:
   RingBuilder(Polygons polygons, Memory memory) : out_(memory), normals_(memory) {
-    std::size_t edges = 0, rings = 0;
+    std::size_t edges = 0, rings = 0, longest = 0;
     for (const auto& polygon : polygons) {
       rings += polygon.size();
-      for (const Contour& ring : polygon) edges += ring.size();
+      for (const Contour& ring : polygon) {
+        edges += ring.size();
+        longest = std::max(longest, ring.size());
+      }
     }
+    normals_.reserve(longest);
     curves_.geometry.supporting_curves.reserve(edges);
     curves_.geometry.points.reserve(edges);
     out_.edges.reserve(edges);
@@ -45,22 +51,34 @@ class RingBuilder {
   void add(const Contour& ring) {
     const Index first = Index(out_.edges.size()), corner = Index(curves_.geometry.points.size()),
                 n = Index(ring.size());
-    normals_.clear();
-    for (Index k = 0; k < n; ++k) {
-      const GridPoint &p = ring[k].start, &q = ring[k + 1 == n ? 0 : k + 1].start;
-      curves_.geometry.add_grid_point(p.x, p.y);
-      normals_.push_back(ring[k].arc ? exact::Normal{1, 0} : exact::Normal{q.y - p.y, p.x - q.x});
-    }
-    exact::make_primitive(normals_);
-    for (Index k = 0; k < n; ++k) {
-      const Index next = k + 1 == n ? 0 : k + 1, at = Index(out_.edges.size());
+    add_corners(ring);
+    const exact::Normal* normal = normals_.data();
+    for (Index k = 0; k < n; ++k, ++normal) {
+      const Index next = k + 1 == n ? 0 : k + 1;
       if (ring[k].arc)
         add_arc(ring[k], corner + k, corner + next);
       else
-        add_segment(normals_[k], corner + k, ring[k].start, ring[next].start);
-      if (at > first) out_.could_merge |= could_continue(out_.edges[at - 1], out_.edges[at]);
+        add_segment(*normal, corner + k, ring[k].start, ring[next].start);
     }
-    out_.could_merge |= could_continue(out_.edges.back(), out_.edges[first]);
+    for (std::size_t k = first, before = out_.edges.size() - 1; k < out_.edges.size() && !out_.could_merge;
+         before = k++)
+      out_.could_merge = could_continue(out_.edges[before], out_.edges[k]);
+  }
+
+  /// And finds the primitive normals of its segments.
+  void add_corners(const Contour& ring) {
+    const std::size_t n = ring.size();
+    normals_.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+      curves_.geometry.add_grid_point(ring[k].start.x, ring[k].start.y);
+      normals_.push_back(normal(ring[k], ring[k + 1 == n ? 0 : k + 1]));
+    }
+    exact::make_primitive(normals_);
+  }
+
+  static exact::Normal normal(const ContourEdge& edge, const ContourEdge& next) {
+    if (edge.arc) return {1, 0};
+    return {next.start.y - edge.start.y, edge.start.x - next.start.x};
   }
 
   void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {

@@ -81,14 +81,17 @@ void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const NestedRing& ring = rings[r];
     const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
-    for (Index k = first; k < end; ++k) {
-      const Index next = k + 1 == end ? first : k + 1, h = along(k), g = along(next), back = h ^ 1u;
-      c.edges[k].v0 = edges[k].right ? k : next;
-      c.edges[k].v1 = edges[k].right ? next : k;
+    Index before = end - 1, h = along(before);
+    for (Index k = first; k < end; before = k++) {
+      const Index g = along(k), back = h ^ 1u;
+      (h & 1u ? c.edges[before].v0 : c.edges[before].v1) = k;
+      (g & 1u ? c.edges[k].v1 : c.edges[k].v0) = k;
       c.half_edges[h] = {.next = g, .face = ring.inside};
       c.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
-      c.vertices[next] = {.point = point(edges[next]), .mark = marks.on};
-      c.vertices[next].out = is_first(c, next, g, back) ? g : back;
+      c.vertices[k].point = point(edges[k]);
+      c.vertices[k].mark = marks.on;
+      c.vertices[k].out = is_first(c, k, g, back) ? g : back;
+      h = g;
     }
     c.faces[ring.inside].mark = marks.inside;
     const Index within = along(first), without = within ^ 1u;

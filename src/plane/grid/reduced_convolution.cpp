@@ -39,28 +39,45 @@ Extent extent(const EdgeFan& fan) {
   return {x1 - x0, y1 - y0};
 }
 
-/// Sums of two corners, each a point once. An open-addressing table of pairs.
+/// Sums of two corners, each a point once. A table of all pairs where that is small, else an open-addressing one.
 class CornerSums {
  public:
-  CornerSums(std::size_t most, Memory memory) : slots_(std::bit_ceil(2 * most + 2), memory) {}
+  CornerSums(std::size_t most, const EdgeFan& a, const EdgeFan& b, Memory memory)
+      : columns_(b.corners.size()), all_(memory), slots_(memory) {
+    const std::size_t slots = std::bit_ceil(2 * most + 2), pairs = a.corners.size() * columns_;
+    if (pairs <= kSlotsOfAll * slots)
+      all_.resize(pairs, kNone);
+    else
+      slots_.resize(slots);
+  }
 
   Index point(exact::Geometry& g, const EdgeFan& a, Index i, const EdgeFan& b, Index j) {
-    std::uint64_t key = (std::uint64_t(i) << 32 | j) + 1, mask = slots_.size() - 1;
-    std::uint64_t at = (key * 0x9e3779b97f4a7c15u) >> 32 & mask;
-    while (slots_[at].key != 0 && slots_[at].key != key) at = (at + 1) & mask;
-    Slot& slot = slots_[at];
-    if (slot.key == 0) {
-      GridPoint p = a.corners[i].at, q = b.corners[j].at;
-      slot = {key, g.add_grid_point(p.x + q.x, p.y + q.y)};
+    Index& sum = all_.empty() ? slot(i, j) : all_[i * columns_ + j];
+    if (sum == kNone) {
+      const GridPoint p = a.corners[i].at, q = b.corners[j].at;
+      sum = g.add_grid_point(p.x + q.x, p.y + q.y);
     }
-    return slot.point;
+    return sum;
   }
 
  private:
+  static constexpr std::size_t kSlotsOfAll = 8;  // so many pairs a slot take about the time of the other table
+
   struct Slot {
     std::uint64_t key = 0;
     Index point = kNone;
   };
+
+  Index& slot(Index i, Index j) {
+    const std::uint64_t key = (std::uint64_t(i) << 32 | j) + 1, mask = slots_.size() - 1;
+    std::uint64_t at = (key * 0x9e3779b97f4a7c15u) >> 32 & mask;
+    while (slots_[at].key != 0 && slots_[at].key != key) at = (at + 1) & mask;
+    slots_[at].key = key;
+    return slots_[at].point;
+  }
+
+  std::size_t columns_;
+  std::pmr::vector<Index> all_;
   std::pmr::vector<Slot> slots_;
 };
 
@@ -77,7 +94,7 @@ struct Choice {
 class FacePair {
  public:
   FacePair(ReducedConvolution& out, EdgeFan& a, EdgeFan& b, const Choice& choice, Memory memory)
-      : out_(out), a_(a), b_(b), choice_(choice), within_(choice.within), sums_(place_and_count(), memory) {}
+      : out_(out), a_(a), b_(b), choice_(choice), within_(choice.within), sums_(place_and_count(), a, b, memory) {}
 
   void add() {
     add_edges(b_, choice_.b.geometry, a_, false);
