@@ -25,6 +25,12 @@ std::string fewest(std::size_t used, const Number& bound, const char* holder) {
              : fmt::format("no layout of all parts uses fewer than {}\n", bound.text());
 }
 
+/// And a size to what no layout is below; `word`: what none is.
+std::string least(const char* word, double size, const Number& bound) {
+  if (size <= bound.value()) return fmt::format("no {}\n", word);
+  return fmt::format("no {} than {}, {:.2f} % below that\n", word, bound.text(), 100 * (1 - bound.value() / size));
+}
+
 /// What differs: words, files, and when no layout at all is an error.
 struct Plane {
   using Problem = Packing;
@@ -51,8 +57,9 @@ struct Plane {
                         layout.items.size());
     if (has_containers(problem) && layout.left_out.empty())
       text += fewest(layout.sheets.size(), packing.lower_bound(), kHolder);
-    if (!has_containers(problem) && !problem.box)
-      text += fmt::format("no layout is shorter than {}\n", packing.lower_bound().text());
+    const double size = layout.length.value() * (problem.box ? layout.height.value() : 1);
+    if (!has_containers(problem))
+      text += least(problem.box ? "box has a smaller area" : "layout is shorter", size, packing.lower_bound());
     if (const auto& left = layout.remnant)
       text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
                           left->height.text(), left->x.text(), left->y.text());
@@ -80,7 +87,7 @@ struct Space {
   }
   static std::string summary(const SolidPacking& packing, const SolidPackLayout& layout) {
     const bool contained = !packing.problem().containers.empty();
-    const std::string height = layout.height.text(), bound = layout.lower_bound.text();
+    const std::string height = layout.height.text();
     std::string text = fmt::format("height {}", height);
     if (contained)
       text = fmt::format("{} container{}, of the last {} used", layout.containers.size(),
@@ -89,7 +96,7 @@ struct Space {
                         layout.items.size());
     if (contained)
       return layout.left_out.empty() ? text + fewest(layout.containers.size(), layout.lower_bound, kHolder) : text;
-    return text + (height == bound ? "no layout is lower\n" : fmt::format("no layout is lower than {}\n", bound));
+    return text + least("layout is lower", layout.height.value(), layout.lower_bound);
   }
   static Number bound(const SolidPacking&, const SolidPackLayout& layout) { return layout.lower_bound; }
   static SolidPackLayout start(const SolidPacking& packing, const Options& options) {

@@ -229,7 +229,7 @@ class Packing {
   const std::vector<std::string>& notes() const;
   /// How many copies of all parts are wanted.
   std::size_t copies() const;
-  /// No layout in the strip is shorter; on sheets none of all parts uses fewer, by areas; 0 for a box.
+  /// No layout in the strip is shorter; on sheets none of all parts uses fewer, by areas; no box has a smaller area.
   Number lower_bound() const;
 
   /// As pack() below.

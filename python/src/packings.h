@@ -115,7 +115,7 @@ Error
           "lower_bound", [](const Packing& p) { return p.lower_bound().text(); },
           "No layout is shorter (of solids lower), exactly, as text; on sheets or in containers how few of them no "
           "layout\n"
-          "of all parts goes below. '0' for a box.")
+          "of all parts goes below; of a box no area is smaller.")
       .def("search", &searched<Packing, Layout>, py::arg("options") = py::none(), py::kw_only(),
            py::arg("start") = py::none(), py::arg("better") = py::none(), py::arg("progress") = py::none(),
            py::arg("peers") = py::none(),

@@ -140,6 +140,55 @@ TEST(LowerBound, AreaAndWidestPart) {
   EXPECT_EQ(lower_bound(problem), Fraction(5));
 }
 
+TEST(LowerBound, HalfTheGapBelongsToAPart) {
+  Problem problem = two_squares();  // of 3 by 3
+  problem.height = 3;
+  problem.gap = 1;
+  const double pi = std::acos(-1.0), taken = 2 * (9 + 6 + pi / 4);
+  EXPECT_NEAR(lower_bound(problem).to_double(), (taken - 3 - pi / 4) / 4, 2e-6);  // 7 is the least
+  problem.edge = Fraction(1, 2);
+  problem.height = 4;
+  EXPECT_NEAR(lower_bound(problem).to_double(), (taken - 3 - pi / 4) / 4 + 1, 2e-6);
+}
+
+/// Equal squares in columns are packed best where the columns are full.
+TEST(LowerBound, IsNotAboveColumnsOfSquares) {
+  for (int side = 1; side <= 4; ++side)
+    for (int gap = 0; gap <= 3; ++gap)
+      for (int edge = 0; edge <= 2; ++edge)
+        for (int rows = 1; rows <= 3; ++rows)
+          for (int columns = 1; columns <= 3; ++columns) {
+            Problem problem = two_squares();
+            problem.parts[0].shape = box(0, 0, side, side);
+            problem.parts[0].demand = rows * columns;
+            problem.gap = gap;
+            problem.edge = edge;
+            problem.height = rows * side + (rows - 1) * gap + 2 * edge;
+            const Fraction length(columns * side + (columns - 1) * gap + 2 * edge), least = lower_bound(problem);
+            EXPECT_LE(least, length);
+            if (gap == 0) EXPECT_GT(least, length - Fraction(1, 100000));
+            problem.box = true;
+            EXPECT_LE(lower_bound(problem).to_double(), length.to_double() * problem.height.to_double());
+            Sheet sheet;
+            sheet.count = 3;
+            sheet.shape = box(0, 0, std::int64_t(length.to_double()), std::int64_t(problem.height.to_double()));
+            problem.box = false;
+            problem.sheets = {sheet};
+            EXPECT_EQ(lower_bound(problem), Fraction(1));
+          }
+}
+
+TEST(LowerBound, OfABox) {
+  Problem problem = two_squares();
+  problem.box = true;
+  EXPECT_NEAR(lower_bound(problem).to_double(), 18, 2e-5);
+  problem.gap = 2;
+  EXPECT_NEAR(lower_bound(problem).to_double(), 3 * ((42 + 2 * std::acos(-1.0) + 4 - std::acos(-1.0)) / 5 - 2), 2e-5);
+  problem.gap = 0;
+  problem.edge = 1;
+  EXPECT_NEAR(lower_bound(problem).to_double(), 18 + 4 * std::sqrt(18) + 4, 2e-5);  // 40 is the least
+}
+
 TEST(LowerBound, CountsSheets) {
   Problem problem = two_squares();
   problem.parts[0].shape = box(0, 0, 6, 6);

@@ -161,6 +161,24 @@ TEST(SolidBound, IsTheTallestOrTheVolume) {
   EXPECT_EQ(lower_bound(problem_of(1, 1, {corner("corner", 19, 1)})), Fraction(3166666666, 1000000000));
 }
 
+TEST(SolidBound, HalfTheGapBelongsToASolid) {
+  const double pi = std::acos(-1.0);
+  SolidProblem problem = problem_of(2, 2, {box("cube", 5, 2, 2, 2)});
+  problem.gap = 1;
+  const double side = 2 + std::cbrt(4 * pi / 3) / 2;
+  EXPECT_NEAR(lower_bound(problem).to_double(), 5 * side * side * side / 9 - 1, 1e-8);  // 14 is the least
+  problem.edge = Fraction(1, 4);
+  problem.width = problem.depth = Fraction(5, 2);
+  EXPECT_NEAR(lower_bound(problem).to_double(), 5 * side * side * side / 9 - 1 + 0.5, 1e-8);
+  problem.edge = 0;
+  problem.containers = {{"crate", 9, {}, 5, 5, 5}};  // holds eight
+  problem.parts[0].demand = 8;
+  EXPECT_EQ(lower_bound(problem), Fraction(1));
+  problem.containers = {{"crate", 9, {}, 5, 5, Fraction(19, 4)}};
+  problem.parts[0].demand = 10;
+  EXPECT_EQ(lower_bound(problem), Fraction(2));  // by the volumes alone one would do
+}
+
 TEST(SolidBound, CountsContainers) {
   SolidProblem problem = problem_of(4, 4, {box("cube", 5, 2, 2, 2)});
   problem.containers = {{"crate", 9, {}, 5, 3, 3}, {"carton", 1, {}, 2, 2, 2}};

@@ -146,7 +146,7 @@ export class PackingPage {
     const { number, density, seconds, layout } = this.state!, size = shown(sizeOf(this.state!)), space = this.problem!.dimension === 3;
     const { box, sheets, containers } = layout?.container ?? {}, holders = (sheets ?? containers)?.length ?? 0, kind = sheets ? "sheet" : "container";
     const what = holders ? `${holders} ${kind}${holders === 1 ? "" : "s"}, ${size} of the last` : box ? `${size} × ${shown(numberOf(box))}` : `${space ? "height" : "length"} ${size}`;
-    const bound = this.holders ? (this.bound > 1 ? ` No layout of all parts takes fewer than ${shown(this.bound)} ${kind}s.` : "") : this.problem!.box ? "" : ` No layout is ${space ? "lower" : "shorter"} than ${shown(this.bound)}.`;
+    const bound = this.holders ? (this.bound > 1 ? ` No layout of all parts takes fewer than ${shown(this.bound)} ${kind}s.` : "") : this.problem!.box ? ` No box has a smaller area than ${shown(this.bound)}.` : ` No layout is ${space ? "lower" : "shorter"} than ${shown(this.bound)}.`;
     const left = (layout?.left_out ?? []).reduce((sum, out) => sum + out.copies, 0);
     return `Layout ${number}: ${what}, density ${(100 * density).toFixed(2)} %, after ${seconds.toFixed(1)} s.${bound}${left ? ` ${left} left out.` : ""}`;
   }

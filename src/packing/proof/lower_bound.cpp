@@ -6,25 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "exact/margins/rounding.h"
 #include "packing/problem/round_part.h"
 #include "packing/proof/fewest_bins.h"
-#include "plane/query/measure_cells_twofold.h"
+#include "plane/contour/decimal_grid.h"
+#include "plane/offset/plain_sum.h"
 
 namespace findspace::packing {
 namespace {
-
-/// Twice the area of a ring in grid steps, exactly.
-exact::Int256 twice_area(const Ring& ring) {
-  exact::Int256 sum;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const LatticePoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
-    sum += exact::multiply(p.x, q.y) - exact::multiply(p.y, q.x);
-  }
-  return sum;
-}
 
 exact::Real exact_twice_area(const Polygon& shape) {
   exact::Real sum;
@@ -36,21 +28,46 @@ exact::Real exact_twice_area(const Polygon& shape) {
   return sum;
 }
 
-/// In grid steps, rounded down.
-exact::Real least_twice_area(const Part& part) {
+/// Half the gap, in grid steps: so far about each part no other one has that much about it.
+exact::Real half_gap(const Problem& problem) {
+  return exact::Real(problem.steps()) * exact::Real(problem.gap.numerator()) /
+         exact::Real(2 * problem.gap.denominator());
+}
+
+double twice_area_about(const plane::Region& set, const exact::Real& by) {
+  return RoundPart(plane::plain_offset(set, by)).twice_area();
+}
+
+/// Whether it is an exact set, or can be made one.
+bool is_in_kernel(const Part& part) {
+  const LatticeBox box = box_of(part.shape);
+  constexpr int128 kMost = plane::Grid::kLimit;
+  return part.round || (-kMost <= std::min(box.low.x, box.low.y) && std::max(box.high.x, box.high.y) <= kMost);
+}
+
+/// Of a part and half the gap about it, in grid steps, rounded down.
+exact::Real least_twice_area(const Problem& problem, const Part& part) {
+  if (problem.gap > Fraction(0) && is_in_kernel(part)) {
+    const double grown = twice_area_about(*region_of(part, 0, false), half_gap(problem));
+    return exact::Real::from_double(grown * (1 - margin::kRoundings16));
+  }
   if (!part.round) return exact_twice_area(part.shape);
   return exact::Real::from_double(part.round->twice_area() * (1 - margin::kRoundings16));
 }
 
-/// What parts can cover at most: of a round sheet the polygon about it, and of the box about it what the edge leaves.
+/// What parts, with half the gap about them, can cover at most: of a round sheet the polygon about it, and of the box
+/// about it what the edge leaves. Where the edge is less than half the gap, that is of the box alone.
 exact::Real most_twice_area(const Problem& problem, const Sheet& sheet) {
   const LatticeBox box = box_of(sheet);
-  const exact::Real edges = exact::Real(2 * problem.steps()) * exact::Real(problem.edge.numerator()) /
-                            exact::Real(problem.edge.denominator());
-  const exact::Real width = exact::Real(box.high.x - box.low.x) - edges,
-                    height = exact::Real(box.high.y - box.low.y) - edges;
+  const exact::Real edge =
+      exact::Real(problem.steps()) * exact::Real(problem.edge.numerator()) / exact::Real(problem.edge.denominator());
+  const exact::Real reach = half_gap(problem) - edge, sides = reach + reach;
+  const exact::Real width = exact::Real(box.high.x - box.low.x) + sides,
+                    height = exact::Real(box.high.y - box.low.y) + sides;
   if (width.sign() <= 0 || height.sign() <= 0) return {};
-  const exact::Real within = exact::Real(2) * width * height, whole = exact_twice_area(sheet.shape);
+  const exact::Real within = exact::Real(2) * width * height;
+  if (reach.sign() > 0) return within;
+  const exact::Real whole = exact_twice_area(sheet.shape);
   return within < whole ? within : whole;
 }
 
@@ -62,7 +79,7 @@ Fraction fewest_sheets(const Problem& problem) {
     sheets.push_back({most_twice_area(problem, sheet), std::size_t(sheet.count)});
     fixed += sheets_with_fixed(problem, k);
   }
-  for (const Part& part : problem.parts) parts.push_back({least_twice_area(part), std::size_t(part.demand)});
+  for (const Part& part : problem.parts) parts.push_back({least_twice_area(problem, part), std::size_t(part.demand)});
   return Fraction(int128(std::max(fixed, fewest_bins(std::move(sheets), std::move(parts)))));
 }
 
@@ -88,27 +105,63 @@ std::optional<int128> least_width(const Problem& problem, const Part& part) {
   return least;
 }
 
+/// The side that a box needs both ways for the part: the least at any of its angles; 0 of parts that may be tilted.
+double least_side(const Problem& problem, const Part& part) {
+  if (part.tilt > 0) return 0;
+  std::optional<int128> least;
+  for (const Fraction& angle : part.angles) {
+    const auto [width, height] = size_at(part, angle);
+    least = std::min(least.value_or(width), std::min(width, height));
+  }
+  return Fraction(least.value_or(0), problem.steps()).to_double();
+}
+
+/// The areas of all parts, with half the gap about each or without; in square units, rounded down.
+double least_area(const Problem& problem) {
+  exact::Real twice;
+  for (const Part& part : problem.parts)
+    if (part.demand > 0) twice += exact::Real(part.demand) * least_twice_area(problem, part);
+  const double steps = double(problem.steps());
+  return twice.to_double() / 2 / steps / steps * (1 - margin::kRoundings16);
+}
+
+Fraction rounded_down(double value) {
+  constexpr double kDecimals = 1000000;
+  return Fraction(int128(std::floor(std::max(0.0, value) * (1 - margin::kRoundings16) * kDecimals)), int128(kDecimals));
+}
+
+/// By area. What lies within half the gap of parts lies within so much of the rectangle that the edge leaves.
+Fraction least_length(const Problem& problem) {
+  const double gap = problem.gap.to_double(), height = (problem.height - problem.edge - problem.edge).to_double();
+  const double ends = (gap * height + std::numbers::pi / 4 * gap * gap) * (1 + margin::kRoundings16);
+  return rounded_down((least_area(problem) - ends) / (height + gap));
+}
+
+/// Of the rectangles w x h with (w + gap)(h + gap) no less than what parts with half the gap take, and both sides no
+/// less than one part needs, the longest has the least area. The edge is least about a square.
+Fraction least_box(const Problem& problem) {
+  Problem touching = problem;
+  touching.gap = 0;
+  double side = 0;
+  for (const Part& part : problem.parts)
+    if (part.demand > 0) side = std::max(side, least_side(problem, part));
+  const double gap = problem.gap.to_double(), edge = problem.edge.to_double();
+  const double grown = least_area(problem) + (1 - std::numbers::pi / 4) * gap * gap;
+  const double length = grown / (side + gap) * (1 - margin::kRoundings16) - gap;
+  const double inner = std::max({least_area(touching), side * side, side * length});
+  return rounded_down(inner + 4 * edge * std::sqrt(inner) + 4 * edge * edge);
+}
+
 }  // namespace
 
 Fraction lower_bound(const Problem& problem) {
   if (problem.on_sheets()) return fewest_sheets(problem);
-  if (problem.box) return {};
+  if (problem.box) return least_box(problem);
   Fraction widest;
-  exact::Int256 area;
-  plane::Twofold round_area;
-  for (const Part& part : problem.parts) {
-    if (part.demand == 0) continue;
-    if (const auto width = least_width(problem, part)) widest = std::max(widest, Fraction(*width, problem.steps()));
-    if (part.round) round_area += plane::Twofold(part.demand * twice_area(part));
-    for (const Ring& ring : part.round ? std::vector<Ring>{} : part.shape.rings)
-      for (int copy = 0; copy < part.demand; ++copy) area += twice_area(ring);
-  }
-  const double steps = double(problem.steps());
-  const double length = (area.to_double() + round_area.value()) / 2 / steps / steps /
-                        (problem.height - problem.edge - problem.edge).to_double();
-  constexpr double kDecimals = 1000000;
-  const double safe = std::floor(length * (1 - margin::kRoundings16) * kDecimals);
-  return std::max(widest, Fraction(int128(safe), int128(kDecimals))) + problem.edge + problem.edge;
+  for (const Part& part : problem.parts)
+    if (part.demand > 0)
+      if (const auto width = least_width(problem, part)) widest = std::max(widest, Fraction(*width, problem.steps()));
+  return std::max(widest, least_length(problem)) + problem.edge + problem.edge;
 }
 
 }  // namespace findspace::packing

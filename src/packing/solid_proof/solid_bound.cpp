@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
+#include "exact/margins/rounding.h"
 #include "packing/proof/fewest_bins.h"
 
 namespace findspace::packing {
@@ -52,7 +54,7 @@ exact::Real surface_volume(const SolidProblem& problem, const SolidForm& form) {
 }
 
 /// Of a part, in cubic units.
-exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
+exact::Real exact_volume(const SolidProblem& problem, const SolidPart& part) {
   exact::Real sum, most, steps(problem.steps());
   const SolidForm& form = part.forms[0];
   if (!form.is_exact()) return surface_volume(problem, form);
@@ -65,6 +67,15 @@ exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
   return (part.disjoint ? sum : most) / (exact::Real(6) * steps * steps * steps);
 }
 
+/// Of a part and half the gap about it, in cubic units, rounded down: of all sets of its volume a ball has the least.
+exact::Real least_volume(const SolidProblem& problem, const SolidPart& part) {
+  const exact::Real volume = exact_volume(problem, part);
+  if (problem.gap == Fraction(0)) return volume;
+  const double ball = std::cbrt(4 * std::numbers::pi / 3);
+  const double side = std::cbrt(volume.to_double()) + ball * problem.gap.to_double() / 2;
+  return exact::Real::from_double(side * side * side * (1 - margin::kRoundings16));
+}
+
 /// Of the forms that fit the floor.
 Fraction least_height(const SolidProblem& problem, const SolidPart& part) {
   std::optional<Fraction> least;
@@ -75,15 +86,16 @@ Fraction least_height(const SolidProblem& problem, const SolidPart& part) {
   return least.value_or(0);
 }
 
-/// What solids can fill at most, in cubic units: of the box about it what the edge leaves.
+/// What solids, with half the gap about them, can fill at most, in cubic units: of the box about it what the edge
+/// leaves. Where the edge is less than half the gap, that is of the box alone.
 exact::Real most_volume(const SolidProblem& problem, const SolidContainer& container) {
   exact::Real within = 1;
   for (const Fraction& side : {container.width, container.depth, container.height}) {
     const Fraction left = side - problem.edge - problem.edge;
     if (left <= Fraction(0)) return {};
-    within = within * in_steps(left, 1);
+    within = within * in_steps(left + problem.gap, 1);
   }
-  if (!container.inside) return within;
+  if (!container.inside || problem.edge + problem.edge < problem.gap) return within;
   const exact::Real whole = surface_volume(problem, *container.inside);
   return within < whole ? within : whole;
 }
@@ -123,7 +135,9 @@ Fraction lower_bound(const SolidProblem& problem) {
                  depth = problem.depth - problem.edge - problem.edge;
   Fraction top;  // of what is fixed
   if (!problem.fixed.empty()) top = layout_of_fixed(problem).height;
-  const Fraction by_volume = rounded_down(sum / (in_steps(width, 1) * in_steps(depth, 1)));
+  // What lies within half the gap of solids lies within so much of what the edge leaves.
+  const exact::Real floor = in_steps(width + problem.gap, 1) * in_steps(depth + problem.gap, 1);
+  const Fraction by_volume = rounded_down(sum / floor - in_steps(problem.gap, 1));
   return std::max(std::max(tallest, by_volume) + problem.edge + problem.edge, top);
 }
 
