@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <random>
 
 #include "packing/compaction/finish.h"
 #include "packing/proof/verify.h"
+#include "packing/search/hidden_room.h"
 #include "packing/search/strip_search.h"
 
 namespace findspace::packing {
@@ -135,6 +137,77 @@ TEST(Search, StopsAtOnceWithALayout) {
   const auto layout = search_strip(problem, {}, {}, stop);
   ASSERT_TRUE(layout.has_value());
   EXPECT_TRUE(verify(problem, *layout).feasible());
+}
+
+/// Poses of the first variant of each part.
+std::vector<Pose> standing(const FieldTable& table, const std::vector<Vec>& at) {
+  std::vector<Pose> poses;
+  for (std::size_t part = 0; part < at.size(); ++part) poses.push_back({table.variants_of(part)[0], at[part]});
+  return poses;
+}
+
+TEST(HiddenRoom, InHolesAndClosedPockets) {
+  const Polygon frame = make_polygon({{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 1}, {5, 1}, {5, 5}, {2, 5}}}, "frame");
+  const Polygon hook = make_polygon({{{0, 0}, {4, 0}, {4, 6}, {0, 6}, {0, 4}, {3, 4}, {3, 1}, {0, 1}}}, "hook");
+  const Problem problem = problem_of(6, {{"frame", 1, frame, {0}},
+                                         {"hook", 1, hook, {0}},
+                                         {"plug", 1, box(3, 4), {0, 90}},
+                                         {"dot", 1, box(3, 3), {0}},
+                                         {"wide", 1, box(4, 4), {0}}});
+  const FieldTable table(problem);
+  const Row row(problem, table, {});
+  const Arrangement arrangement(table, row, standing(table, {{0, 0}, {6, 0}, {10, 0}, {13, 0}, {16, 0}}), 20);
+  HiddenRoom room(row);
+  const auto plug = room.find(arrangement, 2), dot = room.find(arrangement, 3), wide = room.find(arrangement, 4);
+  ASSERT_TRUE(plug && dot);
+  EXPECT_NEAR(plug->at.x, 2, 1e-9);  // into the hole of the frame, without any room
+  EXPECT_NEAR(plug->at.y, 1, 1e-9);
+  EXPECT_EQ(plug->variant, table.variants_of(2)[0]);
+  EXPECT_NEAR(dot->at.x, 2, 1e-9);
+  EXPECT_GT(room.looked_at(), 0u);
+  EXPECT_FALSE(wide.has_value());
+  const Arrangement filled(table, row, standing(table, {{0, 0}, {6, 0}, {2, 1}, {13, 0}, {16, 0}}), 20);
+  const auto pocket = room.find(filled, 3);
+  ASSERT_TRUE(pocket);
+  EXPECT_NEAR(pocket->at.x, 6, 1e-9);  // between the frame and the hook
+  EXPECT_NEAR(pocket->at.y, 1, 1e-9);
+  EXPECT_FALSE(room.find(arrangement, 0).has_value());
+}
+
+/// The place found is free, and none of many random ones that are free ends farther back.
+TEST(HiddenRoom, NothingFreeEndsFartherBack) {
+  std::mt19937_64 random(11);
+  const auto below = [&](int n) { return std::int64_t(random() % std::uint64_t(n)); };
+  int hidden = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Part> parts;
+    std::vector<Vec> at;
+    for (int k = 0; k < 5; ++k) {
+      const std::int64_t w = 4 + below(5), h = 6 + below(6), x = 1 + below(int(w) - 2), y = 1 + below(int(h) - 2);
+      parts.push_back({"L", 1, make_polygon({{{0, 0}, {w, 0}, {w, y}, {x, y}, {x, h}, {0, h}}}, "L"), {0}});
+      at.push_back({9.0 * k + double(below(2)), double(below(3))});
+    }
+    parts.push_back({"small", 1, make_polygon({{{0, 0}, {3, 1}, {2, 3}}}, "small"), {0, 90, 180}});
+    at.push_back({50, 0});
+    const Problem problem = problem_of(14, std::move(parts));
+    const FieldTable table(problem);
+    const Row row(problem, table, {});
+    Arrangement arrangement(table, row, standing(table, at), 60);
+    ASSERT_EQ(arrangement.loss(), 0);
+    const auto found = HiddenRoom(row).find(arrangement, 5);
+    const auto end = [&](const Pose& pose) { return pose.at.x + table.variants()[pose.variant].high.x; };
+    if (found) EXPECT_LT(arrangement.cost(5, *found, 1), 1e-9);
+    for (int k = 0; k < 2000; ++k) {
+      const std::size_t v = table.variants_of(5)[std::size_t(below(3))];
+      const Variant& shape = table.variants()[v];
+      const Pose pose{v, {0.01 * double(below(5000)) - shape.low.x, 0.01 * double(below(1400)) - shape.low.y}};
+      if (pose.at.y + shape.high.y > 14 || end(pose) > 50 || arrangement.cost(5, pose, 1) > 0) continue;
+      ASSERT_TRUE(found);
+      EXPECT_LE(end(*found), end(pose) + 1e-9);
+    }
+    hidden += found.has_value();
+  }
+  EXPECT_GT(hidden, 50);
 }
 
 }  // namespace packing_search

@@ -50,6 +50,7 @@ class IslandOf {
   void exchange(std::vector<Pose>& poses, std::size_t i, std::size_t j) const;
   void exchange_two_large(std::vector<Pose>& poses);
   void exchange_like_sizes(std::vector<Pose>& poses);
+  bool fill_hidden_room(Found& layout);
   void keep(Found better);
   void fail();
 
@@ -60,6 +61,8 @@ class IslandOf {
   Found best_;
   std::vector<std::size_t> by_size_;  // items, the largest first
   std::size_t large_ = 0;             // how many of them are large
+  std::size_t next_small_ = 0;        // of the others, whose turn it is to go into hidden room
+  std::uint64_t hidden_work_ = 0;     // what looking for that has cost
   Phase phase_ = Phase::kExplore;
   double progress_ = 0, target_ = 0;
   double shrink_ = Kit::kMostShrink;  // of exploration: half as much after a failure, twice as much after a success
@@ -69,6 +72,7 @@ class IslandOf {
 
 inline constexpr double kFirstCompression = 0.0005, kLastCompression = 0.00001;
 inline constexpr std::size_t kPool = 12;
+inline constexpr std::uint64_t kHiddenShare = 50;  // hidden room is sought with one part of so many of the work
 inline constexpr Patience kExplorePatience{120, 3}, kCompressPatience{80, 3};
 
 template <class Kit>
@@ -102,7 +106,21 @@ void IslandOf<Kit>::step(double progress) {
   shrink_ = std::min(2 * shrink_, Kit::kMostShrink);
   Found better = separation_.free();
   better.length = separation_.shorten(better.poses, better.length);
+  if (fill_hidden_room(better)) better.length = separation_.shorten(better.poses, better.length);
   keep(std::move(better));
+}
+
+/// With some of the small items, in turn.
+template <class Kit>
+bool IslandOf<Kit>::fill_hidden_room(Found& layout) {
+  const std::size_t small = by_size_.size() - large_;
+  bool moved = false;
+  for (std::size_t k = 0; k < small && hidden_work_ * kHiddenShare <= work(); ++k) {
+    const std::uint64_t before = work();
+    moved |= separation_.move_back(layout, by_size_[large_ + next_small_++ % small]);
+    hidden_work_ += work() - before;
+  }
+  return moved;
 }
 
 template <class Kit>

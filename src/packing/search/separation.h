@@ -16,6 +16,7 @@
 #include "exact/margins/packing.h"
 #include "packing/compaction/linear_moves.h"
 #include "packing/search/arrangement.h"
+#include "packing/search/hidden_room.h"
 #include "packing/search/mover.h"
 #include "packing/search/random.h"
 
@@ -53,6 +54,7 @@ struct PlaneKit {
   using Arrangement = packing::Arrangement;
   using Mover = packing::Mover;
   using LinearMoves = packing::LinearMoves;
+  using HiddenRoom = packing::HiddenRoom;
 
   static constexpr double kMostShrink = kExploreShrink;
   static constexpr double kExploration = 0.95;  // of the whole search
@@ -103,11 +105,14 @@ class SeparationOf {
   std::uint64_t work() const { return arrangement_.looked_at() + extra_work_; }
   /// By linear programs; the new length.
   double shorten(std::vector<Pose>& poses, double length);
+  /// Moves an item of a layout without overlaps into hidden room, if there is some.
+  bool move_back(LayoutInDoubles<Pose>& layout, std::size_t item);
 
  private:
   State strike(const Patience& patience);
   bool repair();
 
+  const typename Kit::Row& row_;
   Random& random_;
   typename Kit::Arrangement arrangement_;
   typename Kit::Mover mover_;
@@ -127,7 +132,8 @@ inline constexpr std::uint64_t kWorkOfProgram = 100000;  // pairs that take abou
 template <class Kit>
 SeparationOf<Kit>::SeparationOf(const typename Kit::Table& table, const typename Kit::Row& row, std::vector<Pose> poses,
                                 double length, Random& random)
-    : random_(random),
+    : row_(row),
+      random_(random),
       arrangement_(table, row, std::move(poses), length),
       mover_(arrangement_, random_),
       linear_(table, row) {}
@@ -206,6 +212,22 @@ double SeparationOf<Kit>::shorten(std::vector<Pose>& poses, double length) {
   const double shorter = linear_.shorten(poses, length);
   extra_work_ += std::uint64_t(linear_.solved() - before) * kWorkOfProgram;
   return shorter;
+}
+
+/// In space there is none: solids are searched for along lines all over the container.
+template <class Kit>
+bool SeparationOf<Kit>::move_back(LayoutInDoubles<Pose>& layout, std::size_t item) {
+  if constexpr (requires { typename Kit::HiddenRoom; }) {
+    arrangement_.set_length(layout.length);
+    arrangement_.set_poses(layout.poses);
+    typename Kit::HiddenRoom room(row_);
+    const auto pose = room.find(arrangement_, item);
+    extra_work_ += room.looked_at();
+    if (pose) layout.poses[item] = *pose;
+    return pose.has_value();
+  } else {
+    return false;
+  }
 }
 
 using Separation = SeparationOf<PlaneKit>;
