@@ -4,16 +4,21 @@
 """Heights of `findspace pack` on the data sets of solids, beside those of sparrow-3d, as a table in Markdown.
 
 usage: packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S | --work N] [--seeds N] [--threads N] [INSTANCE...]
+       packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S] --mixed N    N parts of all sets in boxes
 
 FOLDER holds stoyan2004, stoyan2005, egeblad2009 and liu2015 (default: ../shared/data/3d beside the repository). The
 figures of sparrow-3d are the mean and the best of 15 seeds of ten minutes with 4 workers. "processor" is the time that
 the machine gave the program in the mean: other work on the machine takes from it. "first" is the time of the first
 layout. Evaluations are boxes and planes looked at, of one island, where --work limits them."""
 import argparse
+import glob
+import json
 import os
 import re
+import resource
 import subprocess
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPARROW = {"stoyan2004/Example1": (51.54, 50.37), "stoyan2004/Example2": (29.00, 29.00),
@@ -40,6 +45,42 @@ def run(arguments, name, seed):
     return points, after.children_user - before.children_user, bound or "reached"
 
 
+def mesh_of(folder, path):
+    """Where the file of an item lies, whose path begins with the folder of another machine."""
+    parts = path.replace("\\", "/").split("/")
+    found = glob.glob(os.path.join(folder, "**", *parts[-2:]), recursive=True)
+    return (found or glob.glob(os.path.join(folder, "**", parts[-1]), recursive=True))[0]
+
+
+def mixed_problem(arguments):
+    """Equally many of every item of all sets, in boxes of 60."""
+    meshes = []
+    for name in SPARROW:
+        folder = os.path.join(arguments.data, os.path.dirname(name))
+        with open(os.path.join(arguments.data, name + ".json"), encoding="utf-8") as file:
+            meshes += [mesh_of(folder, item["path"]) for item in json.load(file)["item-types"]]
+    meshes = list(dict.fromkeys(os.path.abspath(mesh) for mesh in meshes))
+    items = [{"id": str(k), "path": mesh, "demand": arguments.mixed // len(meshes) + (k < arguments.mixed % len(meshes))}
+             for k, mesh in enumerate(meshes)]
+    box = {"id": "box", "count": arguments.mixed, "size-x": 60, "size-y": 60, "size-z": 60}
+    return len(meshes), {"name": "mixed", "containers": [box], "item-types": items}
+
+
+def mixed_table(arguments):
+    kinds, problem = mixed_problem(arguments)
+    with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
+        json.dump(problem, file)
+        file.flush()
+        done = subprocess.run([arguments.executable, "pack", file.name, "--time-limit", str(arguments.seconds), "--threads",
+                               str(arguments.threads)], capture_output=True, text=True, check=False)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    first, last = NOTE.findall(done.stderr)[0], NOTE.findall(done.stderr)[-1]
+    print(f"{arguments.mixed} parts of {kinds} kinds; first layout after {first[0]} s ({first[1]} s of the processor), last "
+          f"gain after {last[0]} s; {used.ru_utime:.0f} s of the processor, {used.ru_maxrss // 1024} MB\n{done.stdout}", end="")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("executable")
@@ -49,7 +90,10 @@ def main():
     parser.add_argument("--work", type=float, default=0)
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--mixed", type=int, default=0)
     arguments = parser.parse_args()
+    if arguments.mixed:
+        return mixed_table(arguments)
     print("| instance | mean | best | sparrow-3d mean | best | lower bound | first, s | last gain, s | processor, s |\n"
           "|---|---|---|---|---|---|---|---|---|")
     for name in arguments.instances or SPARROW:
@@ -59,6 +103,7 @@ def main():
         print(f"| {name} | {sum(heights) / len(heights):.3f} | {min(heights):.3f} | {mean} | {best} | {runs[0][2]} | "
               f"{max(points[0][0] for points, _, _ in runs):.2f} | {max(points[-1][0] for points, _, _ in runs):.1f} | "
               f"{sum(used for _, used, _ in runs) / len(runs):.0f} |", flush=True)
+    return None
 
 
 if __name__ == "__main__":
