@@ -80,8 +80,10 @@ int report(Reporter& reporter) {
 int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   reporter.stage("");
   const bool wanted = is_printed(options);
-  const auto put = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); };
-  begin_printing();
+  const auto put = [](std::string_view text) {
+    begin_printing();
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  };
   if (wanted && outcome.stream) outcome.stream(put);
   if (wanted) put(outcome.text);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -29,7 +29,7 @@ Outcome told(const Session& session, const Answer& answer) {
   Streams streams;
   const auto json = [answer, telling](const TextSink& sink) { answer.write(".json", sink, telling); };
   for (const std::string& ending : answer.endings()) {
-    if (answer.sampled() && ending == ".json") {
+    if (answer.written_in_parts() && ending == ".json") {
       streams.emplace(ending, json);
       continue;
     }
@@ -41,7 +41,7 @@ Outcome told(const Session& session, const Answer& answer) {
   }
   write_outputs(options, writers, streams);
   const ExitStatus status = status_of(answer);
-  if (options.json && answer.sampled()) return {{}, status, json};
+  if (options.json && answer.written_in_parts()) return {{}, status, json};
   return {options.json ? answer.json(telling) : answer.text(telling), status};
 }
 

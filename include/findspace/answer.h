@@ -68,6 +68,8 @@ class Answer {
   /// The same, part by part: JSON of many lines need not be in memory as a whole.
   void write(std::string_view ending, const std::function<void(std::string_view)>& part,
              const Telling& telling = {}) const;
+  /// Whether that JSON comes in parts.
+  bool written_in_parts() const;
   /// What was rounded, and how far, or is not computed.
   const std::vector<std::string>& notes() const;
 

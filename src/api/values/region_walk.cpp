@@ -65,7 +65,7 @@ Region::Component public_component(const plane::Component& c) {
 }
 
 Region::Edge public_edge(const plane::Region& region, const CurveNet& net, const CurveNet::Curve& k) {
-  const Index h = k.half_edges.front();
+  const Index h = k.first;
   Region::Edge e;
   e.start = net.number(k.from);
   e.end = net.number(k.to);
@@ -75,7 +75,7 @@ Region::Edge public_edge(const plane::Region& region, const CurveNet& net, const
   e.arc = k.arc;
   e.center = k.center;
   e.radius = k.radius;
-  e.angle = k.angle;
+  if (k.arc) e.angle = net.angle(k);
   return e;
 }
 
@@ -97,7 +97,7 @@ Walk::Walk(const plane::Region& region, const plane::Summary& summary, const exa
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Region::Edge& e = edges[k];
     if (!e.belongs || e.left_belongs || e.right_belongs) continue;
-    components[parts.of_edge(net.curves()[k].half_edges.front() / 2)].curves.push_back(k);
+    components[parts.of_edge(net.curves()[k].first / 2)].curves.push_back(k);
   }
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const Index v = net.vertices()[k];

@@ -51,8 +51,10 @@ class Near {
     }
   }
 
+  bool bounds_positions() const { return !bounding_.empty() && !others_.empty() && !world_.world().instant; }
+
   Region run() {
-    if (bounding_.empty() || others_.empty() || world_.world().instant) return feasible(world_, formula_);
+    if (!bounds_positions()) return feasible(world_, formula_);
     Region tolerance = feasible(world_, conjunction(bounding_));
     if (plane::is_empty(tolerance)) return tolerance;
     if (!plane::is_bounded(tolerance)) return feasible(world_, formula_);
@@ -247,6 +249,10 @@ std::optional<WindowSizes> window_sizes(const PreparedWorld& world) {
 }  // namespace
 
 Region feasible_near(const Solver& solver, const Formula& formula) { return Near(solver.prepared(), formula).run(); }
+
+bool is_solved_near(const Solver& solver, const Formula& formula) {
+  return Near(solver.prepared(), formula).bounds_positions();
+}
 
 std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
                                                   const exact::RealPoint& p) {

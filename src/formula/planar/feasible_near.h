@@ -19,6 +19,9 @@ namespace findspace::formula {
 /// {p : the formula holds at p}, over the time of a motion where there is one.
 plane::Region feasible_near(const Solver& solver, const Formula& formula);
 
+/// Whether the formula bounds the positions and asks something else of them. For another one this is feasible().
+bool is_solved_near(const Solver& solver, const Formula& formula);
+
 /// A point of the closure of a region, and whether it is one of the region itself.
 struct NearestInWindow {
   plane::Nearest nearest;

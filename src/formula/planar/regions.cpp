@@ -94,12 +94,6 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
   return out;
 }
 
-std::vector<plane::SignMap> sign_maps(const PreparedWorld& world, const Formula& formula) {
-  std::vector<plane::SignMap> maps(formula.sign_maps().size());
-  plane::parallel_for(maps.size(), [&](std::size_t k) { maps[k] = sign_map(world, formula.sign_maps()[k]); });
-  return maps;
-}
-
 /// All cells of the overlay, those of one vector of signs with one mark.
 void observe_overlay(plane::StageObserver& observer, const std::vector<const CellComplex*>& operands) {
   constexpr std::size_t kMarks = 127;  // of signs with more vectors some share a mark
@@ -128,6 +122,12 @@ plane::SignMap sign_map(const PreparedWorld& world, const SignMap& asked) {
   return observed(wanted, wanted.minimum
                               ? minimiser_map(least(world, wanted.distance))
                               : position_function(world, wanted.distance)->sign_map(wanted.level / world.step()));
+}
+
+std::vector<plane::SignMap> sign_maps(const PreparedWorld& world, const Formula& formula) {
+  std::vector<plane::SignMap> maps(formula.sign_maps().size());
+  plane::parallel_for(maps.size(), [&](std::size_t k) { maps[k] = sign_map(world, formula.sign_maps()[k]); });
+  return maps;
 }
 
 plane::Region region_of(const Formula& formula, std::vector<plane::SignMap> maps) {

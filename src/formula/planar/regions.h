@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "formula/planar/prepared_world.h"
 #include "formula/planar/region_bounds.h"
@@ -20,6 +21,8 @@ plane::SignMap sign_map(const PreparedWorld& world, const SignMap& wanted);
 
 /// The same map, given to the observer of this thread (stage_observer.h), if there is one.
 plane::SignMap observed(const SignMap& wanted, plane::SignMap map);
+/// Those of a formula, in order.
+std::vector<plane::SignMap> sign_maps(const PreparedWorld& world, const Formula& formula);
 /// {p : the formula holds at p}, of its sign maps in order. The overlay and the region are given to the observer.
 plane::Region region_of(const Formula& formula, std::vector<plane::SignMap> maps);
 

@@ -52,6 +52,13 @@ SolvedRegion solve_region(const Solver& solver, const Formula& formula) {
   return {std::move(bounds.inner), std::move(bounds.outer), compared};
 }
 
+SolvedRegion solve_region(std::shared_ptr<const Solver> solver, const Formula& formula) {
+  if (solver->known_between_bounds(formula) || is_solved_near(*solver, formula)) return solve_region(*solver, formula);
+  std::vector<plane::SignMap> maps = sign_maps(solver->prepared(), formula);
+  solver.reset();
+  return {region_of(formula, std::move(maps))};
+}
+
 exact::Tried<plane::Region> exact_region(const Solver& solver, const Formula& formula) {
   if (auto why = not_exact(solver, formula)) return *std::move(why);
   SolvedRegion found = solve_region(solver, formula);

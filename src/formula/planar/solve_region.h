@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "distance/answer/optimum.h"
@@ -27,6 +28,8 @@ namespace findspace::formula {
 
 /// {p : the formula holds at p}, over the time of a motion where there is one; in grid steps.
 SolvedRegion solve_region(const Solver& solver, const Formula& formula);
+/// The same for those who ask nothing else: where they had the last pointer, the shapes go once the sign maps stand.
+SolvedRegion solve_region(std::shared_ptr<const Solver> solver, const Formula& formula);
 /// The same for those who can use an exact region only: refused where it is known between bounds.
 exact::Tried<plane::Region> exact_region(const Solver& solver, const Formula& formula);
 

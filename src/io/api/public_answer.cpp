@@ -27,9 +27,10 @@ Region::Drawn Answer::file(std::string_view ending, const Telling& telling) cons
 }
 void Answer::write(std::string_view ending, const std::function<void(std::string_view)>& part,
                    const Telling& telling) const {
-  if (ending == ".json" && data_->json_parts) return data_->json_parts(part);
+  if (ending == ".json" && data_->json_parts) return data_->json_parts(telling, part);
   part(file(ending, telling).text);
 }
+bool Answer::written_in_parts() const { return bool(data_->json_parts); }
 const std::vector<std::string>& Answer::notes() const { return data_->notes; }
 Place Answer::at() const {
   Place out;

@@ -69,7 +69,7 @@ void PathWriter::arc_to(const Place& p, double radius, bool ccw) {
 void PathWriter::travel(const Curve& curve, bool forward) {
   const Place from = net_.at(curve.from), to = net_.at(curve.to), end = forward ? to : from;
   if (!curve.arc) return put('L', end);
-  if (curve.angle > (digits_ == Digits::kPixels ? kMostAngle : kMostExactAngle)) {
+  if (net_.angle(curve) > (digits_ == Digits::kPixels ? kMostAngle : kMostExactAngle)) {
     std::vector<Place> stops = net_.extremes(curve);
     if (!forward) std::reverse(stops.begin(), stops.end());
     for (const Place& p : stops) arc_to(p, curve.radius, forward);

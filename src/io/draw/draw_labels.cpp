@@ -83,7 +83,7 @@ void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
   std::vector<double> lengths;
   for (const Curve& k : net.curves()) {
     const Place from = net.at(k.from), to = net.at(k.to);
-    lengths.push_back(frame_.scale * (k.arc ? k.radius * k.angle : std::hypot(to[0] - from[0], to[1] - from[1])));
+    lengths.push_back(frame_.scale * (k.arc ? k.radius * net.angle(k) : std::hypot(to[0] - from[0], to[1] - from[1])));
     length += lengths.back();
   }
   const double stride = std::max(kStride, length / kMostPoints);
@@ -92,8 +92,9 @@ void Labeller::avoid_curves(const CurveNet& net, const Place& offset) {
     const Place from = net.at(k.from), to = net.at(k.to);
     const auto keep = [&](double x, double y) { lines_.push_back(around({x + offset[0], y + offset[1]}, kClearance)); };
     const double first = std::atan2(from[1] - k.center[1], from[0] - k.center[0]);
+    const double spanned = k.arc ? net.angle(k) : 0;
     for (double t = 0; t < lengths[i]; t += stride) {
-      const double part = t / lengths[i], angle = first + k.angle * part;
+      const double part = t / lengths[i], angle = first + spanned * part;
       if (k.arc)
         keep(k.center[0] + k.radius * std::cos(angle), k.center[1] + k.radius * std::sin(angle));
       else

@@ -83,7 +83,7 @@ std::string region_lines(const CurveNet& net, const Frame& frame) {
   const Region& s = net.complex();
   std::array<PathWriter, 3> paths{PathWriter(net, frame), PathWriter(net, frame), PathWriter(net, frame)};
   for (const Curve& k : net.curves()) {
-    const EdgeKind kind = kind_of_edge(s, k.half_edges.front() / 2);
+    const EdgeKind kind = kind_of_edge(s, k.first / 2);
     if (kind != kHidden) paths[kind].add_curve(k);
   }
   std::string out;
@@ -107,7 +107,7 @@ RegionDrawing region_drawing(const CurveNet& net, const Frame& frame) {
   const std::array<std::string*, 3> texts{&out.closed, &out.open, &out.free};
   std::array<std::vector<const Curve*>, 3> curves;
   for (const Curve& k : net.curves()) {
-    const EdgeKind kind = kind_of_edge(s, k.half_edges.front() / 2);
+    const EdgeKind kind = kind_of_edge(s, k.first / 2);
     if (kind != kHidden) curves[kind].push_back(&k);
   }
   for (std::size_t kind = 0; kind < curves.size(); ++kind) {
@@ -128,7 +128,7 @@ std::string outline(const CurveNet& net, const Frame& frame, std::string_view st
   PathWriter faces(net, frame, offset), curves(net, frame, offset);
   faces.add_faces();
   for (const Curve& k : net.curves()) {
-    if (kind_of_edge(s, k.half_edges.front() / 2) != kHidden) curves.add_curve(k);
+    if (kind_of_edge(s, k.first / 2) != kHidden) curves.add_curve(k);
   }
   std::string out = path(style, faces.data()) + path(fmt::format("{}-line", style), curves.data());
   for (Index v = 0; v < s.vertices.size(); ++v) {

@@ -27,7 +27,7 @@ std::vector<Index> all_cycles(const plane::Face& f) {
 }  // namespace
 
 bool FaceRings::is_free(const Curve& curve) const {
-  const Index h = curve.half_edges.front();
+  const Index h = curve.first;
   return curve.mark != 0 && !is_filled(h) && !is_filled(h ^ 1u);
 }
 

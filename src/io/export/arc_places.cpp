@@ -23,13 +23,13 @@ double angle_between(const Place& center, const Place& a, const Place& b) {
 
 class ArcDivider {
  public:
-  ArcDivider(const CurveNet& net, const CurveNet::Curve& arc) : net_(net), arc_(arc) {
+  ArcDivider(const CurveNet& net, const CurveNet::Curve& arc) : net_(net), arc_(arc), angle_(net.angle(arc)) {
     const Place begin = net.at(arc.from);
     for (const Place& p : net.extremes(arc)) extremes_.push_back({p, angle_between(arc.center, begin, p)});
   }
 
   ArcPlace begin() const { return {net_.at(arc_.from), 0}; }
-  ArcPlace end() const { return {net_.at(arc_.to), arc_.angle}; }
+  ArcPlace end() const { return {net_.at(arc_.to), angle_}; }
   const std::vector<ArcPlace>& extremes() const { return extremes_; }
 
   /// The extreme place in the middle third that is nearest to the middle, else the middle.
@@ -51,6 +51,7 @@ class ArcDivider {
 
   const CurveNet& net_;
   const CurveNet::Curve& arc_;
+  const double angle_;  // that it spans
   std::vector<ArcPlace> extremes_;
 };
 
@@ -59,7 +60,7 @@ class ArcDivider {
 std::vector<ArcPlace> divided_arc(const CurveNet& net, const CurveNet::Curve& arc) {
   const ArcDivider divider(net, arc);
   std::vector<ArcPlace> all{divider.begin()};
-  if (arc.angle > kUndivided) all.insert(all.end(), divider.extremes().begin(), divider.extremes().end());
+  if (divider.end().angle > kUndivided) all.insert(all.end(), divider.extremes().begin(), divider.extremes().end());
   all.push_back(divider.end());
   return all;
 }
@@ -67,7 +68,7 @@ std::vector<ArcPlace> divided_arc(const CurveNet& net, const CurveNet::Curve& ar
 std::vector<ArcPlace> three_point_arcs(const CurveNet& net, const CurveNet::Curve& arc) {
   const ArcDivider divider(net, arc);
   const ArcPlace a = divider.begin(), b = divider.end(), middle = divider.middle(a, b);
-  if (arc.angle <= kUndivided) return {a, middle, b};
+  if (b.angle <= kUndivided) return {a, middle, b};
   return {a, divider.middle(a, middle), middle, divider.middle(middle, b), b};
 }
 

@@ -74,7 +74,7 @@ Outlines outlines_of(const plane::Region& region, packing::int128 steps, double 
     auto& out = result.emplace_back();
     for (const plane::CurveNet::Side& side : ring) {
       const plane::CurveNet::Curve& curve = net.curves()[side.curve];
-      const double way = side.forward ? 1 : -1, angle = curve.arc ? curve.angle : 0;
+      const double way = side.forward ? 1 : -1, angle = curve.arc ? net.angle(curve) : 0;
       const bool whole = curve.from == curve.to;  // a circle, from its leftmost point
       const plane::Place from = net.at(side.forward ? curve.from : curve.to);
       out.push_back({x + from[0], y + from[1], way * std::tan(angle / (whole ? 8 : 4))});

@@ -31,7 +31,8 @@ struct Answer::Data {
   bool sampled = false;
   std::function<LineMap()> line_map{};
   std::function<Surface()> surface{};
-  std::function<void(const std::function<void(std::string_view)>&)> json_parts{};  // where it may be long
+  std::function<void(const Telling&, const std::function<void(std::string_view)>&)>
+      json_parts{};  // where it may be long
   std::function<Optimum()> best{};
   std::function<std::vector<Interval>()> intervals{}, possible{};
   std::function<PoseMap()> poses{};

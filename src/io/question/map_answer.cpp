@@ -48,6 +48,9 @@ struct PositionsQuestion {
   std::string json(const Telling& telling) const {
     return planar_map_json(asked, map, telling.exact, line() ? nullptr : &summary());
   }
+  void json(const Telling& telling, const Sink& sink) const {
+    planar_map_json(asked, map, telling.exact, &summary(), sink);
+  }
   std::string svg(const std::string& title) const {
     Picture picture;
     picture.title = title + (summary().empty ? ": none" : "");
@@ -78,6 +81,7 @@ struct PositionsQuestion {
 
 void tell_positions(Answer::Data& out, const std::shared_ptr<const PositionsQuestion>& q, const std::string& title) {
   out.text = [q, title](const Telling&) { return summary_text(title, q->summary(), q->asked.unit(), q->extreme()); };
+  out.json_parts = [q](const Telling& telling, const Sink& sink) { q->json(telling, sink); };
   out.files[".wkt"] = [q](const Telling&) { return q->wkt(); };
   out.files[".dxf"] = [q](const Telling& telling) { return q->dxf(telling.dxf); };
   if (q->world) out.files[".svg"] = [q, title](const Telling&) { return Region::Drawn{q->svg(title), {}}; };
@@ -114,7 +118,7 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
   q->formula = q->asked.where();
   const bool drawn = pictures && !q->line();
   {
-    const std::shared_ptr<const formula::Solver> solver = q->asked.solver_of(q->formula, drawn);
+    std::shared_ptr<const formula::Solver> solver = q->asked.solver_of(q->formula, drawn);
     if (!drawn && !q->asked.kept()) q->asked.forget_shapes();
     std::optional<formula::SolvedRegion> known;
     if (q->asked.kept()) {
@@ -123,9 +127,9 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
       if (kept->outer) known->outer = kept->outer->data().cells;
       if (apply.operation.empty() && !q->asked.goal()) q->known = kept;
     }
-    q->map = planar_map(q->asked, *solver, q->formula, apply, known ? &*known : nullptr);
     if (drawn) q->world = solver->world();
-  }  // without pictures its shapes, most of the memory, go here
+    q->map = planar_map(q->asked, std::move(solver), q->formula, apply, known ? &*known : nullptr);
+  }
   Answer::Data out;
   const std::string title = q->title(apply);
   if (q->line()) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "io/question/planar_map.h"
 
+#include <algorithm>
+
 #include "api/values/region_data.h"
 #include "findspace/error.h"
 #include "io/write/write_summary.h"
@@ -66,13 +68,22 @@ PlanarMap best_map(const AskedScene& asked, const formula::Solver& solver, formu
   return map;
 }
 
+/// Whether a least value is part of the formula.
+bool has_least(const formula::Formula& formula) {
+  const auto& maps = formula.sign_maps();
+  return std::any_of(maps.begin(), maps.end(), [](const formula::SignMap& m) { return m.minimum; });
+}
+
 }  // namespace
 
-PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, const formula::Formula& formula,
-                     const Applied& apply, const formula::SolvedRegion* known) {
+PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Solver> solver,
+                     const formula::Formula& formula, const Applied& apply, const formula::SolvedRegion* known) {
   const std::optional<AskedScene::Goal> goal = asked.goal();
   asked.stage("solving");
-  formula::SolvedRegion found = known != nullptr ? *known : formula::solve_region(solver, formula);
+  const bool asked_again = goal || has_least(formula);
+  formula::SolvedRegion found = known != nullptr ? *known
+                                : asked_again    ? formula::solve_region(*solver, formula)
+                                                 : formula::solve_region(std::move(solver), formula);
   if (found.outer && !apply.operation.empty())
     throw Error(
         ErrorCode::kUnsupported,
@@ -82,15 +93,17 @@ PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, con
   if (found.outer && !goal) asked.note(found.compared ? kCompared : kRotating);
   PlanarMap map;
   if (goal) {
-    map = best_map(asked, solver, std::move(found), *goal);
+    map = best_map(asked, *solver, std::move(found), *goal);
   } else {
     map.region = std::move(found.region);
     if (found.outer) map.outer = plane::in_order(*std::move(found.outer));
-    if (const auto least = formula::minimum_of(formula, solver)) {
+    if (asked_again) {
+      const auto least = formula::minimum_of(formula, *solver);
       note_enclosed(*least, asked);
       map.extreme = *least;
     }
   }
+  solver.reset();
   // What is known has its order.
   if (known == nullptr || goal || !apply.operation.empty())
     map.region = plane::in_order(applied(std::move(map.region), apply.operation));
@@ -125,6 +138,13 @@ std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool 
   };
   std::string text = json(map.region, extreme, exact);
   return map.outer ? bounded_json(std::move(text), json(*map.outer, nullptr, false)) : text;
+}
+
+void planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known,
+                     const Sink& sink) {
+  if (known == nullptr || map.outer) return sink(planar_map_json(asked, map, exact, known));
+  const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
+  region_json(map.region, *known, asked.step(), asked.unit(), extreme, exact, sink);
 }
 
 std::string PlanarInstants::json() const {

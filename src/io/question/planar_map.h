@@ -34,15 +34,20 @@ struct Applied {
   std::string before{};     // what messages put before "apply"
 };
 
-/// `known`: the region of the formula where it has been made already, its cells in order.
-PlanarMap planar_map(const AskedScene& asked, const formula::Solver& solver, const formula::Formula& formula,
-                     const Applied& apply = {}, const formula::SolvedRegion* known = nullptr);
+/// `known`: the region of the formula where it has been made already, its cells in order. Where the caller had the last
+/// pointer to the solver, its shapes go as soon as nothing needs them.
+PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Solver> solver,
+                     const formula::Formula& formula, const Applied& apply = {},
+                     const formula::SolvedRegion* known = nullptr);
 /// The region of the scene's formula, on its line where it has one; kept where the scene is prepared.
 std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula);
 /// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
 /// made already.
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact,
                             const plane::Summary* known = nullptr);
+/// The same, piece by piece where there is one region of positions.
+void planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known,
+                     const Sink& sink);
 /// The part of a region on the scene's line.
 plane::Region on_line(const plane::Region& region, const Free& free);
 /// The lengths along the scene's line that belong to a region.

@@ -218,7 +218,7 @@ void tell(Answer::Data& out, const std::shared_ptr<const RaysQuestion>& q) {
   out.found = q->found();
   out.sampled = true;
   out.text = [q](const Telling&) { return q->text(); };
-  out.json_parts = [q](const Sink& sink) { q->json(sink); };
+  out.json_parts = [q](const Telling&, const Sink& sink) { q->json(sink); };
   out.json = [q](const Telling&) {
     std::string all;
     q->json([&](std::string_view part) { all += part; });

@@ -44,17 +44,11 @@ plane::Region unmarked(plane::Region region) {
   return region;
 }
 
-/// The curve of the net that has the edge.
-const plane::CurveNet::Curve& curve_with(const plane::CurveNet& net, plane::Index edge) {
-  return *std::find_if(net.curves().begin(), net.curves().end(), [&](const plane::CurveNet::Curve& c) {
-    return std::any_of(c.half_edges.begin(), c.half_edges.end(), [&](plane::Index h) { return h / 2 == edge; });
-  });
-}
-
 /// The whole curve with its ends, alone.
-plane::Region marked_curve(const plane::Region& shape, const plane::CurveNet::Curve& curve) {
+plane::Region marked_curve(const plane::Region& shape, const plane::CurveNet& net,
+                           const plane::CurveNet::Curve& curve) {
   plane::Region out = unmarked(shape);
-  for (const plane::Index h : curve.half_edges) {
+  for (const plane::Index h : net.half_edges(curve)) {
     out.edges[h / 2].mark = 1;
     out.vertices[out.edges[h / 2].v0].mark = 1;
     out.vertices[out.edges[h / 2].v1].mark = 1;
@@ -129,8 +123,8 @@ class Picker {
       return out;
     }
     const plane::CurveNet::Curve& curve =
-        curve_with(net, near.cell.dimension == 1 ? near.cell.index : shape.vertices[near.cell.index].out / 2);
-    out.set = marked_curve(shape, curve);
+        net.curve_of(near.cell.dimension == 1 ? near.cell.index : shape.vertices[near.cell.index].out / 2);
+    out.set = marked_curve(shape, net, curve);
     out.feature.kind = curve.arc ? Kind::kArc : Kind::kEdge;
     out.feature.points = {rounded_place(curve.arc ? curve.center : net.at(curve.from))};
     if (curve.arc)

@@ -12,6 +12,7 @@
 
 #include "findspace/text.h"
 #include "io/text/put.h"
+#include "io/text/spool.h"
 #include "io/write/write_json.h"
 
 namespace findspace::io {
@@ -32,6 +33,39 @@ void put_list(std::string& out, const Items& items, Text text, bool lines = fals
 template <class Items, class Text>
 std::string list(const Items& items, Text text, bool lines = false) {
   return json_list(items, text, lines);
+}
+
+/// Text that may be longer than memory should hold: it goes on whenever there is enough of it.
+class FlowingText {
+ public:
+  explicit FlowingText(const Sink& sink) : sink_(sink) {}
+
+  std::string& text() { return text_; }
+  void flow() {
+    constexpr std::size_t kEnough = std::size_t(1) << 16;
+    if (text_.size() > kEnough) finish();
+  }
+  void finish() {
+    sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  const Sink& sink_;
+  std::string text_;
+};
+
+/// The same list as put_list() gives, with its lines.
+template <class Items, class Text>
+void put_lines(FlowingText& out, const Items& items, Text text) {
+  out.text() += "[";
+  const char* separator = "\n      ";
+  for (const auto& item : items) {
+    out.text().append(separator).append(text(item));
+    separator = ",\n      ";
+    out.flow();
+  }
+  out.text() += "]";
 }
 
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.

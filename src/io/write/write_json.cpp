@@ -64,20 +64,17 @@ std::string face_text(const CurveNet& net, const plane::Face& f) {
   return out;
 }
 
-void put_cells(std::string& out, const CurveNet& net) {
+void put_cells(FlowingText& out, const CurveNet& net) {
   const plane::CellComplex& c = net.complex();
-  out += "  \"cells\": {\n    \"vertices\": ";
-  put_list(
-      out, net.vertices(),
-      [&](Index v) { return fmt::format(R"({{"at": {}, "in": {}}})", pair(net.at(v)), truth(c.vertices[v].mark)); },
-      true);
-  out += ",\n    \"edges\": ";
-  put_list(
-      out, net.curves(), [&](const Curve& k) { return curve_text(net, k); }, true);
-  out += ",\n    \"faces\": ";
-  put_list(
-      out, c.faces, [&](const plane::Face& f) { return face_text(net, f); }, true);
-  out += "\n  }";
+  out.text() += "  \"cells\": {\n    \"vertices\": ";
+  put_lines(out, net.vertices(), [&](Index v) {
+    return fmt::format(R"({{"at": {}, "in": {}}})", pair(net.at(v)), truth(c.vertices[v].mark));
+  });
+  out.text() += ",\n    \"edges\": ";
+  put_lines(out, net.curves(), [&](const Curve& k) { return curve_text(net, k); });
+  out.text() += ",\n    \"faces\": ";
+  put_lines(out, c.faces, [&](const plane::Face& f) { return face_text(net, f); });
+  out.text() += "\n  }";
 }
 
 }  // namespace
@@ -110,13 +107,23 @@ std::string optimum_members(const distance::OptimalValue& best) {
 
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
                         std::string_view unit, const distance::OptimalValue* best, bool exact) {
-  std::string out = "{\n";
-  put_summary(out, summary, unit);
-  if (best != nullptr) put_optimum(out, *best);
-  put_cells(out, CurveNet(region, step));
-  if (exact) out.append(",\n  \"exact\": ").append(cells_json(region, step, unit));
-  out += "\n}\n";
+  std::string out;
+  region_json(region, summary, step, unit, best, exact, [&out](std::string_view part) { out += part; });
   return out;
+}
+
+void region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
+                 std::string_view unit, const distance::OptimalValue* best, bool exact, const Sink& sink) {
+  const std::string cells = exact ? cells_json(region, step, unit) : "";
+  const CurveNet net(region, step);
+  FlowingText out(sink);
+  out.text() = "{\n";
+  put_summary(out.text(), summary, unit);
+  if (best != nullptr) put_optimum(out.text(), *best);
+  put_cells(out, net);
+  if (exact) out.text().append(",\n  \"exact\": ").append(cells);
+  out.text() += "\n}\n";
+  out.finish();
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,

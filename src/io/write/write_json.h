@@ -13,6 +13,7 @@
 #include "distance/answer/optimum.h"
 #include "findspace/text.h"
 #include "formula/planar/solve.h"
+#include "io/text/spool.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/locate_line.h"
 
@@ -33,6 +34,9 @@ std::string optimum_members(const distance::OptimalValue& best);
 /// (write_cells.h).
 std::string region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
                         std::string_view unit, const distance::OptimalValue* best = nullptr, bool exact = false);
+/// The same, piece by piece; nothing comes before all is known that may be refused.
+void region_json(const plane::Region& region, const plane::Summary& summary, const exact::Real& step,
+                 std::string_view unit, const distance::OptimalValue* best, bool exact, const Sink& sink);
 /// The result of `map` along a line: lengths from the point the line goes through. `side`: on which side of the true
 /// set the intervals may lie; empty where they are exact.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,

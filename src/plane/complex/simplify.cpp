@@ -14,8 +14,14 @@
 namespace findspace::plane {
 namespace {
 
+template <class List>
+void release(List& list) {
+  list.clear();
+  list.shrink_to_fit();
+}
+
 /// Cells to be merged, read where they are: of a complex, or of an arrangement with its marks. Their geometry, most of
-/// the memory of a large set, is taken and not copied.
+/// the memory of a large set, is taken and not copied. A list of a complex goes as soon as nothing reads it.
 struct ComplexCells {
   CellComplex& c;
 
@@ -28,6 +34,9 @@ struct ComplexCells {
   Mark face_mark(Index f) const { return c.faces[f].mark; }
   Index next(Index h) const { return c.half_edges[h].next; }
   Index face(Index h) const { return c.half_edges[h].face; }
+  void release_vertices() const { release(c.vertices); }
+  void release_edges() const { release(c.edges); }
+  void release_half_edges() const { release(c.half_edges); }
 };
 
 struct ArrangedCells {
@@ -48,6 +57,9 @@ struct ArrangedCells {
   Mark face_mark(Index f) const { return marks.faces[f]; }
   Index next(Index h) const { return a.next[h]; }
   Index face(Index h) const { return a.face[h]; }
+  void release_vertices() const {}
+  void release_edges() const {}
+  void release_half_edges() const {}
 };
 
 template <class Cells>
@@ -70,8 +82,14 @@ class Merger {
     drop_edges();
     classify_vertices();
     make_edges();
+    raw_.release_edges();
     make_vertices();
+    raw_.release_vertices();
+    release(first_);
+    release(passes_);
     link();
+    raw_.release_half_edges();
+    for (auto* list : {&starts_, &ends_, &first_part_, &last_part_}) release(*list);
     number_faces();
     collect_cycles();
     compact_geometry();

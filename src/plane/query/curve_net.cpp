@@ -51,6 +51,7 @@ Index CurveNet::preferred(Index edge) const {
 
 void CurveNet::add_curve(Index first) {
   Curve k;
+  k.first = first;
   k.from = c_.origin(first);
   k.mark = c_.edges[first / 2].mark;
   k.arc = c_.is_arc(first / 2);
@@ -61,19 +62,30 @@ void CurveNet::add_curve(Index first) {
   }
   Index h = first;
   do {
-    k.half_edges.push_back(h);
+    k.last = h;
     curve_of_edge_[h / 2] = Index(curves_.size());
-    if (k.arc) k.angle += measures_.angle(h / 2).value();
     k.to = c_.target(h);
     h = c_.next(h);
   } while (joint_[k.to] && h != first);
-  curves_.push_back(std::move(k));
+  curves_.push_back(k);
+}
+
+std::vector<Index> CurveNet::half_edges(const Curve& curve) const {
+  std::vector<Index> out{curve.first};
+  while (out.back() != curve.last) out.push_back(c_.next(out.back()));
+  return out;
+}
+
+double CurveNet::angle(const Curve& arc) const {
+  double angle = 0;
+  for (const Index h : half_edges(arc)) angle += measures_.angle(h / 2).value();
+  return angle;
 }
 
 /// Whether a curve begins, or begins to be travelled backwards, with this half-edge.
 bool CurveNet::is_start(Index half_edge) const {
-  const Curve& k = curves_[curve_of_edge_[half_edge / 2]];
-  return half_edge == k.half_edges.front() || half_edge == CellComplex::twin(k.half_edges.back());
+  const Curve& k = curve_of(half_edge / 2);
+  return half_edge == k.first || half_edge == CellComplex::twin(k.last);
 }
 
 CurveNet::Ring CurveNet::ring(std::span<const Index> half_edges) const {
@@ -82,7 +94,7 @@ CurveNet::Ring CurveNet::ring(std::span<const Index> half_edges) const {
   auto add = [&](Index h) {
     if (!is_start(h)) return;
     const Index curve = curve_of_edge_[h / 2];
-    ring.push_back({curve, h == curves_[curve].half_edges.front()});
+    ring.push_back({curve, h == curves_[curve].first});
   };
   std::for_each(first, half_edges.end(), add);
   std::for_each(half_edges.begin(), first, add);
@@ -97,10 +109,10 @@ CurveNet::Ring CurveNet::ring(Index half_edge) const {
 
 std::vector<Place> CurveNet::extremes(const Curve& arc) const {
   std::vector<Place> out;
-  for (Index h : arc.half_edges) {
+  for (const Index h : half_edges(arc)) {
     const Edge& e = c_.edges[h / 2];
     // The rest of the pieces' ends are leftmost or rightmost points.
-    if (h != arc.half_edges.front()) out.push_back(at(c_.origin(h)));
+    if (h != arc.first) out.push_back(at(c_.origin(h)));
     if (at(e.v0)[0] < arc.center[0] && arc.center[0] < at(e.v1)[0]) {
       out.push_back({arc.center[0], arc.center[1] + e.half * arc.radius});
     }

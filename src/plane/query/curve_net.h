@@ -19,13 +19,12 @@ class CurveNet {
  public:
   /// A segment, an arc (counter-clockwise) or a whole circle (from == to).
   struct Curve {
-    Index from = 0, to = 0;         // vertices of the complex
-    std::vector<Index> half_edges;  // in the direction of travel
+    Index from = 0, to = 0;     // vertices of the complex
+    Index first = 0, last = 0;  // half-edges, in the direction of travel
     Mark mark = 0;
     bool arc = false;
     Place center{};  // of an arc
     double radius = 0;
-    double angle = 0;  // that it spans, in (0, 2 pi]
   };
 
   /// A curve as part of a ring: which, and whether it is travelled from `from` to `to`.
@@ -40,6 +39,12 @@ class CurveNet {
 
   const CellComplex& complex() const { return c_; }
   const std::vector<Curve>& curves() const { return curves_; }
+  /// The one that an edge is a piece of.
+  const Curve& curve_of(Index edge) const { return curves_[curve_of_edge_[edge]]; }
+  /// Its pieces, in the direction of travel.
+  std::vector<Index> half_edges(const Curve& curve) const;
+  /// That an arc spans, in (0, 2 pi].
+  double angle(const Curve& arc) const;
   /// The vertices that are left, and the place of each vertex of the complex among them (kNone: it disappeared).
   const std::vector<Index>& vertices() const { return vertices_; }
   Index number(Index vertex) const { return number_[vertex]; }

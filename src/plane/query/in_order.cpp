@@ -18,20 +18,24 @@ class Renumbering {
     order_edges();
   }
 
+  /// A list of the complex goes as soon as the new one stands.
   CellComplex run() {
     number_faces();
     out_.vertices.reserve(vertices_.size());
-    out_.edges.reserve(edges_.size());
-    out_.half_edges.reserve(2 * edges_.size());
     for (Index v : vertices_) out_.vertices.push_back(moved(from_.vertices[v]));
+    from_.vertices = {};
+    out_.edges.reserve(edges_.size());
     for (Index e : edges_) {
       Edge edge = from_.edges[e];
       edge.v0 = vertex_[edge.v0];
       edge.v1 = vertex_[edge.v1];
       out_.edges.push_back(edge);
     }
+    from_.edges = {};
+    out_.half_edges.reserve(2 * edges_.size());
     for (Index e : edges_)
       for (Index h : {2 * e, 2 * e + 1}) out_.half_edges.push_back({half_edge(from_.next(h)), face_[from_.face(h)]});
+    from_.half_edges = {};
     bound_faces();
     out_.geometry = std::move(from_.geometry);
     return std::move(out_);
@@ -50,10 +54,12 @@ class Renumbering {
 
   void order_edges() {
     edge_.resize(from_.edges.size());
+    edges_.reserve(from_.edges.size());
+    std::vector<Index> around;  // counter-clockwise, those to the right first
     for (Index v : vertices_) {
       const Index first = from_.vertices[v].out;
       if (first == kNone) continue;
-      std::vector<Index> around{first};  // counter-clockwise, those to the right first
+      around.assign(1, first);
       for (Index h = from_.clockwise(first); h != first; h = from_.clockwise(h)) around.push_back(h);
       std::reverse(around.begin() + 1, around.end());
       for (Index h : around) {
@@ -74,6 +80,7 @@ class Renumbering {
 
   void number_faces() {
     face_.assign(from_.faces.size(), kNone);
+    out_.faces.reserve(from_.faces.size());
     auto use = [&](Index f) {
       if (face_[f] != kNone) return;
       face_[f] = Index(out_.faces.size());
@@ -97,8 +104,8 @@ class Renumbering {
       std::sort(to.isolated.begin(), to.isolated.end());
       if (face.outer == kNone) continue;
       to.outer = half_edge(face.outer);
-      for (Index h = from_.next(face.outer); h != face.outer; h = from_.next(h))
-        to.outer = std::min(to.outer, half_edge(h));
+      const Index first = to.outer;
+      for (Index h = out_.next(first); h != first; h = out_.next(h)) to.outer = std::min(to.outer, h);
     }
   }
 

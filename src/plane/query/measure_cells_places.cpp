@@ -4,6 +4,7 @@
 #include "plane/query/measure_cells_places.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -56,13 +57,15 @@ Number number(const Real& value) {
 
 }  // namespace
 
-VertexPlaces::VertexPlaces(const exact::Geometry& geometry)
-    : geometry_(geometry), of_supporting_curve_(geometry.supporting_curves.size()) {}
+VertexPlaces::VertexPlaces(const exact::Geometry& geometry) : geometry_(geometry) {}
 
-const VertexPlaces::Numbers& VertexPlaces::numbers(Index supporting_curve) {
-  std::optional<Numbers>& known = of_supporting_curve_[supporting_curve];
-  if (!known) known = computed(geometry_.supporting_curves[supporting_curve]);
-  return *known;
+VertexPlaces::Numbers VertexPlaces::numbers(Index supporting_curve) {
+  constexpr std::size_t kMost = std::size_t(1) << 15;  // a few megabytes: neighbours are asked for together
+  if (known_.empty()) known_.resize(std::min(kMost, std::bit_ceil(geometry_.supporting_curves.size())));
+  Known& known = known_[supporting_curve & (known_.size() - 1)];
+  if (known.supporting_curve != supporting_curve)
+    known = {supporting_curve, computed(geometry_.supporting_curves[supporting_curve])};
+  return known.numbers;
 }
 
 VertexPlaces::Numbers VertexPlaces::computed(const exact::SupportingCurve& k) const {

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "plane/complex/cell_complex.h"
@@ -43,12 +42,16 @@ class VertexPlaces {
   };
   using Crossing = std::array<BoundedTwofold, 2>;
 
-  const Numbers& numbers(Index supporting_curve);
+  Numbers numbers(Index supporting_curve);
   Numbers computed(const exact::SupportingCurve& k) const;
   Crossing crossing(const exact::Point& p);
 
   const exact::Geometry& geometry_;
-  std::vector<std::optional<Numbers>> of_supporting_curve_;
+  struct Known {
+    Index supporting_curve = kNone;
+    Numbers numbers;
+  };
+  std::vector<Known> known_;  // the last of the curves that share a place; made when first needed
 };
 
 }  // namespace findspace::plane

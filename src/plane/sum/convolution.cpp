@@ -4,6 +4,7 @@
 #include "plane/sum/convolution.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plane/base/reserve_more.h"
 #include "plane/sum/convolution_walks.h"
@@ -119,7 +120,7 @@ class PathPair {
     const Turn &p = nodes_.turn(0, n.at[0]), &q = nodes_.turn(1, n.at[1]);
     Position c = *p.center + *q.center;
     Real r = abs(p.radius() + q.radius());
-    return out_.curves.geometry.add(c.grid() ? SupportingCurve::circle_at(c.x, c.y, r)
+    return out_.curves.geometry.add(c.grid() ? SupportingCurve::circle_at(c.x, c.y, out_.shared(r))
                                              : SupportingCurve::circle_at(c.real->x, c.real->y, r));
   }
 
@@ -138,7 +139,8 @@ class PathPair {
     // opposite.
     Real shift = flipped ? -t.radius() : t.radius();
     Position sum = p + q;
-    if (sum.grid()) return g.add(SupportingCurve::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shift));
+    if (sum.grid())
+      return g.add(SupportingCurve::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, out_.shared(shift)));
     Real c = Real(a) * sum.real_x() + Real(b) * sum.real_y();
     if (t.arc) c += shift * sqrt(Real(int128(a) * a + int128(b) * b));
     return g.add(SupportingCurve::line(a, b, c));
@@ -147,6 +149,17 @@ class PathPair {
   ConvolutionBuilder& out_;
   ConvolutionNodes nodes_;
 };
+
+const exact::CurveReals& ConvolutionBuilder::shared(const Real& w) {
+  auto& [last, before] = shared_;
+  const auto same = [&w](const exact::CurveReals& known) {
+    return known.w().is_rational() && w.is_rational() && known.w() == w;
+  };
+  if (same(last)) return last;
+  std::swap(last, before);
+  if (!same(last)) last = w;
+  return last;
+}
 
 void ConvolutionBuilder::reserve(std::size_t more) {
   reserve_more(curves.geometry.supporting_curves, more);

@@ -10,6 +10,9 @@
 // Stolfi 1983; Wein 2006 for arcs. Keywords: convolution cycles, kinetic framework.
 #pragma once
 
+#include <array>
+
+#include "exact/planar/curve_reals.h"
 #include "plane/complex/boundary.h"
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/winding.h"
@@ -40,7 +43,11 @@ class ConvolutionBuilder {
 
  private:
   friend class PathPair;
+  /// The reals of a curve with this radius or displacement: those of an earlier curve where they are the same.
+  const exact::CurveReals& shared(const exact::Real& w);
+
   bool inward_;
+  std::array<exact::CurveReals, 2> shared_{};  // the last ones: lines of one disc have its radius and its opposite
 };
 
 }  // namespace findspace::plane
