@@ -12,6 +12,12 @@
 
 namespace findspace::plane {
 
+/// The whole number at or below one that fits.
+inline std::int64_t floor_of(double v) {
+  const auto whole = std::int64_t(v);
+  return whole - (double(whole) > v);
+}
+
 struct LatticeEdge {
   double x0, y0, x1, y1;
 };

@@ -29,12 +29,24 @@ inline constexpr std::size_t kRanges = 16;
 inline IndexRange range(std::size_t k, std::size_t ranges, std::size_t items) {
   return {k * items / ranges, (k + 1) * items / ranges};
 }
-/// Calls task(range) for those ranges, possibly at once.
+/// Calls task(k) for each of `ranges`, possibly at once; a single one here.
+template <class Task>
+void each_range(std::size_t ranges, Task&& task) {
+  if (ranges == 1) return task(std::size_t{0});
+  parallel_for(ranges, std::ref(task));
+}
+/// Calls task(range) for the ranges of so many items, possibly at once.
 template <class Task>
 void in_ranges(std::size_t items, std::size_t many, Task&& task) {
   const std::size_t count = range_count(items, many);
-  if (count == 1) return task(IndexRange{0, items});
-  parallel_for(count, [&](std::size_t k) { task(range(k, count, items)); });
+  each_range(count, [&](std::size_t k) { task(range(k, count, items)); });
+}
+
+/// Calls task(0) ... task(count - 1), possibly at once where they work on `many` items or more in all.
+template <class Task>
+void at_once(std::size_t count, std::size_t items, std::size_t many, Task&& task) {
+  if (range_count(items, many) > 1) return parallel_for(count, std::ref(task));
+  for (std::size_t k = 0; k < count; ++k) task(k);
 }
 
 /// While it lives, at most `threads` tasks of the process run at once (0: one for each core).

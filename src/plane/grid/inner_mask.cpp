@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "plane/base/bitmap.h"
+#include "plane/base/parallel.h"
 #include "plane/grid/lattice_sum.h"
 
 namespace findspace::plane {
@@ -21,36 +22,52 @@ struct Factors {
   bool empty() const { return points.empty() || cells.empty(); }
   LatticeBox box() const { return LatticeBox::around(points) + LatticeBox::around(cells); }
 
-  /// Adds the sums of as many runs of points as the effort allows, the longest first.
-  void add_to(Bitmap& sums, double effort) {
-    LatticeBox of_cells = LatticeBox::around(cells);
-    double words = double(of_cells.row1 - of_cells.row0 + 1) * (double(of_cells.column1 - of_cells.column0) / 64 + 2);
-    auto most = std::size_t(std::max(effort / words, 1.0));
-    if (points.size() > most) {
-      std::nth_element(points.begin(), points.begin() + std::ptrdiff_t(most), points.end(), longer);
-      points.resize(most);
-      std::sort(points.begin(), points.end(), by_place);
-    }
-    add_sums(points, cells, sums);
+  /// Keeps as many runs of points as the effort allows, the longest.
+  void limit(double effort) {
+    const LatticeBox of_cells = LatticeBox::around(cells);
+    const double words =
+        double(of_cells.row1 - of_cells.row0 + 1) * (double(of_cells.column1 - of_cells.column0) / 64 + 2);
+    const auto most = std::size_t(std::max(effort / words, 1.0));
+    if (points.size() <= most) return;
+    std::nth_element(points.begin(), points.begin() + std::ptrdiff_t(most), points.end(), longer);
+    points.resize(most);
+    std::sort(points.begin(), points.end(), by_place);
   }
 };
+
+constexpr std::size_t kManyEdges = 500;  // from here on their runs are found at once
+
+/// Of both operands of each pair, the points of one with the cells of the other; some may have none.
+std::vector<Factors> factors_of(std::span<const InnerMask::Pair> pairs, double side, std::size_t edges) {
+  std::vector<Factors> factors(2 * pairs.size());
+  at_once(2 * factors.size(), edges, kManyEdges, [&](std::size_t k) {
+    const InnerMask::Pair& pair = pairs[k / 4];
+    const bool of_a = (k % 4 == 0) || (k % 4 == 3);
+    const Outline& outline = of_a ? *pair.a : *pair.b;
+    Factors& to = factors[k / 2];
+    if (k % 2 == 0)
+      to.points = point_runs(outline, side);
+    else
+      to.cells = cell_runs(outline, side);
+  });
+  return factors;
+}
 
 }  // namespace
 
 InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side, double effort)
     : side_(side), scale_(1 / double(side)) {
-  std::vector<Factors> factors;
+  std::size_t edges = 0;
+  for (const Pair& pair : pairs) edges += pair.a->size() + pair.b->size();
+  std::vector<Factors> factors = factors_of(pairs, double(side), edges);
+  std::erase_if(factors, [](const Factors& f) { return f.empty(); });
+  if (factors.empty()) return;
   LatticeBox box;
-  for (const Pair& pair : pairs)
-    for (auto [p, c] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
-      Factors f{point_runs(*p, double(side)), cell_runs(*c, double(side))};
-      if (f.empty()) continue;
-      box.add(f.box());
-      factors.push_back(std::move(f));
-    }
-  if (box.empty()) return;
+  for (const Factors& f : factors) box.add(f.box());
+  at_once(factors.size(), edges, kManyEdges,
+          [&](std::size_t k) { factors[k].limit(effort / double(factors.size())); });
   Bitmap sums(box);
-  for (Factors& f : factors) f.add_to(sums, effort / double(factors.size()));
+  for (const Factors& f : factors) add_sums(f.points, f.cells, sums);
   depths_ = CellDepths(sums);
 }
 

@@ -9,7 +9,6 @@
 // transform.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,7 +29,7 @@ class InnerMask {
   InnerMask(std::span<const Pair> pairs, std::int64_t side, double effort);
 
   /// Lattice column and row of a coordinate; column c covers [border(c), border(c + 1)].
-  std::int64_t line_of(double v) const { return std::int64_t(std::floor(v * scale_)); }
+  std::int64_t line_of(double v) const { return floor_of(v * scale_); }
   std::int64_t border(std::int64_t line) const { return line * side_; }
   /// All cells less than so many columns and rows away are marked; 0 where the cell itself is not.
   std::int64_t depth(std::int64_t column, std::int64_t row) const { return depths_.depth(column, row); }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/grid/inner_mask.h"
 
 namespace findspace::plane {
@@ -23,23 +24,25 @@ constexpr double kWordsPerCrossing = 10;
 
 /// A segment along its longer axis u.
 struct Run {
-  double u0, v0, u1, v1;
+  double u0, v0, u1, v1, slope;
   bool steep, reversed;
 
   static Run of(const LatticeEdge& e) {
     const bool steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
-    Run run{steep ? e.y0 : e.x0, steep ? e.x0 : e.y0, steep ? e.y1 : e.x1, steep ? e.x1 : e.y1, steep, false};
-    if (run.u1 >= run.u0) return run;
-    std::swap(run.u0, run.u1);
-    std::swap(run.v0, run.v1);
-    run.reversed = true;
+    Run run{steep ? e.y0 : e.x0, steep ? e.x0 : e.y0, steep ? e.y1 : e.x1, steep ? e.x1 : e.y1, 0, steep, false};
+    if (run.u1 < run.u0) {
+      std::swap(run.u0, run.u1);
+      std::swap(run.v0, run.v1);
+      run.reversed = true;
+    }
+    if (run.u1 > run.u0) run.slope = (run.v1 - run.v0) / (run.u1 - run.u0);
     return run;
   }
 
   /// How many lines from this one on it passes in masked cells only; its slope is at most one.
   std::int64_t depth(const InnerMask& mask, std::int64_t line) const {
     double low = std::max(u0, double(mask.border(line))), high = std::min(u1, double(mask.border(line + 1)));
-    double slope = u1 > u0 ? (v1 - v0) / (u1 - u0) : 0, va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
+    double va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
     // Two grid steps are far more than the rounding of these doubles (2^43 steps at most).
     std::int64_t c0 = mask.line_of(std::min(va, vb) - 2), c1 = mask.line_of(std::max(va, vb) + 2);
     std::int64_t least = INT64_MAX;
@@ -48,47 +51,111 @@ struct Run {
   }
 };
 
-/// Cuts away what lies in masked cells. A piece is followed along its longer axis; it is cut where it passes from a
-/// line of cells that are all masked to one that is not, on the border between them, which is a grid line.
+constexpr std::size_t kManyToCut = 1000;  // curves: from here on ranges of them are cut at once
+constexpr std::int64_t kEnd = INT64_MIN;  // no line
+
+/// What is kept of a piece: from one border of lines of cells to another, or to an end of the piece (kEnd).
+struct KeptPart {
+  Index piece;
+  bool steep, reversed;
+  std::int64_t from, to;
+};
+
+/// A piece is followed along its longer axis; it is cut where it passes from a line of cells that are all masked to one
+/// that is not, on the border between them, which is a grid line.
+void add_parts(const DirectedCurves& c, const InnerMask& mask, Index piece, std::vector<KeptPart>& out) {
+  const exact::Point &a = c.geometry.points[c.pieces[piece].p0], &b = c.geometry.points[c.pieces[piece].p1];
+  const Run run = Run::of({a.x, a.y, b.x, b.y});
+  const std::int64_t first = mask.line_of(run.u0), last = mask.line_of(run.u1);
+  KeptPart part{piece, run.steep, run.reversed, kEnd, kEnd};
+  bool open = false;
+  for (std::int64_t line = first; line <= last;) {
+    const std::int64_t depth = run.depth(mask, line);
+    if (depth == 0 && !open) part.from = line == first ? kEnd : line;
+    if (depth > 0 && open) {
+      part.to = line;
+      out.push_back(part);
+    }
+    open = depth == 0;
+    line += std::max<std::int64_t>(depth, 1);
+  }
+  part.to = kEnd;
+  if (open) out.push_back(part);
+}
+
+/// A range of pieces, cut.
+struct CutRange {
+  std::vector<KeptPart> parts;
+  std::size_t first_crossing = 0;  // number of the first point made by cutting
+  std::vector<Index> borders;      // of each of these, the line on which it lies
+  std::vector<Piece> pieces;
+  std::vector<InnerSide> sides;
+};
+
+/// Cuts away what lies in masked cells. Ranges of pieces are worked on at once, but the lines on which they are cut are
+/// added in the order of the cuts.
 class Cutter {
  public:
-  Cutter(Geometry& g, const InnerMask& mask) : g_(g), mask_(mask) {}
+  explicit Cutter(ReducedConvolution& c) : c_(c), g_(c.geometry), mask_(*c.mask) {}
 
-  void cut(const Piece& piece, std::vector<Piece>& out) {
-    const exact::Point a = g_.points[piece.p0], b = g_.points[piece.p1];
-    const Run run = Run::of({a.x, a.y, b.x, b.y});
-    const bool steep = run.steep, reversed = run.reversed;
-    Index from = reversed ? piece.p1 : piece.p0, to = reversed ? piece.p0 : piece.p1;
-    std::int64_t first = mask_.line_of(run.u0), last = mask_.line_of(run.u1);
-    Index open = kNone;  // start of the part that is kept at present
-    for (std::int64_t line = first; line <= last;) {
-      std::int64_t depth = run.depth(mask_, line);
-      if (depth == 0 && open == kNone) open = line == first ? from : border(piece, line, steep);
-      if (depth > 0 && open != kNone) {
-        keep(piece, open, border(piece, line, steep), reversed, out);
-        open = kNone;
-      }
-      line += std::max<std::int64_t>(depth, 1);
+  std::vector<CutRange> run() {
+    std::vector<CutRange> ranges(range_count(c_.pieces.size(), kManyToCut));
+    each_range(ranges.size(), [&](std::size_t k) {
+      const IndexRange pieces = range(k, ranges.size(), c_.pieces.size());
+      for (auto i = Index(pieces.first); i < pieces.end; ++i) add_parts(c_, mask_, i, ranges[k].parts);
+    });
+    std::size_t points = g_.points.size();
+    for (CutRange& r : ranges) {
+      r.first_crossing = points;
+      add_borders(r);
+      points += r.borders.size();
     }
-    if (open != kNone) keep(piece, open, to, reversed, out);
+    g_.points.resize(points);
+    each_range(ranges.size(), [&](std::size_t k) { add_pieces(ranges[k]); });
+    return ranges;
   }
 
  private:
-  Index border(const Piece& piece, std::int64_t line, bool steep) {
+  void add_borders(CutRange& r) {
+    for (const KeptPart& p : r.parts)
+      for (const std::int64_t line : {p.from, p.to})
+        if (line != kEnd) r.borders.push_back(border(line, p.steep));
+  }
+
+  Index border(std::int64_t line, bool steep) {
     auto [at, fresh] = lines_.try_emplace(2 * line + steep, 0);
     if (fresh)
       at->second = g_.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(mask_.border(line))));
-    return g_.add_crossing(piece.supporting_curve, at->second, 0);
+    return at->second;
   }
 
-  void keep(const Piece& piece, Index from, Index to, bool reversed, std::vector<Piece>& out) const {
-    if (compare_xy(g_, from, to) == 0) return;
-    Piece part = piece;
-    part.p0 = reversed ? to : from;
-    part.p1 = reversed ? from : to;
-    out.push_back(part);
+  void add_pieces(CutRange& r) {
+    std::size_t cut = 0;
+    for (const KeptPart& p : r.parts) {
+      const Piece& piece = c_.pieces[p.piece];
+      const auto place = [&](std::int64_t line, Index end) {
+        if (line == kEnd) return end;
+        const std::size_t point = r.first_crossing + cut;
+        g_.points[point] = g_.crossing(piece.supporting_curve, r.borders[cut++], 0);
+        return Index(point);
+      };
+      const Index from = place(p.from, p.reversed ? piece.p1 : piece.p0);
+      const Index to = place(p.to, p.reversed ? piece.p0 : piece.p1);
+      if (compare_xy(g_, from, to) != 0) keep(p, p.reversed ? to : from, p.reversed ? from : to, r);
+    }
   }
 
+  void keep(const KeptPart& p, Index p0, Index p1, CutRange& r) const {
+    const Piece& piece = c_.pieces[p.piece];
+    InnerSide& side = r.sides.emplace_back(c_.sides[p.piece]);  // ends made by cutting lie inside the sum anyway
+    side.hides_at_p0 |= p0 != piece.p0;
+    side.hides_at_p1 |= p1 != piece.p1;
+    Piece& part = r.pieces.emplace_back(piece);
+    part.p0 = p0;
+    part.p1 = p1;
+  }
+
+  ReducedConvolution& c_;
   Geometry& g_;
   const InnerMask& mask_;
   std::unordered_map<std::int64_t, Index> lines_;
@@ -173,18 +240,15 @@ bool lies_in(const InnerMask& mask, const LatticeEdge& segment) {
 }
 
 ReducedConvolution prune_inside(ReducedConvolution c) {
+  std::vector<CutRange> ranges = Cutter(c).run();
   ReducedConvolution out;
-  Cutter cutter(c.geometry, *c.mask);
-  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
-    std::size_t first = out.pieces.size();
-    cutter.cut(c.pieces[k], out.pieces);
-    for (std::size_t i = first; i < out.pieces.size(); ++i) {
-      InnerSide& side = out.sides.emplace_back(c.sides[k]);  // ends made by cutting lie inside the sum anyway
-      side.hides_at_p0 |= out.pieces[i].p0 != c.pieces[k].p0;
-      side.hides_at_p1 |= out.pieces[i].p1 != c.pieces[k].p1;
-    }
-  }
   out.geometry = std::move(c.geometry);
+  out.pieces = std::move(ranges[0].pieces);
+  out.sides = std::move(ranges[0].sides);
+  for (std::size_t k = 1; k < ranges.size(); ++k) {
+    out.pieces.insert(out.pieces.end(), ranges[k].pieces.begin(), ranges[k].pieces.end());
+    out.sides.insert(out.sides.end(), ranges[k].sides.begin(), ranges[k].sides.end());
+  }
   return out;
 }
 
