@@ -4,6 +4,7 @@
 #include "plane/complex/broad_phase.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ namespace {
 
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
+constexpr std::size_t kManyToEnter = 2000;  // from here on ranges of pieces are entered at once
 
 /// y of the supporting curve at x, clamped into the piece's box by the caller.
 double y_at(const exact::Geometry& g, const Piece& p, double x) {
@@ -27,6 +29,25 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
   double dx = x - k.x().value, h = k.z().value * k.z().value - dx * dx;
   double s = h > 0 ? std::sqrt(h) : 0;
   return k.y().value + (p.half > 0 ? s : -s);
+}
+
+constexpr PieceBox kNoBox{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+/// Of points.
+struct Largest {
+  double error = 0, coordinate = 0;
+
+  void take(const exact::Point& p) { take({p.error, std::max(std::abs(p.x), std::abs(p.y))}); }
+  void take(const Largest& o) {
+    error = std::max(error, o.error);
+    coordinate = std::max(coordinate, o.coordinate);
+  }
+};
+
+std::span<const Piece> items_of(std::span<const Piece> pieces, std::size_t k, std::size_t ranges) {
+  const IndexRange some = range(k, ranges, pieces.size());
+  return pieces.subspan(some.first, some.size());
 }
 
 }  // namespace
@@ -76,26 +97,32 @@ void CellGrid::enter_sorted() {
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
-  const double inf = std::numeric_limits<double>::infinity();
-  double error = 0, largest_x = 0, largest_y = 0;
-  auto take = [&](const exact::Point& p) {
-    error = std::max<double>(error, p.error);
-    largest_x = std::max(largest_x, std::abs(p.x));
-    largest_y = std::max(largest_y, std::abs(p.y));
-  };
-  for (const Piece& p : pieces) {
-    take(g.points[p.p0]);
-    take(g.points[p.p1]);
-  }
-  for (Index p : extra) take(g.points[p]);
-  slack_ = box_slack(error, std::max(largest_x, largest_y));
-  PieceBox all{inf, inf, -inf, -inf};
-  boxes_.reserve(pieces.size());
-  for (const Piece& p : pieces) {
-    const PieceBox box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack_) : box_of(g, p, slack_);
-    boxes_.push_back(box);
-    all = joined(all, box);
-  }
+  const std::size_t ranges = range_count(pieces.size(), kManyToEnter);
+  std::array<Largest, kRanges> largest;
+  each_range(ranges, [&](std::size_t k) {
+    Largest of_range;
+    for (const Piece& p : items_of(pieces, k, ranges)) {
+      of_range.take(g.points[p.p0]);
+      of_range.take(g.points[p.p1]);
+    }
+    largest[k] = of_range;
+  });
+  for (std::size_t k = 1; k < ranges; ++k) largest[0].take(largest[k]);
+  for (Index p : extra) largest[0].take(g.points[p]);
+  slack_ = box_slack(largest[0].error, largest[0].coordinate);
+  boxes_.resize(pieces.size());
+  std::array<PieceBox, kRanges> around;
+  each_range(ranges, [&](std::size_t k) {
+    PieceBox of_range = kNoBox;
+    PieceBox* box = boxes_.data() + range(k, ranges, pieces.size()).first;
+    for (const Piece& p : items_of(pieces, k, ranges)) {
+      *box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack_) : box_of(g, p, slack_);
+      of_range = joined(of_range, *box++);
+    }
+    around[k] = of_range;
+  });
+  PieceBox all = around[0];
+  for (std::size_t k = 1; k < ranges; ++k) all = joined(all, around[k]);
   for (Index p : extra) {
     const exact::Point& q = g.points[p];
     all = joined(all, {q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
@@ -124,31 +151,52 @@ CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece&
   return {row(std::max(lo - tolerance, b.y0)), row(std::min(hi + tolerance, b.y1))};
 }
 
-void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
-  start_.assign(std::size_t(columns_) * rows_ + 1, 0);
-  rows_start_.reserve(pieces.size() + 1);
-  first_column_.reserve(pieces.size());
-  piece_rows_.reserve(2 * pieces.size());
-  rows_start_.assign(1, 0);
-  for (Index i = 0; i < pieces.size(); ++i) {
+/// Appends the rows of some pieces; those of each end at its place in rows_start_.
+void CellGrid::find_rows(const exact::Geometry& g, std::span<const Piece> pieces, IndexRange some,
+                         std::pmr::vector<Rows>& to) {
+  to.reserve(2 * some.size());
+  for (auto i = Index(some.first); i < some.end; ++i) {
     const PieceBox& b = boxes_[i];
-    Index c0 = column(b.x0), c1 = column(b.x1);
-    first_column_.push_back(c0);
+    const Index c0 = column(b.x0), c1 = column(b.x1);
+    first_column_[i] = c0;
     const bool thin = c0 == c1 || b.x1 - b.x0 < 8 * slack_;
-    for (Index c = c0; c <= c1; ++c) {
-      const Rows r = thin ? Rows{row(b.y0), row(b.y1)} : rows_in(c, g, pieces[i], b);
-      piece_rows_.push_back(r);
-      for (Index y = r.lo; y <= r.hi; ++y) ++start_[std::size_t(c) * rows_ + y + 1];
-    }
-    rows_start_.push_back(Index(piece_rows_.size()));
+    for (Index c = c0; c <= c1; ++c) to.push_back(thin ? Rows{row(b.y0), row(b.y1)} : rows_in(c, g, pieces[i], b));
+    rows_start_[i + 1] = Index(to.size());
   }
+}
+
+void CellGrid::find_rows(const exact::Geometry& g, std::span<const Piece> pieces) {
+  first_column_.resize(pieces.size());
+  rows_start_.resize(pieces.size() + 1);
+  const std::size_t ranges = range_count(pieces.size(), kManyToEnter);
+  std::vector<std::pmr::vector<Rows>> more(ranges - 1);
+  each_range(ranges, [&](std::size_t k) {
+    find_rows(g, pieces, range(k, ranges, pieces.size()), k == 0 ? piece_rows_ : more[k - 1]);
+  });
+  for (std::size_t k = 1; k < ranges; ++k) {
+    const auto before = Index(piece_rows_.size());
+    piece_rows_.insert(piece_rows_.end(), more[k - 1].begin(), more[k - 1].end());
+    const IndexRange some = range(k, ranges, pieces.size());
+    for (std::size_t i = some.first; i < some.end; ++i) rows_start_[i + 1] += before;
+  }
+}
+
+void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
+  find_rows(g, pieces);
+  start_.assign(std::size_t(columns_) * rows_ + 1, 0);
+  each_cell([&](Index, std::size_t cell) { ++start_[cell + 1]; });
   for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
   items_.resize(start_.back());
   std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, start_.get_allocator());
-  for (Index i = 0; i < pieces.size(); ++i)
+  each_cell([&](Index piece, std::size_t cell) { items_[at[cell]++] = piece; });
+}
+
+template <class Visit>
+void CellGrid::each_cell(Visit&& visit) const {
+  for (Index i = 0; i < first_column_.size(); ++i)
     for (Index k = rows_start_[i]; k < rows_start_[i + 1]; ++k) {
-      std::size_t column_base = std::size_t(first_column_[i] + (k - rows_start_[i])) * rows_;
-      for (Index y = piece_rows_[k].lo; y <= piece_rows_[k].hi; ++y) items_[at[column_base + y]++] = i;
+      const std::size_t column_base = std::size_t(first_column_[i] + (k - rows_start_[i])) * rows_;
+      for (Index y = piece_rows_[k].lo; y <= piece_rows_[k].hi; ++y) visit(i, column_base + y);
     }
 }
 

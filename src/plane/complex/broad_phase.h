@@ -68,6 +68,11 @@ class CellGrid {
   void set_resolution(std::size_t pieces);
   void enter_sorted();
   void enter(const exact::Geometry& g, std::span<const Piece> pieces);
+  void find_rows(const exact::Geometry& g, std::span<const Piece> pieces);
+  void find_rows(const exact::Geometry& g, std::span<const Piece> pieces, IndexRange some, std::pmr::vector<Rows>& to);
+  /// Calls visit(piece, cell) for the cells that each piece may cross, one piece after the other.
+  template <class Visit>
+  void each_cell(Visit&& visit) const;
   /// Of one column, those that a piece may cross.
   Rows rows_in(Index column, const exact::Geometry& g, const Piece& piece, const PieceBox& box) const;
   bool first_common_cell(Index i, Index j, Index column, Index row) const;

@@ -42,13 +42,12 @@ std::vector<Factors> factors_of(std::span<const InnerMask::Pair> pairs, double s
   std::vector<Factors> factors(2 * pairs.size());
   at_once(2 * factors.size(), edges, kManyEdges, [&](std::size_t k) {
     const InnerMask::Pair& pair = pairs[k / 4];
-    const bool of_a = (k % 4 == 0) || (k % 4 == 3);
-    const Outline& outline = of_a ? *pair.a : *pair.b;
-    Factors& to = factors[k / 2];
+    const Outline& outline = k % 4 < 2 ? *pair.a : *pair.b;
+    Factors* const of_pair = &factors[k / 4 * 2];  // points of A and cells of B, then the other way round
     if (k % 2 == 0)
-      to.points = point_runs(outline, side);
+      of_pair[k % 4 == 0].cells = cell_runs(outline, side);
     else
-      to.cells = cell_runs(outline, side);
+      of_pair[k % 4 != 1].points = point_runs(outline, side);
   });
   return factors;
 }

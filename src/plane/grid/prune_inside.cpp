@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <span>
+#include <vector>
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/parallel.h"
@@ -86,10 +87,20 @@ void add_parts(const DirectedCurves& c, const InnerMask& mask, Index piece, std:
 /// A range of pieces, cut.
 struct CutRange {
   std::vector<KeptPart> parts;
+  std::int64_t low = INT64_MAX, high = INT64_MIN;  // lines on which they are cut
   std::size_t first_crossing = 0;  // number of the first point made by cutting
   std::vector<Index> borders;      // of each of these, the line on which it lies
   std::vector<Piece> pieces;
   std::vector<InnerSide> sides;
+
+  void note_lines() {
+    for (const KeptPart& p : parts)
+      for (const std::int64_t line : {p.from, p.to}) {
+        if (line == kEnd) continue;
+        low = std::min(low, line);
+        high = std::max(high, line);
+      }
+  }
 };
 
 /// Cuts away what lies in masked cells. Ranges of pieces are worked on at once, but the lines on which they are cut are
@@ -103,7 +114,9 @@ class Cutter {
     each_range(ranges.size(), [&](std::size_t k) {
       const IndexRange pieces = range(k, ranges.size(), c_.pieces.size());
       for (auto i = Index(pieces.first); i < pieces.end; ++i) add_parts(c_, mask_, i, ranges[k].parts);
+      ranges[k].note_lines();
     });
+    make_tables(ranges);
     std::size_t points = g_.points.size();
     for (CutRange& r : ranges) {
       r.first_crossing = points;
@@ -116,17 +129,27 @@ class Cutter {
   }
 
  private:
+  void make_tables(std::span<const CutRange> ranges) {
+    std::int64_t high = INT64_MIN;
+    for (const CutRange& r : ranges) {
+      low_ = std::min(low_, r.low);
+      high = std::max(high, r.high);
+    }
+    if (low_ <= high) lines_.assign(2 * std::size_t(high - low_ + 1), kNone);
+  }
+
   void add_borders(CutRange& r) {
+    r.borders.reserve(2 * r.parts.size());
     for (const KeptPart& p : r.parts)
       for (const std::int64_t line : {p.from, p.to})
         if (line != kEnd) r.borders.push_back(border(line, p.steep));
   }
 
   Index border(std::int64_t line, bool steep) {
-    auto [at, fresh] = lines_.try_emplace(2 * line + steep, 0);
-    if (fresh)
-      at->second = g_.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(mask_.border(line))));
-    return at->second;
+    Index& known = lines_[2 * std::size_t(line - low_) + steep];
+    if (known == kNone)
+      known = g_.add(SupportingCurve::line(steep ? 0 : 1, steep ? 1 : 0, exact::int128(mask_.border(line))));
+    return known;
   }
 
   void add_pieces(CutRange& r) {
@@ -158,7 +181,8 @@ class Cutter {
   ReducedConvolution& c_;
   Geometry& g_;
   const InnerMask& mask_;
-  std::unordered_map<std::int64_t, Index> lines_;
+  std::int64_t low_ = INT64_MAX;  // the first line
+  std::vector<Index> lines_;      // of it and those after it, borders between columns and between rows
 };
 
 Outline outline(const GridFace& face) {

@@ -232,7 +232,7 @@ class FacePair {
     choose(count);
     if (chosen_) count = kept_[0].size() + kept_[1].size();
     auto& g = out_.geometry;
-    reserve_more(g.supporting_curves, count);
+    reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);  // more where they will be cut
     reserve_more(g.points, 2 * count);
     reserve_more(out_.pieces, count);
     reserve_more(out_.sides, count);

@@ -36,7 +36,7 @@ class TransversalSum {
     if (first == kNone) return false;
     auto outer = walks.walk({first, 0});
     if (outer.empty() || !add_ring(outer)) return false;
-    for (Index i = 0; i < curves_.size(); ++i)
+    for (const Index i : walks.candidates())
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
         if (!walks.is_new({i, k})) continue;
         auto walk = walks.walk({i, k});

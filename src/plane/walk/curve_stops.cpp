@@ -28,6 +28,7 @@ struct Found {
   std::pmr::vector<Stop> stops;
   std::pmr::vector<std::pair<Index, Index>> opposite;
   std::pmr::vector<std::pair<Index, Index>> ties;  // points at one place, or one that is a degenerate vertex
+  Index further = 0;                               // by how much the points made of crossings move up
 };
 
 /// Finds where curves meet, in any order.
@@ -59,8 +60,9 @@ class StopFinder {
 class StopSorter {
  public:
   StopSorter(const DirectedCurves& c, CurveStops& out, Memory memory)
-      : c_(c), g_(c.geometry), out_(out), memory_(memory) {}
-  void run();
+      : c_(c), g_(c.geometry), out_(out), memory_(memory), ranges_(range_count(size(), kManyToMeetAtOnce)) {}
+  /// `known`: points of the geometry that are not made of crossings.
+  void run(std::span<const Found> found, std::size_t known);
 
  private:
   struct Estimate {
@@ -68,25 +70,32 @@ class StopSorter {
     Stop stop;
   };
 
-  using Ties = std::vector<std::pair<Index, Index>>;
+  struct Sorted {
+    std::vector<std::pair<Index, Index>> ties;  // what is at one place, unless it is one crossing
+    std::size_t repeated = 0;
+  };
 
   Index size() const { return Index(c_.pieces.size()); }
   Index stop_count(Index i) const { return out_.first[i + 1] - out_.first[i]; }
-  void group_stops();
-  /// Sorts those of some curves; what is at one place, unless it is one crossing.
-  Ties sort_stops(IndexRange curves);
+  void group_stops(std::span<const Found> found, std::size_t known);
+  Sorted sort_stops(IndexRange curves);
   void sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
   /// As nearly as approximate coordinates tell.
   void sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates);
-  void tie_stops_of(Index i, Ties& ties);
+  void tie_stops_of(Index i, Sorted& out);
   void drop_repeated();
+  void mark_degenerate();
   /// The two stops of a crossing find each other.
   void find_twins();
+  /// Calls visit(stop) for all, those of ranges of curves at once.
+  template <class Visit>
+  void each_stop(Visit&& visit);
 
   const DirectedCurves& c_;
   const exact::Geometry& g_;
   CurveStops& out_;
   Memory memory_;
+  const std::size_t ranges_;  // of curves
 };
 
 void StopFinder::cross(Index i, Index j) {
@@ -109,8 +118,8 @@ void StopFinder::cross(Index i, Index j) {
   // The normal (a, b) is to the left of the direction (b, -a), the way to the right if b > 0.
   bool normal_left = (k.b > 0) == runs_right(c_, i);
   bool from_right = ((runs_right(c_, j) ? s0 : s1) > 0) != normal_left;
-  out_.stops.push_back({i, point, j, from_right, kNone});
-  out_.stops.push_back({j, point, i, !from_right, kNone});
+  out_.stops.emplace_back(i, point, j, from_right);
+  out_.stops.emplace_back(j, point, i, !from_right);
 }
 
 void StopFinder::overlap(Index i, Index j) {
@@ -134,44 +143,57 @@ void StopFinder::place(Index i, Index node) {
 
 void StopFinder::touch(Index i, Index node) {
   out_.ties.emplace_back(node, node);
-  out_.stops.push_back({i, node, kNone, false, kNone});
+  out_.stops.emplace_back(i, node, kNone, false);
 }
 
-void StopSorter::run() {
-  group_stops();
-  const std::size_t count = range_count(size(), kManyToMeetAtOnce);
-  std::vector<Ties> ties(count);
-  const auto sort = [&](std::size_t k) { ties[k] = sort_stops(range(k, count, size())); };
-  if (count == 1)
-    sort(0);
-  else
-    parallel_for(count, sort);
-  for (const Ties& part : ties)
-    for (const auto& [p, q] : part) out_.degenerate_vertices.tie(p, q);
+void StopSorter::run(std::span<const Found> found, std::size_t known) {
+  group_stops(found, known);
+  std::vector<Sorted> sorted(ranges_);
+  each_range(ranges_, [&](std::size_t k) { sorted[k] = sort_stops(range(k, ranges_, size())); });
+  std::size_t repeated = 0;
+  for (const Sorted& part : sorted) {
+    for (const auto& [p, q] : part.ties) out_.degenerate_vertices.tie(p, q);
+    repeated += part.repeated;
+  }
   out_.degenerate_vertices.settle(g_.points.size());
-  drop_repeated();
+  if (repeated > 0) drop_repeated();
+  if (!out_.degenerate_vertices.empty()) mark_degenerate();
   find_twins();
 }
 
-void StopSorter::group_stops() {
-  out_.first.assign(size() + 1, 0);
-  for (const Stop& s : out_.stops) ++out_.first[s.piece + 1];
-  for (Index i = 0; i < size(); ++i) out_.first[i + 1] += out_.first[i];
-  std::pmr::vector<Stop> grouped(out_.stops.size(), Stop{}, memory_);
-  std::pmr::vector<Index> at(out_.first.begin(), out_.first.end() - 1, memory_);
-  for (const Stop& s : out_.stops) grouped[at[s.piece]++] = s;
-  out_.stops.swap(grouped);
+/// The stops of each part of what was found go to places of their own.
+void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
+  std::pmr::vector<Index> at(found.size() * size(), 0, memory_);  // of a part and a curve: stops, then their place
+  each_range(found.size(), [&](std::size_t k) {
+    Index* const count = &at[k * size()];
+    for (const Stop& s : found[k].stops) ++count[s.piece];
+  });
+  out_.first.resize(size() + 1);
+  Index before = 0;
+  for (Index i = 0; i < size(); ++i) {
+    out_.first[i] = before;
+    for (std::size_t k = 0; k < found.size(); ++k) before += std::exchange(at[k * size() + i], before);
+  }
+  out_.first[size()] = before;
+  out_.stops.resize(before);
+  each_range(found.size(), [&](std::size_t k) {
+    Index* const place = &at[k * size()];
+    for (Stop s : found[k].stops) {
+      if (s.point >= known) s.point += found[k].further;
+      out_.stops[place[s.piece]++] = s;
+    }
+  });
 }
 
-StopSorter::Ties StopSorter::sort_stops(IndexRange curves) {
-  Ties ties;
+StopSorter::Sorted StopSorter::sort_stops(IndexRange curves) {
+  Sorted out;
   std::pmr::vector<Estimate> estimates;
   for (auto i = Index(curves.first); i < curves.end; ++i) {
     if (stop_count(i) < 2) continue;
     sort_stops_of(i, estimates);
-    tie_stops_of(i, ties);
+    tie_stops_of(i, out);
   }
-  return ties;
+  return out;
 }
 
 void StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
@@ -200,7 +222,7 @@ void StopSorter::sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates
   for (const Estimate& e : estimates) out_.stops[k++] = e.stop;
 }
 
-void StopSorter::tie_stops_of(Index i, Ties& ties) {
+void StopSorter::tie_stops_of(Index i, Sorted& out) {
   for (Index first = out_.first[i], k = first; k < out_.first[i + 1]; ++k) {
     const Stop& s = out_.stops[first];
     Stop& t = out_.stops[k];
@@ -208,8 +230,9 @@ void StopSorter::tie_stops_of(Index i, Ties& ties) {
       first = k;
       continue;
     }
-    if (!same_meeting(s, t)) ties.emplace_back(s.point, t.point);
+    if (!same_meeting(s, t)) out.ties.emplace_back(s.point, t.point);
     t.piece = kNone;
+    ++out.repeated;
   }
 }
 
@@ -218,85 +241,104 @@ void StopSorter::drop_repeated() {
   for (Index i = 0; i < size(); ++i) {
     const Index first = out_.first[i], last = out_.first[i + 1];
     out_.first[i] = kept;
-    for (Index k = first; k < last; ++k) {
-      Stop s = out_.stops[k];
-      if (s.piece == kNone) continue;
-      if (const Index degenerate = out_.degenerate_vertices.at(s.point); degenerate != kNone) {
-        s.other = kNone;
-        s.twin = degenerate;
-      }
-      out_.stops[kept++] = s;
-    }
+    for (Index k = first; k < last; ++k)
+      if (out_.stops[k].piece != kNone) out_.stops[kept++] = out_.stops[k];
   }
   out_.first[size()] = kept;
   out_.stops.resize(kept);
 }
 
+template <class Visit>
+void StopSorter::each_stop(Visit&& visit) {
+  each_range(ranges_, [&](std::size_t k) {
+    const IndexRange curves = range(k, ranges_, size());
+    for (Index s = out_.first[curves.first]; s < out_.first[curves.end]; ++s) visit(s);
+  });
+}
+
+void StopSorter::mark_degenerate() {
+  each_stop([&](Index at) {
+    Stop& s = out_.stops[at];
+    const Index degenerate = out_.degenerate_vertices.at(s.point);
+    if (degenerate == kNone) return;
+    s.other = kNone;
+    s.twin = degenerate;
+  });
+}
+
 void StopSorter::find_twins() {
-  std::pmr::vector<Index> first(g_.points.size(), kNone, memory_);
-  for (Index s = 0; s < out_.stops.size(); ++s) {
-    if (out_.stops[s].other == kNone) continue;
-    Index& other = first[out_.stops[s].point];
-    if (other != kNone) {
-      out_.stops[s].twin = other - out_.first[out_.stops[other].piece];
-      out_.stops[other].twin = s - out_.first[out_.stops[s].piece];
-    }
-    other = s;
-  }
+  std::pmr::vector<Index> first(g_.points.size(), kNone, memory_);  // point -> the stop of the curve with less number
+  each_stop([&](Index at) {
+    const Stop& s = out_.stops[at];
+    if (s.other != kNone && s.piece < s.other) first[s.point] = at;
+  });
+  each_stop([&](Index at) {
+    Stop& s = out_.stops[at];
+    if (s.other == kNone || s.piece < s.other) return;
+    Stop& twin = out_.stops[first[s.point]];
+    s.twin = first[s.point] - out_.first[twin.piece];
+    twin.twin = at - out_.first[s.piece];
+  });
 }
 
 /// Strips of the grid at once where there are many curves; the same as one after the other.
-Found find_meetings(DirectedCurves& c, Memory memory) {
-  Found all(memory);
+std::pmr::vector<Found> find_meetings(DirectedCurves& c, Memory memory) {
   std::vector<exact::Point>& points = c.geometry.points;
   const CellGrid grid(c.geometry, c.pieces, {}, memory);
   const std::size_t count = range_count(c.pieces.size(), kManyToMeetAtOnce);
   if (count == 1) {
-    all.stops.reserve(c.pieces.size());
-    StopFinder finder(c, points, all);
+    std::pmr::vector<Found> found(memory);
+    found.emplace_back(memory).stops.reserve(c.pieces.size());
+    StopFinder finder(c, points, found[0]);
     grid.pairs([&](Index i, Index j) { finder.cross(i, j); });
-    return all;
+    return found;
   }
   const std::vector<IndexRange> strips = grid.strips(count);
-  std::vector<Found> found(count, Found(std::pmr::new_delete_resource()));
+  std::pmr::vector<Found> found(memory);
+  for (std::size_t k = 0; k < count; ++k) found.emplace_back(std::pmr::new_delete_resource());
   std::vector<std::vector<exact::Point>> made(count);
   parallel_for(count, [&](std::size_t k) {
     StopFinder finder(c, made[k], found[k]);
     grid.pairs(strips[k], [&](Index i, Index j) { finder.cross(i, j); });
   });
-  const std::size_t first = points.size();
+  const std::size_t known = points.size();
+  std::size_t all = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const auto further = Index(points.size() - first);
-    points.insert(points.end(), made[k].begin(), made[k].end());
-    for (Stop s : found[k].stops) {
-      if (s.point >= first) s.point += further;
-      all.stops.push_back(s);
-    }
-    all.opposite.insert(all.opposite.end(), found[k].opposite.begin(), found[k].opposite.end());
-    all.ties.insert(all.ties.end(), found[k].ties.begin(), found[k].ties.end());
+    found[k].further = Index(all);
+    all += made[k].size();
   }
-  return all;
+  points.resize(known + all);
+  parallel_for(count, [&](std::size_t k) {
+    std::copy(made[k].begin(), made[k].end(), points.begin() + std::ptrdiff_t(known + found[k].further));
+    made[k] = {};
+  });
+  return found;
 }
 
-/// Puts what was found in order.
-CurveStops in_order(const DirectedCurves& c, Found found, Memory memory) {
+/// Puts what was found in order. `known`: points of the geometry that are not made of crossings.
+CurveStops in_order(const DirectedCurves& c, std::span<const Found> found, std::size_t known, Memory memory) {
   CurveStops out(c.geometry.points.size() + c.pieces.size(), memory);
-  for (const auto& [p, q] : found.ties) out.degenerate_vertices.tie(p, q);
-  out.stops = std::move(found.stops);
-  out.opposite = std::move(found.opposite);
-  StopSorter(c, out, memory).run();
+  for (const Found& part : found) {
+    for (const auto& [p, q] : part.ties) out.degenerate_vertices.tie(p, q);
+    out.opposite.insert(out.opposite.end(), part.opposite.begin(), part.opposite.end());
+  }
+  StopSorter(c, out, memory).run(found, known);
   return out;
 }
 
 }  // namespace
 
-CurveStops find_stops(DirectedCurves& c, Memory memory) { return in_order(c, find_meetings(c, memory), memory); }
+CurveStops find_stops(DirectedCurves& c, Memory memory) {
+  const std::size_t known = c.geometry.points.size();
+  return in_order(c, find_meetings(c, memory), known, memory);
+}
 
 CurveStops find_stops(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs, Memory memory) {
+  const std::size_t known = c.geometry.points.size();
   Found found(memory);
   StopFinder finder(c, c.geometry.points, found);
   for (const auto& [i, j] : pairs) finder.cross(i, j);
-  return in_order(c, std::move(found), memory);
+  return in_order(c, std::span(&found, 1), known, memory);
 }
 
 }  // namespace findspace::plane

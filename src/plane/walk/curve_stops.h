@@ -18,11 +18,15 @@ namespace findspace::plane {
 
 /// Where another curve crosses a curve, or a degenerate vertex lies on it.
 struct Stop {
+  Stop() {}  // nothing yet: large lists are made, and then filled by several threads
+  Stop(Index piece, Index point, Index other, bool from_right)
+      : piece(piece), point(point), other(other), twin(kNone), from_right(from_right) {}
+
   Index piece;  // kNone: one at the same place stands for it
   Index point;
   Index other;      // the other curve; kNone at a degenerate vertex
-  bool from_right;  // the other curve passes from the right to the left
   Index twin;       // the place of this crossing among the stops of the other curve; at a degenerate vertex its number
+  bool from_right;  // the other curve passes from the right to the left
 };
 
 struct CurveStops {

@@ -3,8 +3,62 @@
 #include "plane/walk/outer_walks.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <numeric>
+
+#include "plane/base/parallel.h"
 
 namespace findspace::plane {
+namespace {
+
+constexpr std::size_t kManyToWalk = 2000;  // curves: from here on ranges of them are looked at at once
+constexpr std::size_t kShortWay = 32;      // parts; at half the crossings a way ends
+
+}  // namespace
+
+std::vector<Index> OuterWalks::candidates() {
+  const std::size_t ranges = range_count(curves_.size(), kManyToWalk);
+  std::vector<Index> all;
+  if (ranges == 1) {
+    all.resize(curves_.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  std::vector<std::vector<Index>> found(ranges);
+  parallel_for(ranges, [&](std::size_t k) {
+    const IndexRange curves = range(k, ranges, curves_.size());
+    for (auto i = Index(curves.first); i < curves.end; ++i)
+      if (is_candidate(i)) found[k].push_back(i);
+  });
+  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+// A part is inner or not whoever finds out first, so it does not matter what other threads have noted so far.
+bool OuterWalks::is_candidate(Index curve) {
+  bool left = false;
+  for (Index k = 0; k <= curves_.stop_count(curve); ++k) {
+    std::atomic_ref<char> state(state_[curves_.part({curve, k})]);
+    if (state.load(std::memory_order_relaxed) == kNew) close_short_way({curve, k});
+    left |= state.load(std::memory_order_relaxed) == kNew;
+  }
+  return left;
+}
+
+void OuterWalks::close_short_way(CurvePart from) {
+  std::array<Index, kShortWay> way;
+  std::size_t length = 0;
+  for (CurvePart at = from;;) {
+    const Index part = curves_.part(at);
+    if (std::atomic_ref<char>(state_[part]).load(std::memory_order_relaxed) != kNew) break;
+    if (length == kShortWay) return;
+    way[length++] = part;
+    if (!advance(at)) break;
+  }
+  for (std::size_t k = 0; k < length; ++k)
+    std::atomic_ref<char>(state_[way[k]]).store(kInner, std::memory_order_relaxed);
+}
 
 std::span<const CurvePart> OuterWalks::walk(CurvePart from) {
   parts_.clear();

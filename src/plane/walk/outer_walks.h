@@ -20,6 +20,9 @@ class OuterWalks {
     parts_.reserve(curves.size());
   }
 
+  /// The curves with parts from which a walk may be closed, in order: where there are many curves, ranges of them are
+  /// looked at at once, and short ways to an inner side are known afterwards.
+  std::vector<Index> candidates();
   /// The walk from a part of a curve, if it is closed and new.
   std::span<const CurvePart> walk(CurvePart from);
   bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
@@ -27,6 +30,9 @@ class OuterWalks {
  private:
   enum State : char { kNew, kOpen, kInner, kDone };
 
+  /// Whether some part of the curve is left, after those from which a way soon ends are known as inner.
+  bool is_candidate(Index curve);
+  void close_short_way(CurvePart from);
   /// To the part before; false where the walk would pass an inner side.
   bool advance(CurvePart& at) const;
   std::span<const CurvePart> leave(State state) {

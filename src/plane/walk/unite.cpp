@@ -38,7 +38,7 @@ class UnionRings {
   std::optional<Rings> find(Memory memory) && {
     OuterWalks walks(curves_, memory);
     sets_.allow_looks(curves_.part_count());
-    for (Index i = 0; i < curves_.size(); ++i)
+    for (const Index i : walks.candidates())
       for (Index k = 0; k <= curves_.stop_count(i); ++k) {
         if (!walks.is_new({i, k})) continue;
         const auto walk = walks.walk({i, k});
