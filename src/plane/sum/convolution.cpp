@@ -4,8 +4,10 @@
 #include "plane/sum/convolution.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "plane/base/parallel.h"
 #include "plane/base/reserve_more.h"
 #include "plane/sum/convolution_walks.h"
 
@@ -16,6 +18,8 @@ using exact::Real;
 using exact::SupportingCurve;
 
 namespace {
+
+constexpr std::size_t kManyNodes = 1000;  // from here on ranges of them are worked on at once
 
 Index add_position(exact::Geometry& g, const Position& p) {
   return p.grid() ? g.add_grid_point(p.x, p.y) : g.add_real_point(p.real->x, p.real->y);
@@ -29,22 +33,14 @@ class PathPair {
   PathPair(ConvolutionBuilder& out, const Tracing& a, const Tracing& b, Index keys) : out_(out), nodes_(a, b, keys) {}
 
   void run() {
-    auto& nodes = nodes_.nodes;
-    out_.reserve(nodes.size());
+    out_.reserve(nodes_.nodes.size());
     for (const StillWalk& still : connect_nodes(nodes_)) {
       Position at = *nodes_.turn(0, still.at[0]).center + *nodes_.turn(1, still.at[1]).center;
       out_.circled.push_back({add_position(out_.curves.geometry, at), still.rounds});
     }
-    for (Index k = 0; k < nodes.size(); ++k) {
-      Node& n = nodes[k];
-      if (n.kind == Kind::kLine)
-        n.supporting_curve = add_line(nodes_.line_of(n), nodes_.turn_of(n));
-      else
-        n.supporting_curve = k > 0 && on_one_circle(nodes[k - 1], n) ? nodes[k - 1].supporting_curve : add_circle(n);
-    }
-    for (Node& n : nodes) n.end = nodes[n.next].start = add_end(n, nodes[n.next]);
-    for (Node& n : nodes) finish(n);
-    for (const Node& n : nodes) out_.corners.push_back({n.piece, nodes[n.next].piece, n.rotation, n.extra});
+    add_supporting_curves();
+    add_ends();
+    add_pieces();
   }
 
  private:
@@ -52,6 +48,68 @@ class PathPair {
   using Kind = ConvolutionNodes::Kind;
   using Line = ConvolutionNodes::Line;
   using Turn = ConvolutionNodes::Turn;
+
+  /// Those of all nodes; arcs that follow each other on one circle share it.
+  void add_supporting_curves() {
+    auto& nodes = nodes_.nodes;
+    auto& curves = out_.curves.geometry.supporting_curves;
+    std::size_t count = curves.size();
+    for (Index k = 0; k < nodes.size(); ++k) {
+      const bool shared = k > 0 && on_one_circle(nodes[k - 1], nodes[k]);
+      nodes[k].supporting_curve = shared ? nodes[k - 1].supporting_curve : Index(count++);
+    }
+    curves.resize(count);
+    const std::size_t ranges = range_count(nodes.size(), kManyNodes);
+    std::vector<SharedReals> more(ranges - 1);
+    each_range(ranges, [&](std::size_t r) {
+      const IndexRange some = range(r, ranges, nodes.size());
+      SharedReals& shared = r == 0 ? out_.shared_ : more[r - 1];
+      for (std::size_t k = some.first; k < some.end; ++k) {
+        const Node& n = nodes[k];
+        if (k > 0 && nodes[k - 1].supporting_curve == n.supporting_curve) continue;
+        curves[n.supporting_curve] =
+            n.kind == Kind::kLine ? line(nodes_.line_of(n), nodes_.turn_of(n), shared) : circle(n, shared);
+      }
+    });
+  }
+
+  /// The points where nodes end; of ranges of them at once, each in a geometry of its own first.
+  void add_ends() {
+    auto& nodes = nodes_.nodes;
+    auto& g = out_.curves.geometry;
+    const std::size_t ranges = range_count(nodes.size(), kManyNodes);
+    std::vector<exact::Geometry> more(ranges - 1);
+    each_range(ranges, [&](std::size_t k) {
+      const IndexRange some = range(k, ranges, nodes.size());
+      exact::Geometry& to = k == 0 ? g : more[k - 1];
+      for (std::size_t i = some.first; i < some.end; ++i) nodes[i].end = add_end(to, nodes[i], nodes[nodes[i].next]);
+    });
+    for (std::size_t k = 1; k < ranges; ++k) {
+      const auto points = Index(g.points.size()), reals = Index(g.reals.size());
+      for (exact::Point p : more[k - 1].points) {
+        if (p.kind == exact::Point::Kind::kReal) p.i += reals;
+        g.points.push_back(p);
+      }
+      std::move(more[k - 1].reals.begin(), more[k - 1].reals.end(), std::back_inserter(g.reals));
+      const IndexRange some = range(k, ranges, nodes.size());
+      for (std::size_t i = some.first; i < some.end; ++i) nodes[i].end += points;
+    }
+    for (const Node& n : nodes) nodes[n.next].start = n.end;
+  }
+
+  /// Of each node one, and the corner at its end.
+  void add_pieces() {
+    auto& nodes = nodes_.nodes;
+    first_piece_ = out_.curves.pieces.size();
+    first_corner_ = out_.corners.size();
+    out_.curves.pieces.resize(first_piece_ + nodes.size());
+    out_.curves.forward.resize(first_piece_ + nodes.size());
+    out_.chains.resize(first_piece_ + nodes.size());
+    out_.corners.resize(first_corner_ + nodes.size());
+    in_ranges(nodes.size(), kManyNodes, [&](IndexRange some) {
+      for (std::size_t k = some.first; k < some.end; ++k) set_piece(k);
+    });
+  }
 
   /// centre + radius * normal of a turn in the direction of a line.
   static Position place(const Turn& t, const Direction& d) {
@@ -62,17 +120,20 @@ class PathPair {
   }
 
   /// Where node n ends and m, the next one, starts.
-  Index add_end(const Node& n, const Node& m) {
-    auto& g = out_.curves.geometry;
+  Index add_end(exact::Geometry& g, const Node& n, const Node& m) const {
+    const auto touch = [&](const Node& p, const Node& q) {
+      g.points.push_back(out_.curves.geometry.crossing(p.supporting_curve, q.supporting_curve, 0));
+      return Index(g.points.size() - 1);
+    };
     if (n.kind == Kind::kLine) {
       const Line& l = nodes_.line_of(n);
       const Turn& t = nodes_.turn_of(n);
       const Position &p = n.forward ? *l.to : *l.from, &q = *t.center;
       if (!t.arc && p.grid() && q.grid()) return g.add_grid_point(p.x + q.x, p.y + q.y);
-      if (n.smooth_end && touch_obliquely(n, m)) return g.add_crossing(n.supporting_curve, m.supporting_curve, 0);
+      if (n.smooth_end && touch_obliquely(n, m)) return touch(n, m);
       return add_position(g, p + place(t, *l.direction));
     }
-    if (n.smooth_end && touch_obliquely(m, n)) return g.add_crossing(m.supporting_curve, n.supporting_curve, 0);
+    if (n.smooth_end && touch_obliquely(m, n)) return touch(m, n);
     const Direction& d = nodes_.direction_at(n, n.key_out);
     return add_position(g, place(nodes_.turn(0, n.at[0]), d) + place(nodes_.turn(1, n.at[1]), d));
   }
@@ -85,7 +146,8 @@ class PathPair {
     return d.grid() && d.x != 0 && d.y != 0;
   }
 
-  void finish(Node& n) {
+  void set_piece(std::size_t k) {
+    const Node& n = nodes_.nodes[k];
     std::int8_t half = 0;
     bool right;
     if (n.kind == Kind::kLine) {
@@ -96,15 +158,16 @@ class PathPair {
       half = std::int8_t((p.radius() + q.radius()).sign() * (p.arc ? p.normal_up() : q.normal_up()));
       right = (half < 0) == n.turns_left;
     }
-    n.piece = Index(out_.curves.pieces.size());
-    out_.curves.pieces.push_back({.supporting_curve = n.supporting_curve,
-                                  .p0 = right ? n.start : n.end,
-                                  .p1 = right ? n.end : n.start,
-                                  .half = half,
-                                  .smooth0 = right ? n.smooth_start : n.smooth_end,
-                                  .smooth1 = right ? n.smooth_end : n.smooth_start});
-    out_.curves.forward.push_back(right);
-    out_.chains.push_back({.forward = right, .displaced_left = n.forward == out_.inward_});
+    const std::size_t piece = first_piece_ + k;
+    out_.curves.pieces[piece] = {.supporting_curve = n.supporting_curve,
+                                 .p0 = right ? n.start : n.end,
+                                 .p1 = right ? n.end : n.start,
+                                 .half = half,
+                                 .smooth0 = right ? n.smooth_start : n.smooth_end,
+                                 .smooth1 = right ? n.smooth_end : n.smooth_start};
+    out_.curves.forward[piece] = right;
+    out_.chains[piece] = {.forward = right, .displaced_left = n.forward == out_.inward_};
+    out_.corners[first_corner_ + k] = {Index(piece), Index(first_piece_ + n.next), n.rotation, n.extra};
   }
 
   /// Two arcs of one circle about one vertex, as far as that shows at once.
@@ -116,15 +179,15 @@ class PathPair {
            p.radius() == q.radius();
   }
 
-  Index add_circle(const Node& n) {
+  SupportingCurve circle(const Node& n, SharedReals& shared) const {
     const Turn &p = nodes_.turn(0, n.at[0]), &q = nodes_.turn(1, n.at[1]);
     Position c = *p.center + *q.center;
     Real r = abs(p.radius() + q.radius());
-    return out_.curves.geometry.add(c.grid() ? SupportingCurve::circle_at(c.x, c.y, out_.shared(r))
-                                             : SupportingCurve::circle_at(c.real->x, c.real->y, r));
+    return c.grid() ? SupportingCurve::circle_at(c.x, c.y, shared.of(r))
+                    : SupportingCurve::circle_at(c.real->x, c.real->y, r);
   }
 
-  Index add_line(const Line& l, const Turn& t) {
+  static SupportingCurve line(const Line& l, const Turn& t, SharedReals& shared) {
     // Directions are primitive: the canonical normal needs no division.
     std::int64_t a = l.direction->y, b = -l.direction->x;
     bool flipped = a < 0 || (a == 0 && b < 0);
@@ -132,26 +195,27 @@ class PathPair {
       a = -a;
       b = -b;
     }
-    auto& g = out_.curves.geometry;
     const Position &p = *l.from, &q = *t.center;
-    if (!t.arc && p.grid() && q.grid()) return g.add_line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
+    if (!t.arc && p.grid() && q.grid())
+      return SupportingCurve::line(a, b, int128(a) * (p.x + q.x) + int128(b) * (p.y + q.y));
     // The place on an arc is the centre plus the radius times the unit normal, which is (a, b) / |(a, b)| or its
     // opposite.
     Real shift = flipped ? -t.radius() : t.radius();
     Position sum = p + q;
     if (sum.grid())
-      return g.add(SupportingCurve::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, out_.shared(shift)));
+      return SupportingCurve::displaced_line(a, b, int128(a) * sum.x + int128(b) * sum.y, shared.of(shift));
     Real c = Real(a) * sum.real_x() + Real(b) * sum.real_y();
     if (t.arc) c += shift * sqrt(Real(int128(a) * a + int128(b) * b));
-    return g.add(SupportingCurve::line(a, b, c));
+    return SupportingCurve::line(a, b, c);
   }
 
   ConvolutionBuilder& out_;
   ConvolutionNodes nodes_;
+  std::size_t first_piece_ = 0, first_corner_ = 0;  // of its own
 };
 
-const exact::CurveReals& ConvolutionBuilder::shared(const Real& w) {
-  auto& [last, before] = shared_;
+const exact::CurveReals& SharedReals::of(const Real& w) {
+  auto& [last, before] = known_;
   const auto same = [&w](const exact::CurveReals& known) {
     return known.w().is_rational() && w.is_rational() && known.w() == w;
   };

@@ -19,6 +19,16 @@
 
 namespace findspace::plane {
 
+/// The reals of curves that are made one after the other.
+class SharedReals {
+ public:
+  /// With this radius or displacement: those of an earlier curve where they are the same.
+  const exact::CurveReals& of(const exact::Real& w);
+
+ private:
+  std::array<exact::CurveReals, 2> known_{};  // the last ones: lines of one disc have its radius and its opposite
+};
+
 /// Collects the convolutions of many pairs of parts, to be arranged at once; their winding numbers add up.
 class ConvolutionBuilder {
  public:
@@ -43,11 +53,8 @@ class ConvolutionBuilder {
 
  private:
   friend class PathPair;
-  /// The reals of a curve with this radius or displacement: those of an earlier curve where they are the same.
-  const exact::CurveReals& shared(const exact::Real& w);
-
   bool inward_;
-  std::array<exact::CurveReals, 2> shared_{};  // the last ones: lines of one disc have its radius and its opposite
+  SharedReals shared_;
 };
 
 }  // namespace findspace::plane
