@@ -6,13 +6,26 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "plane/base/arena.h"
+#include "plane/base/parallel.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::plane {
+
+/// What the things hold is given back, of ranges at once where there are many.
+template <class Thing>
+void empty_all(std::span<Thing> things) {
+  constexpr std::size_t kMany = 4000;
+  if (range_count(things.size(), kMany) == 1) return;  // as well when they are dropped
+  in_ranges(things.size(), kMany, [&](IndexRange some) {
+    for (Thing& t : things.subspan(some.first, some.size())) t = {};
+  });
+}
 
 /// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
 template <class Thing>
@@ -27,6 +40,7 @@ void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
     if (count != k) things[count] = std::move(things[k]);
     used[k] = count++;
   }
+  if constexpr (!std::is_trivially_destructible_v<Thing>) empty_all(std::span(things).subspan(count));
   things.erase(things.begin() + std::ptrdiff_t(count), things.end());
   if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/piece_meet.h"
 
@@ -68,7 +69,10 @@ struct Components {
   UnionFind connected;
   std::pmr::vector<Index> first;  // leading vertex -> its lexicographically smallest vertex
   Components(const Arrangement& a, Memory memory)
-      : connected(a.vertex_count(), memory), first(a.vertex_count(), kNone, memory) {
+      : connected(a.vertex_count(), memory), first(a.vertex_count(), kNone, memory), a_(a) {}
+
+  void find() {
+    const Arrangement& a = a_;
     for (const auto& e : a.edges) connected.unite(e.v0, e.v1);
     for (Index v = 0; v < a.vertex_count(); ++v) {
       // A smallest vertex has nothing to its left, so all its half-edges go right.
@@ -77,19 +81,36 @@ struct Components {
       if (f == kNone || compare_xy(a.geometry, a.vertex_point[v], a.vertex_point[f]) < 0) f = v;
     }
   }
+
+ private:
+  const Arrangement& a_;
 };
 
-}  // namespace
+constexpr std::size_t kManyHalfEdges = 10'000;  // from here on cycles and components are found at once
 
-void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
-  std::pmr::vector<Index> cycle(a.next.size(), kNone, memory);
+/// Which cycle each half-edge is part of; how many there are.
+Index number_cycles(const Arrangement& a, std::pmr::vector<Index>& cycle) {
   Index cycles = 0;
   for (Index h = 0; h < a.next.size(); ++h) {
     if (cycle[h] != kNone) continue;
     for (Index k = h; cycle[k] == kNone; k = a.next[k]) cycle[k] = cycles;
     ++cycles;
   }
+  return cycles;
+}
+
+}  // namespace
+
+void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
+  std::pmr::vector<Index> cycle(a.next.size(), kNone, memory);
+  Index cycles = 0;
   Components parts(a, memory);
+  at_once(2, a.next.size(), kManyHalfEdges, [&](std::size_t k) {
+    if (k == 0)
+      cycles = number_cycles(a, cycle);
+    else
+      parts.find();
+  });
   std::pmr::vector<Index> order(memory);
   for (Index v = 0; v < a.vertex_count(); ++v)
     if (parts.first[v] != kNone) order.push_back(parts.first[v]);

@@ -70,17 +70,20 @@ class Strip {
   /// Of a piece of the whole, the number here.
   Index place(Index of_whole) const { return place_[of_whole]; }
 
-  /// Appends the crossings found and what is known of them.
-  void put_into(Geometry& whole, PieceMeetings& all, const PieceMeetings& found) const {
-    const Index first = Index(whole.points.size()), known = Index(points_.size());
+  std::size_t crossings() const { return geometry_.points.size() - points_.size(); }
+  /// Sets the crossings found, which start at `first` there, and what is known of them.
+  void put_into(Geometry& whole, Index first, const PieceMeetings& found, std::span<PieceMeetings::Split> splits,
+                std::span<PieceMeetings::Tie> ties) const {
+    const Index known = Index(points_.size());
     for (std::size_t k = known; k < geometry_.points.size(); ++k) {
-      exact::Point& p = whole.points.emplace_back(geometry_.points[k]);
+      exact::Point& p = whole.points[first + (k - known)] = geometry_.points[k];
       p.i = curves_[p.i];
       p.j = curves_[p.j];
     }
     const auto point = [&](Index k) { return k < known ? points_[k] : first + (k - known); };
-    for (const auto& s : found.splits) all.splits.push_back({of_whole_[s.piece], point(s.point)});
-    for (const auto& t : found.ties) all.ties.push_back({point(t.p), point(t.q)});
+    for (std::size_t k = 0; k < splits.size(); ++k)
+      splits[k] = {of_whole_[found.splits[k].piece], point(found.splits[k].point)};
+    for (std::size_t k = 0; k < ties.size(); ++k) ties[k] = {point(found.ties[k].p), point(found.ties[k].q)};
   }
 
  private:
@@ -105,6 +108,39 @@ class Strip {
   std::vector<Piece> pieces_;
   Geometry geometry_;
 };
+
+/// A strip and what was found there.
+struct OfStrip {
+  Strip strip;
+  PieceMeetings meetings;
+  Index point = 0;  // of the whole: the first of its crossings, of its splits and of its ties
+  std::size_t split = 0, tie = 0;
+
+  OfStrip(const Geometry& g, std::span<const Piece> pieces, const CellGrid& grid, IndexRange columns)
+      : strip(g, pieces, grid, columns), meetings(strip.geometry(), strip.pieces(), std::pmr::new_delete_resource()) {}
+};
+
+/// Adds what was found in the strips, one after the other, and drops them.
+void join(Geometry& g, PieceMeetings& all, std::span<std::unique_ptr<OfStrip>> found) {
+  std::size_t points = g.points.size(), split = all.splits.size(), tie = all.ties.size();
+  for (const std::unique_ptr<OfStrip>& f : found) {
+    f->point = Index(points);
+    f->split = split;
+    f->tie = tie;
+    points += f->strip.crossings();
+    split += f->meetings.splits.size();
+    tie += f->meetings.ties.size();
+  }
+  g.points.resize(points);
+  all.splits.resize(split);
+  all.ties.resize(tie);
+  parallel_for(found.size(), [&](std::size_t k) {
+    const OfStrip& f = *found[k];
+    f.strip.put_into(g, f.point, f.meetings, std::span(all.splits).subspan(f.split, f.meetings.splits.size()),
+                     std::span(all.ties).subspan(f.tie, f.meetings.ties.size()));
+    found[k].reset();
+  });
+}
 
 }  // namespace
 
@@ -164,26 +200,17 @@ void PieceMeetings::add_pair(Index i, Index j) {
 }
 
 void PieceMeetings::add_pairs(const CellGrid& grid) {
-  const std::size_t count = range_count(pieces_.size(), kManyToMeet);
-  if (count == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
-  struct Found {
-    Strip strip;
-    PieceMeetings meetings;
-    Found(const Geometry& g, std::span<const Piece> pieces, const CellGrid& grid, IndexRange columns)
-        : strip(g, pieces, grid, columns),
-          meetings(strip.geometry(), strip.pieces(), std::pmr::new_delete_resource()) {}
-  };
-  const std::vector<IndexRange> strips = grid.strips(count);
-  std::vector<std::unique_ptr<Found>> found(count);
-  parallel_for(count, [&](std::size_t k) {
-    found[k] = std::make_unique<Found>(g_, pieces_, grid, strips[k]);
+  const std::size_t ranges = range_count(pieces_.size(), kManyToMeet);
+  if (ranges == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
+  // A piece is copied for each strip that it reaches.
+  const std::vector<IndexRange> strips = grid.strips(ranges / 2);
+  std::vector<std::unique_ptr<OfStrip>> found(strips.size());
+  parallel_for(strips.size(), [&](std::size_t k) {
+    found[k] = std::make_unique<OfStrip>(g_, pieces_, grid, strips[k]);
     const Strip& strip = found[k]->strip;
     grid.pairs(strips[k], [&](Index i, Index j) { found[k]->meetings.add_pair(strip.place(i), strip.place(j)); });
   });
-  for (std::unique_ptr<Found>& f : found) {
-    f->strip.put_into(g_, *this, f->meetings);
-    f.reset();
-  }
+  join(g_, *this, found);
 }
 
 void PieceMeetings::add_point(Index point, Index piece) {

@@ -7,12 +7,15 @@
 #include <utility>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/parallel.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/keep_used.h"
 
 namespace findspace::plane {
 namespace {
+
+constexpr std::size_t kManyToClassify = 4000;  // vertices: from here on ranges of them are worked on at once
 
 template <class List>
 void release(List& list) {
@@ -146,15 +149,19 @@ class Merger {
   void classify_vertices() {
     first_.assign(raw_.vertex_count(), kNone);
     passes_.assign(raw_.vertex_count(), 0);
-    for (Index v = 0; v < raw_.vertex_count(); ++v) {
-      Star star = kept_around(v);
-      first_[v] = star.first;
-      // Two edges, one to the right and one to the left (right-going half-edges are even and come first).
-      if (star.count != 2 || (star.first & 1u) || !(star.second & 1u)) continue;
-      const Edge &right = raw_.edge(star.first / 2), &left = raw_.edge(star.second / 2);
-      Mark m = raw_.vertex(v).mark;
-      passes_[v] = right.mark == m && left.mark == m && same_curve(left, right);
-    }
+    in_ranges(raw_.vertex_count(), kManyToClassify, [&](IndexRange vertices) {
+      for (auto v = Index(vertices.first); v < vertices.end; ++v) classify(v);
+    });
+  }
+
+  void classify(Index v) {
+    Star star = kept_around(v);
+    first_[v] = star.first;
+    // Two edges, one to the right and one to the left (right-going half-edges are even and come first).
+    if (star.count != 2 || (star.first & 1u) || !(star.second & 1u)) return;
+    const Edge &right = raw_.edge(star.first / 2), &left = raw_.edge(star.second / 2);
+    Mark m = raw_.vertex(v).mark;
+    passes_[v] = right.mark == m && left.mark == m && same_curve(left, right);
   }
 
   void make_edges() {

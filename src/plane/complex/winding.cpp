@@ -3,12 +3,16 @@
 
 #include "plane/complex/winding.h"
 
+#include <atomic>
 #include <span>
 
+#include "plane/base/parallel.h"
 #include "plane/complex/face_walk.h"
 
 namespace findspace::plane {
 namespace {
+
+constexpr std::size_t kManyCells = 4000;  // edges: from here on ranges of cells are worked on at once
 
 std::span<const Index> cover(const Arrangement& a, Index e) {
   return {a.cover.data() + a.cover_start[e], a.cover_start[e + 1] - a.cover_start[e]};
@@ -33,50 +37,76 @@ class VertexNumbers {
   /// Starts from the face in the sector after the vertex's first half-edge.
   void prepare(VertexScope scope) {
     w_.vertices.assign(a_.vertex_count(), kUnwanted);
-    for (Index v = 0; v < a_.vertex_count(); ++v) {
-      bool inside = scope == VertexScope::kAll || w_.faces[a_.some_face(v)] > 0;
+    in_cell_ranges(a_.vertex_count(), [&](std::size_t v) {
+      bool inside = scope == VertexScope::kAll || w_.faces[a_.some_face(Index(v))] > 0;
       for (Index k = a_.out_start[v]; inside && scope != VertexScope::kAll && k < a_.out_start[v + 1]; ++k)
         inside = w_.faces[a_.face[a_.out[k]]] > 0 && w_.edges[a_.out[k] / 2] > 0;
-      if (inside) w_.vertices[v] = w_.faces[a_.some_face(v)];
-    }
+      if (inside) w_.vertices[v] = w_.faces[a_.some_face(Index(v))];
+    });
   }
 
   void add_through() {
-    for (Index i = 0; i < a_.pieces.size(); ++i)
-      for (Index k = a_.chain_start[i] + 1; k < a_.chain_start[i + 1]; ++k) {
-        Index v = a_.edges[a_.chain[k]].v0;
-        if (w_.vertices[v] == kUnwanted) continue;
-        Index ahead = a_.rank[2 * a_.chain[k]], back = a_.rank[2 * a_.chain[k - 1] + 1];
-        // Left of p0 -> p1 are the sectors from `ahead` counter-clockwise to `back`.
-        bool face_left = passes(0, ahead, back);
-        bool displaced_left = chains_[i].forward == chains_[i].displaced_left;
-        if (face_left != displaced_left) continue;
-        // The chain passes between the vertex and the face.
-        int left_minus_right = chains_[i].forward ? chains_[i].weight : -chains_[i].weight;
-        w_.vertices[v] -= face_left ? left_minus_right : -left_minus_right;
-      }
+    in_cell_ranges(a_.pieces.size(), [&](std::size_t i) { add_through(Index(i)); });
+  }
+
+  void add(const std::vector<Corner>& corners) {
+    in_cell_ranges(corners.size(), [&](std::size_t k) { add(corners[k]); });
+  }
+
+ private:
+  /// Calls task(k) for all cells of a kind.
+  template <class Task>
+  void in_cell_ranges(std::size_t count, Task&& task) const {
+    in_ranges(count, at_once_ ? 0 : SIZE_MAX, [&](IndexRange some) {
+      for (std::size_t k = some.first; k < some.end; ++k) task(k);
+    });
+  }
+
+  // Ranges may meet at a vertex; the sum does not depend on the order.
+  bool is_wanted(Index v) const {
+    return std::atomic_ref(w_.vertices[v]).load(std::memory_order_relaxed) != kUnwanted;
+  }
+  void add(Index v, std::int32_t number) {
+    if (at_once_)
+      std::atomic_ref(w_.vertices[v]).fetch_add(number, std::memory_order_relaxed);
+    else
+      w_.vertices[v] += number;
+  }
+
+  void add_through(Index i) {
+    for (Index k = a_.chain_start[i] + 1; k < a_.chain_start[i + 1]; ++k) {
+      Index v = a_.edges[a_.chain[k]].v0;
+      if (!is_wanted(v)) continue;
+      Index ahead = a_.rank[2 * a_.chain[k]], back = a_.rank[2 * a_.chain[k - 1] + 1];
+      // Left of p0 -> p1 are the sectors from `ahead` counter-clockwise to `back`.
+      bool face_left = passes(0, ahead, back);
+      bool displaced_left = chains_[i].forward == chains_[i].displaced_left;
+      if (face_left != displaced_left) continue;
+      // The chain passes between the vertex and the face.
+      int left_minus_right = chains_[i].forward ? chains_[i].weight : -chains_[i].weight;
+      add(v, face_left ? -left_minus_right : left_minus_right);
+    }
   }
 
   void add(const Corner& c) {
     Index in_back = back_half_edge(c.in), out_ahead = ahead_half_edge(c.out);
     Index v = a_.origin(in_back);
-    if (w_.vertices[v] == kUnwanted) return;
+    if (!is_wanted(v)) return;
     const std::int32_t weight = chains_[c.in].weight;
-    w_.vertices[v] += c.extra * weight;
+    if (c.extra != 0) add(v, c.extra * weight);
     bool left = chains_[c.in].displaced_left, both = left == chains_[c.out].displaced_left;
     int rotation = both ? (left ? -1 : 1) : c.rotation;
     Index from = a_.rank[in_back], to = a_.rank[out_ahead];
     if (rotation == 0) return;
     if (from == to) {  // back on the same curve: around its tip, or inside it
-      if (both && c.rotation == rotation) w_.vertices[v] += rotation * weight;
+      if (both && c.rotation == rotation) add(v, rotation * weight);
       return;
     }
     // Counter-clockwise around the vertex: the vertex lies to the path's left, the face to its right.
-    if (rotation > 0 && passes(0, from, to)) w_.vertices[v] += weight;
-    if (rotation < 0 && passes(0, to, from)) w_.vertices[v] -= weight;
+    if (rotation > 0 && passes(0, from, to)) add(v, weight);
+    if (rotation < 0 && passes(0, to, from)) add(v, -weight);
   }
 
- private:
   Index back_half_edge(Index piece) const {
     return chains_[piece].forward ? 2 * a_.chain[a_.chain_start[piece + 1] - 1] + 1
                                   : 2 * a_.chain[a_.chain_start[piece]];
@@ -89,6 +119,7 @@ class VertexNumbers {
   const Arrangement& a_;
   const std::vector<Chain>& chains_;
   Windings& w_;
+  const bool at_once_ = range_count(a_.edge_count(), kManyCells) > 1;
 };
 
 }  // namespace
@@ -105,22 +136,26 @@ Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const 
                   std::int32_t base, VertexScope scope) {
   std::vector<std::int32_t> jump(a.edge_count(), 0),
       on(a.edge_count(), 0);  // on: number of the edge - number on its right
-  for (Index e = 0; e < a.edge_count(); ++e)
-    for (Index i : cover(a, e)) {
-      const Chain& s = chains[i];
-      std::int32_t j = s.forward ? s.weight : -s.weight;
-      jump[e] += j;
-      // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the chain.
-      if (s.forward != s.displaced_left) on[e] += j;
-    }
+  in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
+    for (auto e = Index(edges.first); e < edges.end; ++e)
+      for (Index i : cover(a, e)) {
+        const Chain& s = chains[i];
+        std::int32_t j = s.forward ? s.weight : -s.weight;
+        jump[e] += j;
+        // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the chain.
+        if (s.forward != s.displaced_left) on[e] += j;
+      }
+  });
   Windings w;
   w.faces = spread(a, base, [&](Index e) { return jump[e]; });
   w.edges.resize(a.edge_count());
-  for (Index e = 0; e < a.edge_count(); ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
+  in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
+    for (std::size_t e = edges.first; e < edges.end; ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
+  });
   VertexNumbers numbers(a, chains, w);
   numbers.prepare(scope);
   numbers.add_through();
-  for (const Corner& c : corners) numbers.add(c);
+  numbers.add(corners);
   return w;
 }
 
