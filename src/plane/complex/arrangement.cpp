@@ -174,31 +174,58 @@ void make_covers(Arrangement& a, const std::pmr::vector<Index>& cover_count, Mem
     for (Index k = a.chain_start[i]; k < a.chain_start[i + 1]; ++k) a.cover[fill[a.chain[k]]++] = i;
 }
 
-/// Cuts the pieces into edges; edges that are the same curve between the same vertices become one.
-void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
-  a.edges.reserve(chains.point.size() - a.pieces.size());
-  Parts all = parts_by_vertex(a, chains, memory);
-  a.chain.resize(a.chain_start.back());
-  std::pmr::vector<Index> cover_count(memory);
-  cover_count.reserve(all.parts.size());
-  for (Index v = 0; v < a.vertex_count(); ++v) {
+/// The edges of some vertices, numbered from 0.
+struct EdgesOfRange {
+  std::vector<Arrangement::Edge> edges;
+  std::vector<Index> cover_count;
+};
+
+/// Edges that are the same curve between the same vertices become one.
+void find_edges(Arrangement& a, Parts& all, IndexRange vertices, EdgesOfRange& out) {
+  const std::size_t most = all.start[vertices.end] - all.start[vertices.first];
+  out.edges.reserve(most);
+  out.cover_count.reserve(most);
+  for (auto v = Index(vertices.first); v < vertices.end; ++v) {
     auto first = all.parts.begin() + all.start[v], last = all.parts.begin() + all.start[v + 1];
     small_sort(first, last,
                [](const PiecePart& p, const PiecePart& q) { return p.v1 != q.v1 ? p.v1 < q.v1 : p.piece < q.piece; });
-    Index group = Index(a.edges.size());
+    Index group = Index(out.edges.size());
     for (auto k = first; k != last; ++k) {
-      if (k != first && k->v1 != (k - 1)->v1) group = Index(a.edges.size());
+      if (k != first && k->v1 != (k - 1)->v1) group = Index(out.edges.size());
       const Piece& p = a.pieces[k->piece];
       Index e = group;
-      while (e < a.edges.size() && !same_curve(a, a.edges[e], p)) ++e;
-      if (e == a.edges.size()) {
-        a.edges.push_back({v, k->v1, p.supporting_curve, p.half});
-        cover_count.push_back(0);
+      while (e < out.edges.size() && !same_curve(a, out.edges[e], p)) ++e;
+      if (e == out.edges.size()) {
+        out.edges.push_back({v, k->v1, p.supporting_curve, p.half});
+        out.cover_count.push_back(0);
       }
-      ++cover_count[e];
+      ++out.cover_count[e];
       a.chain[k->slot] = e;
     }
   }
+}
+
+/// Cuts the pieces into edges, those of ranges of vertices at once.
+void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
+  Parts all = parts_by_vertex(a, chains, memory);
+  a.chain.resize(a.chain_start.back());
+  const std::size_t ranges = range_count(a.vertex_count(), kManyToSort);
+  std::vector<EdgesOfRange> found(ranges);
+  each_range(ranges, [&](std::size_t k) { find_edges(a, all, range(k, ranges, a.vertex_count()), found[k]); });
+  std::vector<Index> before{0};
+  for (const EdgesOfRange& r : found) before.push_back(before.back() + Index(r.edges.size()));
+  a.edges.reserve(before.back());
+  std::pmr::vector<Index> cover_count(memory);
+  cover_count.reserve(before.back());
+  for (const EdgesOfRange& r : found) {
+    a.edges.insert(a.edges.end(), r.edges.begin(), r.edges.end());
+    cover_count.insert(cover_count.end(), r.cover_count.begin(), r.cover_count.end());
+  }
+  each_range(ranges, [&](std::size_t k) {
+    if (k == 0) return;
+    const IndexRange vertices = range(k, ranges, a.vertex_count());
+    for (Index p = all.start[vertices.first]; p < all.start[vertices.end]; ++p) a.chain[all.parts[p].slot] += before[k];
+  });
   make_covers(a, cover_count, memory);
 }
 

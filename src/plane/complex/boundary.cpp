@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plane/base/parallel.h"
+
 namespace findspace::plane {
 
 using exact::Geometry;
@@ -175,10 +177,10 @@ Direction arc_tangent(const Position& p, const Position& center, const Real& rad
   return ccw ? Direction::of(-up, right) : Direction::of(up, -right);
 }
 
-void add_step(const CellComplex& c, Index h, std::vector<Step>& steps) {
+Step step_along(const CellComplex& c, Index h) {
   const Edge& e = c.edges[h / 2];
   const exact::SupportingCurve& k = c.supporting_curve(h / 2);
-  Step& s = steps.emplace_back();
+  Step s;
   s.from = Position::of(c.geometry, c.vertices[c.origin(h)].point);
   s.to = Position::of(c.geometry, c.vertices[c.target(h)].point);
   bool forward = c.heading(h).forward;
@@ -186,7 +188,7 @@ void add_step(const CellComplex& c, Index h, std::vector<Step>& steps) {
     s.start.x = forward ? k.b : -k.b;
     s.start.y = forward ? -k.a : k.a;
     s.end = s.start;
-    return;
+    return s;
   }
   s.arc = true;
   s.ccw = forward;
@@ -195,21 +197,23 @@ void add_step(const CellComplex& c, Index h, std::vector<Step>& steps) {
   s.center = Position::of(k.center_x(), k.center_y());
   s.start = arc_tangent(s.from, s.center, s.radius, s.ccw);
   s.end = arc_tangent(s.to, s.center, s.radius, s.ccw);
+  return s;
 }
 
+constexpr std::size_t kManySteps = 100;  // from here on ranges of them are made at once: tangents take microseconds
+
 Path walk(const CellComplex& c, Index from) {
-  Path path;
-  std::size_t length = 0;
+  std::vector<Index> way;
   Index h = from;
   do {
-    ++length;
+    way.push_back(h);
     h = c.next(h);
   } while (h != from);
-  path.steps.reserve(length);
-  do {
-    add_step(c, h, path.steps);
-    h = c.next(h);
-  } while (h != from);
+  Path path;
+  path.steps.resize(way.size());
+  in_ranges(way.size(), kManySteps, [&](IndexRange some) {
+    for (std::size_t k = some.first; k < some.end; ++k) path.steps[k] = step_along(c, way[k]);
+  });
   return path;
 }
 
@@ -265,8 +269,7 @@ std::vector<Part> flat_parts(const CellComplex& c, const std::function<bool(Mark
     if (!wanted(c.edges[e].mark) || touches_face(2 * e)) continue;
     Part part;
     part.flat = true;
-    std::vector<Step> steps;
-    add_step(c, 2 * e, steps);
+    std::vector<Step> steps{step_along(c, 2 * e)};
     steps.push_back(steps[0].reversed());
     part.paths.push_back({std::move(steps), std::nullopt});
     part.filled = extent(part.paths[0]);

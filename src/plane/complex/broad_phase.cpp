@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "exact/margins/plane.h"
 #include "plane/base/small_sort.h"
@@ -224,10 +225,14 @@ std::vector<IndexRange> CellGrid::strips(std::size_t count) const {
 }
 
 std::vector<Index> CellGrid::pieces_in(IndexRange columns) const {
-  std::vector<Index> found(items_.begin() + start_[columns.first * rows_],
-                           items_.begin() + start_[columns.end * rows_]);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::vector<char> is_in(boxes_.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t k = start_[columns.first * rows_]; k < start_[columns.end * rows_]; ++k)
+    count += std::exchange(is_in[items_[k]], 1) == 0;
+  std::vector<Index> found;
+  found.reserve(count);
+  for (Index i = 0; i < is_in.size(); ++i)
+    if (is_in[i] != 0) found.push_back(i);
   return found;
 }
 

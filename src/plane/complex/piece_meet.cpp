@@ -3,6 +3,7 @@
 
 #include "plane/complex/piece_meet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -91,6 +92,7 @@ class Strip {
     geometry_.supporting_curves.reserve(curves_.size());
     for (const Index k : curves_) geometry_.supporting_curves.push_back(whole.supporting_curves[k]);
     geometry_.points.reserve(2 * points_.size());
+    geometry_.reals.reserve(std::min(points_.size(), whole.reals.size()));
     for (const Index k : points_) {
       exact::Point& p = geometry_.points.emplace_back(whole.points[k]);
       if (p.kind == exact::Point::Kind::kCross) {

@@ -4,6 +4,7 @@
 #include "plane/complex/simplify.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "exact/planar/geometry_signs.h"
@@ -294,6 +295,7 @@ class Merger {
         p.i = Index(to.reals.size() - 1);
       }
     }
+    empty_all(std::span(g.reals));
     to.supporting_curves = std::move(g.supporting_curves);
     to.points = std::move(g.points);
     for (Edge& e : out_.edges) e.supporting_curve = supporting_curve[e.supporting_curve];

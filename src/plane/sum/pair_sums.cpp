@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plane/base/parallel.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/observe_pieces.h"
 
@@ -25,6 +26,31 @@ bool can_enclose(const Part& ring, const Part& other) {
 exact::Real reach_of(const Part& p) {
   return exact::Real::from_double(std::ceil(std::hypot(p.filled.x1 - p.filled.x0, p.filled.y1 - p.filled.y0))) +
          exact::Real(2);
+}
+
+constexpr std::size_t kManyCells = 4000;  // edges: from here on ranges of cells are marked at once
+
+/// -1 where the number is positive, 0 beside a face where it is, else 1.
+Marks marks_of_open_sum(const Arrangement& a, const Windings& w) {
+  Marks m;
+  m.faces.reserve(w.faces.size());
+  for (auto k : w.faces) m.faces.push_back(k > 0 ? -1 : 1);
+  m.edges.resize(a.edge_count());
+  m.vertices.resize(a.vertex_count());
+  in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
+    for (std::size_t e = edges.first; e < edges.end; ++e) {
+      bool beside = w.faces[a.face[2 * e]] > 0 || w.faces[a.face[2 * e + 1]] > 0;
+      m.edges[e] = w.edges[e] > 0 ? -1 : beside ? 0 : 1;
+    }
+  });
+  in_ranges(a.vertex_count(), kManyCells, [&](IndexRange vertices) {
+    for (auto v = Index(vertices.first); v < vertices.end; ++v) {
+      bool beside = w.faces[a.some_face(v)] > 0;
+      for (Index k = a.out_start[v]; !beside && k < a.out_start[v + 1]; ++k) beside = w.faces[a.face[a.out[k]]] > 0;
+      m.vertices[v] = w.vertices[v] > 0 ? -1 : beside ? 0 : 1;
+    }
+  });
+  return m;
 }
 
 }  // namespace
@@ -56,17 +82,7 @@ SignMap SumOfPairs::open_sum() && {
   add_circled(a, w);
   for (Index p : lonely_)
     w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
-  Marks m;
-  for (auto k : w.faces) m.faces.push_back(k > 0 ? -1 : 1);
-  for (Index e = 0; e < a.edge_count(); ++e) {
-    bool beside = w.faces[a.face[2 * e]] > 0 || w.faces[a.face[2 * e + 1]] > 0;
-    m.edges.push_back(w.edges[e] > 0 ? -1 : beside ? 0 : 1);
-  }
-  for (Index v = 0; v < a.vertex_count(); ++v) {
-    bool beside = w.faces[a.some_face(v)] > 0;
-    for (Index k = a.out_start[v]; !beside && k < a.out_start[v + 1]; ++k) beside = w.faces[a.face[a.out[k]]] > 0;
-    m.vertices.push_back(w.vertices[v] > 0 ? -1 : beside ? 0 : 1);
-  }
+  const Marks m = marks_of_open_sum(a, w);
   return extract(std::move(a), m);
 }
 
