@@ -47,7 +47,8 @@ Bytes from_left(Bytes rest, std::uint8_t left) {
   rest = most(rest, less(one, all(1)));
   const Bytes two = __builtin_shufflevector(none, rest, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29);
   rest = most(rest, less(two, all(2)));
-  const Bytes four = __builtin_shufflevector(none, rest, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27);
+  const Bytes four =
+      __builtin_shufflevector(none, rest, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27);
   rest = most(rest, less(four, all(4)));
   const Bytes eight = __builtin_shufflevector(none, rest, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23);
   rest = most(rest, less(eight, all(8)));

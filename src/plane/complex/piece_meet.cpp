@@ -204,8 +204,7 @@ void PieceMeetings::add_pair(Index i, Index j) {
 void PieceMeetings::add_pairs(const CellGrid& grid) {
   const std::size_t ranges = range_count(pieces_.size(), kManyToMeet);
   if (ranges == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
-  // A piece is copied for each strip that it reaches.
-  const std::vector<IndexRange> strips = grid.strips(ranges / 2);
+  const std::vector<IndexRange> strips = grid.strips(ranges);
   std::vector<std::unique_ptr<OfStrip>> found(strips.size());
   parallel_for(strips.size(), [&](std::size_t k) {
     found[k] = std::make_unique<OfStrip>(g_, pieces_, grid, strips[k]);

@@ -63,9 +63,7 @@ class VertexNumbers {
   }
 
   // Ranges may meet at a vertex; the sum does not depend on the order.
-  bool is_wanted(Index v) const {
-    return std::atomic_ref(w_.vertices[v]).load(std::memory_order_relaxed) != kUnwanted;
-  }
+  bool is_wanted(Index v) const { return std::atomic_ref(w_.vertices[v]).load(std::memory_order_relaxed) != kUnwanted; }
   void add(Index v, std::int32_t number) {
     if (at_once_)
       std::atomic_ref(w_.vertices[v]).fetch_add(number, std::memory_order_relaxed);

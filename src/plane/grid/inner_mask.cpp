@@ -63,8 +63,7 @@ InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side, double effo
   if (factors.empty()) return;
   LatticeBox box;
   for (const Factors& f : factors) box.add(f.box());
-  at_once(factors.size(), edges, kManyEdges,
-          [&](std::size_t k) { factors[k].limit(effort / double(factors.size())); });
+  at_once(factors.size(), edges, kManyEdges, [&](std::size_t k) { factors[k].limit(effort / double(factors.size())); });
   Bitmap sums(box);
   for (const Factors& f : factors) add_sums(f.points, f.cells, sums);
   depths_ = CellDepths(sums);

@@ -88,8 +88,8 @@ void add_parts(const DirectedCurves& c, const InnerMask& mask, Index piece, std:
 struct CutRange {
   std::vector<KeptPart> parts;
   std::int64_t low = INT64_MAX, high = INT64_MIN;  // lines on which they are cut
-  std::size_t first_crossing = 0;  // number of the first point made by cutting
-  std::vector<Index> borders;      // of each of these, the line on which it lies
+  std::size_t first_crossing = 0;                  // number of the first point made by cutting
+  std::vector<Index> borders;                      // of each of these, the line on which it lies
   std::vector<Piece> pieces;
   std::vector<InnerSide> sides;
 

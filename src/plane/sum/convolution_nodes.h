@@ -29,7 +29,7 @@ struct ConvolutionNode {
   Index next = kNone;
   // Where it lies, filled in by who gives the nodes coordinates.
   Index start = kNone, end = kNone;  // points
-  Index supporting_curve = kNone, piece = kNone;
+  Index supporting_curve = kNone;
 };
 
 class ConvolutionNodes {
