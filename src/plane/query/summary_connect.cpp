@@ -38,10 +38,20 @@ struct CellNumbers {
   Index edges, vertices;
 };
 
-/// Counts for every component its children in the tree of adjacent components.
-void count_children(Connection& c, std::vector<std::pair<Index, Index>> adjacent) {
-  std::sort(adjacent.begin(), adjacent.end());
-  adjacent.erase(std::unique(adjacent.begin(), adjacent.end()), adjacent.end());
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+void sort_once(Pairs& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// Counts for every component its children in the tree of adjacent components; each pair is given one way at least.
+void count_children(Connection& c, Pairs adjacent) {
+  sort_once(adjacent);
+  const std::size_t one_way = adjacent.size();
+  adjacent.reserve(2 * one_way);
+  for (std::size_t k = 0; k < one_way; ++k) adjacent.emplace_back(adjacent[k].second, adjacent[k].first);
+  sort_once(adjacent);
   std::vector<Index> start(c.count() + 1, 0);
   for (const auto& [from, to] : adjacent) ++start[from + 1];
   for (Index k = 0; k < c.count(); ++k) start[k + 1] += start[k];
@@ -77,11 +87,11 @@ Connection connect(const Region& s) {
     }
     component[cell] = n;
   }
-  std::vector<std::pair<Index, Index>> adjacent;
+  Pairs adjacent;
   cells.for_incident_pairs([&](Index p, Index q) {
     if (component[p] == component[q]) return;
-    adjacent.emplace_back(component[p], component[q]);
-    adjacent.emplace_back(component[q], component[p]);
+    const std::pair<Index, Index> both = std::minmax(component[p], component[q]);
+    if (adjacent.empty() || adjacent.back() != both) adjacent.push_back(both);  // neighbours mostly repeat
   });
   count_children(c, std::move(adjacent));
   c.faces.assign(component.begin(), component.begin() + cells.edges);

@@ -12,31 +12,46 @@ namespace {
 
 constexpr std::size_t kFacesAtOnce = 4096;
 
-bool share_corner(const RayBody& body, int f, int g) {
+/// How many corners two faces share, and where the last of them is in each.
+struct SharedCorners {
+  int count = 0, in_f = 0, in_g = 0;
+};
+
+SharedCorners shared_corners(const RayBody& body, int f, int g) {
   const auto &p = body.faces[static_cast<std::size_t>(f)], &q = body.faces[static_cast<std::size_t>(g)];
-  return std::any_of(p.begin(), p.end(), [&](int v) { return std::find(q.begin(), q.end(), v) != q.end(); });
+  SharedCorners out;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (p[static_cast<std::size_t>(i)] == q[static_cast<std::size_t>(j)]) out = {out.count + 1, i, j};
+  return out;
 }
 
-/// Whether edge k of face f passes through face g, inside both. One that ends at a corner of g does not.
+/// Whether the boxes of a segment and of a triangle are apart.
+bool apart(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
+  const auto along = [&](std::int64_t Point::*axis) {
+    const std::int64_t least = std::min({a.*axis, b.*axis, c.*axis}), most = std::max({a.*axis, b.*axis, c.*axis});
+    return std::max(p.*axis, q.*axis) < least || std::min(p.*axis, q.*axis) > most;
+  };
+  return along(&Point::x) || along(&Point::y) || along(&Point::z);
+}
+
+/// Whether the side of face f that is opposite to its corner k passes through face g, inside both. It ends at no corner
+/// of g.
 bool pierces(const RayBody& body, int f, int k, int g) {
-  const auto &ends = body.faces[static_cast<std::size_t>(f)], &other = body.faces[static_cast<std::size_t>(g)];
-  const auto of_other = [&](int v) { return std::find(other.begin(), other.end(), v) != other.end(); };
-  if (of_other(ends[static_cast<std::size_t>(k)]) || of_other(ends[static_cast<std::size_t>((k + 1) % 3)]))
-    return false;
-  const Point &p = body.corner(f, k), &q = body.corner(f, (k + 1) % 3);
+  const Point &p = body.corner(f, (k + 1) % 3), &q = body.corner(f, (k + 2) % 3);
   const Point &a = body.corner(g, 0), &b = body.corner(g, 1), &c = body.corner(g, 2);
+  if (apart(p, q, a, b, c)) return false;
   if (exact::sign_volume(a, b, c, p) * exact::sign_volume(a, b, c, q) >= 0) return false;
   const int s = exact::sign_volume(p, q, a, b);
   return s != 0 && exact::sign_volume(p, q, b, c) == s && exact::sign_volume(p, q, c, a) == s;
 }
 
 bool cross(const RayBody& body, int f, int g) {
-  // Around a common corner edges and angles are those of one solid; only what passes through counts.
-  if (!share_corner(body, f, g)) return faces_overlap(body, f, body, g, RayPlace{{}, {0, 1}});
-  for (int k = 0; k < 3; ++k) {
-    if (pierces(body, f, k, g) || pierces(body, g, k, f)) return true;
-  }
-  return false;
+  const SharedCorners shared = shared_corners(body, f, g);
+  if (shared.count == 0) return faces_overlap(body, f, body, g, RayPlace{{}, {0, 1}});
+  // Around a common corner edges and angles are those of one solid. Only what passes through counts: the side opposite
+  // to a single one.
+  return shared.count == 1 && (pierces(body, f, shared.in_f, g) || pierces(body, g, shared.in_g, f));
 }
 
 }  // namespace
