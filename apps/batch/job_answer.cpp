@@ -11,7 +11,9 @@
 
 #include "batch/job_journal.h"
 #include "command_line/command_line.h"
+#include "common/inside_folder.h"
 #include "common/run_limits.h"
+#include "findspace/error.h"
 #include "findspace/text.h"
 
 namespace findspace::app {
@@ -42,6 +44,10 @@ Options options_of(const Job& job, const Options& batch) {
   if (options.threads == 0) options.threads = std::max(1U, batch.threads);
   options.no_files = options.no_files || batch.no_files;
   if (!batch.root.empty()) options.root = batch.root;  // a question does not widen what the batch may read
+  if (!options.scene_text && !options.root.empty() && !is_inside_folder(options.scene, options.root))
+    throw Error(ErrorCode::kFile,
+                fmt::format("the file lies outside the folder '{}', and others may not be read", options.root.string()),
+                options.scene);
   options.input_limit = std::min(options.input_limit, batch.input_limit);
   options.work_limit = std::max(options.work_limit, batch.work_limit);
   return options;

@@ -77,6 +77,13 @@ int report(Reporter& reporter) {
   return kInternal;
 }
 
+/// The status, or that of what could not be written.
+int printed(int status, Reporter& reporter) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  reporter.error("standard output cannot be written");
+  return kBadInput;
+}
+
 int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   reporter.stage("");
   const bool wanted = is_printed(options);
@@ -86,12 +93,9 @@ int finish(const Outcome& outcome, const Options& options, Reporter& reporter) {
   };
   if (wanted && outcome.stream) outcome.stream(put);
   if (wanted) put(outcome.text);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    reporter.error("standard output cannot be written");
-    return kBadInput;
-  }
-  end_limits();
-  return outcome.status;
+  const int status = printed(outcome.status, reporter);
+  if (status == outcome.status) end_limits();
+  return status;
 }
 
 /// Processes that search together wait for one another after the limit, so the one that writes ends them all.
@@ -104,7 +108,10 @@ Options for_timer(Options options, std::string_view verb, const Team* team) {
 
 int program(int argc, char** argv, Team* team) {
   CommandLine line = read_command_line(argc, argv);
-  if (line.verb.empty()) return line.answered;
+  if (line.verb.empty()) {
+    Reporter reporter;
+    return printed(line.answered, reporter);
+  }
   const VerbEntry& verb = *find_verb(line.verb);
   Options& options = line.options;
   if (team != nullptr && !verb.is_shared()) {

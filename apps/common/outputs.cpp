@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "findspace/error.h"
 #include "findspace/text.h"
@@ -14,6 +16,9 @@ namespace findspace::app {
 
 void check_outputs(const Options& options, const std::vector<std::string>& formats) {
   for (const auto& path : options.outputs) {
+    std::error_code none;  // where one of them is not there, they are not the same
+    if (std::filesystem::equivalent(path, options.scene, none))
+      throw Error(ErrorCode::kUsage, fmt::format("-o {}: this is the input itself; it would be lost", path.string()));
     if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
     throw Error(ErrorCode::kUsage,
                 fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));

@@ -18,7 +18,7 @@ using Writers = std::map<std::string, std::function<std::string()>>;
 /// The same for results that are too long for memory.
 using Streams = std::map<std::string, std::function<void(const TextSink&)>>;
 
-/// Throws Error(kUsage) where an output has an ending that is not among the formats.
+/// Throws Error(kUsage) where an output has an ending that is not among the formats, or is the input itself.
 void check_outputs(const Options& options, const std::vector<std::string>& formats);
 
 /// Makes all texts first, then writes them: a failure leaves no file.

@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "common/inside_folder.h"
 #include "common/session.h"
 #include "findspace/error.h"
 #include "findspace/json.h"
@@ -121,10 +120,9 @@ void SceneStore::load_text(const std::string& name, const std::string& text) {
 }
 
 std::filesystem::path SceneStore::within_root(const std::string& path) const {
-  const std::filesystem::path& root = options_.root;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(root / path);
-  const auto [end, unused] = std::mismatch(root.begin(), root.end(), whole.begin(), whole.end());
-  if (end != root.end()) throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::path(options_.root) / path);
+  if (!is_inside_folder(whole, options_.root))
+    throw Error(ErrorCode::kFile, "lies outside the folder that is served", path);
   return whole;
 }
 

@@ -113,6 +113,8 @@ class Reading(SafetyTest):
     def test_bytes_of_zero_do_not_cut_a_message(self):
         self.file("part.obj", "v 0 0 0\nv 1\0 0 0\n")
         self.expect(3, "\\x00' is not a number", "describe", self.of_file("part.obj"))
+        self.expect(3, "x.obj\\x00.wkt: a file name with a NUL byte", "describe", self.of_file("x.obj\0.wkt"))
+        self.expect(2, ":1:16: this is not JSON: a NUL byte", "describe", self.file("a.json", '{"findspace": "1\0"}'))
 
     def test_kinds_that_are_read_are_listed(self):
         self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.sldprt"}})
@@ -130,6 +132,34 @@ class Reading(SafetyTest):
     def test_unknown_type_of_geojson(self):
         self.file("part.geojson", {"type": "Poligon", "coordinates": []})
         self.expect(3, "'Poligon' is not a type of GeoJSON", "describe", self.of_file("part.geojson"))
+        self.file("part.geojson", {"type": "Topology", "features": []})
+        self.expect(3, "'Topology' is not a type of GeoJSON", "describe", self.of_file("part.geojson"))
+
+    def test_result_does_not_replace_its_input(self):
+        scene = self.scene({"A": {"box": {"min": [0, 0], "max": [1, 1]}}})
+        (self.folder / "link.json").symlink_to("scene.json")
+        text = scene.read_text()
+        self.expect(2, "the input itself", "describe", scene, "A", "-o", "link.json")
+        self.assertEqual(scene.read_text(), text)
+
+    def test_help_that_cannot_be_written(self):
+        for arguments in (("help",), ("help", "formula"), ("map", "--help"), ("--version",)):
+            with open("/dev/full", "w") as full:
+                child = subprocess.run([self.program, *arguments], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(child.returncode, 3, arguments)
+            self.assertIn("cannot be written", child.stderr)
+
+    def test_scenes_of_a_batch_lie_within_its_root(self):
+        box = {"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [1, 1]}}}}
+        self.file("in/a.json", box)
+        self.file("out/a.json", box)
+        (self.folder / "in" / "link.json").symlink_to("../out/a.json")
+        names = ("in/a.json", "out/a.json", "in/link.json", "in/../out/a.json")
+        self.file("questions", "".join(json.dumps({"verb": "describe", "path": n, "shapes": ["A"]}) + "\n" for n in names))
+        result = self.run_program("batch", "questions", "--root", "in")
+        answers = [json.loads(line) for line in result.out.splitlines()]
+        self.assertEqual([a["exit"] for a in answers if "exit" in a], [0, 3, 3, 3], result.out + result.err)
+        self.assertEqual(result.out.count("outside the folder"), 3)
 
 
 class Costs(SafetyTest):

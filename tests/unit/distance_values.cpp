@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/feature_pair_search.h"
@@ -129,6 +130,34 @@ TEST(FarthestPair, Arcs) {
   EXPECT_EQ(d.first.x, Real(-3));
   EXPECT_EQ(d.second.x, Real(12));
   EXPECT_EQ(farthest_pair(FeatureTree(a), FeatureTree(a), at(0, 0)).distance, Real(6));
+}
+
+/// Where doubles put a place upon a corner, all features beside the corner are compared exactly.
+TEST(FeaturePairs, NextToACornerTheNearestIsExact) {
+  const plane::Contour ring{{{75, -93}}, {{9, -62}}, {{-32, 8}}, {{-11, 46}}, {{-68, 75}}, {{-78, 46}}};
+  const Region region = plane::region_of_rings({&ring, 1});
+  const FeatureTree tree(region);
+  const Region point = plane::region_of_points(std::array{plane::GridPoint{0, 0}});
+  const FeatureTree moving(point);
+  int edges = 0;
+  for (const plane::ContourEdge& corner : ring)
+    for (int x = -6; x <= 6; x += 3)
+      for (int y = -7; y <= 7; ++y) {
+        const auto beside = [](std::int64_t at, int by) { return Real(at) + Real::ratio(by, 10'000'000'000'000'000); };
+        const exact::RealPoint at{beside(corner.start.x, x), beside(corner.start.y, y)};
+        std::optional<Real> least;
+        const auto take = [&](plane::Cell cell) {
+          if (const auto pair = exact_pair(region, cell, at))
+            if (!least || pair->distance < *least) least = pair->distance;
+        };
+        for (plane::Index k = 0; k < region.vertices.size(); ++k) take({0, k});
+        for (plane::Index k = 0; k < region.edges.size(); ++k) take({1, k});
+        const FeaturePair nearest = nearest_point(tree, at);
+        EXPECT_EQ(compare(nearest.distance, *least), 0) << x << " " << y;
+        EXPECT_EQ(compare(closest_pair(tree, moving, at).distance, *least), 0) << x << " " << y;
+        edges += nearest.first_cell.dimension;
+      }
+  EXPECT_GT(edges, 100);
 }
 
 }  // namespace distance_values

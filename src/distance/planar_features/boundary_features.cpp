@@ -28,11 +28,12 @@ bool BoundaryFeature::has_direction(double dx, double dy) const {
   return at >= x0 && at <= x1;
 }
 
-bool BoundaryFeature::faces(double x, double y) const {
+bool BoundaryFeature::faces(double x, double y, double slack) const {
   if (is_vertex()) return true;
   if (arc) return has_direction(x - cx, y - cy);
-  double dx = x1 - x0, dy = y1 - y0, t = (x - x0) * dx + (y - y0) * dy;
-  return t >= 0 && t <= dx * dx + dy * dy;
+  const double dx = x1 - x0, dy = y1 - y0, t = (x - x0) * dx + (y - y0) * dy, size = dx * dx + dy * dy;
+  if (t >= 0 && t <= size) return true;
+  return slack > 0 && std::max(-t, t - size) <= slack * std::sqrt(size);
 }
 
 double BoundaryFeature::arc_distance(double x, double y) const {

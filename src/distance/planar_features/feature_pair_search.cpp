@@ -111,7 +111,7 @@ bool PairSearch::run_nearest(bool touching) {
   bool meet = false;
   walk(false, [&](const Placed& p, const Placed& q) {
     if (!worth(box_of(p.s).nearest_squared(box_of(q.s), 0, 0), false)) return true;
-    nearest_features(p, q, [&](const Candidate& c) { keep(c); });
+    nearest_features(p, q, slack_, [&](const Candidate& c) { keep(c); });
     meet = !touching && (best_ <= slack_ || may_meet(p.s, q.s, tolerance_));
     return !meet;
   });
@@ -222,7 +222,8 @@ FeaturePair farthest_pair(const FeatureTree& a, const FeatureTree& b, const Real
 
 FeaturePair nearest_point(const FeatureTree& a, const RealPoint& at) {
   double x = near_value(at.x), y = near_value(at.y);
-  double limit = a.nearest(x, y).distance + (a.scale() + std::abs(x) + std::abs(y)) * margin::kSameNumber;
+  const double slack = (a.scale() + std::abs(x) + std::abs(y)) * margin::kSameNumber;
+  const double limit = a.nearest(x, y).distance + slack;
   std::optional<FeaturePair> best;
   std::vector<Cell> known;  // two edges share a vertex
   auto take = [&](Cell cell) {
@@ -236,7 +237,7 @@ FeaturePair nearest_point(const FeatureTree& a, const RealPoint& at) {
     const Placed p = placed(a.region(), s, 0, 0);
     if (plain_length(x - s.x0, y - s.y0) <= limit) take({0, p.vertex[0]});
     if (plain_length(x - s.x1, y - s.y1) <= limit) take({0, p.vertex[1]});
-    if (!s.is_vertex() && s.faces(x, y)) take(s.cell);
+    if (!s.is_vertex() && s.faces(x, y, slack)) take(s.cell);
     return true;
   });
   return *best;

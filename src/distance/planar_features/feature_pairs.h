@@ -122,19 +122,20 @@ inline bool may_meet(const BoundaryFeature& s, const BoundaryFeature& t, double 
   return !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, 0);
 }
 
-/// Calls take(candidate) for the pairs of features of two features that can be nearest.
+/// Calls take(candidate) for the pairs of features of two features that can be nearest, coordinates being off by no more
+/// than `slack`. Whether a point lies on a segment is decided exactly later (exact_pair).
 template <class Take>
-void nearest_features(const Placed& p, const Placed& q, Take&& take) {
+void nearest_features(const Placed& p, const Placed& q, double slack, Take&& take) {
   const BoundaryFeature &s = p.s, &t = q.s;
   for (int i = 0; i < (s.is_vertex() ? 1 : 2); ++i) {
     double x = i ? s.x1 : s.x0, y = i ? s.y1 : s.y0;
     for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k)
       take(Candidate{plain_length(x - (k ? t.x1 : t.x0), y - (k ? t.y1 : t.y0)), {0, p.vertex[i]}, {0, q.vertex[k]}});
-    if (!t.is_vertex() && t.faces(x, y)) take(Candidate{t.distance(x, y), {0, p.vertex[i]}, t.cell});
+    if (!t.is_vertex() && t.faces(x, y, slack)) take(Candidate{t.distance(x, y), {0, p.vertex[i]}, t.cell});
   }
   for (int k = 0; k < (t.is_vertex() ? 1 : 2); ++k) {
     double x = k ? t.x1 : t.x0, y = k ? t.y1 : t.y0;
-    if (!s.is_vertex() && s.faces(x, y)) take(Candidate{s.distance(x, y), s.cell, {0, q.vertex[k]}});
+    if (!s.is_vertex() && s.faces(x, y, slack)) take(Candidate{s.distance(x, y), s.cell, {0, q.vertex[k]}});
   }
   if (s.arc && t.arc) {
     double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
@@ -151,7 +152,7 @@ void nearest_features(const Placed& p, const Placed& q, Take&& take) {
     double dx = line.x1 - line.x0, dy = line.y1 - line.y0,
            at = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / (dx * dx + dy * dy);
     double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = plain_length(fx, fy);
-    if (at >= 0 && at <= 1 && d > arc.r * (1 - margin::kPairMeets) && arc.has_direction(fx, fy))
+    if (line.faces(arc.cx, arc.cy, slack) && d > arc.r * (1 - margin::kPairMeets) && arc.has_direction(fx, fy))
       take(Candidate{std::abs(d - arc.r), s.cell, t.cell});
   }
 }

@@ -84,11 +84,12 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
   if (v->low > level + tolerance) return {1, Way::kSearch};
   if (v->high < level - tolerance) return {-1, Way::kSearch};
   const double unit = rotation ? 1 : world.step().to_double();
+  const bool minus = negated(wanted.distance);
   refuse(wanted.distance,
          fmt::format(
              "over time, in rotation or of shapes that rotate, it lies between {:.10g} and {:.10g} here: too near to "
              "the level to decide",
-             v->low * unit, v->high * unit));
+             unit * (minus ? -v->high : v->low), unit * (minus ? -v->low : v->high)));
 }
 
 std::int8_t sign_at(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {

@@ -5,6 +5,10 @@
 // one is refused. `id` chooses by a feature's "id" or its property "id" or "name", `index` by position.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "findspace/error.h"
 #include "io/read/read_file.h"
 #include "io/text/json_tree.h"
@@ -22,6 +26,10 @@ using Kind = JsonValue::Kind;
 constexpr const char* kTypes =
     "Point, MultiPoint, LineString, MultiLineString, Polygon, MultiPolygon, GeometryCollection, Feature and "
     "FeatureCollection";
+
+/// Those that have coordinates.
+constexpr std::array<std::string_view, 6> kGeometries{"Point",           "MultiPoint", "LineString",
+                                                      "MultiLineString", "Polygon",    "MultiPolygon"};
 
 class GeoJsonReader {
  public:
@@ -91,6 +99,9 @@ class GeoJsonReader {
         parts.push_back(geometry(item));
       return united(std::move(parts), place(value));
     }
+    if (std::find(kGeometries.begin(), kGeometries.end(), kind) == kGeometries.end())
+      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a type of GeoJSON; the types are {}", kind, kTypes),
+                 {}, value);
     const JsonValue& coordinates = json_.need(value, "coordinates", {});
     if (kind == "Polygon") return polygon(coordinates);
     if (kind == "MultiPolygon") {
@@ -106,11 +117,8 @@ class GeoJsonReader {
       for (const JsonValue& item : list(coordinates, "\"coordinates\"")) point(item, outline);
     } else if (kind == "LineString") {
       line(coordinates, outline);
-    } else if (kind == "MultiLineString") {
-      for (const JsonValue& item : list(coordinates, "\"coordinates\"")) line(item, outline);
     } else {
-      json_.fail(ErrorCode::kUnknownName, fmt::format("'{}' is not a type of GeoJSON; the types are {}", kind, kTypes),
-                 {}, value);
+      for (const JsonValue& item : list(coordinates, "\"coordinates\"")) line(item, outline);
     }
     pool(outline.drawn());
     return json_.placed({}, value, [&] { return lines_of(outline.take(), context_, place(value)); });

@@ -111,7 +111,7 @@ std::string check_text(const formula::Check& check, std::string_view at, const d
                          amount_text(a.distance, *a.lacks, unit));
     if (explain) out += explained(a.way, a.milliseconds);
     const std::string where = witness_words(a.distance);
-    const std::string way = a.holds ? "" : way_words(a.distance, place);
+    const std::string way = a.holds && !where.empty() ? "" : way_words(a.distance, place);
     out += "\n";
     if (!where.empty()) out += fmt::format("       {:<{}}  between {}\n", "", width, where);
     if (!way.empty()) out += fmt::format("       {:<{}}  {}\n", "", width, way);

@@ -136,7 +136,9 @@ class TokenStream {
     if (sign.size() > 1 && !in_text) {
       message += "stray character '" + std::string(sign) + (sign == "−" ? "'; the minus is '-'" : "'");
     } else {
-      message += std::string(at == text_.size() ? "the end comes too early; " : "") + fault(result.Code());
+      const bool nul = at < text_.size() && text_[at] == '\0';
+      message += at == text_.size() ? "the end comes too early; " : "";
+      message += nul ? "a NUL byte" : fault(result.Code());
     }
     fail(message, at);
   }

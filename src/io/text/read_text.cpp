@@ -58,9 +58,16 @@ void require_inside(const std::filesystem::path& place, const std::filesystem::p
     fail_file(fmt::format("the file lies outside the folder '{}', and others may not be read", root.string()), name);
 }
 
+/// Else what follows would not be seen.
+std::string with_seen_nul(const std::string& name) {
+  std::string shown;
+  for (const char c : name) shown += c == '\0' ? std::string("\\x00") : std::string(1, c);
+  return shown;
+}
+
 Descriptor open_regular(const std::filesystem::path& path, const std::filesystem::path& root) {
   const std::string name = path.string();
-  if (name.find('\0') != std::string::npos) fail_file("a file name with a NUL byte", name.substr(0, name.find('\0')));
+  if (name.find('\0') != std::string::npos) fail_file("a file name with a NUL byte", with_seen_nul(name));
   std::error_code none;
   if (!root.empty()) require_inside(std::filesystem::weakly_canonical(path, none), root, name);
   struct stat status {};
