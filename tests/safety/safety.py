@@ -114,7 +114,7 @@ class Reading(SafetyTest):
         self.file("part.obj", "v 0 0 0\nv 1\0 0 0\n")
         self.expect(3, "\\x00' is not a number", "describe", self.of_file("part.obj"))
         self.expect(3, "x.obj\\x00.wkt: a file name with a NUL byte", "describe", self.of_file("x.obj\0.wkt"))
-        self.expect(2, ":1:16: this is not JSON: a NUL byte", "describe", self.file("a.json", '{"findspace": "1\0"}'))
+        self.expect(3, ":1:17: this is not JSON: a NUL byte", "describe", self.file("a.json", '{"findspace": "1\0"}'))
 
     def test_kinds_that_are_read_are_listed(self):
         self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.sldprt"}})
@@ -156,10 +156,11 @@ class Reading(SafetyTest):
         (self.folder / "in" / "link.json").symlink_to("../out/a.json")
         names = ("in/a.json", "out/a.json", "in/link.json", "in/../out/a.json")
         self.file("questions", "".join(json.dumps({"verb": "describe", "path": n, "shapes": ["A"]}) + "\n" for n in names))
-        result = self.run_program("batch", "questions", "--root", "in")
-        answers = [json.loads(line) for line in result.out.splitlines()]
-        self.assertEqual([a["exit"] for a in answers if "exit" in a], [0, 3, 3, 3], result.out + result.err)
-        self.assertEqual(result.out.count("outside the folder"), 3)
+        result = self.run_program("batch", "questions", "--root", "in", "-o", "answers.jsonl")
+        text = (self.folder / "answers.jsonl").read_text()
+        answers = {a["line"]: a["exit"] for a in map(json.loads, text.splitlines()) if "exit" in a}
+        self.assertEqual(answers, {1: 0, 2: 3, 3: 3, 4: 3}, text + result.err)
+        self.assertEqual(text.count("outside the folder"), 3)
 
 
 class Costs(SafetyTest):

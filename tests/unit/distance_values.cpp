@@ -10,6 +10,7 @@
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/feature_pair_search.h"
 #include "distance_shapes.h"
+#include "plane/query/nearest.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
 
@@ -155,6 +156,8 @@ TEST(FeaturePairs, NextToACornerTheNearestIsExact) {
         const FeaturePair nearest = nearest_point(tree, at);
         EXPECT_EQ(compare(nearest.distance, *least), 0) << x << " " << y;
         EXPECT_EQ(compare(closest_pair(tree, moving, at).distance, *least), 0) << x << " " << y;
+        const auto boundary = [](plane::Mark mark) { return mark > 0; };
+        EXPECT_DOUBLE_EQ(plane::nearest(region, boundary, at)->distance.to_double(), least->to_double());
         edges += nearest.first_cell.dimension;
       }
   EXPECT_GT(edges, 100);

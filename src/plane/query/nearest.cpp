@@ -25,13 +25,13 @@ struct Candidate {
   Cell cell;
 };
 
-/// The projection of the perpendicular is inside the edge.
-bool projection_inside(const CellComplex& c, Index edge, double x, double y) {
+/// The projection of the perpendicular is inside the edge, or no farther than `slack` beyond an end of a straight one.
+bool projection_inside(const CellComplex& c, Index edge, double x, double y, double slack) {
   const Edge& e = c.edges[edge];
   const exact::Point &p = c.point(e.v0), &q = c.point(e.v1);
   if (e.half == 0) {
-    double dx = q.x - p.x, dy = q.y - p.y, t = (x - p.x) * dx + (y - p.y) * dy;
-    return t > 0 && t < dx * dx + dy * dy;
+    const double dx = q.x - p.x, dy = q.y - p.y, t = (x - p.x) * dx + (y - p.y) * dy, size = dx * dx + dy * dy;
+    return std::max(-t, t - size) < slack * std::sqrt(size);
   }
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   // The direction lies between those of the ends. The foot itself is rounded, which moves it far along an arc where
@@ -50,32 +50,48 @@ bool is_beyond(const CellComplex& c, Index edge, double x, double y, double reac
          y > std::max(p.y, q.y) + reach;
 }
 
+/// Of a straight edge no less than that of what of it is nearest.
 double edge_distance(const CellComplex& c, Index edge, double x, double y) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (c.edges[edge].half == 0) {
-    const exact::Point& p = c.point(c.edges[edge].v0);
+    const exact::Point &p = c.point(c.edges[edge].v0), &q = c.point(c.edges[edge].v1);
+    const double dx = q.x - p.x, dy = q.y - p.y, t = (x - p.x) * dx + (y - p.y) * dy;
+    if (t < 0) return std::hypot(x - p.x, y - p.y);
+    if (t > dx * dx + dy * dy) return std::hypot(x - q.x, y - q.y);
     return std::abs(k.x().value * (x - p.x) + k.y().value * (y - p.y));
   }
   return std::abs(std::hypot(x - k.x().value, y - k.y().value) - k.z().value);
 }
 
-Nearest exact_vertex(const CellComplex& c, Index v, const RealPoint& from) {
+std::optional<Nearest> exact_vertex(const CellComplex& c, Index v, const RealPoint& from) {
   RealPoint at = c.geometry.exact(c.vertices[v].point);
   Real dx = at.x - from.x, dy = at.y - from.y;
-  return {sqrt(dx * dx + dy * dy), at, {0, v}};
+  return Nearest{sqrt(dx * dx + dy * dy), at, {0, v}};
 }
 
-Nearest exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
+/// The projection on a straight edge is between its ends, exactly.
+bool is_between_ends(const CellComplex& c, Index edge, const RealPoint& from) {
+  const exact::SupportingCurve& k = c.supporting_curve(edge);
+  const auto along = [&](Index v) {
+    const RealPoint end = c.geometry.exact(c.vertices[v].point);
+    return (Real(k.b) * (from.x - end.x) - Real(k.a) * (from.y - end.y)).sign();
+  };
+  return along(c.edges[edge].v0) * along(c.edges[edge].v1) < 0;
+}
+
+/// Nothing where the projection is not on the edge.
+std::optional<Nearest> exact_edge(const CellComplex& c, Index edge, const RealPoint& from) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (!k.circle) {
+    if (!is_between_ends(c, edge, from)) return std::nullopt;
     Real a(k.a), b(k.b), n2 = a * a + b * b, h = a * from.x + b * from.y - k.offset();
     Real d = h / sqrt(n2);
-    return {d.sign() < 0 ? -d : d, {from.x - a * h / n2, from.y - b * h / n2}, {1, edge}};
+    return Nearest{d.sign() < 0 ? -d : d, {from.x - a * h / n2, from.y - b * h / n2}, {1, edge}};
   }
   Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), length = sqrt(dx * dx + dy * dy), d = length - k.w();
   RealPoint at = length.sign() == 0 ? c.geometry.exact(c.vertices[c.edges[edge].v0].point)
                                     : RealPoint{k.center_x() + dx * k.w() / length, k.center_y() + dy * k.w() / length};
-  return {d.sign() < 0 ? -d : d, at, {1, edge}};
+  return Nearest{d.sign() < 0 ? -d : d, at, {1, edge}};
 }
 
 }  // namespace
@@ -86,8 +102,8 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
   for (Index v = 0; v < c.vertices.size(); ++v)
     greatest = std::max({greatest, std::abs(c.point(v).x), std::abs(c.point(v).y)});
   scale += greatest;
-  // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; they are compared
-  // exactly.
+  // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; their distances are
+  // exact, and compared when rounded once.
   std::vector<Candidate> all;
   const auto take = [&](double d, Mark mark, Cell cell) {
     if (d > reach || !wanted(mark)) return;
@@ -99,13 +115,13 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
     take(std::sqrt(dx * dx + dy * dy), c.vertices[v].mark, {0, v});
   }
   for (Index e = 0; e < c.edges.size(); ++e)
-    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y))
+    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y, scale * margin::kNearestCandidate))
       take(edge_distance(c, e, x, y), c.edges[e].mark, {1, e});
   std::optional<Nearest> best;
   for (const Candidate& k : all) {
     if (k.distance > reach) continue;
-    Nearest n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
-    if (!best || n.distance.to_double() < best->distance.to_double()) best = std::move(n);
+    auto n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
+    if (n && (!best || n->distance.to_double() < best->distance.to_double())) best = std::move(n);
   }
   return best;
 }
