@@ -41,7 +41,8 @@ struct BoundaryFeature {
   }
   /// The greatest distance of a point of the closed feature; of a segment that of an end.
   double farthest(double x, double y) const;
-  /// The nearest point lies inside the edge (always for a vertex), or no farther than `slack` beyond an end of a segment.
+  /// The nearest point lies inside the edge (always for a vertex), or no farther than `slack` beyond an end of a
+  /// segment.
   bool faces(double x, double y, double slack = 0) const;
   /// An arc's point in the direction (dx, dy) from its centre lies on it.
   bool has_direction(double dx, double dy) const;

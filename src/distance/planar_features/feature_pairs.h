@@ -122,8 +122,8 @@ inline bool may_meet(const BoundaryFeature& s, const BoundaryFeature& t, double 
   return !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, 0);
 }
 
-/// Calls take(candidate) for the pairs of features of two features that can be nearest, coordinates being off by no more
-/// than `slack`. Whether a point lies on a segment is decided exactly later (exact_pair).
+/// Calls take(candidate) for the pairs of features of two features that can be nearest, coordinates being off by no
+/// more than `slack`. Whether a point lies on a segment is decided exactly later (exact_pair).
 template <class Take>
 void nearest_features(const Placed& p, const Placed& q, double slack, Take&& take) {
   const BoundaryFeature &s = p.s, &t = q.s;
