@@ -73,7 +73,8 @@ NEEDLESS = {
     "Scene::board_question": "pickle",
     "read_text": "open()", "read_standard_input": "sys.stdin", "json_number": "the module json",
     "json_string": "the module json", "json_list": "the module json",
-    "Answer::Found": "text", "MapLines::Side": "text", "Answer::write": "texts are whole", "Scene::Free::Kind": "text", "Scene::Listener": "notes of each answer",
+    "Answer::Found": "text", "MapLines::Side": "text", "Answer::write": "texts are whole", "Answer::written_in_parts": "texts are whole",
+    "Scene::Free::Kind": "text", "Scene::Listener": "notes of each answer",
     "Scene::Change": "pickle", "Scene::changes": "pickle",
     "Placement::Told": "pickle", "Placement::told": "pickle",
 }
