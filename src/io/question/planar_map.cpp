@@ -80,10 +80,9 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
                      const formula::Formula& formula, const Applied& apply, const formula::SolvedRegion* known) {
   const std::optional<AskedScene::Goal> goal = asked.goal();
   asked.stage("solving");
-  const bool asked_again = goal || has_least(formula);
-  formula::SolvedRegion found = known != nullptr ? *known
-                                : asked_again    ? formula::solve_region(*solver, formula)
-                                                 : formula::solve_region(std::move(solver), formula);
+  std::shared_ptr<const formula::Solver> again;  // where it is asked a second time
+  if (goal || has_least(formula)) again = solver;
+  formula::SolvedRegion found = known != nullptr ? *known : formula::solve_region(std::move(solver), formula);
   if (found.outer && !apply.operation.empty())
     throw Error(
         ErrorCode::kUnsupported,
@@ -93,17 +92,18 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
   if (found.outer && !goal) asked.note(found.compared ? kCompared : kRotating);
   PlanarMap map;
   if (goal) {
-    map = best_map(asked, *solver, std::move(found), *goal);
+    map = best_map(asked, *again, std::move(found), *goal);
   } else {
     map.region = std::move(found.region);
     if (found.outer) map.outer = plane::in_order(*std::move(found.outer));
-    if (asked_again) {
-      const auto least = formula::minimum_of(formula, *solver);
+    if (again) {
+      const auto least = formula::minimum_of(formula, *again);
       note_enclosed(*least, asked);
       map.extreme = *least;
     }
   }
   solver.reset();
+  again.reset();
   // What is known has its order.
   if (known == nullptr || goal || !apply.operation.empty())
     map.region = plane::in_order(applied(std::move(map.region), apply.operation));
