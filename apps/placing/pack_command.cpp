@@ -25,9 +25,9 @@ std::string fewest(std::size_t used, const Number& bound, const char* holder) {
              : fmt::format("no layout of all parts uses fewer than {}\n", bound.text());
 }
 
-/// And a size to what no layout is below; `word`: what none is.
-std::string least(const char* word, double size, const Number& bound) {
-  if (size <= bound.value()) return fmt::format("no {}\n", word);
+/// And a size to what no layout is below; `word`: what none is. `reached`: the two are the same number, exactly.
+std::string least(const char* word, double size, const Number& bound, bool reached) {
+  if (reached) return fmt::format("no {}\n", word);
   return fmt::format("no {} than {}, {:.2f} % below that\n", word, bound.text(), 100 * (1 - bound.value() / size));
 }
 
@@ -59,7 +59,8 @@ struct Plane {
       text += fewest(layout.sheets.size(), packing.lower_bound(), kHolder);
     const double size = layout.length.value() * (problem.box ? layout.height.value() : 1);
     if (!has_containers(problem))
-      text += least(problem.box ? "box has a smaller area" : "layout is shorter", size, packing.lower_bound());
+      text += least(problem.box ? "box has a smaller area" : "layout is shorter", size, packing.lower_bound(),
+                    !problem.box && length == packing.lower_bound().text());
     if (const auto& left = layout.remnant)
       text += fmt::format("the largest free rectangle of the last sheet: {} x {} at ({}, {})\n", left->width.text(),
                           left->height.text(), left->x.text(), left->y.text());
@@ -96,7 +97,8 @@ struct Space {
                         layout.items.size());
     if (contained)
       return layout.left_out.empty() ? text + fewest(layout.containers.size(), layout.lower_bound, kHolder) : text;
-    return text + least("layout is lower", layout.height.value(), layout.lower_bound);
+    return text +
+           least("layout is lower", layout.height.value(), layout.lower_bound, height == layout.lower_bound.text());
   }
   static Number bound(const SolidPacking&, const SolidPackLayout& layout) { return layout.lower_bound; }
   static SolidPackLayout start(const SolidPacking& packing, const Options& options) {
