@@ -72,8 +72,17 @@ void for_meetings(std::span<const LevelCurve> level_curves, const std::optional<
     }
 }
 
+/// The least distance of a place to some parts of A: exact, rounded once.
+double least_distance(const PlacedSets& sets, std::span<const BoundaryFeature> parts, const RealPoint& at) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BoundaryFeature& s : parts)
+    if (const auto pair = exact_pair(sets.a.region(), s.cell, at)) least = std::min(least, pair->distance.to_double());
+  return least;
+}
+
 /// Where two parts of A and the edge meet at one distance, or three parts of A, the farthest of those places that lie
-/// in B. What was found itself, where no such place is as far.
+/// in B: by their exact distances rounded once, as roots this deep are too costly to compare. What was found itself,
+/// where no such place is as far.
 std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& f) {
   const double tolerance = std::max(sets.scale * margin::kMeetingOff, margin::kMeetingTolerance * f.error);
   const Spot at = f.seen.at;
@@ -85,18 +94,21 @@ std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& 
     edge =
         fixed_level_curve(sets.b.region(), edge_feature(sets.b.region(), f.cell.index)).moved({-sets.p.x, -sets.p.y});
   std::optional<FarthestPlace> best;
-  double most = -std::numeric_limits<double>::infinity(), least_error = 0;
+  double most = -std::numeric_limits<double>::infinity();
   for_meetings(level_curves, edge, [&](std::size_t part, const std::vector<Event>& all) {
     for (const Event& e : all) {
       if (!e.at) continue;
-      const double x = near_value(e.at->x), y = near_value(e.at->y), level = near_value(e.level);
+      const double x = near_value(e.at->x), y = near_value(e.at->y);
       if (!(plain_length(x - at.x, y - at.y) <= tolerance)) continue;
-      const double error = std::abs(sets.a.nearest(x, y, f.seen.near.feature).distance - level);
-      const bool better = level > most + sets.slack || (level > most - sets.slack && error < least_error);
-      if (error > sets.slack * 4 || (best && !better) || !is_in_b(sets, f, *e.at, tolerance)) continue;
+      const double near = sets.a.nearest(x, y, f.seen.near.feature).distance;
+      if (std::abs(near - near_value(e.level)) > sets.slack * 4 || near <= most - sets.slack) continue;
+      const double level = e.level.to_double();
+      // A part that is nearer makes it no meeting of the nearest parts.
+      if (level <= most || least_distance(sets, parts, *e.at) < level * margin::kRoundedOnce ||
+          !is_in_b(sets, f, *e.at, tolerance))
+        continue;
       best = FarthestPlace{e.level, *e.at, f.cell, exact_pair(sets.a.region(), parts[part].cell, *e.at)};
       most = level;
-      least_error = error;
     }
   });
   if (most > f.seen.value - 8 * sets.slack) return best;
@@ -111,6 +123,12 @@ std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& 
     out.off = near_value(own->distance) + sets.scale * margin::kFewRoundings;
   }
   return out;
+}
+
+/// Corners by their exact distances, which have few roots; others by these rounded once.
+bool is_farther(const FarthestPlace& k, const FarthestPlace& than) {
+  if (k.cell.dimension == 0 && than.cell.dimension == 0) return k.value > than.value;
+  return k.value.to_double() > than.value.to_double();
 }
 
 }  // namespace
@@ -131,7 +149,7 @@ std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureT
     // What lies beside a place within its error counts as found with it.
     if (f.seen.value + 2 * f.error < found.best - sets.slack) continue;
     auto k = f.cell.dimension == 0 ? exact_vertex(sets, f) : exact_meeting(sets, f);
-    if (k && (!best || k->value > best->value)) best = std::move(k);
+    if (k && (!best || is_farther(*k, *best))) best = std::move(k);
   }
   if (found.open == 0) return best;
   if (!best) best = exact_vertex(sets, {{}, found.first});

@@ -6,12 +6,12 @@
 // Method: branch and bound with the best place known so far. Boxes around parts of B's boundary (d is 1-Lipschitz),
 // then parts of edges (the distance to one part of A is convex along an edge, so its ends bound it), then boxes of the
 // plane in which d has no direction to grow in, for places inside B: a matter of A alone, kept for the next position
-// (max_min_boxes.h). Numbers choose the places; values are exact.
-// Guarantee: as farthest_from_set.h, which also does arcs. A search ends after 100,000 steps and 100 for each feature,
-// and says then what is still open; a step is a box, a part of an edge or a square. Cost: trees are given; a query
-// mostly costs little more than some hundred nearest neighbours. Source: Taha, Hanbury 2015 for early breaks; Alt,
-// Behrends, Blömer 1995 for where the maximum can lie. Keywords: directed Hausdorff distance, branch and bound, medial
-// axis.
+// (max_min_boxes.h). Numbers choose the places; corners and places of edges that tie as numbers are compared exactly.
+// Guarantee: as farthest_from_set.h, which also does arcs; on B's boundary no place is farther at all. A search ends
+// after 100,000 steps and 100 for each feature, and says then what is still open; a step is a box, a part of an edge or
+// a square. Cost: trees are given; a query mostly costs little more than some hundred nearest neighbours, and one for
+// each corner that ties. Source: Taha, Hanbury 2015 for early breaks; Alt, Behrends, Blömer 1995 for where the maximum
+// can lie. Keywords: directed Hausdorff distance, branch and bound, medial axis.
 #pragma once
 
 #include "distance/answer/answer.h"

@@ -85,11 +85,12 @@ Seen PlaceSearch::see(Spot at, Index guess) const {
 }
 
 void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
-  if (seen.value + error <= best_ - slack_) return;
+  if (!may_be_farthest(seen.value + error)) return;
   if (error == 0) best_ = std::max(best_, seen.value);
-  for (const Found& f : out_.places)
-    if (f.cell == cell && plain_length(f.seen.at.x - seen.at.x, f.seen.at.y - seen.at.y) <= std::max(error, slack_))
-      return;
+  if (cell.dimension == 0 && !corners_.insert(cell.index).second) return;
+  // The places of an edge follow each other, and so do those inside.
+  for (auto f = out_.places.rbegin(); f != out_.places.rend() && f->cell == cell; ++f)
+    if (plain_length(f->seen.at.x - seen.at.x, f->seen.at.y - seen.at.y) <= std::max(error, slack_)) return;
   out_.places.push_back({seen, cell, error});
 }
 
@@ -114,7 +115,7 @@ void PlaceSearch::walk_boundary() {
   };
   plane::Subdivision<Entry> todo;
   auto push = [&](const Entry& e) {
-    if (e.bound > best_ + slack_) todo.push(e);
+    if (may_be_farthest(e.bound)) todo.push(e);
   };
   todo.push({sets_.most(sets_.placed(0), start()), 0, start(), true});
   const auto look = [&](const Entry& e) {
@@ -125,7 +126,7 @@ void PlaceSearch::walk_boundary() {
       const double radius = plain_length(box.x1 - box.x0, box.y1 - box.y0) / 2;
       const auto near = sets_.a.nearest(c.x, c.y, e.guess);
       const double bound = sets_.most(box, near.feature);
-      if (bound <= best_ + slack_) return;
+      if (!may_be_farthest(bound)) return;
       if (!sets_.in_a(c, near))
         push({bound, e.node, near.feature, true});
       else if (near.distance <= radius)
@@ -138,7 +139,7 @@ void PlaceSearch::walk_boundary() {
     }
     for (Index child : {e.node + 1, n.right}) push({sets_.most(sets_.placed(child), e.guess), child, e.guess});
   };
-  todo.run([&](const Entry& e) { return settled(e.bound); }, look);
+  todo.run([&](const Entry& e) { return settled(e.bound, may_be_farthest(e.bound)); }, look);
 }
 
 /// Where along the part the nearest features of its ends are equally far, from 0 to 1.
@@ -156,7 +157,7 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
   const auto& region = sets_.b.region();
   const Spot from{edge.x0 + sets_.px, edge.y0 + sets_.py}, to{edge.x1 + sets_.px, edge.y1 + sets_.py};
   // The distance to one part of A is convex along the edge.
-  if (std::max(sets_.to_feature(from, guess), sets_.to_feature(to, guess)) <= best_ + slack_) return;
+  if (!may_be_farthest(std::max(sets_.to_feature(from, guess), sets_.to_feature(to, guess)))) return;
   Seen first = see(from, guess);
   record(first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0});
   if (edge.is_vertex()) return;
@@ -170,16 +171,18 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
     double bound =
         std::min({std::max(s.near.distance, sets_.to_feature(t.at, s.near.feature)),
                   std::max(sets_.to_feature(s.at, t.near.feature), t.near.distance), (s.value + t.value + size) / 2});
-    if (bound <= best_ + slack_ || size <= scale_ * margin::kShortPart) continue;
+    if (!may_be_farthest(bound) || size <= scale_ * margin::kShortPart) continue;
+    double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
+    if (covered >= size) continue;  // all inside A
     if (spent()) {
       leave_open(bound);
       continue;
     }
-    double covered = (s.inside ? s.near.distance : 0) + (t.inside ? t.near.distance : 0);
-    if (covered >= size) continue;  // all inside A
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
     double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
     if (m > margin::kAtEnd && m < 1 - margin::kAtEnd) record(see(on_part(m), s.near.feature), edge.cell);
+    // No place of the part is farther than its ends, which are looked at.
+    if (bound <= std::max(s.value, t.value) + scale_ * margin::kSurelyLess) continue;
     if (m < 0.125 || m > 0.875) m = 0.5;  // where both are equally far at an end, splitting there leads nowhere
     Seen middle = see(on_part(m), s.near.feature);
     parts.push_back({s, middle});
@@ -197,7 +200,7 @@ void PlaceSearch::search_inside() {
     todo.push({bound, part, guess, box_of(part)});
   };
   push(sets_.most(box_of({}), start()), {}, kNone);
-  todo.run([&](const Square& e) { return settled(e.bound); },
+  todo.run([&](const Square& e) { return settled(e.bound, e.bound > best_ + slack_); },
            [&](const Square& e) {
              const auto nearest = look_inside(e);
              for (int k = 0; nearest && k < 4; ++k) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "distance/planar/farthest_place.h"
@@ -89,9 +90,11 @@ class PlaceSearch {
   std::optional<plane::Index> look_inside(const Square& e);
   /// Counts a step; true once all are taken.
   bool spent() { return left_ <= 0 || --left_ <= 0; }
-  /// Whether nothing that has no place farther than this is looked into: it is no farther, or all steps are taken.
-  bool settled(double bound) {
-    if (bound <= best_ + slack_) return true;
+  /// Farther than the best place by less than numbers tell: such corners and places of edges are all compared exactly.
+  bool may_be_farthest(double value) const { return value > best_ - slack_; }
+  /// Whether nothing that has no place farther than this is looked into: it is not `wanted`, or all steps are taken.
+  bool settled(double bound, bool wanted) {
+    if (!wanted) return true;
     if (!spent()) return false;
     leave_open(bound);
     return true;
@@ -103,6 +106,7 @@ class PlaceSearch {
   const MaxMinBoxes& boxes_;
   double scale_, slack_, best_;
   long left_;
+  std::unordered_set<plane::Index> corners_;  // of B, that are found
   FoundPlaces out_;
 };
 

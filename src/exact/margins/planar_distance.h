@@ -71,6 +71,9 @@ inline constexpr double kMaxMinFine = 0x1p-44;
 inline constexpr double kNothingMore = 0x1p-45;
 /// An exact level below the value found by this cannot be the greatest. Filters: distances are off by less.
 inline constexpr double kSurelyLess = 0x1p-46;
+/// Factor: exact distances that were rounded once, each by 2^-52 of itself, and differ by less may be equal. Filters:
+/// of places that differ by less the first is taken.
+inline constexpr double kRoundedOnce = 1 - 0x1p-50;
 /// A part of an edge this short is a single place: 2^4 times the error of its ends. Filters: the place is found exactly
 /// from the features around it.
 inline constexpr double kShortPart = 0x1p-44;
