@@ -199,6 +199,16 @@ class Costs(SafetyTest):
         self.file("a.obj", lines + "f " + " ".join(map(str, there)) + "\n")
         self.expect(3, "encloses no volume", "describe", self.of_file("a.obj"))
 
+    def test_prism_of_many_sides(self):
+        n = 6000
+        ring = [(100000 * math.cos(2 * math.pi * k / n), 100000 * math.sin(2 * math.pi * k / n)) for k in range(n)]
+        lines = ["v %.3f %.3f %d" % (x, y, z) for z in (0, 9) for x, y in ring]
+        lines.append("f " + " ".join(str(k) for k in range(n, 0, -1)))
+        lines.append("f " + " ".join(str(k) for k in range(n + 1, 2 * n + 1)))
+        lines += ["f %d %d %d %d" % (k + 1, (k + 1) % n + 1, n + (k + 1) % n + 1, n + k + 1) for k in range(n)]
+        self.file("a.obj", "\n".join(lines) + "\n")
+        self.expect(0, "", "describe", self.of_file("a.obj"))
+
     def test_many_names(self):
         self.scene({"A": {"polygon": SQUARE}, "B": {"polygon": SQUARE}}, moving="B",
                    where="gap(B, " + "+".join(["A"] * 50000) + ") >= 0")

@@ -92,7 +92,7 @@ std::vector<Tetrahedron> tetrahedra(const space::ConvexRegion& region) {
   std::vector<Tetrahedron> out;
   if (region.dimension() < 3) return out;
   const auto at = [&](int v) { return region.vertices()[static_cast<std::size_t>(v)].near; };
-  for (const int f : region.facets()) add_fan(region.circuit(f), at, out);
+  for (const std::vector<int>& ring : region.circuits()) add_fan(ring, at, out);
   return out;
 }
 

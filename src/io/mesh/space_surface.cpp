@@ -85,7 +85,7 @@ Surface convex_surface(const space::ConvexSet& set, const Real& step) {
     surface.vertices.push_back(
         {(v.at[0] * step).to_double(), (v.at[1] * step).to_double(), (v.at[2] * step).to_double()});
   if (set.region.dimension() < 3) return surface;
-  for (const int k : set.region.facets()) surface.faces.push_back(set.region.circuit(k));
+  surface.faces = set.region.circuits();
   return surface;
 }
 

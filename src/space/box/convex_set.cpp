@@ -3,6 +3,8 @@
 #include "space/box/convex_set.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace findspace::space {
 
@@ -99,6 +101,7 @@ class ConvexSummarizer {
   /// Steiner: V + S r + M r^2 + 4/3 pi r^3.
   double volume() const {
     const double core = (set_.region.six_volumes() / Real(6) * step_ * step_ * step_).to_double(), r = radius_;
+    if (r == 0) return core;
     return core + core_area() * r + mean_width() * r * r + 4 * M_PI / 3 * r * r * r;
   }
   /// Of the frontier of a body, or of a flat set.
@@ -112,21 +115,20 @@ class ConvexSummarizer {
     if (core_ == 1) return M_PI * length(between(0, 1));
     double sum = 0;
     if (core_ < 2) return sum;
-    for (const auto& [v, w] : set_.region.edges()) {
-      double angle = M_PI;  // at a flat set's edge
-      if (core_ == 3) {
-        std::vector<Vector> normals;
-        for (const int k : set_.region.facets()) {
-          const auto on = [&](int u) {
-            const auto& tight = set_.region.vertices()[std::size_t(u)].tight;
-            return std::binary_search(tight.begin(), tight.end(), k);
-          };
-          if (on(v) && on(w)) normals.push_back(set_.region.planes()[std::size_t(k)].unit);
-        }
-        angle = std::atan2(length(cross(normals[0], normals[1])), dot(normals[0], normals[1]));
-      }
-      sum += length(between(std::size_t(v), std::size_t(w))) * angle / 2;
+    if (core_ == 2) {
+      for (const auto& [v, w] : set_.region.edges()) sum += length(between(std::size_t(v), std::size_t(w))) * M_PI / 2;
+      return sum;
     }
+    std::map<std::pair<int, int>, std::vector<Vector>> normals;  // of an edge's two facets
+    const std::vector<int> faces = set_.region.facets();
+    const std::vector<std::vector<int>> rings = set_.region.circuits();
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t i = 0; i < rings[f].size(); ++i)
+        normals[std::minmax(rings[f][i], rings[f][(i + 1) % rings[f].size()])].push_back(
+            set_.region.planes()[std::size_t(faces[f])].unit);
+    for (const auto& [edge, of] : normals)
+      sum += length(between(std::size_t(edge.first), std::size_t(edge.second))) *
+             std::atan2(length(cross(of[0], of[1])), dot(of[0], of[1])) / 2;
     return sum;
   }
   Vector between(std::size_t v, std::size_t w) const {
@@ -137,9 +139,7 @@ class ConvexSummarizer {
   double flat_area() const {
     if (core_ < 2) return 0;
     double sum = 0;
-    const std::vector<int> faces = set_.region.facets();
-    for (std::size_t f = 0; f < (core_ == 3 ? faces.size() : 1); ++f) {
-      const std::vector<int> ring = flat_ring(faces, f);
+    for (const std::vector<int>& ring : flat_rings()) {
       for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
         const auto at = [&](std::size_t k) { return between(std::size_t(ring[0]), std::size_t(ring[k])); };
         sum += length(cross(at(i), at(i + 1))) / 2;
@@ -148,12 +148,11 @@ class ConvexSummarizer {
     return sum;
   }
   /// A flat set is its one facet; which of the planes it lies in does not matter.
-  std::vector<int> flat_ring(const std::vector<int>& faces, std::size_t f) const {
-    if (core_ == 3) return set_.region.circuit(faces[f]);
-    for (const int k : faces) {
-      const std::vector<int> ring = set_.region.circuit(k);
-      if (ring.size() == corners_.size()) return ring;
-    }
+  std::vector<std::vector<int>> flat_rings() const {
+    std::vector<std::vector<int>> rings = set_.region.circuits();
+    if (core_ == 3) return rings;
+    for (std::vector<int>& ring : rings)
+      if (ring.size() == corners_.size()) return {std::move(ring)};
     return {};
   }
   double length_of_segment() const {

@@ -42,6 +42,18 @@ std::optional<RealVector> meeting(const std::vector<HalfSpace>& planes, const st
   return std::nullopt;
 }
 
+/// Whether two ascending lists have two numbers in common.
+bool two_in_common(const std::vector<int>& a, const std::vector<int>& b) {
+  int found = 0;
+  for (auto i = a.begin(), k = b.begin(); i != a.end() && k != b.end();) {
+    if (*i == *k && ++found == 2) return true;
+    const bool less = *i <= *k, more = *k <= *i;
+    i += less;
+    k += more;
+  }
+  return false;
+}
+
 bool all_rational(const RealVector& p) {
   return std::all_of(p.begin(), p.end(), [](const Real& c) { return c.is_rational(); });
 }
@@ -80,8 +92,8 @@ ConvexRegion::Sides ConvexRegion::sides(const HalfSpace& plane) const {
 }
 
 bool ConvexRegion::adjacent(int v, int w) const {
+  if (!two_in_common(vertices_[v].tight, vertices_[w].tight)) return false;
   const std::vector<int> both = common(vertices_[v].tight, vertices_[w].tight);
-  if (both.size() < 2) return false;
   for (int u = 0; u < static_cast<int>(vertices_.size()); ++u) {
     if (u != v && u != w && holds_all(vertices_[u].tight, both)) return false;
   }
@@ -97,10 +109,13 @@ bool ConvexRegion::cut(const HalfSpace& plane) {
   planes_.push_back(plane);
   std::vector<Vertex> kept;
   const int n = static_cast<int>(vertices_.size());
+  std::vector<int> beyond;
+  for (int w = 0; w < n; ++w)
+    if (sign[w] > 0) beyond.push_back(w);
   for (int v = 0; v < n; ++v) {
     if (sign[v] >= 0) continue;
-    for (int w = 0; w < n; ++w) {
-      if (sign[w] <= 0 || !adjacent(v, w)) continue;
+    for (const int w : beyond) {
+      if (!adjacent(v, w)) continue;
       const Real f = plane.value(vertices_[v].at), g = plane.value(vertices_[w].at);
       const Real t = f / (f - g);
       Vertex fresh;
@@ -135,29 +150,48 @@ std::vector<int> ConvexRegion::facets() const {
   return out;
 }
 
+std::vector<std::vector<int>> ConvexRegion::on_planes() const {
+  std::vector<std::vector<int>> on(planes_.size());
+  for (int v = 0; v < static_cast<int>(vertices_.size()); ++v)
+    for (const int k : vertices_[v].tight) on[k].push_back(v);
+  return on;
+}
+
+/// Seen from the first, all others lie within half a turn, and no two in one direction.
+std::vector<int> ConvexRegion::in_circuit(std::vector<int> on, int k) const {
+  if (on.size() < 3) return on;
+  const RealVector &n = planes_[k].normal, &from = vertices_[on[0]].at;
+  std::sort(on.begin() + 1, on.end(), [&](int v, int w) {
+    return dot(cross(minus(vertices_[v].at, from), minus(vertices_[w].at, from)), n).sign() > 0;
+  });
+  return on;
+}
+
 std::vector<int> ConvexRegion::circuit(int k) const {
   std::vector<int> on;
   for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
     if (std::binary_search(vertices_[v].tight.begin(), vertices_[v].tight.end(), k)) on.push_back(v);
   }
-  if (on.size() < 3) return on;
-  std::vector<int> ring{on[0]};
-  const RealVector& n = planes_[k].normal;
-  while (true) {
-    // The next corner is the one to the right of which no other lies.
-    const RealVector& from = vertices_[ring.back()].at;
-    int next = -1;
-    for (const int v : on) {
-      if (v == ring.back()) continue;
-      if (next < 0 || dot(cross(minus(vertices_[next].at, from), minus(vertices_[v].at, from)), n).sign() < 0) next = v;
-    }
-    if (next == ring[0] || ring.size() == on.size()) return ring;
-    ring.push_back(next);
-  }
+  return in_circuit(std::move(on), k);
+}
+
+std::vector<std::vector<int>> ConvexRegion::circuits() const {
+  std::vector<std::vector<int>> on = on_planes(), out;
+  for (const int k : facets()) out.push_back(in_circuit(std::move(on[k]), k));
+  return out;
 }
 
 std::vector<std::pair<int, int>> ConvexRegion::edges() const {
   std::vector<std::pair<int, int>> out;
+  if (dimension() == 3) {
+    for (const std::vector<int>& ring : circuits())
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const int v = ring[i], w = ring[(i + 1) % ring.size()];
+        if (v < w) out.emplace_back(v, w);  // the facet on the other side has it the other way round
+      }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
   for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) {
     for (int w = v + 1; w < static_cast<int>(vertices_.size()); ++w) {
       if (adjacent(v, w)) out.emplace_back(v, w);
@@ -185,8 +219,7 @@ Real ConvexRegion::six_volumes() const {
   Real sum;
   if (dimension() < 3) return sum;
   const RealVector& base = vertices_[0].at;
-  for (const int k : facets()) {
-    const std::vector<int> ring = circuit(k);
+  for (const std::vector<int>& ring : circuits()) {
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
       const RealVector a = minus(vertices_[ring[0]].at, base), b = minus(vertices_[ring[i]].at, base),
                        c = minus(vertices_[ring[i + 1]].at, base);

@@ -4,7 +4,8 @@
 // A bounded closed convex set {x : every plane <= 0} of any dimension, by its vertices: points and segments left by
 // exact fits as well as bodies. It is made by cutting a box, one half space after another. Guarantee: exact;
 // coordinates are those in which three planes meet. Each vertex knows the planes it lies on; two vertices share an edge
-// if no third one lies on all planes common to both. Cost of a cut: the pairs of vertices on either side. Source:
+// if no third one lies on all planes common to both. Cost of a cut: the vertices, and the pairs of those on either
+// side; of a circuit of n corners n log n. Source:
 // Motzkin, Raiffa, Thompson, Thrall 1953 (double description); Fukuda, Prodon 1996 (the adjacency test). Keywords:
 // vertex enumeration, clipping, H-representation to V-representation.
 #pragma once
@@ -43,12 +44,16 @@ class ConvexRegion {
   std::vector<int> facets() const;
   /// The vertices of plane k in circular order, counter-clockwise seen from outside.
   std::vector<int> circuit(int k) const;
+  /// Those of the facets, in their order.
+  std::vector<std::vector<int>> circuits() const;
   std::vector<std::pair<int, int>> edges() const;
   /// -1 if empty.
   int dimension() const;
   exact::Real six_volumes() const;
 
  private:
+  std::vector<std::vector<int>> on_planes() const;
+  std::vector<int> in_circuit(std::vector<int> on, int k) const;
   bool adjacent(int v, int w) const;
 
   std::vector<HalfSpace> planes_;
