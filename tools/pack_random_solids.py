@@ -7,9 +7,9 @@ usage: pack_random_solids.py EXECUTABLE [--count N] [--seed S] [--kills N]
 
 Parts are hulls of random points, boxes, prisms over an L and unions of two boxes. Every fourth instance has boxes, balls, a
 gap and an edge, another fourth may turn, by right angles or by rational matrices. Every third has containers of given sizes,
-in two thirds of these one is a hull of random points or a prism over an L, and in every fifth some copies stand already.
+in two thirds of these one is a hull of random points, a prism over an L, a union of two boxes, a ball, what two balls have in common or a ball less a box, and in every fifth some copies stand already.
 Checked: every copy of every part or that it is left out, an allowed rotation, no more containers than there are, inside the
-walls, on the inner side of every face of a hull or clear of what an L lacks, the height as stated and not below the lower bound, no two interiors meeting, gaps as wide as asked for, and that what
+walls, on the inner side of every face of a hull, clear of what an L, a union or a ball lacks, and within balls, the height as stated and not below the lower bound, no two interiors meeting, gaps as wide as asked for, and that what
 is fixed stands there. Two convex parts are told apart by all axes that can separate them.
 Then one part of each layout is moved at random, and `findspace verify` must agree with the same check.
 
@@ -146,12 +146,21 @@ def planes_of(points):
 
 
 class Inside:
-    """Of a container that is no box: a hull, or a prism over an L, at the origin."""
+    """Of a container that is no box, at the origin."""
 
-    def __init__(self, rng, sizes):
-        self.planes, self.lacks = [], []
+    def __init__(self, rng, sizes, kind):
+        self.planes, self.lacks, self.balls = [], [], []
         self.sizes = sizes
         low = tuple(rng.randint(-4, 4) for _ in range(3))
+        if kind == 1:
+            self.unite(rng, low)
+        elif kind > 1:
+            self.round(rng, low, kind)
+        else:
+            self.hull_or_ell(rng, low)
+
+    def hull_or_ell(self, rng, low):
+        sizes = self.sizes
         if rng.randrange(3) == 0:
             w, d, h = sizes
             x, y = rng.randint(1, w), rng.randint(1, d)
@@ -166,8 +175,45 @@ class Inside:
         self.planes = planes_of(points)
         self.shape = {"polytope": [[a + b for a, b in zip(p, low)] for p in dict.fromkeys(points)]}
 
+    def unite(self, rng, low):
+        """One box across the front, and one that goes on behind it."""
+        w, d, h = self.sizes
+        y = rng.randint(1, d - 1)
+        x, to_x = sorted(rng.sample(range(w + 1), 2))
+        z, to_z = sorted(rng.sample(range(h + 1), 2))
+        behind = [((0, y, 0), (x, d, h)), ((to_x, y, 0), (w, d, h)), ((x, y, 0), (to_x, d, z)), ((x, y, to_z), (to_x, d, h))]
+        self.lacks = [box_points(*b) for b in behind if all(a < c for a, c in zip(*b))]
+        boxes = [((0, 0, 0), (w, y, h)), ((x, rng.randint(0, y), z), (to_x, d, to_z))]
+        self.shape = {"union": [box_shape(*([a + b for a, b in zip(p, low)] for p in box)) for box in boxes]}
+
+    def round(self, rng, low, kind):
+        """A ball; what it has in common with another one; or what it has without a box from a corner of its own box."""
+        side = max(self.sizes) + 2
+        radius, shift = Fraction(side, 2), 2 if kind == 3 else 0
+        self.sizes = [side - shift, side, side]
+        self.balls = [((x, radius, radius), radius) for x in dict.fromkeys((radius, radius - shift))]
+        shapes = [{"ball": {"center": [float(a + b) for a, b in zip(c, low)], "radius": float(r)}} for c, r in self.balls]
+        if kind == 3:
+            self.shape = {"intersection": shapes}
+        elif kind == 4:
+            high = tuple(rng.randint(1, side // 2) for _ in range(3))
+            self.lacks = [box_points((0, 0, 0), high)]
+            self.shape = {"difference": [*shapes, box_shape(low, tuple(a + b for a, b in zip(high, low)))]}
+        else:
+            self.shape = shapes[0]
+
+    def is_outside_balls(self, instance, points, at):
+        for center, radius in self.balls:
+            room = radius - radius_of(points) - instance.edge
+            ways = [tuple(a + b - c for a, b, c in zip(p, at, center)) for p in points]
+            if room < 0 or any(dot(way, way) > room * room for way in ways):
+                return True
+        return False
+
     def is_outside(self, instance, pieces, at):
         for points in pieces:
+            if self.is_outside_balls(instance, points, at):
+                return True
             r = radius_of(points) + instance.edge
             for p, (n, d) in itertools.product(points, self.planes):
                 room = d - dot(n, p) - dot(n, at)
@@ -205,7 +251,7 @@ class Instance:
         if number % 9 in (0, 3):
             first = self.containers[0]
             first_sides = [int(s) + 3 for s in self.sides_of(first)]
-            inside = self.insides[first["id"]] = Inside(random.Random(number), first_sides)
+            inside = self.insides[first["id"]] = Inside(random.Random(number), first_sides, number // 9 % 5)
             self.containers[0] = {"id": first["id"], "count": first["count"], "shape": inside.shape}
         self.kinds = Kinds()
         self.fixed = self.standing(random.Random(number)) if number % 5 == 4 else []

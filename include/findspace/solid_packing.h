@@ -66,8 +66,8 @@ struct PackContainer {
   int count = 1;
   /// Of one; the cheapest for their volume are used first. Given for all kinds or for none.
   std::optional<Number> cost = {};
-  /// What it holds where that is no box: one solid with flat faces, convex or not. It is moved so that its box begins
-  /// at (0, 0, 0): so positions in it count.
+  /// What it holds where that is no box: a bounded solid with flat faces, convex or not, a ball, or made of these but
+  /// for unions with balls. It is moved so that its box begins at (0, 0, 0): so positions in it count.
   std::optional<Shape> shape = {};
 };
 

@@ -98,13 +98,19 @@ TEST(ReadSolids, ContainersOfAnyShape) {
   says(R"("size-x": 3, "shape": {)" + tent + "}",
        "problem.json:1:39: a container has either sizes or a shape of its own");
   says(R"("path": "none.stl")", "there is no such file");
-  says(R"("shape": {"ball": {"center": [0,0,0], "radius": 2}})", "a container is a bounded solid with flat faces");
+  const std::string ball = R"({"ball": {"center": [0,0,0], "radius": 2.5}})";
+  says(R"("shape": {"complement": )" + ball + "}", "a container is bounded");
+  says(R"("shape": {"union": [{)" + tent + "}, " + ball + "]}", "a container is a solid with flat faces, a ball");
   says(R"("shape": {"polytope": [[0,0,0], [1,0,0], [0,1,0], [1,1,0]]})", "container 'c' (problem.json:1:17)");
-  says(R"("shape": {"union": [{)" + tent + R"(}, {"box": {"min": [0,0,0], "max": [1,1,1]}}]})",
-       "a container is one solid, not a union; state it as a mesh");
   says(R"("shape": {"mesh": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]], "faces": [[0,2,1], [0,1,3], [0,3,2]]}})",
        "not closed");
   says("\"count\": 1", "size-x");
+  const SolidProblemRead tank = read(with(R"("shape": )" + ball));
+  EXPECT_EQ(tank.problem.containers[0].depth, packing::Fraction(5));
+  const SolidProblemRead both =
+      read(with(R"("shape": {"union": [{)" + tent + R"(}, {"box": {"min": [0,0,0], "max": [1,1,1]}}]})"));
+  EXPECT_EQ(both.problem.containers[0].width, packing::Fraction(5));
+  EXPECT_NE(both.problem.containers[0].lacks, nullptr);
 }
 
 TEST(ReadSolids, FixedSolids) {

@@ -10,9 +10,12 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
+#include "packing/solid_depth/ball_walls.h"
 #include "packing/solid_depth/container_walls.h"
 #include "packing/solid_problem/container_shape.h"
+#include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "packing/solid_search/make_solid_room.h"
 #include "packing/solid_search/solid_search.h"
@@ -70,6 +73,35 @@ plane::Shape hollow_box() {
   space::clean(solid.mesh, 1);
   return shape_of(std::move(solid));
 }
+
+plane::Shape ball_at(const Point& center, std::int64_t radius) {
+  Solid solid;
+  solid.form = Solid::Form::kBall;
+  solid.mesh.vertices = {center};
+  solid.radius = exact::Real(radius);
+  return shape_of(std::move(solid));
+}
+
+plane::Shape united(const std::vector<plane::Shape>& shapes, plane::Shape::Kind kind = plane::Shape::Kind::kUnion) {
+  plane::Shape result;
+  result.kind = kind;
+  for (const plane::Shape& shape : shapes) result.children.push_back(std::make_shared<const plane::Shape>(shape));
+  return result;
+}
+
+plane::Shape box_from(const Point& low, const Point& high) {
+  return hull({low,
+               high,
+               {low.x, low.y, high.z},
+               {low.x, high.y, low.z},
+               {high.x, low.y, low.z},
+               {low.x, high.y, high.z},
+               {high.x, low.y, high.z},
+               {high.x, high.y, low.z}});
+}
+
+/// The L of ell(), as a union of two boxes that touch.
+plane::Shape two_boxes() { return united({box_from({0, 0, 0}, {2, 1, 1}), box_from({0, 1, 0}, {1, 2, 1})}); }
 
 /// Under the plane x + z = side, `depth` deep.
 plane::Shape ramp(std::int64_t side, std::int64_t depth) {
@@ -138,16 +170,95 @@ TEST(ContainerShape, ABoxStaysABox) {
 
 TEST(ContainerShape, WhatIsNone) {
   SolidContainer container;
-  Solid round;
-  round.form = Solid::Form::kBall;
-  round.mesh.vertices = {{0, 0, 0}};
-  round.radius = exact::Real(3);
-  EXPECT_THROW(set_shape(container, shape_of(round), 1), Error);
   EXPECT_THROW(set_shape(container, hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), 1), Error);
-  plane::Shape two;
-  two.kind = plane::Shape::Kind::kUnion;
-  two.children = {std::make_shared<const plane::Shape>(ramp(1, 1)), std::make_shared<const plane::Shape>(ell())};
-  EXPECT_THROW(set_shape(container, two, 1), Error);
+  EXPECT_THROW(set_shape(container, united({ramp(1, 1), ball_at({0, 0, 0}, 3)}), 1), Error);
+  plane::Shape outside;
+  outside.kind = plane::Shape::Kind::kComplement;
+  outside.children = {std::make_shared<const plane::Shape>(ramp(1, 1))};
+  EXPECT_THROW(set_shape(container, outside, 1), Error);
+}
+
+TEST(ContainerShape, AUnionThatIsABox) {
+  SolidContainer container;
+  set_shape(container, united({box_from({3, 0, 0}, {5, 2, 1}), box_from({1, 0, 0}, {4, 2, 1})}), 1);
+  EXPECT_EQ(container.inside, nullptr);
+  EXPECT_EQ(container.width, Fraction(4));
+}
+
+TEST(ContainerShape, AUnionLacksCells) {
+  const SolidProblem problem = in_one(two_boxes(), {});
+  const SolidContainer& c = problem.containers[0];
+  ASSERT_NE(c.lacks, nullptr);
+  ASSERT_EQ(c.lacks->body.parts.size(), 1U);
+  EXPECT_DOUBLE_EQ(volume_of(problem, c), 3);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 0.5), 1.5);
+  const ContainerWalls walls = container_walls(problem, c);
+  ASSERT_EQ(walls.cells.size(), 1U);
+  EXPECT_EQ(walls.cells[0].open, (OpenSides{{{false, true}, {false, true}, {true, true}}}));
+}
+
+/// The corners of its parts are no whole numbers, but cells are exact.
+TEST(ContainerShape, SlopesThatCrossOffTheGrid) {
+  const SolidProblem problem =
+      in_one(united({hull({{0, 0, 0}, {3, 0, 0}, {0, 0, 2}, {0, 1, 0}, {3, 1, 0}, {0, 1, 2}}),
+                     hull({{3, 0, 0}, {0, 0, 0}, {3, 0, 2}, {3, 1, 0}, {0, 1, 0}, {3, 1, 2}})}),
+             {box("cube", 1, 1, 1, 1)});
+  EXPECT_NEAR(volume_of(problem, problem.containers[0]), 4.5, 1e-12);
+  // Under the line from (0, 2) to (3, 0) that is met at 1.5.
+  EXPECT_FALSE(outside(problem, {Fraction(1, 2), 0, 0}));
+  EXPECT_TRUE(outside(problem, {1, 0, Fraction(1, 2)}));
+}
+
+TEST(ContainerShape, ABall) {
+  const SolidProblem problem = in_one(ball_at({7, -2, 1}, 3), {});
+  const SolidContainer& c = problem.containers[0];
+  EXPECT_EQ(c.width, Fraction(6));
+  EXPECT_EQ(c.height, Fraction(6));
+  EXPECT_DOUBLE_EQ(volume_of(problem, c), 36 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 3), 18 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(volume_below(problem, c, 0), 0);
+}
+
+TEST(ContainerShape, ADome) {
+  const SolidProblem problem =
+      in_one(united({ball_at({0, 0, 0}, 6), box_from({-9, -9, 0}, {9, 9, 9})}, plane::Shape::Kind::kIntersection),
+             {box("slab", 1, 4, 8, 4)});
+  const SolidContainer& c = problem.containers[0];
+  EXPECT_EQ(c.width, Fraction(12));
+  EXPECT_EQ(c.height, Fraction(6));
+  EXPECT_NEAR(volume_of(problem, c) / (144 * std::numbers::pi), 1, 1e-3);
+  // Its corners are (2, 4, 4) from the middle of the floor.
+  EXPECT_FALSE(outside(problem, {4, 2, 0}));
+  EXPECT_TRUE(outside(problem, {4, 2 + kTiny, 0}));
+  EXPECT_NEAR(*outside(problem, {4, 2, 1}), std::sqrt(45) - 6, 1e-12);
+}
+
+/// A box about a ball, which is clear of its sides.
+TEST(ContainerShape, WithARoundObstacle) {
+  SolidProblem problem =
+      in_one(united({box_from({0, 0, 0}, {10, 10, 10}), ball_at({5, 5, 5}, 3)}, plane::Shape::Kind::kDifference),
+             {box("cube", 1, 1, 1, 1)});
+  EXPECT_NEAR(volume_of(problem, problem.containers[0]) / (1000 - 36 * std::numbers::pi), 1, 1e-3);
+  EXPECT_FALSE(outside(problem, {6, 7, 7}));
+  EXPECT_TRUE(outside(problem, {6, 7, 7 - kTiny}));
+  EXPECT_TRUE(outside(problem, {5, 5, 5}));
+  problem.edge = 1;
+  EXPECT_TRUE(outside(problem, {6, 7, 7}));
+  EXPECT_FALSE(outside(problem, {7, 7, 8}));
+  EXPECT_FALSE(outside(problem, {1, 1, 1}));
+}
+
+/// The rim is 4 from the line through both centres.
+TEST(ContainerShape, WhatBallsHaveInCommon) {
+  const SolidProblem problem =
+      in_one(united({ball_at({0, 0, 0}, 5), ball_at({6, 0, 0}, 5)}, plane::Shape::Kind::kIntersection),
+             {box("plate", 1, 2, 4, 4)});
+  EXPECT_EQ(problem.containers[0].width, Fraction(4));
+  EXPECT_EQ(problem.containers[0].depth, Fraction(10));
+  // Its corners are (4, 2, 2) from the centre that is farther.
+  EXPECT_FALSE(outside(problem, {1, 3, 3}));
+  EXPECT_TRUE(outside(problem, {2, 4, 4}));
+  EXPECT_TRUE(outside(problem, {0, 4, 4}));
 }
 
 TEST(ContainerShape, VolumeBelow) {
@@ -249,6 +360,109 @@ TEST(Containment, HollowsAreOutside) {
   problem.edge = Fraction(1, 2);
   EXPECT_FALSE(outside(problem, {Fraction(1, 2), 2, 2}));
   EXPECT_TRUE(outside(problem, {Fraction(1, 2) + kTiny, 2, 2}));
+}
+
+/// Over the seam of two parts, but not into the corner.
+TEST(Containment, InAUnion) {
+  SolidProblem problem = in_one(two_boxes(), {box("cube", 1, 1, 1, 1)});
+  EXPECT_FALSE(outside(problem, {1, 0, 0}));
+  EXPECT_FALSE(outside(problem, {0, Fraction(1, 3), 0}));
+  EXPECT_TRUE(outside(problem, {1, kTiny, 0}));
+  EXPECT_DOUBLE_EQ(*outside(problem, {1, 1, 0}), 1);
+}
+
+TEST(Containment, EdgesInAUnion) {
+  SolidProblem problem =
+      in_one(united({box_from({0, 0, 0}, {6, 3, 3}), box_from({0, 0, 0}, {3, 6, 3})}), {box("cube", 1, 1, 1, 1)});
+  problem.edge = 1;
+  // The corner that is lacking begins at (3, 3).
+  EXPECT_FALSE(outside(problem, {1, 4, 1}));
+  EXPECT_FALSE(outside(problem, {Fraction(7, 5), Fraction(6, 5), 1}));
+  EXPECT_TRUE(outside(problem, {Fraction(7, 5) + kTiny, Fraction(6, 5), 1}));
+}
+
+/// A corner at the distance of a radius, which is a root for others.
+TEST(Containment, InABall) {
+  SolidProblem problem = in_one(ball_at({0, 0, 0}, 7), {box("slab", 1, 2, 3, 6)});
+  // From (2, 3, 6) about the middle at (7, 7, 7).
+  EXPECT_FALSE(outside(problem, {7, 7, 7}));
+  EXPECT_FALSE(outside(problem, {5, 4, 1}));
+  EXPECT_TRUE(outside(problem, {7, 7, 7 + kTiny}));
+  EXPECT_NEAR(*outside(problem, {7, 7, 8}), std::sqrt(62) - 7, 1e-12);
+  problem.edge = kTiny;
+  EXPECT_TRUE(outside(problem, {7, 7, 7}));
+}
+
+TEST(Containment, ABallInABall) {
+  SolidProblem problem = in_one(ball_at({0, 0, 0}, 9), {ball("ball", 1, 2)});
+  // Its centre is at (4, 5, 2), (4, 4, 7) and so on about the middle.
+  EXPECT_FALSE(outside(problem, {7 + 6, 7 + 3, 7 + 2}));
+  EXPECT_TRUE(outside(problem, {7 + 6, 7 + 3, 7 + 2 + kTiny}));
+  problem.edge = 1;
+  EXPECT_FALSE(outside(problem, {7 + 4, 7 + 4, 7 + 2}));
+  EXPECT_TRUE(outside(problem, {7 + 4, 7 + 4, 7 + 2 + kTiny}));
+}
+
+/// They hold what they promise: where all half-spaces are free, the part lies in the ball, and little is lost.
+TEST(BallWalls, LieWithin) {
+  const SolidProblem problem = in_one(ball_at({0, 0, 0}, 10), {box("slab", 1, 4, 6, 2), ball("ball", 1, 3)});
+  const ContainerWalls walls = container_walls(problem, problem.containers[0]);
+  for (std::size_t part = 0; part < 2; ++part) {
+    const space::Body& body = problem.parts[part].forms[0].body;
+    const auto planes = ball_walls(body, 1, walls.balls[0], 0.5);
+    int free = 0, inside = 0;
+    for (int k = 0; k < 8000; ++k) {
+      const Vector at{k % 20 * 0.8, k / 20 % 20 * 0.8, k / 400 * 0.8};
+      const bool is_free = std::all_of(planes.begin(), planes.end(), [&](const ContainerWalls::Plane& p) {
+        return space::dot(p.normal, at) <= p.offset;
+      });
+      const bool is_inside =
+          std::all_of(body.parts[0].vertices().begin(), body.parts[0].vertices().end(), [&](const Point& p) {
+            return space::length(exact::approx(p) + at - walls.balls[0].center) + body.parts[0].radius.to_double() <=
+                   9.5;
+          });
+      EXPECT_LE(is_free, is_inside);
+      free += is_free;
+      inside += is_inside;
+    }
+    EXPECT_GT(free, 0.93 * inside);
+  }
+}
+
+/// No place is free of all where a part does not fit.
+TEST(BallWalls, WhatFitsNowhere) {
+  const SolidProblem problem = in_one(ball_at({0, 0, 0}, 3), {box("slab", 1, 4, 4, 3)});
+  const auto planes = ball_walls(problem.parts[0].forms[0].body, 1, {{3, 3, 3}, 3}, 0);
+  ASSERT_EQ(planes.size(), 6U);
+  EXPECT_LT(planes[0].offset + planes[1].offset, 0);
+}
+
+/// Less than their boxes do.
+TEST(ShapedContainers, BoundsCountWhatTheyHold) {
+  EXPECT_EQ(lower_bound(in_one(two_boxes(), {box("cube", 3, 1, 1, 1)}, 9)), Fraction(1));
+  EXPECT_EQ(lower_bound(in_one(two_boxes(), {box("cube", 4, 1, 1, 1)}, 9)), Fraction(2));
+  // 113.1 cubic units.
+  EXPECT_EQ(lower_bound(in_one(ball_at({0, 0, 0}, 3), {box("cube", 113, 1, 1, 1)}, 9)), Fraction(1));
+  EXPECT_EQ(lower_bound(in_one(ball_at({0, 0, 0}, 3), {box("cube", 114, 1, 1, 1)}, 9)), Fraction(2));
+}
+
+/// At one place alone.
+TEST(ShapedContainers, FitsOfNoPlay) {
+  const SolidLayout layout =
+      found(in_one(ball_at({0, 0, 0}, 3), {box("brick", 1, 4, 4, 2), ball("ball", 1, 3)}, 2), 4e6);
+  EXPECT_EQ(layout.items.size(), 2U);
+}
+
+/// Eight balls of radius 1 about the middle, at (1, 1, 1) and so on, reach out to 1 + root of 3.
+TEST(ShapedContainers, BallsFillABall) {
+  const SolidLayout layout = found(in_one(ball_at({0, 0, 0}, 3), {ball("ball", 9, 1)}), 20e6);
+  EXPECT_GE(layout.items.size(), 8U);
+}
+
+TEST(ShapedContainers, CubesFillAUnion) {
+  const SolidLayout layout = found(in_one(two_boxes(), {box("cube", 4, 1, 1, 1)}), 4e6);
+  EXPECT_EQ(layout.items.size(), 3U);
+  EXPECT_EQ(layout.left_out.size(), 1U);
 }
 
 TEST(ShapedContainers, ThreeCubesFillAnEll) {

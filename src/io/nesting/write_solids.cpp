@@ -13,7 +13,7 @@
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_surface.h"
 #include "io/draw/draw_view.h"
-#include "space/convolution/ray_body.h"
+#include "io/nesting/container_edges.h"
 
 namespace findspace::io {
 namespace {
@@ -41,46 +41,11 @@ std::string container_json(const packing::SolidProblem& problem, const packing::
   return fmt::format("{{\"containers\": [{}]}}", names);
 }
 
-using Point3d = std::array<double, 3>;
-
-struct DrawnEdge {
-  Point3d from, to;
-  bool is_in_front;  // of what the container holds
-};
-
 /// A container of the layout as it is drawn: they stand side by side along x.
 struct DrawnContainer {
   double x = 0;
   std::vector<DrawnEdge> edges;
 };
-
-std::vector<DrawnEdge> edges_of_box(double x, const Point3d& sides) {
-  constexpr std::array<std::array<int, 2>, 12> kEdges{
-      {{0, 1}, {0, 2}, {0, 4}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {4, 5}, {4, 6}, {3, 7}, {5, 7}, {6, 7}}};
-  const auto corner = [&](int k) {
-    return Point3d{x + ((k & 1) != 0 ? sides[0] : 0), (k & 2) != 0 ? sides[1] : 0, (k & 4) != 0 ? sides[2] : 0};
-  };
-  std::vector<DrawnEdge> edges;
-  for (const auto& [from, to] : kEdges) edges.push_back({corner(from), corner(to), to == 7});
-  return edges;
-}
-
-/// Its creases; those between two faces that are seen lie in front.
-std::vector<DrawnEdge> edges_of_inside(double x, const packing::SolidForm& inside, double steps) {
-  const space::RayBody body(inside.surface[0].surface);
-  const auto corner = [&](int k) {
-    const space::Point& p = body.points[std::size_t(k)];
-    return Point3d{x + double(p.x) / steps, double(p.y) / steps, double(p.z) / steps};
-  };
-  const auto is_seen = [&](int face) {
-    const auto& n = body.normal_approx[std::size_t(face)];
-    return dot({n.x, n.y, n.z}, kTowards) > 0;
-  };
-  std::vector<DrawnEdge> edges;
-  for (const space::RayEdge& e : body.edges)
-    if (e.bend != 0) edges.push_back({corner(e.from), corner(e.to), is_seen(e.left) && is_seen(e.right)});
-  return edges;
-}
 
 std::vector<DrawnContainer> drawn_containers(const packing::SolidProblem& problem, const packing::SolidLayout& layout) {
   constexpr double kBetween = 0.15;  // of the width
@@ -90,8 +55,7 @@ std::vector<DrawnContainer> drawn_containers(const packing::SolidProblem& proble
   double x = 0;
   for (const std::size_t kind : layout.containers) {
     const packing::SolidContainer& c = problem.containers[kind];
-    result.push_back({x, c.inside ? edges_of_inside(x, *c.inside, double(problem.steps()))
-                                  : edges_of_box(x, {c.width.to_double(), c.depth.to_double(), c.height.to_double()})});
+    result.push_back({x, edges_of_container(x, problem, c)});
     x += (1 + kBetween) * c.width.to_double();
   }
   return result;

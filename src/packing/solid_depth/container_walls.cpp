@@ -32,7 +32,8 @@ std::optional<Across> across_axis(const space::HalfSpace& h) {
 
 class Walls {
  public:
-  Walls(const SolidProblem& problem, const SolidContainer& container) : body_(container.inside->body) {
+  Walls(const SolidProblem& problem, const SolidContainer& container)
+      : container_(container), body_(container.inside->body) {
     const int128 steps = bounded_product(problem.steps(), body_.scale);
     const Fraction sides[] = {container.width, container.depth, container.height};
     for (std::size_t k = 0; k < 3; ++k) sides_[k] = in_steps(sides[k], steps);
@@ -41,6 +42,16 @@ class Walls {
 
   ContainerWalls all() const {
     ContainerWalls result;
+    if (container_.lacks) add_lacking(result);
+    if (container_.inside->has_balls())
+      add_balls(result);
+    else if (!container_.lacks)
+      add_outside(result);
+    return result;
+  }
+
+ private:
+  void add_outside(ContainerWalls& result) const {
     const std::vector<space::OutsideCell> cells = space::outside_cells(body_);
     const std::int64_t scale = scale_of(cells);
     for (const space::OutsideCell& cell : cells) {
@@ -49,10 +60,23 @@ class Walls {
       else if (!across_axis(cell.planes[0]))
         result.planes.push_back({cell.planes[0].unit, cell.planes[0].shift / steps_});
     }
-    return result;
   }
 
- private:
+  void add_balls(ContainerWalls& walls) const {
+    for (const space::BodyPart& ball : body_.parts)
+      walls.balls.push_back({(1 / steps_) * exact::approx(ball.center), ball.radius.to_double() / steps_});
+  }
+
+  void add_lacking(ContainerWalls& walls) const {
+    const space::Body& lacks = container_.lacks->body;
+    for (const space::BodyPart& part : lacks.parts) {
+      ContainerWalls::Cell& wall = walls.cells.emplace_back();
+      wall.body.scale = lacks.scale;
+      wall.body.parts.push_back(part);
+      wall.open = open_sides(part.planes(), lacks.scale / body_.scale);
+    }
+  }
+
   /// That of the body where all corners lie on its grid, else as fine as coordinates allow.
   std::int64_t scale_of(const std::vector<space::OutsideCell>& cells) const {
     double farthest = 1;
@@ -75,22 +99,24 @@ class Walls {
     ContainerWalls::Cell& wall = walls.cells.emplace_back();
     wall.body.scale = scale;
     wall.body.parts.push_back(space::part_of(corners, {}));
-    wall.open = open_sides(cell);
+    wall.open = open_sides(cell.planes, 1);
   }
 
-  OpenSides open_sides(const space::OutsideCell& cell) const {
+  /// Of planes in steps that many times as fine.
+  OpenSides open_sides(const std::vector<space::HalfSpace>& planes, std::int64_t finer) const {
     OpenSides open{};
-    for (const space::HalfSpace& h : cell.planes) {
+    for (const space::HalfSpace& h : planes) {
       const std::optional<Across> across = across_axis(h);
       if (!across) continue;
       const std::size_t k = across->axis;
-      const exact::Real end = across->high ? sides_[k] : exact::Real();
+      const exact::Real end = across->high ? sides_[k] * exact::Real(finer) : exact::Real();
       if ((h.normal[k] * end + h.offset).sign() == 0) open[k][across->high ? 1 : 0] = true;
     }
     return open;
   }
 
-  const space::Body& body_;
+  const SolidContainer& container_;
+  const space::Body& body_;           // of its inside
   std::array<exact::Real, 3> sides_;  // in its steps
   double steps_;
 };

@@ -19,17 +19,6 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 constexpr int kTangents = 256;  // about a ball: the planes stand out by a hundredth of the radius at most
 
-/// Directions spread evenly: points of a spiral on the sphere.
-std::vector<Vector> spread_directions() {
-  std::vector<Vector> directions;
-  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int k = 0; k < kTangents; ++k) {
-    const double z = 1 - (2 * k + 1) / double(kTangents), r = std::sqrt(1 - z * z);
-    directions.push_back({r * std::cos(turn * k), r * std::sin(turn * k), z});
-  }
-  return directions;
-}
-
 void set_box(ConvexOverlap& overlap, const Vector& low, const Vector& high, double out) {
   overlap.low = low - Vector{out, out, out};
   overlap.high = high + Vector{out, out, out};
@@ -111,6 +100,17 @@ double farthest(const space::Body& body) {
 
 }  // namespace
 
+/// Points of a spiral on the sphere.
+std::vector<Vector> spread_directions() {
+  std::vector<Vector> directions;
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int k = 0; k < kTangents; ++k) {
+    const double z = 1 - (2 * k + 1) / double(kTangents), r = std::sqrt(1 - z * z);
+    directions.push_back({r * std::cos(turn * k), r * std::sin(turn * k), z});
+  }
+  return directions;
+}
+
 CommonParts common_parts(const space::Body& a, const space::Body& b, double steps) {
   if (const auto scale = common_scale(a, b))
     return {space::at_scale(a, *scale).parts, space::at_scale(b, *scale).parts, steps * double(*scale)};
@@ -130,6 +130,18 @@ void add_overlap(const space::BodyPart& p, const space::BodyPart& q, double step
   const Vector center = step * (exact::approx(p.center) - exact::approx(q.center));
   overlap.radius = radius + gap;
   set_box(overlap, center, center, overlap.radius);
+}
+
+void add_about(std::span<const Vector> normals, std::span<const double> offsets, double reach, ConvexOverlap& overlap,
+               std::vector<space::PlaneBlock>& blocks) {
+  std::vector<double> below;
+  for (const double offset : offsets) below.push_back(-offset);
+  const std::vector<space::PlaneBlock> packed = space::pack_planes(normals, below);
+  blocks.insert(blocks.end(), packed.begin(), packed.end());
+  overlap.is_about = true;
+  overlap.radius = reach;
+  overlap.low = {-kFar, -kFar, -kFar};
+  overlap.high = {kFar, kFar, kFar};
 }
 
 void add_overlap(const space::BodyPart& p, double steps, const Vector& normal, double offset, double gap,
@@ -176,6 +188,20 @@ space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, do
   const space::LineStretch deep = space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
   if (!(deep.from < deep.to)) return deep;
   return space::scan_line(planes.data(), planes.size(), u, way, 0, margin::kAlongPlane);
+}
+
+/// The highest plane is convex along the line.
+double ConvexOverlap::lowest_on(const Vector& u, const Vector& way) const {
+  constexpr int kHalvings = 50;
+  double to = (space::length(u) + radius) / space::length(way), from = -to;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (from + to);
+    const space::Highest top = highest(u + middle * way);
+    const space::PlaneBlock& b = planes[std::size_t(top.plane) / 8];
+    const std::size_t lane = std::size_t(top.plane) % 8;
+    (space::dot({b.x[lane], b.y[lane], b.z[lane]}, way) > 0 ? to : from) = middle;
+  }
+  return 0.5 * (from + to);
 }
 
 }  // namespace findspace::packing

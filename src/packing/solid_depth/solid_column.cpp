@@ -29,7 +29,8 @@ SolidColumn::SolidColumn(const SolidProblem& problem, const SolidTable& table, c
   }
   add_fixed(problem, table);
   has_walls_.resize(rooms_.all().size());
-  if (problem.in_containers()) add_walls(table);
+  is_round_.resize(rooms_.all().size());
+  if (problem.in_containers()) add_walls(problem, table);
 }
 
 void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table) {
@@ -46,13 +47,14 @@ void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table
   }
 }
 
-void SolidColumn::add_walls(const SolidTable& table) {
+void SolidColumn::add_walls(const SolidProblem& problem, const SolidTable& table) {
   for (std::size_t room = 0; room < rooms_.all().size(); ++room) {
     const std::optional<std::size_t> walls = table.walls_of(rooms_[room].kind);
     if (!walls) continue;
     const Vector corner{table.edge(), table.edge(), table.edge()};
     obstacles_.push_back({*walls, rooms_[room].low - corner});
     has_walls_[room] = 1;
+    is_round_[room] = problem.containers[rooms_[room].kind].inside->has_balls() ? 1 : 0;
   }
 }
 

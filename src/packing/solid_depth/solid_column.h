@@ -25,6 +25,8 @@ class SolidColumn {
   const std::vector<std::size_t>& fixed_rooms() const { return fixed_rooms_; }
   /// Whether a room has walls that are not those of its box.
   bool has_walls(std::size_t room) const { return has_walls_[room] != 0; }
+  /// Whether a ball holds what stands in it.
+  bool is_round(std::size_t room) const { return is_round_[room] != 0; }
   /// No layout is lower: the top of the highest fixed solid, or of the highest part where none may be left out.
   double fixed_end() const { return end_; }
   /// The room in which a part stands.
@@ -37,12 +39,12 @@ class SolidColumn {
 
  private:
   void add_fixed(const SolidProblem& problem, const SolidTable& table);
-  void add_walls(const SolidTable& table);
+  void add_walls(const SolidProblem& problem, const SolidTable& table);
 
   Rooms<Vector> rooms_;
   std::vector<SolidPose> obstacles_;
   std::vector<std::size_t> fixed_rooms_;
-  std::vector<char> has_walls_;  // of each room
+  std::vector<char> has_walls_, is_round_;  // of each room
   double end_ = 0;
 };
 

@@ -11,6 +11,7 @@
 
 #include "exact/margins/packing.h"
 #include "packing/problem/pair_formula.h"
+#include "packing/solid_depth/ball_walls.h"
 
 namespace findspace::packing {
 namespace {
@@ -176,6 +177,10 @@ std::unique_ptr<OverlapPair> SolidTable::of_walls(std::size_t part, std::size_t 
       pair->add([&](ConvexOverlap& overlap, std::vector<space::PlaneBlock>& blocks) {
         add_overlap(p, steps * double(body.scale), plane.normal, plane.offset, edge_, overlap, blocks);
       });
+  for (const ContainerWalls::Ball& ball : walls.balls)
+    pair->add([&](ConvexOverlap& overlap, std::vector<space::PlaneBlock>& blocks) {
+      add_ball_walls(body, steps * double(body.scale), ball, edge_, overlap, blocks);
+    });
   for (const ContainerWalls::Cell& cell : walls.cells) {
     const CommonParts common = common_parts(body, cell.body, steps);
     for (const space::BodyPart& p : common.first)

@@ -49,8 +49,9 @@ void SolidLinearMoves::keep(const Bound& bound) {
 void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach,
                                     Goal goal, double gap, bool on_axes) {
   const SolidPose &first = poses[a], &second = pose(poses, b);
-  const auto [pair, sign] = table_.link(first.variant, second.variant);
-  const Vector u = sign * (second.at - first.at);
+  const SolidTable::Link link = table_.link(first.variant, second.variant);
+  const OverlapPair& pair = link.pair;
+  const Vector u = link.sign * (second.at - first.at);
   const auto is_near = [&](const Vector& low, const Vector& high) {
     return u.x > low.x - reach && u.y > low.y - reach && u.z > low.z - reach && u.x < high.x + reach &&
            u.y < high.y + reach && u.z < high.z + reach;
@@ -59,14 +60,15 @@ void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::si
   first_of_pair_ = rows_.size();
   for (const ConvexOverlap& overlap : pair.overlaps) {
     if (!is_near(overlap.low, overlap.high)) continue;
-    const Facing facing = overlap.facing(u);
-    const Vector normal = sign * facing.normal;
-    const double lacks = -facing.value;
-    if (lacks < -2 * reach) continue;
-    const double wanted = goal == Goal::kLoosen && !(on_axes && is_along_axis(normal)) ? gap : 0;
-    const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
-    const double need = soft ? lacks + wanted : std::min(lacks, 0.0);
-    keep({a, b, normal, need, std::max(wanted, need), soft});
+    overlap.for_each_facing(u, 2 * reach, [&](const Facing& facing) {
+      const Vector normal = link.sign * facing.normal;
+      const double lacks = -facing.value;
+      if (lacks < -2 * reach) return;
+      const double wanted = goal == Goal::kLoosen && !(on_axes && is_along_axis(normal)) ? gap : 0;
+      const bool soft = (goal != Goal::kShorten && lacks > 0) || wanted > 0;
+      const double need = soft ? lacks + wanted : std::min(lacks, 0.0);
+      keep({a, b, normal, need, std::max(wanted, need), soft});
+    });
   }
 }
 

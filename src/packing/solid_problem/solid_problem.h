@@ -4,7 +4,7 @@
 // Packing problems and layouts in space as values. A container stands on the floor 0 <= x <= width, 0 <= y <= depth,
 // 0 <= z; the height that it needs is sought. Or there are containers of given sizes: of these the fewest are sought,
 // the last as low as possible; where they cannot hold all parts, the most valuable choice of parts. A container is a
-// box, or what a closed surface encloses. Parts are unions of convex polytopes and balls, or what closed meshes
+// box, or a solid of its own. Parts are unions of convex polytopes and balls, or what closed meshes
 // enclose, on a decimal grid: coordinates are integers of 10^-digits. A part stands in one of its forms, which are its
 // shape turned by rotations of rational entries: a point q of the shape goes to at + R q, exactly. Where the convex
 // parts of a mesh had to be rounded (convex_parts.h), they serve the search; proofs take the surface. Keywords: open
@@ -60,7 +60,10 @@ struct SolidContainer {
   int count = 1;                 // how many there are
   std::optional<Fraction> cost;  // of one: cheap ones for their volume are used first; else they are used in order
   Fraction width, depth, height;
-  std::shared_ptr<const SolidForm> inside = {};  // what it holds where it is not its box (container_shape.h)
+  // What it holds where it is not its box (container_shape.h): what one surface encloses, or what all of some balls do,
+  // or convex parts; and what those balls, or the box of the parts, have and the container lacks.
+  std::shared_ptr<const SolidForm> inside = {};
+  std::shared_ptr<const SolidForm> lacks = {};
 };
 
 struct SolidPlaced {

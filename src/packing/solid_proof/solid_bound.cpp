@@ -86,6 +86,32 @@ Fraction least_height(const SolidProblem& problem, const SolidPart& part) {
   return least.value_or(0);
 }
 
+/// Of polytopes that do not overlap, in cubic units.
+exact::Real cells_volume(const SolidProblem& problem, const SolidForm& cells) {
+  exact::Real sum;
+  for (const space::BodyPart& cell : cells.body.parts) sum += six_volumes_of(*cell.core);
+  const exact::Real steps = exact::Real(problem.steps()) * exact::Real(cells.body.scale);
+  return sum / (exact::Real(6) * steps * steps * steps);
+}
+
+/// What one that is no box holds, or more.
+exact::Real most_inside(const SolidProblem& problem, const SolidContainer& container) {
+  const SolidForm& inside = *container.inside;
+  if (!inside.surface.empty()) return surface_volume(problem, inside);
+  exact::Real least = 1;
+  for (const Fraction& side : {container.width, container.depth, container.height}) least = least * in_steps(side, 1);
+  if (inside.has_balls()) {
+    const exact::Real above_pi = exact::Real::ratio(314159265358980, 100000000000000);
+    const exact::Real steps = exact::Real(problem.steps()) * exact::Real(inside.body.scale);
+    for (const space::BodyPart& ball : inside.body.parts) {
+      const exact::Real radius = ball.radius / steps;
+      least = std::min(least, exact::Real::ratio(4, 3) * above_pi * radius * radius * radius);
+    }
+    return least;
+  }
+  return container.lacks->has_balls() ? least : least - cells_volume(problem, *container.lacks);
+}
+
 /// What solids, with half the gap about them, can fill at most, in cubic units: of the box about it what the edge
 /// leaves. Where the edge is less than half the gap, that is of the box alone.
 exact::Real most_volume(const SolidProblem& problem, const SolidContainer& container) {
@@ -96,7 +122,7 @@ exact::Real most_volume(const SolidProblem& problem, const SolidContainer& conta
     within = within * in_steps(left + problem.gap, 1);
   }
   if (!container.inside || problem.edge + problem.edge < problem.gap) return within;
-  const exact::Real whole = surface_volume(problem, *container.inside);
+  const exact::Real whole = most_inside(problem, container);
   return within < whole ? within : whole;
 }
 

@@ -2,35 +2,32 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A form of a part at any rational position in a container that is no box: whether it lies in the container, and
-// whether it is nearer than an edge to what is outside. By their surfaces. Guarantee: exact. Cost: made once for the
-// two; then that of surface_gap.h. Keywords: containment, inside test, irregular container.
+// whether it is nearer than an edge to what is outside. By their surfaces, by the form's corners in a ball, or by the
+// cells of its box that a container lacks. Guarantee: exact, for what lies in the box. Cost: made once for the two;
+// then that of surface_gap.h, of a comparison a corner, or of solid_pair_proof.h. Keywords: containment, inside test,
+// irregular container.
 #pragma once
 
 #include <array>
 #include <memory>
 
 #include "packing/solid_problem/solid_problem.h"
-#include "space/surface/surface_gap.h"
 
 namespace findspace::packing {
 
 class SolidContainment {
  public:
-  /// Of a container with an inside. Throws Error(kOutOfRange) where there are too many digits.
-  SolidContainment(const SolidProblem& problem, const SolidContainer& container, const SolidForm& form);
+  virtual ~SolidContainment() = default;
 
-  /// The form moved to `at`, in units.
-  bool holds(const std::array<Fraction, 3>& at, const Fraction& edge) const;
+  /// The form moved to `at`, in units, where it keeps to the box within the edge.
+  virtual bool holds(const std::array<Fraction, 3>& at, const Fraction& edge) const = 0;
   /// Where it does not hold: how far the farthest corner or ball is outside, or by how much it is too near; 0 where
   /// only edges cross. In units, as doubles find it.
-  double excess(const std::array<Fraction, 3>& at, const Fraction& edge) const;
-
- private:
-  space::RealVector in_steps(const std::array<Fraction, 3>& at) const;
-
-  int128 steps_;  // in a unit
-  std::shared_ptr<const space::SurfaceSet> container_, form_;
-  space::SurfaceGaps gaps_;
+  virtual double excess(const std::array<Fraction, 3>& at, const Fraction& edge) const = 0;
 };
+
+/// Of a container with an inside. Throws Error(kOutOfRange) where there are too many digits.
+std::unique_ptr<const SolidContainment> containment_of(const SolidProblem& problem, const SolidContainer& container,
+                                                       const SolidForm& form);
 
 }  // namespace findspace::packing

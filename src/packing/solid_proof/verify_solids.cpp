@@ -143,7 +143,7 @@ class SolidCheck {
     const std::size_t kind = layout_.containers[container_of(i)];
     if (!problem_.containers[kind].inside) return true;
     const SolidContainment& proof = made_once<SolidContainment>(containments_, {item.part, item.form, kind, 0}, [&] {
-      return std::make_unique<const SolidContainment>(problem_, problem_.containers[kind], form_of(problem_, item));
+      return containment_of(problem_, problem_.containers[kind], form_of(problem_, item));
     });
     if (proof.holds(item.at, problem_.edge)) return true;
     excess = proof.excess(item.at, problem_.edge);

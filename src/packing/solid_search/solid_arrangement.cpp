@@ -143,14 +143,15 @@ void SolidArrangement::touches(std::size_t i, const SolidPose& pose, std::vector
   boxes_.for_each_meeting(box_at(pose, table_.gap() + near), looked_at_, [&](std::size_t j) {
     if (j == i) return true;
     const auto [pair, sign] = table_.link(poses_[j].variant, pose.variant);
-    const Vector u = sign * (pose.at - poses_[j].at);
+    const double sense = sign;
+    const Vector u = sense * (pose.at - poses_[j].at);
     looked_at_ += pair.overlaps.size();
-    for (const ConvexOverlap& overlap : pair.overlaps) {
-      const Facing facing = overlap.facing(u);
-      if (facing.value > near) continue;
-      const double depth = -facing.value;
-      result.push_back({depth > shallow_ ? depth * weights[j] : 0, sign * facing.normal});
-    }
+    for (const ConvexOverlap& overlap : pair.overlaps)
+      overlap.for_each_facing(u, near, [&](const Facing& facing) {
+        if (facing.value > near) return;
+        const double depth = -facing.value;
+        result.push_back({depth > shallow_ ? depth * weights[j] : 0, sense * facing.normal});
+      });
     return true;
   });
 }
@@ -176,6 +177,7 @@ void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, c
                                          const space::LineStretch& within_box) const {
   const std::vector<double>& weights = weights_of(i);
   stretches_.clear();
+  lowest_.clear();
   const BoxList<3>::Box first = box_at({pose.variant, pose.at + within_box.from * way}, table_.gap()),
                         last = box_at({pose.variant, pose.at + within_box.to * way}, table_.gap());
   BoxList<3>::Box swept;
@@ -193,9 +195,11 @@ void SolidArrangement::collect_stretches(std::size_t i, const SolidPose& pose, c
       if (way.y == 0 && !(u.y > overlap.low.y && u.y < overlap.high.y)) continue;
       if (way.z == 0 && !(u.z > overlap.low.z && u.z < overlap.high.z)) continue;
       ++looked_at_;
-      const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
-      if (t.from < t.to && t.to > within_box.from && t.from < within_box.to)
+      overlap.for_each_stretch(u, along, 0.5 * shallow_, [&](const space::LineStretch& t) {
+        if (!(t.to > within_box.from && t.from < within_box.to)) return;
         stretches_.push_back({t.from, t.to, weights[j], &overlap, u, along});
+        if (std::isinf(t.from) && std::isinf(t.to)) lowest_.push_back(overlap.lowest_on(u, along));
+      });
     }
     return true;
   });
@@ -247,6 +251,8 @@ SolidArrangement::LinePlace SolidArrangement::best_on_line(std::size_t i, const 
   events_.clear();
   active_.clear();
   if (!tied_.empty()) add_ends_of_ties(i, pose, way, start, end, sense);
+  for (const double t : lowest_)
+    if (sense * t > start) events_.push_back({sense * t, kNoStretch, false});
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     const double from = from_end ? -stretches_[k].to : stretches_[k].from;
     const double to = from_end ? -stretches_[k].from : stretches_[k].to;

@@ -115,6 +115,7 @@ class SolidArrangement {
   std::vector<Overlap> overlaps_;
   std::vector<std::vector<std::uint32_t>> tied_;  // to each item by conditions; empty where there is none
   mutable std::vector<Stretch> stretches_;
+  mutable std::vector<double> lowest_;  // places of a line that never leaves a wall
   mutable std::vector<Event> events_;
   mutable std::vector<std::uint32_t> active_;
   mutable std::uint64_t looked_at_ = 0;

@@ -193,6 +193,8 @@ class SolidBuilder {
       attempt(variant, room_number, x, y, top);
       if (column_.has_walls(room_number)) attempt_between_walls(variant, room, x, y);
     };
+    const Vector middle = 0.5 * (room.low + room.high - v.low - v.high);
+    if (column_.is_round(room_number)) fall(middle.x, middle.y);
     fall(-v.low.x, -v.low.y);
     fall(room.high.x, -v.low.y);
     fall(-v.low.x, room.high.y);
@@ -307,8 +309,7 @@ class SolidBuilder {
         if (way.x == 0 && !(u.x > low.x && u.x < high.x)) continue;
         if (way.y == 0 && !(u.y > low.y && u.y < high.y)) continue;
         if (way.z == 0 && !(u.z > low.z && u.z < high.z)) continue;
-        const space::LineStretch t = overlap.stretch(u, along, 0.5 * shallow_);
-        if (t.from < t.to) visit(t);
+        overlap.for_each_stretch(u, along, 0.5 * shallow_, visit);
       }
       return true;
     });
