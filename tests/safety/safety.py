@@ -235,6 +235,21 @@ class Costs(SafetyTest):
         self.scene({"S": shape})
         self.refused("describe", "scene.json")
 
+    def test_offsets_of_boundaries_by_different_amounts(self):
+        for base in ([[0, 0], [3, 1], [1, 2]], [[0, 0], [4, 0], [4, 4], [0, 4]]):
+            shape = {"polygon": base}
+            for k in range(1, 7):
+                shape = {"offset": 0.1 + k / 1000, "of": {"boundary": shape}}
+            self.scene({"S": shape})
+            self.refused("describe", "scene.json")
+
+    def test_sums_of_rotated_sums(self):
+        shape = {"outline": [[0, 0], [5, 0], {"to": [0, 5], "bulge": 0.3}]}
+        for k in range(1, 13):
+            shape = {"minkowski_sum": [shape, {"rotate": 7 * k, "of": shape}]}
+        self.scene({"S": shape})
+        self.expect(3, "roots nested too deeply", "describe", "scene.json")
+
     def model(self, name, mesh, more, built):
         """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
         with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:

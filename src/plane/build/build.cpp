@@ -287,20 +287,45 @@ class Builder {
   }
 
   /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
-  /// A boundary between two offsets counts as a level, as curves of both its sides meet.
+  /// A boundary between two offsets counts as a level, as curves of both its sides meet. So does another amount than
+  /// those below it, as then what is moved there and back is not where it was.
   void charge_offset(const Shape& s) {
     constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
     std::uint64_t units = child(s, 0)->edges.size() + 1;
-    for (std::uint64_t k = std::min(offset_depth(s), kDeepest); k > 0; --k) units *= kEachLevel;
+    for (std::uint64_t k = std::min(offsets(s).depth, kDeepest); k > 0; --k) units *= kEachLevel;
     work_.charge(units, "an offset of offsets of so many edges");
   }
 
-  std::uint64_t offset_depth(const Shape& s) {
-    if (const auto known = depth_.find(&s); known != depth_.end()) return known->second;
-    std::uint64_t deepest = 0;
-    for (const ShapePtr& child : s.children) deepest = std::max(deepest, offset_depth(*child));
-    const bool both_sides = s.kind == Kind::kBoundary && deepest > 0;
-    return depth_[&s] = deepest + (s.kind == Kind::kOffset || both_sides ? 1 : 0);
+  /// The offsets that a shape is made of.
+  struct Offsets {
+    std::uint64_t depth = 0;
+    bool of_boundary = false;            // of one of them
+    std::vector<exact::Real> amounts{};  // different ones
+  };
+
+  const Offsets& offsets(const Shape& s) {
+    if (const auto known = offsets_.find(&s); known != offsets_.end()) return known->second;
+    Offsets out;
+    const auto is_new = [&](const exact::Real& amount) {
+      return std::find(out.amounts.begin(), out.amounts.end(), amount) == out.amounts.end();
+    };
+    for (const ShapePtr& child : s.children) {
+      const Offsets& below = offsets(*child);
+      out.depth = std::max(out.depth, below.depth);
+      out.of_boundary = out.of_boundary || below.of_boundary;
+      for (const exact::Real& amount : below.amounts)
+        if (is_new(amount)) out.amounts.push_back(amount);
+    }
+    if (s.kind == Kind::kBoundary && out.depth > 0) {
+      out.of_boundary = true;
+      ++out.depth;
+    }
+    if (s.kind == Kind::kOffset) {
+      const bool fresh = is_new(abs(s.amount));
+      out.depth += fresh && out.of_boundary ? 2 : 1;
+      if (fresh) out.amounts.push_back(abs(s.amount));
+    }
+    return offsets_[&s] = std::move(out);
   }
 
   /// Of all operands together.
@@ -318,7 +343,7 @@ class Builder {
   WorkBudget work_;
   std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root
   std::unordered_map<const Shape*, std::size_t> width_;
-  std::unordered_map<const Shape*, std::uint64_t> depth_;  // of offsets
+  std::unordered_map<const Shape*, Offsets> offsets_;
   std::unordered_map<const Shape*, RegionPtr> built_;
 };
 
