@@ -250,6 +250,13 @@ class Costs(SafetyTest):
         self.scene({"S": shape})
         self.expect(3, "roots nested too deeply", "describe", "scene.json")
 
+    def test_many_alternatives(self):
+        shapes = {"A%d" % k: {"box": {"min": [3 * k, 0], "max": [3 * k + 1, 1]}} for k in range(500)}
+        self.scene({"B": {"disc": {"center": [0, 0], "radius": 1}}, **shapes}, moving="B",
+                   where=" or ".join("gap(B, others) >= %d" % (20 + k) for k in range(500)))
+        result = self.expect(1, "", "check", "scene.json", "--at", "9,9", "--json")
+        self.assertEqual(json.loads(result.out)["nearest_feasible"]["distance"], 13)
+
     def model(self, name, mesh, more, built):
         """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
         with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:

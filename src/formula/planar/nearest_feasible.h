@@ -3,7 +3,8 @@
 //
 // The nearest feasible position, min {|q - p| : the formula holds at q}, or of the closure of those: from contacts
 // where these decide (nearest_contact.h), else from windows of the region that grow about p, and from the whole region
-// where these are no longer small. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
+// where these are no longer small. Of alternatives (`or`) the nearest counts, and those that distances exclude are not
+// looked at. Guarantee: exact. Keywords: closest feasible configuration, minimum translation.
 #pragma once
 
 #include "formula/language/position_answers.h"
