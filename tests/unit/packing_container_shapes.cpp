@@ -522,6 +522,20 @@ TEST(ShapedContainers, AMoveByHandStaysWithin) {
   EXPECT_TRUE(verify(problem, *moved).is_feasible());
 }
 
+TEST(ShapedContainers, AMoveByHandStaysInABall) {
+  const SolidProblem problem = in_one(ball_at({0, 0, 0}, 4), {box("cube", 1, 2, 2, 2)});
+  const auto moved = with_room(problem, one_at(problem, {3, 3, 3}), 0, {6, 6, 6});
+  ASSERT_TRUE(moved);
+  EXPECT_TRUE(verify(problem, *moved).is_feasible());
+}
+
+/// Over the seam of the union, with another in the way.
+TEST(ShapedContainers, FixedSolidsStandInUnions) {
+  SolidProblem problem = in_one(two_boxes(), {box("cube", 3, 1, 1, 1)});
+  problem.fixed = {{.placed = {.part = 0, .at = {1, 0, 0}}}};
+  EXPECT_EQ(found(problem, 4e6).items.size(), 3U);
+}
+
 TEST(ShapedContainers, OneSeedOneLayout) {
   const SolidProblem problem = in_one(ramp(7, 4), {box("cube", 9, 1, 2, 1), ball("ball", 2, 1)});
   const SolidLayout first = found(problem, 4e6), second = found(problem, 4e6);

@@ -128,6 +128,7 @@ void add_overlap(const space::BodyPart& p, const space::BodyPart& q, double step
   if (p.core) return add(space::ContactSurface(*p.core, q.center));
   if (q.core) return add(space::ContactSurface(p.center, *q.core));
   const Vector center = step * (exact::approx(p.center) - exact::approx(q.center));
+  overlap.kind = ConvexOverlap::Kind::kBall;
   overlap.radius = radius + gap;
   set_box(overlap, center, center, overlap.radius);
 }
@@ -138,7 +139,7 @@ void add_about(std::span<const Vector> normals, std::span<const double> offsets,
   for (const double offset : offsets) below.push_back(-offset);
   const std::vector<space::PlaneBlock> packed = space::pack_planes(normals, below);
   blocks.insert(blocks.end(), packed.begin(), packed.end());
-  overlap.is_about = true;
+  overlap.kind = ConvexOverlap::Kind::kAbout;
   overlap.radius = reach;
   overlap.low = {-kFar, -kFar, -kFar};
   overlap.high = {kFar, kFar, kFar};
@@ -163,7 +164,7 @@ double ConvexOverlap::depth(const Vector& u) const {
 }
 
 Facing ConvexOverlap::facing(const Vector& u) const {
-  if (planes.empty()) {
+  if (kind == Kind::kBall) {
     const Vector way = u - center();
     const double size = space::length(way);
     return {size - radius, size > 0 ? (1 / size) * way : Vector{0, 0, 1}};
@@ -184,7 +185,7 @@ space::LineStretch ConvexOverlap::stretch_of_ball(const Vector& u, const Vector&
 }
 
 space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
-  if (planes.empty()) return stretch_of_ball(u, way, shallow);
+  if (kind == Kind::kBall) return stretch_of_ball(u, way, shallow);
   const space::LineStretch deep = space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
   if (!(deep.from < deep.to)) return deep;
   return space::scan_line(planes.data(), planes.size(), u, way, 0, margin::kAlongPlane);

@@ -42,10 +42,11 @@ struct Facing {
 /// The open set of the positions of B + u where it overlaps A, of two convex parts: that within planes, or of two balls
 /// a ball. Or, of a wall about places that are free, what is beyond any plane.
 struct ConvexOverlap {
+  enum class Kind { kWithin, kBall, kAbout };
   Vector low, high;  // its box
   std::span<const space::PlaneBlock> planes;
-  double radius = 0;  // of a ball without planes, in the middle of its box; of places that one about the origin holds
-  bool is_about = false;  // what is beyond any plane
+  double radius = 0;  // kBall: in the middle of its box; kAbout: of a ball about the origin that holds what is free
+  Kind kind = Kind::kWithin;
 
   bool may_hold(const Vector& u) const {
     return u.x > low.x && u.y > low.y && u.z > low.z && u.x < high.x && u.y < high.y && u.z < high.z;
@@ -58,15 +59,16 @@ struct ConvexOverlap {
   /// one. Where a line nowhere leaves what is about places, it is the whole line, the best of which is lowest_on().
   template <class Visit>
   void for_each_stretch(const Vector& u, const Vector& way, double shallow, const Visit& visit) const {
-    const space::LineStretch t = is_about ? free_stretch(u, way, shallow) : stretch(u, way, shallow);
-    if (!is_about) {
+    if (kind != Kind::kAbout) {
+      const space::LineStretch t = stretch(u, way, shallow);
       if (t.from < t.to) visit(t);
       return;
     }
     constexpr double far = std::numeric_limits<double>::infinity();
-    if (!(t.from < t.to)) return visit(space::LineStretch{-far, far});
-    visit(space::LineStretch{-far, t.from});
-    visit(space::LineStretch{t.to, far});
+    const space::LineStretch free = free_stretch(u, way, shallow);
+    if (!(free.from < free.to)) return visit(space::LineStretch{-far, far});
+    visit(space::LineStretch{-far, free.from});
+    visit(space::LineStretch{free.to, far});
   }
   /// The t at which a line comes nearest to the places that this is about.
   double lowest_on(const Vector& u, const Vector& way) const;
@@ -74,7 +76,7 @@ struct ConvexOverlap {
   /// passed or not farther than `reach`.
   template <class Visit>
   void for_each_facing(const Vector& u, double reach, const Visit& visit) const {
-    if (!is_about) return visit(facing(u));
+    if (kind != Kind::kAbout) return visit(facing(u));
     for (const space::PlaneBlock& b : planes)
       for (std::size_t k = 0; k < 8; ++k) {
         const double free = -(b.x[k] * u.x + b.y[k] * u.y + b.z[k] * u.z + b.d[k]);
@@ -82,8 +84,8 @@ struct ConvexOverlap {
       }
   }
   double value(const Vector& u) const {
-    if (planes.empty()) return from_ball(u);
-    return is_about ? -highest(u).value : highest(u).value;
+    if (kind == Kind::kWithin) return highest(u).value;
+    return kind == Kind::kBall ? from_ball(u) : -highest(u).value;
   }
 
  private:
