@@ -187,7 +187,8 @@ class SolidPacking {
   Surface surface(const SolidPackLayout& layout) const;
   /// A solid, counted as in problem().parts, about its origin, not turned. Balls become inscribed polyhedra.
   Surface outline(std::size_t part) const;
-  /// What a container holds, counted as in problem().containers; its box begins at (0, 0, 0).
+  /// What a container holds, counted as in problem().containers; its box begins at (0, 0, 0). Of a union all of its
+  /// convex parts, and where balls bound it or are cut out of it, these or those parts without the cuts.
   Surface inside(std::size_t container) const;
 
   struct Data;
