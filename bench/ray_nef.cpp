@@ -52,7 +52,7 @@ void line(const char* name, const Triangles& a, const Triangles& b, int n, int p
 }
 
 Triangles whole(Triangles mesh) {
-  if (crossing_faces(RayBody(mesh))) {
+  if (crossing_faces(RaySheet(mesh))) {
     std::fprintf(stderr, "a mesh crosses itself\n");
     std::exit(1);
   }

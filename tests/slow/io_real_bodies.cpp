@@ -59,7 +59,7 @@ std::vector<RealBody> read_all() {
     try {
       const space::Mesh mesh = io::read_mesh(file, context, [](const auto&) { return Real(1); });
       RealBody body{file.filename().string(), triangles(mesh), convex_parts(mesh)};
-      const space::RayBody surface(body.surface);
+      const space::RaySheet surface(body.surface);
       // Parts whose vertices had to be rounded are no exact oracle.
       if (!crossing_faces(surface) && body.parts.rounded == 0) bodies.push_back(std::move(body));
     } catch (const Error& e) {

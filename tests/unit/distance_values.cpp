@@ -10,6 +10,7 @@
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/feature_pair_search.h"
 #include "distance_shapes.h"
+#include "plane/complex/overlay.h"
 #include "plane/query/nearest.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
@@ -161,6 +162,58 @@ TEST(FeaturePairs, NextToACornerTheNearestIsExact) {
         edges += nearest.first_cell.dimension;
       }
   EXPECT_GT(edges, 100);
+}
+
+/// The exact distance of a cell's nearest point; of an arc by where the foot is, nothing where that is not on it.
+std::optional<Real> distance_of(const Region& r, plane::Cell cell, const exact::RealPoint& from) {
+  if (cell.dimension == 0 || !r.is_arc(cell.index)) {
+    const auto pair = exact_pair(r, cell, from);
+    return pair ? std::optional(pair->distance) : std::nullopt;
+  }
+  const plane::Edge& e = r.edges[cell.index];
+  const exact::SupportingCurve& k = r.supporting_curve(cell.index);
+  const Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), size = sqrt(dx * dx + dy * dy);
+  const Real foot = k.center_x() + dx * k.w() / size;
+  const auto x_of = [&](plane::Index v) { return r.geometry.exact(r.vertices[v].point).x; };
+  if (dy.sign() * e.half < 0 || foot < x_of(e.v0) || foot > x_of(e.v1)) return std::nullopt;
+  return abs(size - k.w());
+}
+
+/// The same beside the ends of arcs, also where the arc is vertical and its foot, rounded, is far from where it is.
+TEST(FeaturePairs, NextToTheEndOfAnArcTheNearestIsExact) {
+  const auto cut = [](std::int64_t x, std::int64_t y, std::int64_t radius, std::int64_t above) {
+    const Region disc = plane::region_of_disc(x, y, radius),
+                 window = box(x - 2 * radius, y + above, x + 2 * radius, y + 2 * radius);
+    return plane::intersect(std::array{&disc, &window});
+  };
+  const Region point = plane::region_of_points(std::array{plane::GridPoint{0, 0}});
+  const FeatureTree moving(point);
+  int arcs = 0;
+  for (const Region& region : {cut(1000, 1000, 5, 0), cut(1000, 1000, 5, 3), cut(777, -333, 1000000, 1)}) {
+    const FeatureTree tree(region);
+    for (plane::Index v = 0; v < region.vertices.size(); ++v)
+      for (const std::int64_t unit : {std::int64_t{1'000'000'000}, std::int64_t{10'000'000'000'000'000}})
+        for (int x = -2; x <= 2; x += 2)
+          for (int y = -3; y <= 3; ++y) {
+            const exact::Point& near = region.point(v);
+            const exact::RealPoint at{Real::from_double(near.x) + Real::ratio(x, unit),
+                                      Real::from_double(near.y) + Real::ratio(y, unit)};
+            std::optional<Real> least;
+            const auto take = [&](plane::Cell cell) {
+              if (const auto d = distance_of(region, cell, at))
+                if (!least || *d < *least) least = *d;
+            };
+            for (plane::Index k = 0; k < region.vertices.size(); ++k) take({0, k});
+            for (plane::Index k = 0; k < region.edges.size(); ++k) take({1, k});
+            const FeaturePair nearest = nearest_point(tree, at);
+            EXPECT_EQ(compare(nearest.distance, *least), 0) << v << " " << unit << " " << x << " " << y;
+            EXPECT_EQ(compare(closest_pair(tree, moving, at).distance, *least), 0) << v << " " << x << " " << y;
+            const auto boundary = [](plane::Mark mark) { return mark > 0; };
+            EXPECT_DOUBLE_EQ(plane::nearest(region, boundary, at)->distance.to_double(), least->to_double());
+            arcs += nearest.first_cell.dimension == 1 && region.is_arc(nearest.first_cell.index);
+          }
+  }
+  EXPECT_GT(arcs, 50);
 }
 
 }  // namespace distance_values

@@ -76,6 +76,18 @@ TEST(PublicPacking, SaysWhatLimitItMet) {
   EXPECT_THROW(pack(problem, options, [](const PackLayout&) { throw Error(ErrorCode::kUsage, "enough"); }), Error);
 }
 
+TEST(PublicPacking, ANumberWithTooManyDigitsIsNamed) {
+  PackProblem problem = dots_and_block();
+  problem.gap = Number("1e40");
+  try {
+    pack(problem, {.threads = 1, .work = 1});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kOutOfRange);
+    EXPECT_EQ(e.place(), "gap");
+  }
+}
+
 TEST(PublicPacking, AGroupLiesOnOneSheet) {
   PackProblem problem;
   problem.sheets = {PackSheet::rectangle("plate", 2, 1, 2)};

@@ -23,7 +23,7 @@ void add_box(Mesh& mesh, const Point& low, const Point& high, bool hollow = fals
   }
 }
 
-bool crosses(const Mesh& mesh) { return crossing_faces(RayBody(triangles(mesh))).has_value(); }
+bool crosses(const Mesh& mesh) { return crossing_faces(RaySheet(triangles(mesh))).has_value(); }
 
 Mesh two(const Point& low, const Point& high, bool hollow = false) {
   Mesh mesh;

@@ -20,17 +20,16 @@ double near_value(const Real& r) {
   return i.lo + (i.hi - i.lo) / 2;
 }
 
-bool BoundaryFeature::has_direction(double dx, double dy) const {
-  if (dy != 0 && (dy > 0) != (half > 0)) return false;
-  double size = plain_length(dx, dy);
-  if (size == 0) return true;
-  double at = cx + dx / size * r;
-  return at >= x0 && at <= x1;
+bool BoundaryFeature::has_direction(double dx, double dy, double slack) const {
+  // By the turns from the ends. The foot itself is rounded, which moves it far along an arc where this is vertical.
+  const auto turn = [&](double x, double y) { return half * ((x - cx) * dy - (y - cy) * dx); };
+  const double most = slack > 0 ? slack * plain_length(dx, dy) : 0;
+  return turn(x0, y0) <= most && turn(x1, y1) >= -most;
 }
 
 bool BoundaryFeature::faces(double x, double y, double slack) const {
   if (is_vertex()) return true;
-  if (arc) return has_direction(x - cx, y - cy);
+  if (arc) return has_direction(x - cx, y - cy, slack);
   const double dx = x1 - x0, dy = y1 - y0, t = (x - x0) * dx + (y - y0) * dy, size = dx * dx + dy * dy;
   if (t >= 0 && t <= size) return true;
   return slack > 0 && std::max(-t, t - size) <= slack * std::sqrt(size);

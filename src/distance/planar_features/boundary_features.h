@@ -41,11 +41,11 @@ struct BoundaryFeature {
   }
   /// The greatest distance of a point of the closed feature; of a segment that of an end.
   double farthest(double x, double y) const;
-  /// The nearest point lies inside the edge (always for a vertex), or no farther than `slack` beyond an end of a
-  /// segment.
+  /// The nearest point lies inside the edge (always for a vertex), or no farther than `slack` beyond an end.
   bool faces(double x, double y, double slack = 0) const;
-  /// An arc's point in the direction (dx, dy) from its centre lies on it.
-  bool has_direction(double dx, double dy) const;
+  /// An arc's point in the direction (dx, dy) from its centre lies on it, or the direction passes its end within
+  /// `slack`.
+  bool has_direction(double dx, double dy, double slack = 0) const;
 
  private:
   double arc_distance(double x, double y) const;

@@ -8,6 +8,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "exact/margins/planar_distance.h"
+#include "plane/query/nearest.h"
 
 namespace findspace::distance {
 
@@ -82,6 +83,11 @@ bool is_on_arc(const Region& r, Cell arc, const RealPoint& by, const RealPoint& 
          at.x <= x_of(e.v1);
 }
 
+/// A vertex, or an arc with a point in the direction from `from` to `to`, two places that move with it.
+bool faces(const Region& r, Cell cell, const RealPoint& from, const RealPoint& to) {
+  return cell.dimension == 0 || plane::has_direction(r, cell.index, to.x - from.x, to.y - from.y);
+}
+
 }  // namespace
 
 std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const RealPoint& p, const Candidate& k,
@@ -89,12 +95,14 @@ std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const Re
   const RealPoint origin{Real(), Real()};
   FeaturePair out;
   if (is_line(a, k.first)) {
-    auto found = line_pair(a, k.first.index, origin, centre(b, k.second, p));
-    if (!found) return std::nullopt;
+    const Centre c = centre(b, k.second, p);
+    auto found = line_pair(a, k.first.index, origin, c);
+    if (!found || !faces(b, k.second, c.at, found->first)) return std::nullopt;
     out = std::move(*found);
   } else if (is_line(b, k.second)) {
-    auto found = line_pair(b, k.second.index, p, centre(a, k.first, origin));
-    if (!found) return std::nullopt;
+    const Centre c = centre(a, k.first, origin);
+    auto found = line_pair(b, k.second.index, p, c);
+    if (!found || !faces(a, k.first, c.at, found->first)) return std::nullopt;
     out = std::move(*found);
     std::swap(out.first, out.second);
   } else {
@@ -102,6 +110,9 @@ std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const Re
     double d = std::hypot(near_value(f.at.x) - near_value(g.at.x), near_value(f.at.y) - near_value(g.at.y));
     bool inside = d < std::max(near_value(f.radius), near_value(g.radius));
     out = centre_pair(f, g, far ? Between::kFar : inside ? Between::kInside : Between::kApart);
+    // A point beside a circle has the same foot on either side, and numbers need not tell on which it is.
+    if (!far && (k.first.dimension == 0 || k.second.dimension == 0)) out.distance = abs(out.distance);
+    if (!far && !(faces(a, k.first, f.at, out.first) && faces(b, k.second, g.at, out.second))) return std::nullopt;
     // Where the centres may be one, numbers do not tell the way from one to the other.
     const bool arcs = k.first.dimension == 1 && k.second.dimension == 1;
     if (far && arcs &&
@@ -125,9 +136,9 @@ std::optional<FeaturePair> exact_pair(const Region& a, Cell cell, const RealPoin
     out = line_pair(a, cell.index, origin, place);
   } else {
     Centre c = centre(a, cell, origin);
-    bool inside =
-        std::hypot(near_value(at.x) - near_value(c.at.x), near_value(at.y) - near_value(c.at.y)) < near_value(c.radius);
-    out = centre_pair(c, place, inside ? Between::kInside : Between::kApart);
+    out = centre_pair(c, place, Between::kApart);
+    out->distance = abs(out->distance);
+    if (!faces(a, cell, c.at, at)) return std::nullopt;
   }
   if (out) out->first_cell = cell;
   return out;

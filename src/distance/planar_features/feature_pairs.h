@@ -123,7 +123,7 @@ inline bool may_meet(const BoundaryFeature& s, const BoundaryFeature& t, double 
 }
 
 /// Calls take(candidate) for the pairs of features of two features that can be nearest, coordinates being off by no
-/// more than `slack`. Whether a point lies on a segment is decided exactly later (exact_pair).
+/// more than `slack`. Whether a point lies on an edge is decided exactly later (exact_pair).
 template <class Take>
 void nearest_features(const Placed& p, const Placed& q, double slack, Take&& take) {
   const BoundaryFeature &s = p.s, &t = q.s;
@@ -141,18 +141,18 @@ void nearest_features(const Placed& p, const Placed& q, double slack, Take&& tak
     double dx = t.cx - s.cx, dy = t.cy - s.cy, d = plain_length(dx, dy);
     if (d == 0) return;
     double tolerance = (s.r + t.r) * margin::kPairMeets;  // circles that touch may seem to cross
-    if (d > s.r + t.r - tolerance && s.has_direction(dx, dy) && t.has_direction(-dx, -dy))
+    if (d > s.r + t.r - tolerance && s.has_direction(dx, dy, slack) && t.has_direction(-dx, -dy, slack))
       take(Candidate{std::abs(d - s.r - t.r), s.cell, t.cell});
     double turn = s.r > t.r ? 1 : -1;
-    if (d < std::abs(s.r - t.r) + tolerance && s.has_direction(turn * dx, turn * dy) &&
-        t.has_direction(turn * dx, turn * dy))
+    if (d < std::abs(s.r - t.r) + tolerance && s.has_direction(turn * dx, turn * dy, slack) &&
+        t.has_direction(turn * dx, turn * dy, slack))
       take(Candidate{std::abs(std::abs(s.r - t.r) - d), s.cell, t.cell});
   } else if ((s.arc && !t.is_vertex()) || (t.arc && !s.is_vertex())) {
     const BoundaryFeature &arc = s.arc ? s : t, &line = s.arc ? t : s;
     double dx = line.x1 - line.x0, dy = line.y1 - line.y0,
            at = ((arc.cx - line.x0) * dx + (arc.cy - line.y0) * dy) / (dx * dx + dy * dy);
     double fx = line.x0 + at * dx - arc.cx, fy = line.y0 + at * dy - arc.cy, d = plain_length(fx, fy);
-    if (line.faces(arc.cx, arc.cy, slack) && d > arc.r * (1 - margin::kPairMeets) && arc.has_direction(fx, fy))
+    if (line.faces(arc.cx, arc.cy, slack) && d > arc.r * (1 - margin::kPairMeets) && arc.has_direction(fx, fy, slack))
       take(Candidate{std::abs(d - arc.r), s.cell, t.cell});
   }
 }

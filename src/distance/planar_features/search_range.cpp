@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace findspace::distance {
 
@@ -46,10 +47,13 @@ std::vector<Spot> MovedFeatures::hull(const SearchRange& r) const {
 
 /// Such that its has_direction is that of the part.
 BoundaryFeature MovedFeatures::arc_part(const SearchRange& part) const {
-  const Spot p = on_edge(part.edge, part.t0), q = on_edge(part.edge, part.t1);
+  Spot p = on_edge(part.edge, part.t0), q = on_edge(part.edge, part.t1);
+  if (p.x > q.x) std::swap(p, q);
   BoundaryFeature s = features_[std::size_t(part.edge)];
-  s.x0 = std::min(p.x, q.x) - px_;
-  s.x1 = std::max(p.x, q.x) - px_;
+  s.x0 = p.x - px_;
+  s.y0 = p.y - py_;
+  s.x1 = q.x - px_;
+  s.y1 = q.y - py_;
   return s;
 }
 

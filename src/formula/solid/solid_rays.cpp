@@ -100,10 +100,7 @@ Tried<Source> protrusion(const TouchingSolid& b, const std::vector<RaySolid>& a,
 Tried<Source> protrusion_back(const TouchingSolid& b, const TouchingSolid& a, const Real& level, const RayGrid& grid) {
   std::vector<RaySolid> moving = a.solids, fixed = b.solids;
   for (std::vector<RaySolid>* all : {&moving, &fixed}) {
-    for (RaySolid& s : *all) {
-      s.surface = space::scaled(std::move(s.surface), -1);
-      s.center = -s.center;
-    }
+    for (RaySolid& s : *all) s = mirrored(std::move(s));
   }
   const auto mirrored = [&]() -> Tried<space::Body> {
     Tried<space::Body> made = a.body();

@@ -97,12 +97,6 @@ std::unique_ptr<RaySource> farthest(const std::vector<RaySolid>& b, const std::v
   return std::make_unique<space::PieceRays>(balls, 1, grid, space::PieceRays::Of::kIntersection);
 }
 
-RaySolid mirrored(RaySolid s) {
-  s.surface = space::scaled(std::move(s.surface), -1);
-  s.center = -s.center;
-  return s;
-}
-
 }  // namespace
 
 bool SurfaceRays::searched() const {

@@ -107,9 +107,9 @@ packing::Problem on_grid(const PackProblem& problem) {
   io::UnscaledProblem result;
   result.name = problem.name;
   result.box = problem.box && problem.sheets.empty();
-  if (!result.box) result.height = fraction(problem.height);
-  result.gap = fraction(problem.gap);
-  result.edge = fraction(problem.edge);
+  if (!result.box) result.height = fraction(problem.height, "height");
+  result.gap = fraction(problem.gap, "gap");
+  result.edge = fraction(problem.edge, "edge");
   for (const PackPart& part : problem.parts) result.parts.push_back(part_of(part));
   io::check_names(result.parts, "parts");
   for (const PackSheet& sheet : problem.sheets) result.sheets.push_back(sheet_of(sheet, result.parts));

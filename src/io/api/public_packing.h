@@ -17,7 +17,14 @@
 
 namespace findspace::io {
 
-inline packing::Fraction fraction(const Number& number) { return packing::Fraction::parse(number.text()); }
+/// `what`: the name of the number in an error.
+inline packing::Fraction fraction(const Number& number, const char* what = nullptr) {
+  try {
+    return packing::Fraction::parse(number.text());
+  } catch (const Error& e) {
+    throw what == nullptr ? e : e.within(what);
+  }
+}
 
 template <class Named>
 std::size_t index_of(const std::string& name, const std::vector<Named>& all, const char* what) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "api/values/limits.h"
+#include "io/api/public_packing.h"
 #include "io/nesting/read_nesting.h"
 #include "packing/search/search_options.h"
 
@@ -83,9 +84,9 @@ void check_copies(const Problem& problem, const Layout& layout) {
 
 /// What JSON of a problem is read by.
 inline NestingOptions nesting_options(const PackReading& reading) {
-  const auto height = reading.height ? std::optional(packing::Fraction::parse(reading.height->text())) : std::nullopt;
-  return {height, packing::Fraction::parse(reading.gap.text()), packing::Fraction::parse(reading.edge.text()),
-          reading.read, std::filesystem::path(reading.folder.value_or(""))};
+  const auto height = reading.height ? std::optional(fraction(*reading.height, "height")) : std::nullopt;
+  return {height, fraction(reading.gap, "gap"), fraction(reading.edge, "edge"), reading.read,
+          std::filesystem::path(reading.folder.value_or(""))};
 }
 
 }  // namespace findspace::io

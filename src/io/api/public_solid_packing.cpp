@@ -156,10 +156,10 @@ packing::FixedSolid fixed_of(const SolidProblem& problem, const FixedSolid& fixe
 SolidProblem on_grid(const SolidPackProblem& problem) {
   SolidProblem result;
   result.name = problem.name;
-  result.width = io::fraction(problem.width);
-  result.depth = io::fraction(problem.depth);
-  result.gap = io::fraction(problem.gap);
-  result.edge = io::fraction(problem.edge);
+  result.width = io::fraction(problem.width, "width");
+  result.depth = io::fraction(problem.depth, "depth");
+  result.gap = io::fraction(problem.gap, "gap");
+  result.edge = io::fraction(problem.edge, "edge");
   if (result.gap < 0 || result.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0");
   result.digits = digits_of(problem);
   for (const PackContainer& container : problem.containers)

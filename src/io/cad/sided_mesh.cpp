@@ -276,8 +276,8 @@ Tried<SidedMesh> sided_mesh(const NearMesh& near, bool outside) {
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kMost)
       return Refusal("its coordinates have too many grid steps for the proof");
   const auto sound = [](const Triangles& surface) {
-    const Tried<RayBody> body = RayBody::of(surface);
-    return body && !space::crossing_faces(*body);
+    Tried<RayBody> body = RayBody::of(surface);
+    return body && !space::crossing_faces(Sheet(*std::move(body)));
   };
   if (!sound(near.surface)) return Refusal("the mesh near the solid crosses itself");
   Tried<SidedMesh> out = Sides(near, outside).moved();

@@ -33,18 +33,24 @@ void add_scenery(const AskedScene& asked, Picture& picture, const formula::World
   if (board != nullptr) picture.copper = copper_of(*board, world.moving, asked.scene().grid.step_size());
   const std::set<std::string> named = formula != nullptr ? formula->shapes() : std::set<std::string>();
   const bool named_only = asked.scene().named_only;
+  const auto has_name = [](const std::string& part) { return !std::isdigit(static_cast<unsigned char>(part[0])); };
+  const auto is_drawn_itself = [&](const std::string& part) {
+    if (named_only) return named.count(part) > 0;
+    return has_name(part) && (named.empty() || named.count(part) > 0) && world.shapes.count(part) > 0;
+  };
   // The parts of a collection carry their own names; one whose parts have none carries its own.
   const auto all_of = [&](const std::string& name) {
     const auto parts = world.parts.find(name);
-    const auto has_name = [](const auto& part) { return !std::isdigit(static_cast<unsigned char>(part.first[0])); };
     const bool by_parts =
-        parts != world.parts.end() && std::all_of(parts->second.begin(), parts->second.end(), has_name);
+        parts != world.parts.end() &&
+        std::any_of(parts->second.begin(), parts->second.end(), [&](const auto& part) { return has_name(part.first); });
     if (board != nullptr && name == "board") return picture.fixed.push_back({"", &*world.shapes.at(name)});
     if (parts == world.parts.end() || (!named_only && !by_parts))
       return picture.fixed.push_back({name, &*world.shapes.at(name)});
     for (const auto& [part, region] : parts->second) {
-      if (named_only && named.count(part) > 0) continue;  // it is drawn itself
-      picture.fixed.push_back({has_own_name(board, part) ? part : "", &region, is_behind(board, part)});
+      if (is_drawn_itself(part)) continue;
+      const bool shown = board != nullptr ? has_own_name(board, part) : has_name(part);
+      picture.fixed.push_back({shown ? part : "", &region, is_behind(board, part)});
     }
   };
   // The names of a board's pads are said where the formula speaks of them.

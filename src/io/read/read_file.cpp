@@ -40,17 +40,19 @@ constexpr std::array<Format, 5> kFormats{
 
 }  // namespace
 
-plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context) {
+plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context,
+                                int dimension) {
   std::string name = path.string();
   const std::string ending = lower_ending(path.extension().string());
   const auto format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   if (format == kFormats.end()) {
-    throw Error(ErrorCode::kFile,
-                fmt::format("a file of unknown kind '{}'; 2D shapes come from .svg .dxf .wkt .geojson .json, and 3D "
-                            "shapes from .stl .obj .off .ply .3mf .glb .step .stp .iges .igs",
-                            ending),
-                name);
+    constexpr const char* kPlane = "2D shapes come from .svg .dxf .wkt .geojson .json";
+    constexpr const char* kSpace = "3D shapes come from .stl .obj .off .ply .3mf .glb .step .stp .iges .igs";
+    const std::string kinds = dimension == 2   ? kPlane
+                              : dimension == 3 ? kSpace
+                                               : fmt::format("{}, and {}", kPlane, kSpace);
+    throw Error(ErrorCode::kFile, fmt::format("a file of unknown kind '{}'; {}", ending, kinds), name);
   }
   const std::string text = context.take_file(path);
   require_kind(text, ending, name);

@@ -23,8 +23,10 @@ struct FileChoice {
   std::optional<Unit> unit;          // one of the file's numbers is this long, whatever the file says
 };
 
-/// Throws Error whose place begins with the file's name; kFile where it is missing or of an unknown kind.
-plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context);
+/// Throws Error whose place begins with the file's name; kFile where it is missing or of an unknown kind. Which
+/// kinds there are it says for that dimension; 0: not known.
+plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context,
+                                int dimension = 0);
 
 /// The readers, for text in memory; `name` is what messages call it.
 plane::ShapePtr read_svg(std::string_view text, const std::string& name, const FileChoice& choice,

@@ -41,6 +41,8 @@ class ShapeReader {
   ReadContext& context() const { return json_.context(); }
   /// 2 or 3; 2 while no shape has said.
   int dimension() const { return dimension_ == 0 ? 2 : dimension_; }
+  /// 2 or 3; 0 while no shape has said.
+  int stated_dimension() const { return dimension_; }
 
   /// All named shapes, in the order of the file.
   std::vector<plane::ShapePtr> all();

@@ -29,7 +29,7 @@ int128 divisor(int128 a, int128 b) {
 }
 
 [[noreturn]] void out_of_range() {
-  throw Error(ErrorCode::kOutOfRange, "a coordinate has too many digits for a layout");
+  throw Error(ErrorCode::kOutOfRange, "a number has too many digits for a layout");
 }
 
 std::string digits_of(int128 value) {

@@ -264,8 +264,7 @@ void set_flat(SolidContainer& container, SolidForm form, const GridBox& box) {
   const Point low = box[0], end = box[1] - low;
   form.body = space::translated(std::move(form.body), -low);
   if (!form.surface.empty()) {
-    space::Triangles& surface = form.surface[0].surface;
-    surface = space::moved(std::move(surface), -low);
+    form.surface[0] = space::moved(std::move(form.surface[0]), -low);
     if (is_box(form, end)) return;
   } else {
     SolidForm rest{.body = rest_of_box(form.body, end)};

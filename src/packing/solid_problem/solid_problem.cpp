@@ -212,8 +212,10 @@ SolidForm turned(const SolidForm& form, const SolidRotation& rotation) {
   }
   result.surface = form.surface;
   result.surface_scale = form.surface_scale * of_surface.finer(form.surface_scale);
-  for (space::RaySolid& solid : result.surface)
+  for (space::RaySolid& solid : result.surface) {
     for (space::Point& p : solid.surface.points) p = of_surface.at(p);
+    solid.sheet = nullptr;
+  }
   return result;
 }
 

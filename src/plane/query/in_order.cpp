@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/sort_at_once.h"
 
 namespace findspace::plane {
 namespace {
+
+constexpr std::size_t kManyVertices = 1 << 13;  // from here on in several threads
 
 class Renumbering {
  public:
@@ -45,7 +48,7 @@ class Renumbering {
   void order_vertices() {
     vertices_.resize(from_.vertices.size());
     std::iota(vertices_.begin(), vertices_.end(), Index(0));
-    std::sort(vertices_.begin(), vertices_.end(), [&](Index v, Index w) {
+    sort_at_once(vertices_.begin(), vertices_.end(), kManyVertices, [&](Index v, Index w) {
       return compare_xy(from_.geometry, from_.vertices[v].point, from_.vertices[w].point) < 0;
     });
     vertex_.resize(vertices_.size());

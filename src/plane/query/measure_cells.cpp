@@ -3,36 +3,56 @@
 
 #include "plane/query/measure_cells.h"
 
+#include <algorithm>
+
 #include "exact/margins/plane.h"
+#include "plane/base/parallel.h"
 #include "plane/query/measure_cells_places.h"
 
 namespace findspace::plane {
 namespace {
 
+constexpr std::size_t kManyCells = 1 << 13;    // from here on in several threads
+constexpr std::size_t kSweptAtOnce = 1 << 16;  // their areas are kept before they are summed up in order
 const Twofold kTwoPi{6.283185307179586, 2.4492935982947064e-16};  // no sign: the second half of 2 pi
 
 Twofold determinant(const Twofold& ax, const Twofold& ay, const Twofold& bx, const Twofold& by) {
   return ax * by - ay * bx;
 }
 
+Twofold twofold(std::int64_t whole) {
+  const auto high = static_cast<double>(whole);
+  return {high, static_cast<double>(exact::int128(whole) - static_cast<exact::int128>(high))};
+}
+
 }  // namespace
 
-CellMeasures::CellMeasures(const CellComplex& c) : c_(c) {
-  x_.reserve(c.vertices.size());
-  y_.reserve(c.vertices.size());
-  VertexPlaces places(c.geometry);
-  for (Index v = 0; v < c.vertices.size(); ++v) {
-    const auto [x, y] = places.at(c.vertices[v].point);
-    x_.push_back(x);
-    y_.push_back(y);
-  }
+CellMeasures::CellMeasures(const CellComplex& c) : c_(c), x_(c.vertices.size()), y_(c.vertices.size()) {
+  in_ranges(c.vertices.size(), kManyCells, [&](const IndexRange& vertices) {
+    VertexPlaces places(c.geometry);
+    for (std::size_t v = vertices.first; v < vertices.end; ++v) {
+      const auto [x, y] = places.at(c.vertices[v].point);
+      x_[v] = x;
+      y_[v] = y;
+    }
+  });
+  add_circles();
+}
+
+void CellMeasures::add_circles() {
+  const CellComplex& c = c_;
+  const exact::Real* last = nullptr;  // circles of one offset share their radius
+  Twofold radius;
   circle_of_supporting_curve_.assign(c.geometry.supporting_curves.size(), kNone);
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index& place = circle_of_supporting_curve_[c.edges[e].supporting_curve];
     if (!c.is_arc(e) || place != kNone) continue;
     place = Index(circles_.size());
     const exact::SupportingCurve& k = c.supporting_curve(e);
-    circles_.push_back({Twofold(k.center_x()), Twofold(k.center_y()), Twofold(k.w())});
+    if (&k.w() != last) radius = Twofold(k.w());
+    last = &k.w();
+    circles_.push_back(k.grid ? Circle{twofold(k.a), twofold(k.b), radius}
+                              : Circle{Twofold(k.center_x()), Twofold(k.center_y()), radius});
   }
 }
 
@@ -80,13 +100,27 @@ Twofold CellMeasures::swept_area(Index half_edge, const Twofold& ox, const Twofo
 }
 
 std::vector<Twofold> CellMeasures::face_areas() const {
+  const auto counts = [&](Index face) { return c_.faces[face].outer != kNone && c_.faces[face].mark != 0; };
   std::vector<Twofold> areas(c_.faces.size());
+  std::vector<Index> half_edges;
+  std::vector<Twofold> swept;
+  const auto sum_up = [&] {
+    swept.resize(half_edges.size());
+    in_ranges(half_edges.size(), kManyCells, [&](const IndexRange& some) {
+      for (std::size_t k = some.first; k < some.end; ++k) {
+        // About a point of the face: nothing large cancels.
+        const Index h = half_edges[k], origin = c_.origin(c_.faces[c_.face(h)].outer);
+        swept[k] = swept_area(h, x_[origin], y_[origin]);
+      }
+    });
+    for (std::size_t k = 0; k < swept.size(); ++k) areas[c_.face(half_edges[k])] += swept[k];
+    half_edges.clear();
+  };
   for (Index h = 0; h < c_.half_edges.size(); ++h) {
-    const Face& f = c_.faces[c_.face(h)];
-    if (f.outer == kNone) continue;
-    Index origin = c_.origin(f.outer);  // sums are taken about a point of the face: nothing large cancels
-    areas[c_.face(h)] += swept_area(h, x_[origin], y_[origin]);
+    if (counts(c_.face(h))) half_edges.push_back(h);
+    if (half_edges.size() == kSweptAtOnce) sum_up();
   }
+  sum_up();
   return areas;
 }
 

@@ -24,7 +24,7 @@ class CellMeasures {
   Twofold x(Index vertex) const { return x_[vertex]; }
   Twofold y(Index vertex) const { return y_[vertex]; }
   Twofold length(Index edge) const;
-  /// Areas of all faces; that of the unbounded face is meaningless.
+  /// Areas of the bounded faces that are in the set; 0 for all other faces.
   std::vector<Twofold> face_areas() const;
   /// The angle an arc subtends at its centre, in (0, pi].
   Twofold angle(Index arc) const;
@@ -38,6 +38,7 @@ class CellMeasures {
   }
 
  private:
+  void add_circles();
   struct Spread {
     Twofold cross, dot;  // of the vectors from the centre to the arc's ends, in counter-clockwise order
   };

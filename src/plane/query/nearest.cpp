@@ -15,17 +15,47 @@ namespace {
 using exact::Real;
 using exact::RealPoint;
 
-double middle(const Real& r) {
-  auto i = r.interval();
-  return i.lo + (i.hi - i.lo) / 2;
+/// A number as a double, with a bound of its error.
+struct Around {
+  double value, error;
+};
+
+Around around(const Real& r) {
+  const auto i = r.interval();
+  return {i.lo + (i.hi - i.lo) / 2, i.hi - i.lo};
 }
+
+/// The sign of the turn from the direction of a vertex to (dx, dy), seen from the centre.
+class Turn {
+ public:
+  Turn(const CellComplex& c, Index arc, const Real& dx, const Real& dy)
+      : c_(c), circle_(c.supporting_curve(arc)), dx_(dx), dy_(dy), x_(around(dx)), y_(around(dy)) {}
+
+  int sign(Index v) const {
+    const exact::Point& p = c_.point(v);
+    const double cx = circle_.x().value, cy = circle_.y().value, ex = p.x - cx, ey = p.y - cy;
+    const double turn = ex * y_.value - ey * x_.value;
+    const double scale = std::abs(p.x) + std::abs(p.y) + std::abs(cx) + std::abs(cy);
+    const double error =
+        scale * ((std::abs(x_.value) + std::abs(y_.value)) * margin::kNearestCandidate + 2 * (x_.error + y_.error));
+    if (std::abs(turn) > error) return turn > 0 ? 1 : -1;
+    const exact::RealPoint end = c_.geometry.exact(c_.vertices[v].point);
+    return ((end.x - circle_.center_x()) * dy_ - (end.y - circle_.center_y()) * dx_).sign();
+  }
+
+ private:
+  const CellComplex& c_;
+  const exact::SupportingCurve& circle_;
+  const Real &dx_, &dy_;
+  Around x_, y_;
+};
 
 struct Candidate {
   double distance;
   Cell cell;
 };
 
-/// The projection of the perpendicular is inside the edge, or no farther than `slack` beyond an end of a straight one.
+/// The foot of the perpendicular is inside the edge, or no farther than `slack` beyond an end.
 bool projection_inside(const CellComplex& c, Index edge, double x, double y, double slack) {
   const Edge& e = c.edges[edge];
   const exact::Point &p = c.point(e.v0), &q = c.point(e.v1);
@@ -38,7 +68,8 @@ bool projection_inside(const CellComplex& c, Index edge, double x, double y, dou
   // this is vertical.
   const double dx = x - k.x().value, dy = y - k.y().value;
   const auto turn = [&](const exact::Point& end) { return (end.x - k.x().value) * dy - (end.y - k.y().value) * dx; };
-  return e.half * turn(p) <= 0 && e.half * turn(q) >= 0;
+  const double most = slack * std::hypot(dx, dy);
+  return e.half * turn(p) <= most && e.half * turn(q) >= -most;
 }
 
 /// Whether the box of a straight edge is farther than `reach`, as near as rounding; of an arc never.
@@ -50,7 +81,7 @@ bool is_beyond(const CellComplex& c, Index edge, double x, double y, double reac
          y > std::max(p.y, q.y) + reach;
 }
 
-/// Of a straight edge no less than that of what of it is nearest.
+/// No less than that of what of it is nearest.
 double edge_distance(const CellComplex& c, Index edge, double x, double y) {
   const exact::SupportingCurve& k = c.supporting_curve(edge);
   if (c.edges[edge].half == 0) {
@@ -59,6 +90,10 @@ double edge_distance(const CellComplex& c, Index edge, double x, double y) {
     if (t < 0) return std::hypot(x - p.x, y - p.y);
     if (t > dx * dx + dy * dy) return std::hypot(x - q.x, y - q.y);
     return std::abs(k.x().value * (x - p.x) + k.y().value * (y - p.y));
+  }
+  if (!projection_inside(c, edge, x, y, 0)) {
+    const exact::Point &p = c.point(c.edges[edge].v0), &q = c.point(c.edges[edge].v1);
+    return std::min(std::hypot(x - p.x, y - p.y), std::hypot(x - q.x, y - q.y));
   }
   return std::abs(std::hypot(x - k.x().value, y - k.y().value) - k.z().value);
 }
@@ -89,6 +124,7 @@ std::optional<Nearest> exact_edge(const CellComplex& c, Index edge, const RealPo
     return Nearest{d.sign() < 0 ? -d : d, {from.x - a * h / n2, from.y - b * h / n2}, {1, edge}};
   }
   Real dx = from.x - k.center_x(), dy = from.y - k.center_y(), length = sqrt(dx * dx + dy * dy), d = length - k.w();
+  if (!has_direction(c, edge, dx, dy)) return std::nullopt;
   RealPoint at = length.sign() == 0 ? c.geometry.exact(c.vertices[c.edges[edge].v0].point)
                                     : RealPoint{k.center_x() + dx * k.w() / length, k.center_y() + dy * k.w() / length};
   return Nearest{d.sign() < 0 ? -d : d, at, {1, edge}};
@@ -96,14 +132,21 @@ std::optional<Nearest> exact_edge(const CellComplex& c, Index edge, const RealPo
 
 }  // namespace
 
+bool has_direction(const CellComplex& c, Index arc, const Real& dx, const Real& dy) {
+  const Edge& e = c.edges[arc];
+  const Turn turn(c, arc, dx, dy);
+  return e.half * turn.sign(e.v0) <= 0 && e.half * turn.sign(e.v1) >= 0;
+}
+
 std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
-  const double x = middle(from.x), y = middle(from.y);
+  const double x = around(from.x).value, y = around(from.y).value;
   double scale = std::abs(x) + std::abs(y), greatest = 0, reach = std::numeric_limits<double>::infinity();
   for (Index v = 0; v < c.vertices.size(); ++v)
     greatest = std::max({greatest, std::abs(c.point(v).x), std::abs(c.point(v).y)});
   scale += greatest;
   // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; their distances are
   // exact, and compared when rounded once.
+  const double slack = scale * margin::kNearestCandidate;
   std::vector<Candidate> all;
   const auto take = [&](double d, Mark mark, Cell cell) {
     if (d > reach || !wanted(mark)) return;
@@ -115,7 +158,7 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
     take(std::sqrt(dx * dx + dy * dy), c.vertices[v].mark, {0, v});
   }
   for (Index e = 0; e < c.edges.size(); ++e)
-    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y, scale * margin::kNearestCandidate))
+    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y, slack))
       take(edge_distance(c, e, x, y), c.edges[e].mark, {1, e});
   std::optional<Nearest> best;
   for (const Candidate& k : all) {

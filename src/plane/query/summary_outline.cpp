@@ -7,12 +7,15 @@
 #include <array>
 #include <cmath>
 
+#include "plane/base/parallel.h"
+
 namespace findspace::plane {
 namespace {
 
-constexpr int kLines = 24;            // vertical lines tried
-constexpr double kBudget = 2e6;       // distances computed for one face, about
-constexpr double kEmptyFrame = 1000;  // half width of the frame where there is nothing to go by
+constexpr int kLines = 24;                       // vertical lines tried
+constexpr double kBudget = 2e6;                  // distances computed for one face, about
+constexpr std::size_t kManyDistances = 1 << 16;  // from here on in several threads
+constexpr double kEmptyFrame = 1000;             // half width of the frame where there is nothing to go by
 
 double distance_to_segment(double px, double py, double x0, double y0, double x1, double y1) {
   double dx = x1 - x0, dy = y1 - y0, l2 = dx * dx + dy * dy;
@@ -145,11 +148,12 @@ FaceOutline::Spot FaceOutline::clearest() const {
   const double n = double(curve_count_ + points_.size()) + 1;
   const int budget = int(std::clamp(kBudget / n, 8.0, 400.0)), lines = std::min(kLines, budget);
   Spot best;
+  std::vector<Spot> spots(static_cast<std::size_t>(lines));
   // Never at the ends nor in the very middle, where vertices like to be.
-  for (int i = 0; i < lines; ++i) {
-    Spot s = widest_gap(x0_ + (x1_ - x0_) * ((i + 0.5) / lines));
+  at_once(spots.size(), spots.size() * curve_count_, kManyDistances,
+          [&](std::size_t i) { spots[i] = widest_gap(x0_ + (x1_ - x0_) * ((static_cast<double>(i) + 0.5) / lines)); });
+  for (const Spot& s : spots)
     if (s.clearance > best.clearance) best = s;
-  }
   if (best.clearance > 0) return climb(best, budget - lines);
   return best;
 }

@@ -32,10 +32,7 @@ std::optional<space::Point> on_grid(const RealVector& p) {
 }
 
 std::shared_ptr<const std::vector<space::RaySolid>> moved(std::vector<space::RaySolid> solids, const space::Point& by) {
-  for (space::RaySolid& s : solids) {
-    s.surface = space::moved(std::move(s.surface), by);
-    s.center = s.center + by;
-  }
+  for (space::RaySolid& s : solids) s = space::moved(std::move(s), by);
   return std::make_shared<const std::vector<space::RaySolid>>(std::move(solids));
 }
 

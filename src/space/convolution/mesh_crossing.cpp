@@ -3,6 +3,9 @@
 #include "space/convolution/mesh_crossing.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "plane/base/parallel.h"
 #include "space/convolution/ray_overlap.h"
@@ -10,7 +13,8 @@
 namespace findspace::space {
 namespace {
 
-constexpr std::size_t kFacesAtOnce = 4096;
+constexpr std::size_t kFacesAtOnce = 4096;  // from here on in several threads
+constexpr std::size_t kTasks = 256;         // at least, from there on: fewer than such a mesh has leaves
 
 /// How many corners two faces share, and where the last of them is in each.
 struct SharedCorners {
@@ -54,33 +58,92 @@ bool cross(const RayBody& body, int f, int g) {
   return shared.count == 1 && (pierces(body, f, shared.in_f, g) || pierces(body, g, shared.in_g, f));
 }
 
+/// Two nodes of the tree, or one twice: the pairs of faces below them.
+struct NodePair {
+  int p, q;
+};
+
+/// The pairs of faces whose boxes meet, each once.
+class MeetingPairs {
+ public:
+  explicit MeetingPairs(const BoxTree& tree) : tree_(tree) {}
+
+  /// The pairs of nodes below these, of which one at least is no leaf.
+  void part(const NodePair& pair, std::vector<NodePair>& out) const {
+    const auto [p, q] = pair;
+    const BoxTree::Node &x = node(p), &y = node(q);
+    if (p == q) {
+      for (const NodePair& below : {NodePair{x.first, x.first}, {x.first + 1, x.first + 1}, {x.first, x.first + 1}})
+        out.push_back(below);
+    } else if (x.count == 0 && (y.count > 0 || extent(x) >= extent(y))) {
+      out.insert(out.end(), {{x.first, q}, {x.first + 1, q}});
+    } else {
+      out.insert(out.end(), {{p, y.first}, {p, y.first + 1}});
+    }
+  }
+  bool apart(const NodePair& pair) const { return !node(pair.p).box.meets(node(pair.q).box); }
+  bool leaves(const NodePair& pair) const { return node(pair.p).count > 0 && node(pair.q).count > 0; }
+
+  template <class Visit>
+  void each(const NodePair& leaves, Visit visit) const {
+    const BoxTree::Node &x = node(leaves.p), &y = node(leaves.q);
+    for (int i = x.first; i < x.first + x.count; ++i) {
+      for (int j = leaves.p == leaves.q ? i + 1 : y.first; j < y.first + y.count; ++j)
+        if (tree_.box(i).meets(tree_.box(j))) visit(std::minmax({tree_.face(i), tree_.face(j)}));
+    }
+  }
+
+ private:
+  const BoxTree::Node& node(int k) const { return tree_.nodes()[static_cast<std::size_t>(k)]; }
+  static std::int64_t extent(const BoxTree::Node& n) { return n.box.high.x - n.box.low.x; }
+
+  const BoxTree& tree_;
+};
+
+using FacePair = std::pair<int, int>;
+constexpr FacePair kNoFaces{std::numeric_limits<int>::max(), 0};
+
+/// The least of the pairs below that cross.
+FacePair least_crossing(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
+  FacePair least = kNoFaces;
+  std::vector<NodePair> stack{of};
+  while (!stack.empty()) {
+    const NodePair top = stack.back();
+    stack.pop_back();
+    if (pairs.apart(top)) continue;
+    if (!pairs.leaves(top)) {
+      pairs.part(top, stack);
+      continue;
+    }
+    pairs.each(top, [&](const FacePair& faces) {
+      if (faces < least && cross(body, faces.first, faces.second)) least = faces;
+    });
+  }
+  return least;
+}
+
 }  // namespace
 
-std::optional<std::array<int, 2>> crossing_faces(const RayBody& body) {
-  const BoxTree tree(body);
-  const std::size_t faces = body.faces.size();
-  std::vector<int> other(faces, -1);
-  plane::parallel_for((faces + kFacesAtOnce - 1) / kFacesAtOnce, [&](std::size_t block) {
-    for (std::size_t f = block * kFacesAtOnce; f < std::min(faces, (block + 1) * kFacesAtOnce); ++f) {
-      const int face = static_cast<int>(f);
-      GridBox box{body.corner(face, 0), body.corner(face, 0)};
-      for (int k = 1; k < 3; ++k) {
-        const Point& p = body.corner(face, k);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-      }
-      int least = -1;
-      tree.any_meeting(box, [&](int g) {
-        if (g > face && (least < 0 || g < least) && cross(body, face, g)) least = g;
-        return false;
-      });
-      other[f] = least;
+std::optional<std::array<int, 2>> crossing_faces(const RaySheet& sheet) {
+  const RayBody& body = sheet.body;
+  const MeetingPairs pairs(sheet.tree);
+  std::vector<NodePair> parted{{0, 0}}, next;
+  while (parted.size() < kTasks && body.faces.size() >= kFacesAtOnce) {
+    next.clear();
+    for (const NodePair& pair : parted) {
+      if (pairs.leaves(pair))
+        next.push_back(pair);
+      else if (!pairs.apart(pair))
+        pairs.part(pair, next);
     }
-  });
-  for (std::size_t f = 0; f < faces; ++f) {
-    if (other[f] >= 0) return std::array<int, 2>{static_cast<int>(f), other[f]};
+    parted.swap(next);
   }
-  return std::nullopt;
+  std::vector<FacePair> least(parted.size());
+  plane::at_once(parted.size(), body.faces.size(), kFacesAtOnce,
+                 [&](std::size_t k) { least[k] = least_crossing(body, pairs, parted[k]); });
+  const FacePair first = *std::min_element(least.begin(), least.end());
+  if (first == kNoFaces) return std::nullopt;
+  return std::array<int, 2>{first.first, first.second};
 }
 
 }  // namespace findspace::space

@@ -2,62 +2,131 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/convolution/ray_boxes.h"
 
-#include <numeric>
+#include <array>
+#include <utility>
+
+#include "plane/base/parallel.h"
+#include "space/polytope/vector.h"
 
 namespace findspace::space {
 namespace {
 
 constexpr int kLeaf = 4;
+constexpr std::size_t kManyFaces = 1 << 14;  // from here on in several threads
+constexpr std::size_t kBranches = 32;        // that are built at once
 
 GridBox united(const GridBox& a, const GridBox& b) {
   return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
-}  // namespace
-
-BoxTree::BoxTree(const RayBody& body) : order_(body.faces.size()), boxes_(body.faces.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    const Point& p = body.corner(static_cast<int>(f), 0);
-    boxes_[f] = {p, p};
-    for (int k = 1; k < 3; ++k) {
-      const Point& q = body.corner(static_cast<int>(f), k);
-      boxes_[f] = united(boxes_[f], {q, q});
-    }
+GridBox box_of(const RayBody& body, int face) {
+  const Point& p = body.corner(face, 0);
+  GridBox box{p, p};
+  for (int k = 1; k < 3; ++k) {
+    const Point& q = body.corner(face, k);
+    box = united(box, {q, q});
   }
-  nodes_.emplace_back();
-  build(0, 0, static_cast<int>(order_.size()));
-  std::vector<GridBox> sorted;
-  sorted.reserve(boxes_.size());
-  for (const int f : order_) sorted.push_back(boxes_[f]);
-  boxes_ = std::move(sorted);
+  return box;
 }
 
-void BoxTree::build(int node, int first, int count) {
-  const auto begin = order_.begin() + first, end = begin + count;
-  GridBox box = boxes_[*begin];
-  for (auto i = begin; i != end; ++i) box = united(box, boxes_[*i]);
-  nodes_[node].box = box;
-  if (count <= kLeaf) {
-    nodes_[node].first = first;
-    nodes_[node].count = count;
-    return;
+/// How many nodes stand below one of so many faces.
+int nodes_below(int count) { return count <= kLeaf ? 0 : 2 + nodes_below(count / 2) + nodes_below(count - count / 2); }
+
+}  // namespace
+
+/// Halves the faces by the middles of their boxes, across the longest side of the box about all. The nodes below one
+/// stand together, so branches can be built at once.
+class BoxTree::Builder {
+ public:
+  Builder(BoxTree& tree, const RayBody& body) : tree_(tree), places_(body.faces.size()) {
+    plane::in_ranges(places_.size(), kManyFaces, [&](const plane::IndexRange& some) {
+      for (std::size_t f = some.first; f < some.end; ++f)
+        places_[f] = {box_of(body, static_cast<int>(f)), static_cast<int>(f)};
+    });
   }
-  const Point size = box.high - box.low;
-  const auto key = [&](int f) {
-    const GridBox& b = boxes_[f];
-    const std::int64_t twice = size.x >= size.y && size.x >= size.z ? b.low.x + b.high.x
-                               : size.y >= size.z                   ? b.low.y + b.high.y
-                                                                    : b.low.z + b.high.z;
-    return std::pair(twice, f);
+
+  void run() {
+    const auto faces = static_cast<int>(places_.size());
+    tree_.nodes_.resize(static_cast<std::size_t>(1 + nodes_below(faces)));
+    tree_.order_.resize(places_.size());
+    tree_.boxes_.resize(places_.size());
+    std::vector<Branch> branches{{0, 0, faces, 1}};
+    const bool at_once = plane::range_count(places_.size(), kManyFaces) > 1;
+    while (at_once && branches.size() < kBranches) branches = halves(branches);
+    plane::at_once(branches.size(), places_.size(), kManyFaces, [&](std::size_t k) { build(branches[k]); });
+  }
+
+ private:
+  struct Place {
+    GridBox box;
+    int face;
   };
-  std::nth_element(begin, begin + count / 2, end, [&](int f, int g) { return key(f) < key(g); });
-  const int children = static_cast<int>(nodes_.size());
-  nodes_[node].first = children;
-  nodes_.resize(nodes_.size() + 2);
-  build(children, first, count / 2);
-  build(children + 1, first + count / 2, count - count / 2);
+  struct Branch {
+    int node, first, count, next;  // a node with its faces; those below it are next, next + 1, ...
+  };
+
+  std::vector<Branch> halves(const std::vector<Branch>& branches) {
+    std::vector<Branch> result(2 * branches.size());
+    plane::parallel_for(branches.size(), [&](std::size_t k) {
+      const auto [left, right] = halved(branches[k], bounded(branches[k]));
+      result[2 * k] = left;
+      result[2 * k + 1] = right;
+    });
+    return result;
+  }
+
+  void build(const Branch& b) {
+    const GridBox& box = bounded(b);
+    if (b.count <= kLeaf) return make_leaf(b);
+    for (const Branch& half : halved(b, box)) build(half);
+  }
+
+  /// The box about its faces, which its node gets.
+  const GridBox& bounded(const Branch& b) {
+    const auto begin = places_.begin() + b.first;
+    GridBox box = begin->box;
+    for (auto place = begin; place != begin + b.count; ++place) box = united(box, place->box);
+    return tree_.nodes_[static_cast<std::size_t>(b.node)].box = box;
+  }
+
+  std::array<Branch, 2> halved(const Branch& b, const GridBox& box) {
+    const auto begin = places_.begin() + b.first, end = begin + b.count;
+    const Point size = box.high - box.low;
+    const auto key = [&](const Place& p) {
+      const std::int64_t twice = size.x >= size.y && size.x >= size.z ? p.box.low.x + p.box.high.x
+                                 : size.y >= size.z                   ? p.box.low.y + p.box.high.y
+                                                                      : p.box.low.z + p.box.high.z;
+      return std::pair(twice, p.face);
+    };
+    std::nth_element(begin, begin + b.count / 2, end, [&](const Place& p, const Place& q) { return key(p) < key(q); });
+    tree_.nodes_[static_cast<std::size_t>(b.node)].first = b.next;
+    const int left = b.count / 2;
+    return {Branch{b.next, b.first, left, b.next + 2},
+            Branch{b.next + 1, b.first + left, b.count - left, b.next + 2 + nodes_below(left)}};
+  }
+
+  void make_leaf(const Branch& b) {
+    Node& node = tree_.nodes_[static_cast<std::size_t>(b.node)];
+    node.first = b.first;
+    node.count = b.count;
+    for (auto k = static_cast<std::size_t>(b.first); k < static_cast<std::size_t>(b.first + b.count); ++k) {
+      tree_.order_[k] = places_[k].face;
+      tree_.boxes_[k] = places_[k].box;
+    }
+  }
+
+  BoxTree& tree_;
+  std::vector<Place> places_;
+};
+
+BoxTree::BoxTree(const RayBody& body) { Builder(*this, body).run(); }
+
+RaySheet::RaySheet(RayBody made) : body(std::move(made)), tree(body) {
+  for (const RayEdge& e : body.edges) {
+    const Vector way = exact::approx(body.points[std::size_t(e.to)] - body.points[std::size_t(e.from)]);
+    longest = std::max(longest, length(way));
+  }
 }
 
 }  // namespace findspace::space

@@ -86,7 +86,7 @@ class BoxTree {
   }
 
  private:
-  void build(int node, int first, int count);
+  class Builder;
 
   std::vector<Node> nodes_;
   std::vector<int> order_;
@@ -126,5 +126,15 @@ bool any_pair(const BoxTree& a, const BoxTree& b, const Point& by, const Point& 
   }
   return false;
 }
+
+/// A closed surface with its edges and its tree: what every question about it needs, made once.
+struct RaySheet {
+  RayBody body;
+  BoxTree tree;
+  double longest = 0;  // edge
+
+  explicit RaySheet(Triangles surface) : RaySheet(RayBody(std::move(surface))) {}
+  explicit RaySheet(RayBody made);
+};
 
 }  // namespace findspace::space

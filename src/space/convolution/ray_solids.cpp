@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "space/convolution/mesh_crossing.h"
 #include "space/mesh/mesh.h"
@@ -59,12 +60,13 @@ Triangles surface_of(const Solid& solid) {
 }
 
 /// The surface, if it does not cross itself.
-Tried<Triangles> simple(Triangles surface) {
-  const Tried<RayBody> made = RayBody::of(surface);
+Tried<RaySolid> simple(Triangles surface) {
+  Tried<RayBody> made = RayBody::of(surface);
   if (!made) return made.refusal();
-  const RayBody& body = *made;
-  const auto crossing = crossing_faces(body);
-  if (!crossing) return surface;
+  auto sheet = std::make_shared<const RaySheet>(*std::move(made));
+  const auto crossing = crossing_faces(*sheet);
+  if (!crossing) return RaySolid{std::move(surface), {}, {}, std::move(sheet)};
+  const RayBody& body = sheet->body;
   const auto text = [&](int f) {
     const std::array<Point, 3> corners{body.corner(f, 0), body.corner(f, 1), body.corner(f, 2)};
     return places_text(corners, surface.step);
@@ -78,8 +80,9 @@ Tried<RaySolid> primitive(const Solid& solid) {
     case Solid::Form::kPolytope:
       return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
+      return simple(surface_of(solid));
     case Solid::Form::kPrism: {
-      Tried<Triangles> surface = solid.form == Solid::Form::kMesh ? simple(surface_of(solid)) : prism(solid);
+      Tried<Triangles> surface = prism(solid);
       if (!surface) return surface.refusal();
       return RaySolid{*std::move(surface), {}, {}};
     }
@@ -116,22 +119,25 @@ Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape) {
     case Kind::kRegularize:
       return all;
     case Kind::kTranslate:
-      for (RaySolid& s : all) {
-        const Point by{shape.points[0].x, shape.points[0].y, shape.lift};
-        s.surface = moved(std::move(s.surface), by);
-        s.center = s.center + by;
-      }
+      for (RaySolid& s : all) s = moved(std::move(s), {shape.points[0].x, shape.points[0].y, shape.lift});
       return all;
     case Kind::kMirror:
-      for (RaySolid& s : all) {
-        s.surface = scaled(std::move(s.surface), -1);
-        s.center = -s.center;
-      }
+      for (RaySolid& s : all) s = mirrored(std::move(s));
       return all;
     default:
       break;
   }
   return Refusal("this kind of shape has no ray map; state it as a mesh or a union of solids", shape.place);
+}
+
+RaySolid moved(RaySolid solid, const Point& by) {
+  return {moved(std::move(solid.surface), by), solid.center + by, solid.radius};
+}
+
+RaySolid mirrored(RaySolid solid) { return {scaled(std::move(solid.surface), -1), -solid.center, solid.radius}; }
+
+std::shared_ptr<const RaySheet> sheet_of(const RaySolid& solid) {
+  return solid.sheet ? solid.sheet : std::make_shared<const RaySheet>(solid.surface);
 }
 
 std::vector<RaySolid> ray_solids(const plane::Shape& shape) { return try_ray_solids(shape).or_throw(); }
@@ -155,7 +161,8 @@ void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bo
 
 bool is_convex(const RaySolid& solid) {
   if (solid.ball()) return false;
-  const RayBody body(solid.surface);
+  const auto sheet = sheet_of(solid);
+  const RayBody& body = sheet->body;
   return body.pieces == 1 && body.euler() == 1 &&
          std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
 }

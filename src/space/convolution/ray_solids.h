@@ -6,11 +6,12 @@
 // Keywords: boundary representation.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "exact/number/real.h"
 #include "exact/number/tried.h"
-#include "space/convolution/ray_body.h"
+#include "space/convolution/ray_boxes.h"
 
 namespace findspace::space {
 
@@ -18,12 +19,20 @@ struct RaySolid {
   Triangles surface;  // empty for a ball
   Point center;
   exact::Real radius{};  // of a ball, in grid steps
+  /// Of the surface, where it was made to see that it is simple; null where something has been done to the surface.
+  std::shared_ptr<const RaySheet> sheet{};
   bool ball() const { return surface.faces.empty(); }
 };
 
 /// Triangles from which on a solid that is not convex is taken by its surface: its convex parts are many, and their
 /// corners off the grid.
 inline constexpr std::size_t kManyFaces = 120;
+
+RaySolid moved(RaySolid solid, const Point& by);
+/// In the origin.
+RaySolid mirrored(RaySolid solid);
+/// Its sheet, made where it is missing; of no ball.
+std::shared_ptr<const RaySheet> sheet_of(const RaySolid& solid);
 
 /// A surface, of one piece without holes, with no edge bent inward.
 bool is_convex(const RaySolid& solid);

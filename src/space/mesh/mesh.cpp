@@ -70,37 +70,42 @@ void take_out_spurs(std::vector<int>& ring) {
 
 /// Drops repeated corners, spurs, and faces without area.
 void drop_empty_faces(Mesh& mesh, std::vector<std::string>& notes) {
-  std::vector<std::vector<int>> kept;
-  for (auto& face : mesh.faces) {
-    take_out_spurs(face);
-    if (face.size() >= 3 && !exact::is_zero(area_vector(mesh, face))) kept.push_back(face);
-  }
-  if (const std::size_t empty = mesh.faces.size() - kept.size(); empty > 0)
-    notes.push_back(empty == 1 ? "1 face without area was dropped"
-                               : fmt::format("{} faces without area were dropped", empty));
-  mesh.faces = std::move(kept);
+  const auto is_empty = [&](std::vector<int>& face) {
+    const bool is_triangle = face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+    if (!is_triangle) take_out_spurs(face);
+    return face.size() < 3 || exact::is_zero(area_vector(mesh, face));
+  };
+  const std::size_t empty = std::erase_if(mesh.faces, is_empty);
+  if (empty == 0) return;
+  notes.push_back(empty == 1 ? "1 face without area was dropped"
+                             : fmt::format("{} faces without area were dropped", empty));
+}
+
+bool is_flat(const Mesh& mesh, const std::vector<int>& face) {
+  if (face.size() == 3) return true;
+  const Wide3 n = exact::primitive(area_vector(mesh, face));
+  return std::all_of(face.begin(), face.end(),
+                     [&](int v) { return exact::dot(n, mesh.vertices[v] - mesh.vertices[face[0]]) == 0; });
 }
 
 /// Faces that are not flat are cut into triangles.
 void flatten(Mesh& mesh, std::vector<std::string>& notes) {
+  if (std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto& face) { return is_flat(mesh, face); })) return;
   std::vector<std::vector<int>> flat;
   int bent = 0;
-  for (const auto& face : mesh.faces) {
-    const Wide3 n = exact::primitive(area_vector(mesh, face));
-    const bool even = std::all_of(face.begin(), face.end(),
-                                  [&](int v) { return exact::dot(n, mesh.vertices[v] - mesh.vertices[face[0]]) == 0; });
-    if (even) {
-      flat.push_back(face);
+  for (auto& face : mesh.faces) {
+    if (is_flat(mesh, face)) {
+      flat.push_back(std::move(face));
       continue;
     }
     ++bent;
+    const Wide3 n = exact::primitive(area_vector(mesh, face));
     for (const auto& [a, b, c] : triangulate(projected(mesh, face, n), StraightCorner::kKeep)) {
       flat.push_back({face[a], face[b], face[c]});
     }
   }
-  if (bent > 0)
-    notes.push_back(bent == 1 ? "1 face is not flat and was cut into triangles"
-                              : fmt::format("{} faces are not flat and were cut into triangles", bent));
+  notes.push_back(bent == 1 ? "1 face is not flat and was cut into triangles"
+                            : fmt::format("{} faces are not flat and were cut into triangles", bent));
   mesh.faces = std::move(flat);
 }
 

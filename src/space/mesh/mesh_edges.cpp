@@ -3,6 +3,9 @@
 #include "space/mesh/mesh_edges.h"
 
 #include <algorithm>
+#include <tuple>
+
+#include "plane/base/small_sort.h"
 
 namespace findspace::space {
 
@@ -17,9 +20,10 @@ MeshEdges::MeshEdges(const Mesh& mesh) : first_(mesh.vertices.size() + 2, 0) {
     });
   first_.pop_back();  // now those of vertex v begin at first_[v]
   for (std::size_t v = 0; v + 1 < first_.size(); ++v)
-    std::stable_sort(uses_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
-                     uses_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]),
-                     [](const Use& s, const Use& t) { return s.to < t.to; });
+    plane::small_sort(uses_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
+                      uses_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]), [](const Use& s, const Use& t) {
+                        return std::tie(s.to, s.face, s.rising) < std::tie(t.to, t.face, t.rising);
+                      });
 }
 
 std::span<const MeshEdges::Use> MeshEdges::at(int a, int b) const {

@@ -18,7 +18,7 @@ namespace {
 struct Shell {
   std::vector<int> faces;
   bool agreed = true;  // as stated
-  bool closed = false;
+  bool closed = true;
   Point low, high;           // its box
   std::vector<int> about{};  // the shells in which it lies
   bool placed = true;        // `about` is certain: some vertex is on no other shell
@@ -31,7 +31,11 @@ void widen(Point& low, Point& high, const Point& p) {
 
 class Orientation {
  public:
-  explicit Orientation(Mesh& mesh) : mesh_(mesh), edges_(mesh) {}
+  explicit Orientation(Mesh& mesh)
+      : mesh_(mesh), edges_(mesh), shell_of_face_(mesh.faces.size(), -1), turned_(mesh.faces.size(), 0) {}
+
+  /// How many faces are the other way round than before.
+  std::ptrdiff_t turned() const { return std::count(turned_.begin(), turned_.end(), 1); }
 
   void run(double step) {
     find_shells();
@@ -58,48 +62,50 @@ class Orientation {
 
  private:
   void find_shells() {
-    std::vector<char> done(mesh_.faces.size(), 0);
-    for (int seed = 0; seed < static_cast<int>(done.size()); ++seed) {
-      if (!done[seed]) shells_.push_back(shell_of(seed, done));
+    for (int seed = 0; seed < static_cast<int>(shell_of_face_.size()); ++seed) {
+      if (shell_of_face_[seed] < 0) shells_.push_back(shell_of(seed));
     }
+    edges_.each([&](const MeshEdge&, std::span<const MeshEdges::Use> uses) {
+      for (const MeshEdges::Use& use : uses)
+        if (sense_in(shell_of_face_[use.face], uses) != 0) shells_[shell_of_face_[use.face]].closed = false;
+    });
+  }
+
+  /// The faces of a shell that run along an edge upwards, less those that run along it downwards.
+  int sense_in(int shell, std::span<const MeshEdges::Use> uses) const {
+    int sum = 0;
+    for (const MeshEdges::Use& use : uses)
+      if (shell_of_face_[use.face] == shell) sum += use.rising == (turned_[use.face] == 0) ? 1 : -1;
+    return sum;
+  }
+
+  void turn(int face) {
+    std::reverse(mesh_.faces[face].begin(), mesh_.faces[face].end());
+    turned_[face] ^= 1;
   }
 
   /// The faces reached over edges of two faces, turned so that neighbours agree with the seed.
-  Shell shell_of(int seed, std::vector<char>& done) {
+  Shell shell_of(int seed) {
+    const auto number = static_cast<int>(shells_.size());
     Shell s;
     s.faces = {seed};
-    done[seed] = 1;
+    shell_of_face_[seed] = number;
     for (std::size_t i = 0; i < s.faces.size(); ++i) {
       const int f = s.faces[i];
-      each_edge(std::vector<int>(mesh_.faces[f]), [&](int a, int b) {
+      each_edge(mesh_.faces[f], [&](int a, int b) {
         const auto two = edges_.at(a, b);
         const int g = two[0].face == f ? two.back().face : two[0].face;
-        if (two.size() != 2 || done[g]) return;
+        if (two.size() != 2 || shell_of_face_[g] >= 0) return;
         bool same = false;
         each_edge(mesh_.faces[g], [&](int c, int d) { same = same || (a == c && b == d); });
-        if (same) std::reverse(mesh_.faces[g].begin(), mesh_.faces[g].end());
+        if (same) turn(g);
         s.agreed = s.agreed && !same;
-        done[g] = 1;
+        shell_of_face_[g] = number;
         s.faces.push_back(g);
       });
     }
-    s.closed = is_closed(s);
     set_box(s);
     return s;
-  }
-
-  bool is_closed(const Shell& s) const {
-    std::vector<std::pair<MeshEdge, int>> senses;
-    for (const int f : s.faces)
-      each_edge(mesh_.faces[f], [&](int a, int b) { senses.emplace_back(std::minmax(a, b), a < b ? 1 : -1); });
-    std::sort(senses.begin(), senses.end());
-    for (std::size_t i = 0; i < senses.size();) {
-      int sum = 0;
-      const MeshEdge edge = senses[i].first;
-      for (; i < senses.size() && senses[i].first == edge; ++i) sum += senses[i].second;
-      if (sum != 0) return false;
-    }
-    return true;
   }
 
   void set_box(Shell& s) const {
@@ -186,7 +192,7 @@ class Orientation {
   }
 
   void turn(const Shell& s) {
-    for (const int f : s.faces) std::reverse(mesh_.faces[f].begin(), mesh_.faces[f].end());
+    for (const int f : s.faces) turn(f);
   }
 
   void turn_all_within(const Shell& outer) {
@@ -209,15 +215,16 @@ class Orientation {
   Mesh& mesh_;
   MeshEdges edges_;  // as they are before faces are turned, which changes the senses only
   std::vector<Shell> shells_;
+  std::vector<int> shell_of_face_;
+  std::vector<char> turned_;
 };
 
 }  // namespace
 
 void orient(Mesh& mesh, double step, std::vector<std::string>& notes) {
-  const std::vector<std::vector<int>> stated = mesh.faces;
-  Orientation(mesh).run(step);
-  int reversed = 0;
-  for (std::size_t f = 0; f < stated.size(); ++f) reversed += mesh.faces[f] != stated[f];
+  Orientation orientation(mesh);
+  orientation.run(step);
+  const std::ptrdiff_t reversed = orientation.turned();
   if (reversed == 0) return;
   notes.push_back(fmt::format("{} face{} reversed to point outward", reversed, reversed == 1 ? " was" : "s were"));
 }

@@ -10,13 +10,6 @@ namespace findspace::space {
 
 using exact::Real;
 
-SurfaceSet::Sheet::Sheet(Triangles surface) : body(std::move(surface)), tree(body) {
-  for (const RayEdge& e : body.edges) {
-    const Vector way = exact::approx(body.points[std::size_t(e.to)] - body.points[std::size_t(e.from)]);
-    longest = std::max(longest, length(way));
-  }
-}
-
 namespace {
 
 bool in_range(const Point& p, std::int64_t factor) {
@@ -35,7 +28,7 @@ bool SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
     if (s.ball())
       balls_.push_back({{s.center.x * scale, s.center.y * scale, s.center.z * scale}, s.radius * Real(scale)});
     else
-      sheets_.push_back(std::make_unique<const Sheet>(scale == 1 ? s.surface : scaled(s.surface, scale)));
+      sheets_.push_back(scale == 1 ? sheet_of(s) : std::make_shared<const Sheet>(scaled(s.surface, scale)));
   }
   return true;
 }
@@ -50,7 +43,7 @@ bool SurfaceSet::add(const Body& body, std::int64_t scale) {
     if (part.point())
       balls_.push_back({part.center, part.radius});
     else if (part.core && part.radius.sign() == 0)
-      sheets_.push_back(std::make_unique<const Sheet>(triangles(*part.core)));
+      sheets_.push_back(std::make_shared<const Sheet>(triangles(*part.core)));
     else
       return false;
   }
@@ -69,7 +62,8 @@ std::shared_ptr<const Body> SurfaceSet::hull(std::int64_t scale) const {
 
 bool seen_not_convex(const std::vector<RaySolid>& solids) {
   if (solids.size() != 1 || solids[0].ball()) return true;
-  const RayBody body(solids[0].surface);
+  const auto sheet = sheet_of(solids[0]);
+  const RayBody& body = sheet->body;
   return body.pieces > 1 ||
          std::any_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend < 0; });
 }

@@ -12,19 +12,13 @@
 #include <vector>
 
 #include "space/body/body.h"
-#include "space/convolution/ray_boxes.h"
 #include "space/convolution/ray_solids.h"
 
 namespace findspace::space {
 
 class SurfaceSet {
  public:
-  struct Sheet {
-    RayBody body;
-    BoxTree tree;
-    double longest = 0;  // edge
-    explicit Sheet(Triangles surface);
-  };
+  using Sheet = RaySheet;
   struct Ball {
     Point center;
     exact::Real radius;
@@ -36,7 +30,7 @@ class SurfaceSet {
   /// The boundaries of the parts, at that scale; false where a part is round and no ball, or too far out.
   bool add(const Body& body, std::int64_t scale);
 
-  const std::vector<std::unique_ptr<const Sheet>>& sheets() const { return sheets_; }
+  const std::vector<std::shared_ptr<const Sheet>>& sheets() const { return sheets_; }
   const std::vector<Ball>& balls() const { return balls_; }
   /// Its frontier is that of the set.
   bool one_sheet() const { return sheets_.size() == 1 && balls_.empty(); }
@@ -44,7 +38,7 @@ class SurfaceSet {
   std::shared_ptr<const Body> hull(std::int64_t scale) const;
 
  private:
-  std::vector<std::unique_ptr<const Sheet>> sheets_;
+  std::vector<std::shared_ptr<const Sheet>> sheets_;
   std::vector<Ball> balls_;
 };
 
