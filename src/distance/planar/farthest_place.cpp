@@ -119,8 +119,12 @@ std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& 
   FarthestPlace out{near.distance, place, f.cell, near};
   out.open = near_value(near.distance) + 2 * f.error + sets.slack;
   if (f.cell.dimension == 1) {
-    const auto own = exact_pair(sets.b.region(), f.cell, {place.x - sets.p.x, place.y - sets.p.y});
-    out.off = near_value(own->distance) + sets.scale * margin::kFewRoundings;
+    const RealPoint own{place.x - sets.p.x, place.y - sets.p.y};
+    const auto foot = exact_pair(sets.b.region(), f.cell, own);  // nothing where the place is beyond an end of the edge
+    const double off = foot
+                           ? near_value(foot->distance)
+                           : edge_feature(sets.b.region(), f.cell.index).distance(near_value(own.x), near_value(own.y));
+    out.off = off + sets.scale * margin::kFewRoundings;
   }
   return out;
 }
