@@ -116,6 +116,24 @@ TEST(Mesh, TurnsFacesOutward) {
   EXPECT_TRUE(six_volumes(m) == exact::Real(48));
 }
 
+/// Edges that all bend outward, and a sphere's Euler number, but twice about.
+TEST(Mesh, WhatGoesRoundTwiceIsNotConvex) {
+  const std::vector<Point> star{{1000, 0, 0}, {-809, 588, 0}, {309, -951, 0}, {309, 951, 0}, {-809, -588, 0}};
+  Mesh pyramids{star, {}}, prism{star, {}};
+  for (const Point& p : star) prism.vertices.push_back(p + Point{0, 0, 300});
+  pyramids.vertices.insert(pyramids.vertices.end(), {{0, 0, 500}, {0, 0, -500}});
+  prism.vertices.insert(prism.vertices.end(), {{0, 0, 0}, {0, 0, 300}});
+  for (int k = 0; k < 5; ++k) {
+    const int next = (k + 1) % 5;
+    pyramids.faces.insert(pyramids.faces.end(), {{k, next, 5}, {next, k, 6}});
+    prism.faces.insert(prism.faces.end(), {{k, next, next + 5, k + 5}, {next, k, 10}, {k + 5, next + 5, 11}});
+  }
+  for (Mesh* mesh : {&pyramids, &prism}) {
+    EXPECT_TRUE(clean(*mesh, 1).empty());
+    EXPECT_FALSE(is_convex(*mesh));
+  }
+}
+
 TEST(Mesh, WeldsAndSplitsEdges) {
   // A triangle soup of the cube, with the top cut in two halves that meet its sides in T-junctions.
   Mesh m = cube(2);

@@ -282,7 +282,7 @@ Tried<ConvexParts> made(const plane::Shape& shape) {
 }  // namespace
 
 Tried<ConvexParts> try_convex_parts(const Mesh& mesh) {
-  if (is_convex(mesh)) return one(Polytope::hull(mesh.vertices));
+  if (std::optional<Polytope> convex = convex_solid(mesh)) return one(*std::move(convex));
   if (mesh.faces.size() > kMostFaces) {
     return Refusal("a non-convex mesh of " + std::to_string(mesh.faces.size()) +
                    " faces is not cut into convex parts; state it as a union of polytopes");

@@ -271,7 +271,10 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
   return notes;
 }
 
-bool is_convex(const Mesh& mesh) {
+namespace {
+
+/// Whether the surface is one piece of Euler number 2, with no edge that has the surface above it.
+bool bends_outward(const Mesh& mesh) {
   std::map<MeshEdge, int> at;
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
     bool once = true;
@@ -303,5 +306,34 @@ bool is_convex(const Mesh& mesh) {
   const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   return count == mesh.faces.size() && vertices + count == at.size() / 2 + 2;
 }
+
+/// Whether the surface lies on that of the hull of its vertices, and covers it once: such a surface covers each place
+/// of it equally often, so the volumes tell.
+bool covers_once(const Mesh& mesh, const Polytope& hull) {
+  const auto of = [](const Wide3& normal, const int128& offset) {
+    return std::array{normal.x, normal.y, normal.z, offset};
+  };
+  std::set<std::array<int128, 4>> planes;
+  for (const Plane& p : hull.planes()) planes.insert(of(p.normal, p.offset));
+  const auto lies_on_it = [&](const std::vector<int>& face) {
+    const Wide3 normal = exact::primitive(area_vector(mesh, face));
+    return planes.contains(of(normal, -exact::dot(normal, mesh.vertices[face[0]])));
+  };
+  if (!std::all_of(mesh.faces.begin(), mesh.faces.end(), lies_on_it)) return false;
+  Mesh whole{{hull.vertices().begin(), hull.vertices().end()}, {}};
+  for (int f = 0; f < hull.facet_count(); ++f) whole.faces.push_back(hull.circuit(f));
+  return (six_volumes(mesh) - six_volumes(whole)).sign() == 0;
+}
+
+}  // namespace
+
+std::optional<Polytope> convex_solid(const Mesh& mesh) {
+  if (!bends_outward(mesh)) return std::nullopt;
+  Polytope hull = Polytope::hull(mesh.vertices);
+  if (!covers_once(mesh, hull)) return std::nullopt;
+  return hull;
+}
+
+bool is_convex(const Mesh& mesh) { return convex_solid(mesh).has_value(); }
 
 }  // namespace findspace::space

@@ -8,6 +8,7 @@
 // set does not change. Keywords: watertight, manifold, STL repair.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 
 #include "space/mesh/mesh_repair.h"
 #include "space/polytope/convex_polygon.h"
+#include "space/polytope/polytope.h"
 #include "space/polytope/solid.h"
 
 namespace findspace::space {
@@ -38,7 +40,9 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how = 
 /// Points joined by spaces, for messages: "(0, 1.5, 2) (3, 0, 0)" in steps of that size.
 std::string places_text(std::span<const Point> points, double step);
 
-/// Whether a clean mesh bounds a convex set: one piece of Euler number 2, no edge with the surface above it.
+/// The convex set that a clean mesh bounds; nothing of other meshes, also of one whose edges all bend outward but that
+/// goes round more than once, as a star prism does.
+std::optional<Polytope> convex_solid(const Mesh& mesh);
 bool is_convex(const Mesh& mesh);
 
 /// Six times the volume of a clean mesh, in cubic grid steps.
