@@ -6,9 +6,6 @@
 #include <findspace/board.h>
 #include <findspace/text.h>
 #include <fmt/format.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -101,13 +98,6 @@ Scene read(const Options& o) {
   return scene_of(scene_around(path, o), path.parent_path(), limits, path.filename().string());
 }
 
-/// What the reader took and freed goes back to the system: the trees of JSON are larger than the shapes in them.
-void give_memory_back() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 Scene::Listener listener_of(Reporter& reporter) {
   return {[&reporter](const std::string& text) { reporter.note(text); },
           [&reporter](const std::string& text) { reporter.stage(text); }};
@@ -124,7 +114,6 @@ Session::Session(const Options& options, Reporter& reporter)
     : Session(options, reporter, [&] {
         reporter.stage("reading the scene");
         Scene scene = read(options);
-        give_memory_back();
         for (const std::string& note : scene.notes()) reporter.note(note);
         return scene;
       }()) {}
