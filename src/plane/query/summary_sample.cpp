@@ -40,8 +40,9 @@ Sampler::Sampler(const Region& s, const CellMeasures& measures)
 }
 
 bool Sampler::is_inside(const RealPoint& p, Index face) {
-  if (!locator_) locator_.emplace(s_);
-  return locator_->locate(p) == Cell{2, face};
+  constexpr int kFew = 3;
+  if (!locator_ && ++located_ > kFew) locator_.emplace(s_);
+  return (locator_ ? locator_->locate(p) : locate(s_, p)) == Cell{2, face};
 }
 
 RealPoint Sampler::inside_face(Index face) {

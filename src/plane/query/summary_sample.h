@@ -29,7 +29,8 @@ class Sampler {
 
   const Region& s_;
   const CellMeasures& measures_;
-  std::optional<Locator> locator_;         // made when first needed
+  std::optional<Locator> locator_;         // made when several points are asked for
+  int located_ = 0;                        // points, without it
   std::vector<Index> start_, half_edges_;  // face -> half-edges
 };
 
