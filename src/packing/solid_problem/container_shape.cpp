@@ -237,7 +237,8 @@ double volume_on_lines(const SolidContainer& container, double steps, double hei
   double sum = 0;
   std::vector<space::LineStretch> lacking;
   for (int k = 0; k < kLines * kLines; ++k) {
-    const double y = (k % kLines + 0.5) * dy, z = (k / kLines + 0.5) * dz;
+    const int row = k / kLines, line = k % kLines;
+    const double y = (line + 0.5) * dy, z = (row + 0.5) * dz;
     space::LineStretch held{0, width};
     const auto visit = [&](const SolidForm& form, const auto& take) {
       for (const space::BodyPart& part : form.body.parts) take(stretch_of(part, steps * double(form.body.scale), y, z));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -299,31 +300,26 @@ class Builder {
   /// The offsets that a shape is made of.
   struct Offsets {
     std::uint64_t depth = 0;
-    bool of_boundary = false;            // of one of them
-    std::vector<exact::Real> amounts{};  // different ones
+    bool of_boundary = false;  // of one of them
+    std::set<exact::Real> amounts{};
   };
 
   const Offsets& offsets(const Shape& s) {
     if (const auto known = offsets_.find(&s); known != offsets_.end()) return known->second;
     Offsets out;
-    const auto is_new = [&](const exact::Real& amount) {
-      return std::find(out.amounts.begin(), out.amounts.end(), amount) == out.amounts.end();
-    };
     for (const ShapePtr& child : s.children) {
       const Offsets& below = offsets(*child);
       out.depth = std::max(out.depth, below.depth);
       out.of_boundary = out.of_boundary || below.of_boundary;
-      for (const exact::Real& amount : below.amounts)
-        if (is_new(amount)) out.amounts.push_back(amount);
+      out.amounts.insert(below.amounts.begin(), below.amounts.end());
     }
     if (s.kind == Kind::kBoundary && out.depth > 0) {
       out.of_boundary = true;
       ++out.depth;
     }
     if (s.kind == Kind::kOffset) {
-      const bool fresh = is_new(abs(s.amount));
+      const bool fresh = out.amounts.insert(abs(s.amount)).second;
       out.depth += fresh && out.of_boundary ? 2 : 1;
-      if (fresh) out.amounts.push_back(abs(s.amount));
     }
     return offsets_[&s] = std::move(out);
   }

@@ -48,7 +48,7 @@ class BoxTree::Builder {
 
   void run() {
     const auto faces = static_cast<int>(places_.size());
-    tree_.nodes_.resize(static_cast<std::size_t>(1 + nodes_below(faces)));
+    tree_.nodes_.resize(static_cast<std::size_t>(nodes_below(faces)) + 1);
     tree_.order_.resize(places_.size());
     tree_.boxes_.resize(places_.size());
     std::vector<Branch> branches{{0, 0, faces, 1}};
@@ -110,7 +110,8 @@ class BoxTree::Builder {
     Node& node = tree_.nodes_[static_cast<std::size_t>(b.node)];
     node.first = b.first;
     node.count = b.count;
-    for (auto k = static_cast<std::size_t>(b.first); k < static_cast<std::size_t>(b.first + b.count); ++k) {
+    const auto first = static_cast<std::size_t>(b.first), count = static_cast<std::size_t>(b.count);
+    for (std::size_t k = first; k < first + count; ++k) {
       tree_.order_[k] = places_[k].face;
       tree_.boxes_[k] = places_[k].box;
     }

@@ -59,12 +59,20 @@ Triangles surface_of(const Solid& solid) {
   return out;
 }
 
-/// The surface, if it does not cross itself.
-Tried<RaySolid> simple(Triangles surface) {
+/// One piece of Euler number 2 without an edge bent inward: convex, unless it goes round more than once.
+bool bends_outward(const RayBody& body) {
+  return body.pieces == 1 && body.euler() == 1 &&
+         std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
+}
+
+/// The surface, if it does not cross itself: what is convex does not, and facets of many corners need no look.
+Tried<RaySolid> simple(const Solid& solid) {
+  Triangles surface = surface_of(solid);
   Tried<RayBody> made = RayBody::of(surface);
   if (!made) return made.refusal();
   auto sheet = std::make_shared<const RaySheet>(*std::move(made));
-  const auto crossing = crossing_faces(*sheet);
+  const bool convex = bends_outward(sheet->body) && is_convex(solid.mesh);
+  const auto crossing = convex ? std::nullopt : crossing_faces(*sheet);
   if (!crossing) return RaySolid{std::move(surface), {}, {}, std::move(sheet)};
   const RayBody& body = sheet->body;
   const auto text = [&](int f) {
@@ -80,7 +88,7 @@ Tried<RaySolid> primitive(const Solid& solid) {
     case Solid::Form::kPolytope:
       return RaySolid{triangles(Polytope::hull(solid.mesh.vertices)), {}, {}};
     case Solid::Form::kMesh:
-      return simple(surface_of(solid));
+      return simple(solid);
     case Solid::Form::kPrism: {
       Tried<Triangles> surface = prism(solid);
       if (!surface) return surface.refusal();
@@ -161,10 +169,7 @@ void extend_box(const std::vector<RaySolid>& solids, Point& low, Point& high, bo
 
 bool is_convex(const RaySolid& solid) {
   if (solid.ball()) return false;
-  const auto sheet = sheet_of(solid);
-  const RayBody& body = sheet->body;
-  return body.pieces == 1 && body.euler() == 1 &&
-         std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
+  return bends_outward(sheet_of(solid)->body);
 }
 
 }  // namespace findspace::space

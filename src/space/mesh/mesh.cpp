@@ -273,38 +273,24 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
 
 namespace {
 
-/// Whether the surface is one piece of Euler number 2, with no edge that has the surface above it.
+/// Whether no edge has the surface above it, as far as the next corner of its neighbour tells.
 bool bends_outward(const Mesh& mesh) {
-  std::map<MeshEdge, int> at;
+  const MeshEdges edges(mesh);
+  const auto bends = [&](int f, const Wide3& normal, int a, int b) {
+    const auto uses = edges.at(a, b);
+    if (uses.size() != 2) return false;
+    const std::vector<int>& beside = mesh.faces[uses[0].face == f ? uses[1].face : uses[0].face];  // from b to a
+    const auto at = std::find(beside.begin(), beside.end(), a) + 1;
+    const int next = at == beside.end() ? beside.front() : *at;
+    return exact::dot(normal, mesh.vertices[next] - mesh.vertices[a]) <= 0;
+  };
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
-    bool once = true;
-    each_edge(mesh.faces[f], [&](int a, int b) { once = once && at.emplace(MeshEdge{a, b}, f).second; });
-    if (!once) return false;
+    const std::vector<int>& face = mesh.faces[f];
+    const Wide3 normal = exact::primitive(area_vector(mesh, face));
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (!bends(f, normal, face[i], face[(i + 1) % face.size()])) return false;
   }
-  std::vector<char> used(mesh.vertices.size(), 0);
-  std::vector<int> stack{0};
-  std::vector<char> reached(mesh.faces.size(), 0);
-  reached[0] = 1;
-  std::size_t count = 0;
-  while (!stack.empty()) {
-    const int f = stack.back();
-    stack.pop_back();
-    ++count;
-    const Wide3 n = exact::primitive(area_vector(mesh, mesh.faces[f]));
-    bool below = true;
-    each_edge(mesh.faces[f], [&](int a, int b) {
-      used[a] = 1;
-      const int g = at.at({b, a});
-      for (const int v : mesh.faces[g]) below = below && exact::dot(n, mesh.vertices[v] - mesh.vertices[a]) <= 0;
-      if (!reached[g]) {
-        reached[g] = 1;
-        stack.push_back(g);
-      }
-    });
-    if (!below) return false;
-  }
-  const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-  return count == mesh.faces.size() && vertices + count == at.size() / 2 + 2;
+  return true;
 }
 
 /// Whether the surface lies on that of the hull of its vertices, and covers it once: such a surface covers each place
