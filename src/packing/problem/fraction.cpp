@@ -28,9 +28,7 @@ int128 divisor(int128 a, int128 b) {
   return a;
 }
 
-[[noreturn]] void out_of_range() {
-  throw Error(ErrorCode::kOutOfRange, "a number has too many digits for a layout");
-}
+[[noreturn]] void out_of_range() { throw Error(ErrorCode::kOutOfRange, "a number has too many digits for a layout"); }
 
 std::string digits_of(int128 value) {
   std::string text;
