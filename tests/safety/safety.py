@@ -118,7 +118,7 @@ class Reading(SafetyTest):
 
     def test_kinds_that_are_read_are_listed(self):
         self.scene({"B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "A": {"file": "part.sldprt"}})
-        self.expect(3, "3D shapes from .stl", "describe", "scene.json", "A")
+        self.expect(3, "3D shapes come from .stl", "describe", "scene.json", "A")
 
     def test_ending_of_a_result_is_looked_at_first(self):
         for verb in ("map", "check", "measure", "describe", "convert", "place", "explain", "pack"):
