@@ -5,10 +5,13 @@
 
 usage: packing.py EXECUTABLE [--data FOLDER] [--work N] [--seed S] [INSTANCE...]     density after processor seconds
        packing.py EXECUTABLE [--data FOLDER] --records [INSTANCE...]                 published layouts, compacted
+       packing.py EXECUTABLE [--data FOLDER] --runs FILE [--seeds N] [--seconds S] [INSTANCE...]   many seeds, by the clock
 
 FOLDER holds nesting/*.json and records/*.svg (default: ../shared/data/2d beside the repository). Heights are the true
 ones, without the 1e-4 that some files add. Processor seconds are those of the program, so other work on the machine
-changes a row little. A record is verified as it is, then shortened by linear programs from there; both are exact."""
+changes a row little. Runs by the clock have two threads and need a quiet machine: FILE keeps each as a line of JSON, and
+what stands there is not run again, so a table may take several days. A record is verified as it is, then shortened by
+linear programs from there; both are exact."""
 import argparse
 import json
 import os
@@ -21,6 +24,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TRUE_HEIGHTS = {"fu": "38", "jakobs1": "40", "jakobs2": "70", "blaz1": "15", "shapes0": "40", "shapes1": "40"}
 CLASSICS = ["albano", "blaz1", "dagli", "fu", "jakobs1", "jakobs2", "mao", "marques", "shapes0", "shapes1", "shirts", "swim",
             "trousers"]
+GARDEYN = ["gardeyn0", "gardeyn1", "gardeyn9"]
 SECONDS = (10, 30, 60, 120)
 NOTE = re.compile(r"processor +([\d.]+) s +length ([\d.]+) +density ([\d.]+) %")
 
@@ -50,9 +54,52 @@ def density_table(arguments):
         print(f"| {name} | " + " | ".join(cells) + f" | {density:.2f} | {last:.1f} s |", flush=True)
 
 
+def kept_runs(arguments):
+    """The lines of the file that were run for as long."""
+    if not os.path.exists(arguments.runs):
+        return []
+    with open(arguments.runs, encoding="utf-8") as file:
+        lines = [json.loads(line) for line in file if line.strip()]
+    return [line for line in lines if line["seconds"] == arguments.seconds]
+
+
+def one_run(arguments, name, seed):
+    height = ["--height", TRUE_HEIGHTS[name]] if name in TRUE_HEIGHTS else []
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "layout.json")
+        done = run(arguments.executable, "pack", os.path.join(arguments.data, "nesting", name + ".json"), *height, "--threads",
+                   "2", "--seed", str(seed), "--time-limit", str(arguments.seconds), "-o", out)
+        with open(out, encoding="utf-8") as file:
+            layout = json.load(file)["layout"]
+    curve_seen = [(float(s), float(density)) for s, _, density in NOTE.findall(done.stderr)]
+    return {"instance": name, "seed": seed, "seconds": arguments.seconds, "density": 100 * layout["density"],
+            "length": layout["length"], "curve": curve_seen}
+
+
+def seed_table(arguments):
+    names = arguments.instances or CLASSICS + GARDEYN
+    done = {(line["instance"], line["seed"]) for line in kept_runs(arguments)}
+    for seed in range(1, arguments.seeds + 1):
+        for name in names:
+            if (name, seed) in done:
+                continue
+            line = one_run(arguments, name, seed)
+            with open(arguments.runs, "a", encoding="utf-8") as file:
+                file.write(json.dumps(line) + "\n")
+    print("| instance | runs | mean | least | best | shortest |\n|---|---|---|---|---|---|")
+    for name in names:
+        lines = [line for line in kept_runs(arguments) if line["instance"] == name]
+        if not lines:
+            continue
+        densities = [line["density"] for line in lines]
+        best = max(lines, key=lambda line: line["density"])
+        print(f"| {name} | {len(lines)} | {sum(densities) / len(densities):.2f} | {min(densities):.2f} | "
+              f"{best['density']:.2f} | {float(best['length']):.6f} |")
+
+
 def record_table(arguments):
     print("| record | feasible | length | compacted | density % |\n|---|---|---|---|---|")
-    for name in arguments.instances or CLASSICS + ["gardeyn0", "gardeyn1", "gardeyn9"]:
+    for name in arguments.instances or CLASSICS + GARDEYN:
         record = os.path.join(arguments.data, "records", name + ".svg")
         verdict = json.loads(run(arguments.executable, "verify", record, "--json").stdout)["verdict"]
         with tempfile.TemporaryDirectory() as folder:
@@ -73,8 +120,11 @@ def main():
     parser.add_argument("--work", type=int, default=15000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--records", action="store_true")
-    arguments = parser.parse_args()
-    (record_table if arguments.records else density_table)(arguments)
+    parser.add_argument("--runs", default="")
+    parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--seconds", type=float, default=120)
+    arguments = parser.parse_intermixed_args()
+    (record_table if arguments.records else seed_table if arguments.runs else density_table)(arguments)
 
 
 if __name__ == "__main__":
