@@ -243,13 +243,6 @@ class Costs(SafetyTest):
             self.scene({"S": shape})
             self.refused("describe", "scene.json")
 
-    def test_sums_of_rotated_sums(self):
-        shape = {"outline": [[0, 0], [5, 0], {"to": [0, 5], "bulge": 0.3}]}
-        for k in range(1, 13):
-            shape = {"minkowski_sum": [shape, {"rotate": 7 * k, "of": shape}]}
-        self.scene({"S": shape})
-        self.expect(3, "roots nested too deeply", "describe", "scene.json")
-
     def test_many_alternatives(self):
         shapes = {"A%d" % k: {"box": {"min": [3 * k, 0], "max": [3 * k + 1, 1]}} for k in range(500)}
         self.scene({"B": {"disc": {"center": [0, 0], "radius": 1}}, **shapes}, moving="B",
