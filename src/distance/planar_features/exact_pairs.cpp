@@ -110,9 +110,12 @@ std::optional<FeaturePair> exact_pair(const Region& a, const Region& b, const Re
     double d = std::hypot(near_value(f.at.x) - near_value(g.at.x), near_value(f.at.y) - near_value(g.at.y));
     bool inside = d < std::max(near_value(f.radius), near_value(g.radius));
     out = centre_pair(f, g, far ? Between::kFar : inside ? Between::kInside : Between::kApart);
+    const bool arc_and_point = k.first.dimension == 0 || k.second.dimension == 0;
     // A point beside a circle has the same foot on either side, and numbers need not tell on which it is.
-    if (!far && (k.first.dimension == 0 || k.second.dimension == 0)) out.distance = abs(out.distance);
-    if (!far && !(faces(a, k.first, f.at, out.first) && faces(b, k.second, g.at, out.second))) return std::nullopt;
+    if (!far && arc_and_point) out.distance = abs(out.distance);
+    if (!far && !(faces(a, k.first, f.at, arc_and_point ? g.at : out.first) &&
+                  faces(b, k.second, g.at, arc_and_point ? f.at : out.second)))
+      return std::nullopt;
     // Where the centres may be one, numbers do not tell the way from one to the other.
     const bool arcs = k.first.dimension == 1 && k.second.dimension == 1;
     if (far && arcs &&

@@ -38,7 +38,8 @@ class Turn {
     const double scale = std::abs(p.x) + std::abs(p.y) + std::abs(cx) + std::abs(cy);
     const double error =
         scale * ((std::abs(x_.value) + std::abs(y_.value)) * margin::kNearestCandidate + 2 * (x_.error + y_.error));
-    if (std::abs(turn) > error) return turn > 0 ? 1 : -1;
+    const bool plain = dx_.fraction() && dy_.fraction() && p.kind != exact::Point::Kind::kReal;
+    if (std::abs(turn) > error || !plain) return (turn > 0) - (turn < 0);
     const exact::RealPoint end = c_.geometry.exact(c_.vertices[v].point);
     return ((end.x - circle_.center_x()) * dy_ - (end.y - circle_.center_y()) * dx_).sign();
   }

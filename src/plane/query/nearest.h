@@ -24,8 +24,8 @@ struct Nearest {
 std::optional<Nearest> nearest(const CellComplex& complex, const std::function<bool(Mark)>& wanted,
                                const exact::RealPoint& from);
 
-/// Whether the closed arc has a point at its centre plus a positive multiple of (dx, dy); true for (0, 0). Exact:
-/// doubles decide only where they are certain.
+/// Whether the closed arc has a point at its centre plus a positive multiple of (dx, dy); true for (0, 0). Doubles
+/// decide where they are certain, and where a direction is no fraction; else it is exact.
 bool has_direction(const CellComplex& complex, Index arc, const exact::Real& dx, const exact::Real& dy);
 
 }  // namespace findspace::plane
