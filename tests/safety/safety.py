@@ -250,6 +250,11 @@ class Costs(SafetyTest):
         result = self.expect(1, "", "check", "scene.json", "--at", "9,9", "--json")
         self.assertEqual(json.loads(result.out)["nearest_feasible"]["distance"], 13)
 
+    def test_a_face_that_stands_200000_times(self):
+        self.file("rep.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + "f 1 2 3\nf 1 3 2\n" * 100_000
+                  + "f 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n")
+        self.expect(3, "199999 faces stand twice", "describe", self.of_file("rep.obj"))
+
     def model(self, name, mesh, more, built):
         """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
         with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:

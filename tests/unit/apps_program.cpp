@@ -96,22 +96,6 @@ TEST_F(Program, PacksDrawingsWithCounts) {
   EXPECT_EQ(run("pack scene.json --angles 0,90").status, 2);  // a problem says them itself
 }
 
-/// Each once, also where the formula names one beside the collection; a part without a name has none.
-TEST_F(Program, ThePartsOfACollectionCarryTheirNames) {
-  std::ofstream(folder_ / "yard.json")
-      << R"({"findspace": 1, "moving": "B", "where": "gap(B, all) >= 0.5 and gap(B, wall) <= 3", "shapes": {
-             "B": {"box": {"min": [0, 0], "max": [1, 1]}}, "wall": {"box": {"min": [4, 0], "max": [6, 8]}},
-             "post": {"box": {"min": [0, 5], "max": [2, 7]}},
-             "all": ["wall", "post", {"box": {"min": [8, 8], "max": [9, 9]}}]}})";
-  EXPECT_EQ(run("map yard.json -o yard.svg").status, 0);
-  const std::string svg = read("yard.svg");
-  for (const std::string name : {">wall<", ">post<"}) {
-    EXPECT_TRUE(contains(svg, name)) << svg;
-    EXPECT_EQ(svg.find(name), svg.rfind(name));
-  }
-  EXPECT_FALSE(contains(svg, ">all<"));
-}
-
 /// A drawing that is named twice is one part; an element within another is a hole.
 TEST_F(Program, PacksOneDrawingNamedTwice) {
   std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="8" height="4"/>)"

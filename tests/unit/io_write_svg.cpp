@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "findspace/error.h"
+#include "findspace/scene.h"
 #include "io/read/read_file.h"
 #include "io/write/write_svg.h"
 #include "plane/build/build.h"
@@ -82,6 +83,21 @@ TEST(Svg, SceneryHasNamesAndTheMovingShapeAPlace) {
   EXPECT_EQ(count(svg, "moving"), 1);
   EXPECT_EQ(count(svg, "pole"), 1);
   EXPECT_NE(svg.find("at p = (50, 50)"), std::string::npos);
+}
+
+/// Each once, also where the formula names one beside the collection; a part without a name has none.
+TEST(Svg, ThePartsOfACollectionCarryTheirNames) {
+  const Scene yard = Scene::json(
+      R"({"findspace": 1, "moving": "B", "where": "gap(B, all) >= 0.5 and gap(B, wall) <= 3", "shapes": {
+          "B": {"box": {"min": [0, 0], "max": [1, 1]}}, "wall": {"box": {"min": [4, 0], "max": [6, 8]}},
+          "post": {"box": {"min": [0, 5], "max": [2, 7]}},
+          "all": ["wall", "post", {"box": {"min": [8, 8], "max": [9, 9]}}]}})");
+  const std::string svg = yard.map({}).file(".svg").text;
+  for (const std::string name : {">wall<", ">post<"}) {
+    EXPECT_NE(svg.find(name), std::string::npos) << svg;
+    EXPECT_EQ(svg.find(name), svg.rfind(name));
+  }
+  EXPECT_EQ(svg.find(">all<"), std::string::npos);
 }
 
 /// Strips as close as a name is high: a name that may cross no line has no place but on the part.

@@ -3,8 +3,6 @@
 
 #include "plane/query/measure_cells.h"
 
-#include <algorithm>
-
 #include "exact/margins/plane.h"
 #include "plane/base/parallel.h"
 #include "plane/query/measure_cells_places.h"

@@ -52,8 +52,8 @@ class BoxTree::Builder {
     tree_.order_.resize(places_.size());
     tree_.boxes_.resize(places_.size());
     std::vector<Branch> branches{{0, 0, faces, 1}};
-    const bool at_once = plane::range_count(places_.size(), kManyFaces) > 1;
-    while (at_once && branches.size() < kBranches) branches = halves(branches);
+    const bool several = plane::range_count(places_.size(), kManyFaces) > 1;
+    while (several && branches.size() < kBranches) branches = halves(branches);
     plane::at_once(branches.size(), places_.size(), kManyFaces, [&](std::size_t k) { build(branches[k]); });
   }
 

@@ -65,18 +65,14 @@ class Orientation {
     for (int seed = 0; seed < static_cast<int>(shell_of_face_.size()); ++seed) {
       if (shell_of_face_[seed] < 0) shells_.push_back(shell_of(seed));
     }
+    // At each edge, the faces of a shell that run along it upwards, less those that run along it downwards.
+    std::vector<int> surplus(shells_.size(), 0);
     edges_.each([&](const MeshEdge&, std::span<const MeshEdges::Use> uses) {
       for (const MeshEdges::Use& use : uses)
-        if (sense_in(shell_of_face_[use.face], uses) != 0) shells_[shell_of_face_[use.face]].closed = false;
+        surplus[shell_of_face_[use.face]] += use.rising == (turned_[use.face] == 0) ? 1 : -1;
+      for (const MeshEdges::Use& use : uses)
+        if (std::exchange(surplus[shell_of_face_[use.face]], 0) != 0) shells_[shell_of_face_[use.face]].closed = false;
     });
-  }
-
-  /// The faces of a shell that run along an edge upwards, less those that run along it downwards.
-  int sense_in(int shell, std::span<const MeshEdges::Use> uses) const {
-    int sum = 0;
-    for (const MeshEdges::Use& use : uses)
-      if (shell_of_face_[use.face] == shell) sum += use.rising == (turned_[use.face] == 0) ? 1 : -1;
-    return sum;
   }
 
   void turn(int face) {
