@@ -197,6 +197,38 @@ TEST(ContainerShape, AUnionLacksCells) {
   EXPECT_EQ(walls.cells[0].open, (OpenSides{{{false, true}, {false, true}, {true, true}}}));
 }
 
+/// The walls of a box are 1 thick.
+plane::Shape room_in(std::int64_t side) {
+  plane::Shape room = united({box_from({0, 0, 0}, {side, side, side})}, plane::Shape::Kind::kOffset);
+  room.amount = exact::Real(-1);
+  return room;
+}
+
+/// The pillar leaves the room through floor and ceiling; what is outside counts for nothing.
+TEST(ContainerShape, ARoomLessAPillar) {
+  const plane::Shape shape = united({room_in(12), box_from({5, 5, -5}, {7, 7, 20})}, plane::Shape::Kind::kDifference);
+  const SolidProblem problem = in_one(shape, {box("brick", 480, 1, 1, 2)}, 2);
+  EXPECT_DOUBLE_EQ(volume_of(problem, problem.containers[0]), 960);
+  EXPECT_EQ(lower_bound(problem), Fraction(1));
+  EXPECT_EQ(lower_bound(in_one(shape, {box("brick", 481, 1, 1, 2)}, 2)), Fraction(2));
+  EXPECT_FALSE(outside(problem, {3, 4, 0}));
+  EXPECT_TRUE(outside(problem, {Fraction(3) + kTiny, 4, 0}));
+}
+
+TEST(ContainerShape, ARoomCutToABoxIsABox) {
+  const plane::Shape shape = united({room_in(10), box_from({0, 0, 0}, {8, 8, 8})}, plane::Shape::Kind::kIntersection);
+  const SolidProblem problem = in_one(shape, {box("brick", 1, 1, 1, 2)});
+  EXPECT_EQ(problem.containers[0].inside, nullptr);
+  EXPECT_EQ(problem.containers[0].width, Fraction(7));
+  EXPECT_EQ(lower_bound(problem), Fraction(1));
+}
+
+TEST(ContainerShape, RoomsThatHaveNothingInCommon) {
+  SolidContainer container;
+  const plane::Shape pillar = box_from({0, 0, 0}, {12, 12, 12});
+  EXPECT_THROW(set_shape(container, united({room_in(12), pillar}, plane::Shape::Kind::kDifference), 1), Error);
+}
+
 /// The corners of its parts are no whole numbers, but cells are exact.
 TEST(ContainerShape, SlopesThatCrossOffTheGrid) {
   const SolidProblem problem =

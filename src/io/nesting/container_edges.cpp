@@ -72,11 +72,13 @@ class UnionEdges {
 
   void add(const Vector& from, const Vector& to) {
     std::vector<double> ends{0, 1};
-    for (const std::vector<FlatSide>& sides : parts_)
+    for (const std::vector<FlatSide>& sides : parts_) {
+      if (are_beyond(sides, from, to)) continue;
       for (const FlatSide& side : sides) {
         const double first = side.at(from), last = side.at(to);
         if ((first < 0) != (last < 0)) ends.push_back(first / (first - last));
       }
+    }
     std::sort(ends.begin(), ends.end());
     const Vector way = to - from;
     const auto at = [&](double t) { return space::plus(from, space::scaled(t, way)); };
@@ -112,6 +114,13 @@ class UnionEdges {
   }
 
   static Vector unit_of(const Vector& v) { return space::scaled(1 / space::length(v), v); }
+
+  /// Whether one side of a part has both points, and what is near them, outside.
+  bool are_beyond(const std::vector<FlatSide>& part, const Vector& p, const Vector& q) const {
+    const double aside = 2 * kAside * size_;
+    return std::any_of(part.begin(), part.end(),
+                       [&](const FlatSide& side) { return side.at(p) > aside && side.at(q) > aside; });
+  }
 
   bool holds(const Vector& p) const {
     return std::any_of(parts_.begin(), parts_.end(), [&](const std::vector<FlatSide>& sides) {

@@ -260,7 +260,7 @@ double volume_on_lines(const SolidContainer& container, double steps, double hei
   return sum * dy * dz;
 }
 
-/// Of a shape with flat faces.
+/// Of a shape with flat faces, its parts cells that do not overlap or its surface.
 void set_flat(SolidContainer& container, SolidForm form, const GridBox& box) {
   const Point low = box[0], end = box[1] - low;
   form.body = space::translated(std::move(form.body), -low);
@@ -275,21 +275,30 @@ void set_flat(SolidContainer& container, SolidForm form, const GridBox& box) {
   container.inside = std::make_shared<const SolidForm>(std::move(form));
 }
 
-void set_cut(SolidContainer& container, const Cut& cut, const GridBox& box) {
+/// What the box lacks of the sets with flat faces, and what is cut out, from the origin; the parts may overlap.
+space::Body lacking(const Cut& cut, const GridBox& box) {
   const Point low = box[0];
-  std::vector<space::Body> lacking;
-  for (const space::Body& flat : cut.flats) lacking.push_back(rest_of_box(space::translated(flat, -low), box[1] - low));
-  lacking.push_back(space::translated({.parts = cut.without, .scale = cut.scale}, -low));
-  SolidForm inside, lacks;
+  std::vector<space::Body> bodies;
+  for (const space::Body& flat : cut.flats) bodies.push_back(rest_of_box(space::translated(flat, -low), box[1] - low));
+  bodies.push_back(space::translated({.parts = cut.without, .scale = cut.scale}, -low));
+  std::vector<const space::Body*> parts;
+  for (const space::Body& body : bodies)
+    if (!body.parts.empty()) parts.push_back(&body);
+  return parts.empty() ? space::Body{} : space::united(parts);
+}
+
+void set_cut(SolidContainer& container, const Cut& cut, const GridBox& box) {
+  const Point low = box[0], end = box[1] - low;
+  SolidForm inside, lacks{.body = lacking(cut, box)};
+  if (cut.balls.empty() && !lacks.has_balls()) {
+    inside.body = rest_of_box(lacks.body, end);
+    if (inside.body.parts.empty()) throw Error(ErrorCode::kGeometry, "a container holds nothing");
+    return set_flat(container, std::move(inside), {Point{}, end});
+  }
   inside.body =
       space::translated(cut.balls.empty() ? cut.flats[0] : space::Body{.parts = cut.balls, .scale = cut.scale}, -low);
   container.inside = std::make_shared<const SolidForm>(std::move(inside));
-  std::vector<const space::Body*> parts;
-  for (const space::Body& body : lacking)
-    if (!body.parts.empty()) parts.push_back(&body);
-  if (parts.empty()) return;
-  lacks.body = space::united(parts);
-  container.lacks = std::make_shared<const SolidForm>(std::move(lacks));
+  if (!lacks.body.parts.empty()) container.lacks = std::make_shared<const SolidForm>(std::move(lacks));
 }
 
 }  // namespace
