@@ -15,6 +15,7 @@
 #include "common/run_limits.h"
 #include "findspace/error.h"
 #include "findspace/text.h"
+#include "placing/stated_problem.h"
 
 namespace findspace::app {
 namespace {
@@ -34,22 +35,49 @@ std::string head(const Job& job, std::size_t k, const JobEnd& end) {
                      end.seconds);
 }
 
+/// Those that a question names, to be read or written.
+std::vector<std::filesystem::path> files_of(const Job& job, const Options& options) {
+  std::vector<std::filesystem::path> files = options.outputs;
+  if (!job.scene) files.emplace_back(options.scene);
+  if (options.start) files.push_back(*options.start);
+  if (job.verb == "pack" || job.verb == "verify")
+    for (const std::string& word : files_among(options.shapes)) files.emplace_back(word);
+  return files;
+}
+
+void check_root(const Job& job, const Options& options) {
+  if (options.root.empty()) return;
+  for (const std::filesystem::path& file : files_of(job, options))
+    if (!is_inside_folder(file, options.root))
+      throw Error(
+          ErrorCode::kFile,
+          fmt::format("the file lies outside the folder '{}', and others may not be used", options.root.string()),
+          file.string());
+}
+
+/// The lower of two limits of which 0 is none.
+template <class T>
+T lower_limit(T own, T batch) {
+  return own == 0 || (batch != 0 && batch < own) ? batch : own;
+}
+
+/// A question narrows what the batch allows and does not widen it.
 Options options_of(const Job& job, const Options& batch) {
-  Options options = parse_question(job.verb, job.arguments);
+  Options usual;
+  usual.input_limit = batch.input_limit;
+  usual.work_limit = batch.work_limit;
+  Options options = parse_question(job.verb, job.arguments, usual);
   options.json = true;
   options.scene_text = job.scene;
   if (!options.store.empty()) throw Error(ErrorCode::kUsage, "--store is of the whole batch, not of a question");
-  if (options.time_limit == 0) options.time_limit = batch.time_limit;
-  if (options.memory_limit == 0) options.memory_limit = batch.memory_limit;
+  options.time_limit = lower_limit(options.time_limit, batch.time_limit);
+  options.memory_limit = lower_limit(options.memory_limit, batch.memory_limit);
+  options.input_limit = std::min(options.input_limit, batch.input_limit);
+  options.work_limit = std::min(options.work_limit, batch.work_limit);
   if (options.threads == 0) options.threads = std::max(1U, batch.threads);
   options.no_files = options.no_files || batch.no_files;
-  if (!batch.root.empty()) options.root = batch.root;  // a question does not widen what the batch may read
-  if (!options.scene_text && !options.root.empty() && !is_inside_folder(options.scene, options.root))
-    throw Error(ErrorCode::kFile,
-                fmt::format("the file lies outside the folder '{}', and others may not be read", options.root.string()),
-                options.scene);
-  options.input_limit = std::min(options.input_limit, batch.input_limit);
-  options.work_limit = std::max(options.work_limit, batch.work_limit);
+  if (!batch.root.empty()) options.root = batch.root;
+  check_root(job, options);
   return options;
 }
 
@@ -77,7 +105,7 @@ struct Answer {
 
 Answer answer(const Job& job, const Options& options, std::vector<std::string>& notes) {
   Reporter reporter(notes);
-  const RequestTime time(options.time_limit * (ends_in_time(job.verb) ? 1 + kLate : 1), "");
+  const RequestLimits limits(options.time_limit * (ends_in_time(job.verb) ? 1 + kLate : 1));
   const MemoryLimit memory(options.memory_limit);
   Outcome outcome = run_question(job.verb, options, reporter);
   if (outcome.stream) outcome.stream([&](std::string_view text) { outcome.text += text; });

@@ -142,9 +142,9 @@ CommandLine read_command_line(int argc, char** argv) {
   return out;
 }
 
-Options parse_question(std::string_view name, std::vector<std::string> arguments) {
+Options parse_question(std::string_view name, std::vector<std::string> arguments, Options usual) {
   CLI::App app("", "findspace");
-  Options options;
+  Options options = std::move(usual);
   add_options(app, name, options);
   std::reverse(arguments.begin(), arguments.end());
   try {

@@ -19,8 +19,9 @@ bool is_question(std::string_view verb);
 /// The names of these, for messages.
 std::vector<std::string> question_names();
 
-/// What stands after the verb, as options. Throws Error(kUsage) with the message that the program would print.
-Options parse_question(std::string_view verb, std::vector<std::string> arguments);
+/// What stands after the verb, as options; those that are not named are the usual ones. Throws Error(kUsage) with the
+/// message that the program would print.
+Options parse_question(std::string_view verb, std::vector<std::string> arguments, Options usual);
 
 /// Checks the outputs, then runs the verb with the threads of the options. Throws what the verb throws.
 Outcome run_question(std::string_view verb, const Options& options, Reporter& reporter);

@@ -16,8 +16,11 @@ namespace findspace::app {
 
 void check_outputs(const Options& options, const std::vector<std::string>& formats) {
   for (const auto& path : options.outputs) {
-    std::error_code none;  // where one of them is not there, they are not the same
-    if (std::filesystem::equivalent(path, options.scene, none))
+    const auto is_it = [&](const std::string& word) {
+      std::error_code none;  // where one of them is not there, they are not the same
+      return std::filesystem::equivalent(path, word, none);
+    };
+    if (is_it(options.scene) || std::any_of(options.shapes.begin(), options.shapes.end(), is_it))
       throw Error(ErrorCode::kUsage, fmt::format("-o {}: this is the input itself; it would be lost", path.string()));
     if (std::find(formats.begin(), formats.end(), path.extension().string()) != formats.end()) continue;
     throw Error(ErrorCode::kUsage,

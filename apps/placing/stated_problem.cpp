@@ -129,6 +129,13 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
 
 }  // namespace
 
+std::vector<std::string> files_among(const std::vector<std::string>& words) {
+  std::vector<std::string> files;
+  for (const std::string& word : words)
+    if (!count_of(word)) files.push_back(word);
+  return files;
+}
+
 StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options) {
   if (is_drawing(words[0]) || words.size() > 1) return drawn_problem(words, options);
   if (has_shapes(words[0], 3)) refuse_word(words[0]);

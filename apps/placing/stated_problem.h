@@ -21,6 +21,9 @@ struct StatedProblem {
   bool drawn = false;
 };
 
+/// Of the words of a command line those that name files, not counts.
+std::vector<std::string> files_among(const std::vector<std::string>& words);
+
 /// Throws Error(kUsage) where a count stands without a drawing, or drawings without a strip or a sheet.
 StatedProblem stated_problem(const std::vector<std::string>& words, const Options& options);
 
