@@ -13,8 +13,9 @@ namespace {
 
 std::optional<MapLines> asked_lines(const Options& options) {
   if (options.resolution == 0 && options.spacing.empty()) {
-    if (!options.side.empty() || !options.axis.empty())
-      throw Error(ErrorCode::kUsage, "--side and --axis are for maps on lines: they need --resolution or --step");
+    if (!options.side.empty() || !options.axis.empty() || options.axes)
+      throw Error(ErrorCode::kUsage,
+                  "--side, --axis and --axes are for maps on lines: they need --resolution or --step");
     return std::nullopt;
   }
   MapLines out;

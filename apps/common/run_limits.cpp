@@ -25,8 +25,9 @@ namespace {
 // With calls only that a signal handler may make.
 
 volatile sig_atomic_t printing = 0;
-std::string_view last_words;  // set while no timer runs
-std::string_view kept;        // what is there when nothing was written
+std::string_view when_late;       // set while no timer runs
+std::string_view without_memory;  // set while a request is answered
+std::string_view kept;            // what is there when nothing was written
 
 std::array<std::string, 2> answers;
 std::atomic<const std::string*> answer;  // one of them
@@ -66,7 +67,7 @@ extern "C" void on_signal(int signal) {
     put(*text, STDOUT_FILENO);
     _exit(kDone);
   }
-  if (signal == SIGALRM) put(last_words, STDOUT_FILENO);
+  if (signal == SIGALRM) put(when_late, STDOUT_FILENO);
   if (signal == SIGALRM) end("the time limit is reached, which --time-limit raises", kLimit);
   end(signal == SIGINT ? "interrupted" : "ended by a signal", kBySignal + signal);
 }
@@ -123,15 +124,17 @@ void set_limits(const Options& options, bool ends_in_time) {
   }
 }
 
-RequestTime::RequestTime(double seconds, std::string words) : last_words_(std::move(words)) {
+RequestLimits::RequestLimits(double seconds, std::string late, std::string memory)
+    : when_late_(std::move(late)), without_memory_(std::move(memory)) {
+  without_memory = without_memory_;
   if (seconds <= 0) return;
-  last_words = last_words_;
+  when_late = when_late_;
   handle(SIGALRM);
   set_timer(seconds);
 }
-RequestTime::~RequestTime() {
+RequestLimits::~RequestLimits() {
   set_timer(0);
-  last_words = {};
+  when_late = without_memory = {};
 }
 
 void say_at_the_end(const char* text) { kept = text; }
@@ -151,6 +154,7 @@ void end_limits() {
 }
 
 void end_out_of_memory() {
+  put(without_memory, STDOUT_FILENO);
   end("the memory limit, which --memory-limit raises, or that of the system is reached", kLimit);
 }
 

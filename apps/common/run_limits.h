@@ -23,17 +23,17 @@ inline constexpr double kLate = 0.05;
 /// Of its time, what such a verb may spend before it writes.
 inline constexpr double kSearching = 0.85;
 
-/// While it lives, a time limit of one request: the process ends with status 4 when it is over, after `last_words` on
-/// standard output for the program that waits for an answer there. No seconds, no limit.
-class RequestTime {
+/// While it lives, the limits of one request: where its time is over, or memory, the process ends with status 4.
+/// Before, it says why on standard output, to the program that waits for an answer there. No seconds, no limit of time.
+class RequestLimits {
  public:
-  RequestTime(double seconds, std::string last_words);
-  ~RequestTime();
-  RequestTime(const RequestTime&) = delete;
-  RequestTime& operator=(const RequestTime&) = delete;
+  explicit RequestLimits(double seconds, std::string when_late = "", std::string without_memory = "");
+  ~RequestLimits();
+  RequestLimits(const RequestLimits&) = delete;
+  RequestLimits& operator=(const RequestLimits&) = delete;
 
  private:
-  std::string last_words_;
+  std::string when_late_, without_memory_;
 };
 
 /// What an end by a signal says instead of "nothing was written"; the text lives as long as the process.

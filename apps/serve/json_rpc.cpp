@@ -20,8 +20,9 @@ using JsonKind = JsonValue::Kind;
 
 constexpr int kSceneFault = -32000, kLimitReached = -32001;
 constexpr std::string_view kProtocolVersion = "2025-06-18";
-constexpr std::array<std::string_view, 8> kCodes{"usage",    "syntax",       "unknown name", "bad value",
-                                                 "geometry", "out of range", "file",         "unsupported"};
+constexpr std::size_t kCodeCount = static_cast<std::size_t>(ErrorCode::kLimit) + 1;
+constexpr std::array<std::string_view, kCodeCount> kCodes{
+    "usage", "syntax", "unknown name", "bad value", "geometry", "out of range", "file", "unsupported", "limit"};
 
 /// JSON without line breaks: those of results stand between tokens only.
 std::string one_line(std::string text) {
@@ -114,8 +115,10 @@ std::string JsonRpc::answer(const JsonValue& request) {
   const std::string named = id_text(id);
   if (!request.is(JsonKind::kObject) || method == nullptr || !method->is(JsonKind::kString))
     return error_text(named, RequestError::kRequest, "a request is an object with \"jsonrpc\", \"id\" and \"method\"");
-  const RequestTime time(
-      seconds_, late_ == Late::kSilent ? "" : error_text(named, kLimitReached, "the time limit is reached") + "\n");
+  const auto last_words = [&](std::string_view why) {
+    return late_ == Late::kSilent ? "" : error_text(named, kLimitReached, why) + "\n";
+  };
+  const RequestLimits limits(seconds_, last_words("the time limit is reached"), last_words("out of memory"));
   std::string out;
   try {
     out = fmt::format(R"({{"jsonrpc": "2.0", "id": {}, "result": {}}})", named,
@@ -125,7 +128,8 @@ std::string JsonRpc::answer(const JsonValue& request) {
   } catch (const RequestError& e) {
     out = error_text(named, e.code, e.message);
   } catch (const Error& e) {
-    out = error_text(named, kSceneFault, e.message(), error_data(e));
+    const int code = e.code() == ErrorCode::kLimit ? kLimitReached : kSceneFault;
+    out = error_text(named, code, e.message(), error_data(e));
   } catch (const std::bad_alloc&) {
     out = error_text(named, kLimitReached, "out of memory");
   } catch (const std::exception& e) {

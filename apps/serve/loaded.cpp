@@ -47,20 +47,23 @@ Error within_formula(const Error& error) {
   return out;
 }
 
-/// The scene with another formula, which is read.
-Scene with_where(const Scene& scene, const std::string& where) {
+Scene::Question with_where(const std::string& where) {
   Scene::Question question;
   question.where = where;
+  return question;
+}
+
+}  // namespace
+
+Scene Loaded::asking(const Scene& scene, const Scene::Question& question) {
   Scene other = scene.asking(question);
   try {
-    other.used();
+    if (other.asks()) other.used();
   } catch (const Error& error) {
     throw within_formula(error);
   }
   return other;
 }
-
-}  // namespace
 
 Loaded::Loaded(const Scene& scene) : scene_(scene.prepared()), asked_(asked_of(scene_)) {
   scene_.used();  // refuses a formula that is none
@@ -89,11 +92,11 @@ void Loaded::require_moving() const {
 }
 
 Scene Loaded::asking(const Scene& scene, const std::string& where) {
-  return with_where(scene, where.empty() ? "true" : where);
+  return asking(scene, with_where(where.empty() ? "true" : where));
 }
 
 void Loaded::set_where(const std::string& where) {
-  scene_ = with_where(scene_, where);
+  scene_ = asking(scene_, with_where(where));
   asked_ = asked_of(scene_);
   forget_answers();
 }

@@ -43,6 +43,10 @@ class Loaded {
   const Scene& scene() const { return scene_; }
   /// Another formula. Throws Error with the place "LINE:COLUMN" within it and changes nothing then.
   void set_where(const std::string& where);
+  /// A scene with another question, whose formula is read. Throws Error as set_where().
+  static Scene asking(const Scene& scene, const Scene::Question& question);
+  /// The same with another formula; without one always.
+  static Scene asking(const Scene& scene, const std::string& where);
 
   /// What it is: dimension, unit, shapes, what moves, the formula, what is free; with `drawing` how the shapes look.
   std::string summary_json(bool drawing) const;
@@ -65,8 +69,6 @@ class Loaded {
   explicit Loaded(const Scene& scene);
   /// Its formula, or what always holds; over positions, or those on its line.
   const Scene& asked() const { return asked_; }
-  /// A scene with another formula; without one always.
-  static Scene asking(const Scene& scene, const std::string& where);
   bool is_free(Scene::Free::Kind kind) const { return scene_.free().kind == kind; }
   /// Throws Error where nothing moves.
   void require_moving() const;

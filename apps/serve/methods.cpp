@@ -156,6 +156,13 @@ std::uint64_t whole(const JsonValue& parameters, std::string_view key, std::uint
   return static_cast<std::uint64_t>(whole);
 }
 
+unsigned threads_of(const JsonValue& parameters) {
+  constexpr std::uint64_t kMost = 1024;
+  const std::uint64_t threads = whole(parameters, "threads", 0);
+  if (threads > kMost) refuse(fmt::format("\"threads\" is at most {}", kMost));
+  return static_cast<unsigned>(threads);
+}
+
 /// A list of `count` numbers, or of two or three where that is 0.
 std::vector<Number> numbers(const JsonValue& parameters, std::string_view key, std::size_t count) {
   const JsonValue* value = find(parameters, key, JsonKind::kArray, "a list of numbers");
@@ -211,13 +218,16 @@ std::string scene(SceneStore& store, const JsonValue& parameters) {
 
 std::string set(SceneStore& store, const JsonValue& parameters) {
   const std::string name = name_of(parameters);
+  const auto where = text(parameters, "where");
   if (const JsonValue* moving = find(parameters, "moving", JsonKind::kArray, "a list of names")) {
     Scene::Question question;
     question.moving.emplace();
     for (const JsonValue& item : moving->items) question.moving->push_back(item.text);
-    store.keep(name, store.scene(name).scene().asking(question));
+    question.where = where;
+    store.keep(name, Loaded::asking(store.scene(name).scene(), question));
+  } else if (where) {
+    store.scene(name).set_where(*where);
   }
-  if (const auto where = text(parameters, "where")) store.scene(name).set_where(*where);
   return store.scene(name).summary_json(false);
 }
 
@@ -317,8 +327,7 @@ std::string pack(SceneStore& store, const JsonValue& parameters) {
   if (const auto start = text(parameters, "start")) job.begin_with(*start);
   const JsonValue* search = find(parameters, "search", JsonKind::kBoolean, "true or false");
   if (search == nullptr || search->boolean)
-    job.start(
-        {whole(parameters, "seed", 1), unsigned(whole(parameters, "threads", 0)), double_of(parameters, "seconds", 0)});
+    job.start({whole(parameters, "seed", 1), threads_of(parameters), double_of(parameters, "seconds", 0)});
   return job.problem_json(flag(parameters, "drawing"));
 }
 

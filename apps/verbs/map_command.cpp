@@ -70,7 +70,7 @@ Outcome run_map(const Options& options, Reporter& reporter) {
   if (options.at && free != Kind::kTime && free != Kind::kAngle)
     throw Error(ErrorCode::kUsage, "--at is for a map of time or of angles: a map of positions has all of them");
   if (session.in_space()) return map_in_space(session);
-  if (free != Kind::kPose && free != Kind::kAngle) refuse_lines(options, "for maps of 3D scenes");
+  refuse_lines(options, "for maps of 3D scenes");
   check_outputs(options, formats_of(free));
   refuse_apply(options, free);
   const bool drawn = std::any_of(options.outputs.begin(), options.outputs.end(),

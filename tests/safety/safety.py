@@ -162,6 +162,46 @@ class Reading(SafetyTest):
         self.assertEqual(answers, {1: 0, 2: 3, 3: 3, 4: 3}, text + result.err)
         self.assertEqual(text.count("outside the folder"), 3)
 
+    def batch(self, questions, *options):
+        """The answers, by line."""
+        self.file("questions", "".join(json.dumps(q) + "\n" for q in questions))
+        self.run_program("batch", "questions", *options, "-o", "answers.jsonl")
+        lines = map(json.loads, (self.folder / "answers.jsonl").read_text().splitlines())
+        return {a["line"]: a for a in lines if "line" in a}
+
+    def test_all_files_of_a_batch_lie_within_its_root(self):
+        strip = {"name": "s", "strip_height": 2, "items": [{"id": "a", "demand": 1, "shape": {
+            "type": "simple_polygon", "data": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]}}]}
+        layout = {"findspace": 1, "layout": {"instance": "s", "container": {"strip": 2}, "length": "1", "items": [
+            {"part": "a", "copy": 1, "sheet": 0, "angle": 0, "mirrored": False, "at": ["0", "0"]}]}}
+        drawing = '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9"><path d="M0 0H4V3Z"/></svg>'
+        for folder in ("in", "out"):
+            self.file(folder + "/strip.json", strip)
+            self.file(folder + "/layout.json", layout)
+            self.file(folder + "/part.svg", drawing)
+        box = {"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [1, 1]}}}}
+        questions = [q for folder in ("in", "out") for q in (
+            {"verb": "verify", "path": "in/layout.json", "shapes": [folder + "/strip.json"]},
+            {"verb": "pack", "path": "in/strip.json", "options": {"work": 1, "start": folder + "/layout.json"}},
+            {"verb": "pack", "path": "in/part.svg", "shapes": ["x2", folder + "/part.svg", "x1"],
+             "options": {"work": 1, "height": 10}},
+            {"verb": "describe", "scene": box, "shapes": ["A"], "options": {"output": folder + "/made.json"}})]
+        answers = self.batch(questions, "--root", "in")
+        self.assertEqual([answers[k + 1]["exit"] for k in range(8)], [0] * 4 + [3] * 4, answers)
+        for k in range(5, 9):
+            self.assertIn("outside the folder", answers[k]["error"])
+        self.assertFalse((self.folder / "out" / "made.json").exists())
+
+    def test_questions_of_a_batch_narrow_its_limits(self):
+        many = {"findspace": 1, "shapes": {"A": {"union": [
+            {"box": {"min": [2 * k, 0], "max": [2 * k + 1, 1]}} for k in range(100)]}}}
+        ask = lambda **options: {"verb": "describe", "scene": many, "shapes": ["A"], "options": options}
+        exits = lambda *options: [a["exit"] for _, a in sorted(self.batch(questions, *options).items())]
+        questions = [ask(), ask(**{"work-limit": 100}), ask(**{"input-limit": 100})]
+        self.assertEqual(exits(), [0, 4, 4])
+        questions = [ask(), ask(**{"work-limit": "1G"})]
+        self.assertEqual(exits("--work-limit", "100"), [4, 4])
+
 
 class Costs(SafetyTest):
     """What hostile input may cost: an answer or a refusal, in little time and memory."""

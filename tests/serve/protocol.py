@@ -305,6 +305,22 @@ class Answers(unittest.TestCase):
         self.assertEqual(answers[6]["result"]["moving"], ["plate"])
         self.assertEqual(answers[8]["error"]["code"], -32602)
 
+    def test_a_mistake_changes_nothing(self):
+        answers, _ = serve([
+            {"id": 1, "method": "load", "params": {"path": "peg.json"}},
+            {"id": 2, "method": "set", "params": {"moving": ["plate"], "where": "inside(plate, tabel)"}},
+            {"id": 3, "method": "scene"},
+            {"id": 4, "method": "set", "params": {"moving": ["plate"], "where": "inside(plate, table)"}},
+        ], PEG)
+        self.assertIn("error", answers[1])
+        self.assertEqual(answers[2]["result"]["moving"], ["peg"])
+        self.assertEqual(answers[3]["result"]["moving"], ["plate"])
+
+    def test_a_limit_is_named(self):
+        answers, _ = serve([{"id": 1, "method": "load", "params": {"text": open(PEG, encoding="utf-8").read()}}], PEG,
+                           "--work-limit", "10000")
+        self.assertEqual((answers[0]["error"]["code"], answers[0]["error"]["data"]["kind"]), (-32001, "limit"), answers)
+
     def test_batches_notifications_and_mistakes(self):
         answers, status = serve([
             '[{"id": "a", "method": "ping"}, {"method": "ping"}, {"id": 2, "method": "nothing"}]',
