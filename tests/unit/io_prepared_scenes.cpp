@@ -167,9 +167,20 @@ TEST(PreparedScene, ItsTextIsEdited) {
   EXPECT_EQ(again.used(), (std::vector<std::string>{"peg", "table"}));
   EXPECT_THROW(scene.rotated(Number(30)).edited_text(), Error);
   question.where = "";
-  EXPECT_THROW(scene.asking(question).edited_text(), Error);
+  EXPECT_FALSE(Scene::json(scene.asking(question).edited_text()).asks());
   EXPECT_TRUE(scene.asks());
   EXPECT_FALSE(scene.asking(question).asks());
+}
+
+TEST(PreparedScene, ItsTextSaysTheLastObjective) {
+  Scene::Question least, greatest;
+  least.minimize = "x";
+  greatest.maximize = "y";
+  const Scene scene = Scene::json(Scene::json(kPlate).asking(greatest).edited_text());
+  const std::string text = scene.asking(least).edited_text();
+  EXPECT_NE(text.find(R"("maximize": "")"), std::string::npos);
+  EXPECT_EQ(Scene::json(text).asking({}).edited_text(), text);
+  EXPECT_EQ(scene.asking(least).asking(greatest).edited_text(), scene.edited_text());
 }
 
 TEST(PreparedScene, InSpace) {

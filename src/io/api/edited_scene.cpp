@@ -40,12 +40,13 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
   return at + 1;
 }
 
-/// The text with `value` under a key of the scene, which may not have been there.
+/// The text with `value` under a key of the scene, which may not have been there; an empty text says as much.
 std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
   plane::WorkBudget work;
   const JsonValue scene = parse_json(text, "scene", work);
   const JsonValue* old = scene.find(key);
   if (old == nullptr) {
+    if (value == R"("")") return text;
     const std::size_t brace = offset_of(text, scene.line, scene.column) + 1;
     return text.substr(0, brace) + "\n  \"" + key + "\": " + value + "," + text.substr(brace);
   }

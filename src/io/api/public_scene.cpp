@@ -434,19 +434,25 @@ std::string Scene::edited_text() const {
   std::string out = text();
   if (out.empty() || data_->source.board)
     throw Error(ErrorCode::kBadValue, "this scene has no text of its own", name());
-  const auto put = [&](const char* key, const std::optional<std::string>& value) {
-    if (value && value->empty()) throw Error(ErrorCode::kUnsupported, fmt::format("no text says \"{}\" is none", key));
-    if (value) out = io::edited_scene(out, key, {*value});
-  };
+  Question last;  // of each word what was said last
   for (const Change& change : changes()) {
     if (!change.question || change.question->free)
       throw Error(ErrorCode::kUnsupported, "the text of a scene does not say that it is rotated or over what it ranges",
                   name());
-    put("where", change.question->where);
-    put("minimize", change.question->minimize);
-    put("maximize", change.question->maximize);
-    if (change.question->moving) out = io::edited_scene(out, "moving", *change.question->moving);
+    const Question& question = *change.question;
+    if (question.where) last.where = question.where;
+    if (question.moving) last.moving = question.moving;
+    if (!question.minimize && !question.maximize) continue;
+    last.minimize = question.minimize.value_or("");
+    last.maximize = question.maximize.value_or("");
   }
+  const auto put = [&](const char* key, const std::optional<std::string>& value) {
+    if (value) out = io::edited_scene(out, key, {*value});
+  };
+  put("where", last.where);
+  put("minimize", last.minimize);
+  put("maximize", last.maximize);
+  if (last.moving) out = io::edited_scene(out, "moving", *last.moving);
   return out;
 }
 
