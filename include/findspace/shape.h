@@ -53,8 +53,8 @@ class Shape {
   static Shape disc(const Point& center, const Number& radius, const Grid& grid = {});
   /// Closed, with sides along the axes and an area.
   static Shape box(const Point& min, const Point& max, const Grid& grid = {});
-  /// SVG path data of M L H V A Z, circular arcs only; y points upwards. Rings nest by the even-odd rule, open parts
-  /// are chains (docs/scene.md, "Paths").
+  /// SVG path data of M L H V A C S Q T Z; y points upwards. Rings nest by the even-odd rule, open parts are chains
+  /// (docs/scene.md, "Paths").
   static Shape path(std::string_view data, const Grid& grid = {});
   /// Isolated points.
   static Shape points(const std::vector<Point>& points, const Grid& grid = {});

@@ -153,7 +153,7 @@ Examples
           py::arg("points"), py::arg("grid") = kStep, "A chain of closed segments, a set without inside.")
       .def_static(
           "path", [](std::string_view data, const py::object& step) { return Shape::path(data, grid(step)); },
-          py::arg("data"), py::arg("grid") = kStep, "SVG path data of M L H V A Z; y points upwards.")
+          py::arg("data"), py::arg("grid") = kStep, "SVG path data of M L H V A C S Q T Z; y points upwards.")
       .def_static(
           "file", [](const std::string& path, const py::object& step) { return Shape::file(path, grid(step)); },
           py::arg("path"), py::arg("grid") = kStep,

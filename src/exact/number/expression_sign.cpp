@@ -22,7 +22,8 @@ constexpr double kFirst = 128;          // bits
 constexpr double kSmallBound = 1200;    // up to there, one evaluation that proves costs less than two
 constexpr double kLargeBound = 0x1p20;  // from there, seconds: larger proofs are tried
 constexpr std::size_t kLargeProof = 4096, kProof = 768;
-constexpr double kMostBits = 0x1p36;  // of all steps together: a sign that needs more is refused, after minutes
+constexpr double kMostBits =
+    0x1p33;  // of all steps together, a gigabyte: a sign that needs more is refused, after minutes
 
 double first_precision(const Plan& plan, double bound_bits) {
   if (bound_bits > kSmallBound) return kFirst;
@@ -69,7 +70,7 @@ Evaluation evaluate(const Real& x, int relative_bits, bool count) {
     }
     precision = next_precision(precision, value, bound_bits);
     if (precision * static_cast<double>(plan.steps().size()) > kMostBits) {
-      throw Error(ErrorCode::kUnsupported, "a sign needs more than 2^36 bits: roots nested too deeply");
+      throw Error(ErrorCode::kUnsupported, "a sign needs more than 2^33 bits: roots nested too deeply");
     }
   }
 }

@@ -12,7 +12,7 @@
 //     also be roots of polynomials (polynomial_root.h).
 // Guarantee: sign() and compare() are exact for every input. In the graph form a sign is found by evaluation with
 //   growing precision until the enclosure excludes 0 or falls below the root separation bound, which proves 0.
-//   A sign that would need more than 2^36 bits, of all nodes together, is refused with Error(kUnsupported), never
+//   A sign that would need more than 2^33 bits, of all nodes together, is refused with Error(kUnsupported), never
 //   guessed.
 // Cost: inline rationals 10 to 60 ns an operation; other closed forms 300 ns or more; a graph node 40 ns (one
 //   allocation); its sign 1 ns where the enclosure decides, else microseconds (3 for degree 4 with 2^40 coordinates,

@@ -9,6 +9,8 @@
 #include <functional>
 #include <memory>
 
+#include "plane/base/stop_check.h"
+
 namespace findspace::plane {
 
 /// Calls task(0) ... task(count - 1), in any order, possibly at once; in this order where stages are observed
@@ -46,7 +48,11 @@ void in_ranges(std::size_t items, std::size_t many, Task&& task) {
 template <class Task>
 void at_once(std::size_t count, std::size_t items, std::size_t many, Task&& task) {
   if (range_count(items, many) > 1) return parallel_for(count, std::ref(task));
-  for (std::size_t k = 0; k < count; ++k) task(k);
+  StopCheck* const limit = stop_check();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (limit != nullptr) limit->poll();
+    task(k);
+  }
 }
 
 /// While it lives, at most `threads` tasks of the process run at once (0: one for each core).

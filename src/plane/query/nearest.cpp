@@ -36,8 +36,9 @@ class Turn {
     const double cx = circle_.x().value, cy = circle_.y().value, ex = p.x - cx, ey = p.y - cy;
     const double turn = ex * y_.value - ey * x_.value;
     const double scale = std::abs(p.x) + std::abs(p.y) + std::abs(cx) + std::abs(cy);
-    const double error =
-        scale * ((std::abs(x_.value) + std::abs(y_.value)) * margin::kNearestCandidate + 2 * (x_.error + y_.error));
+    const double size = std::abs(x_.value) + std::abs(y_.value);
+    const double moved = p.error + circle_.x().error + circle_.y().error;
+    const double error = scale * (size * margin::kNearestCandidate + 2 * (x_.error + y_.error)) + 2 * size * moved;
     const bool plain = dx_.fraction() && dy_.fraction() && p.kind != exact::Point::Kind::kReal;
     if (std::abs(turn) > error || !plain) return (turn > 0) - (turn < 0);
     const exact::RealPoint end = c_.geometry.exact(c_.vertices[v].point);

@@ -75,9 +75,9 @@ class Limit {
  public:
   using Clock = std::chrono::steady_clock;
   Limit() = default;
-  /// `seconds` <= 0: none.
+  /// `seconds` <= 0, or more than thirty years: none.
   explicit Limit(double seconds) {
-    if (seconds > 0)
+    if (seconds > 0 && seconds < kMost)
       end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   bool over() const { return end_ && Clock::now() >= *end_; }
@@ -88,6 +88,7 @@ class Limit {
   }
 
  private:
+  static constexpr double kMost = 1e9;
   std::optional<Clock::time_point> end_;
 };
 

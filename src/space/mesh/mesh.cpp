@@ -70,9 +70,11 @@ void take_out_spurs(std::vector<int>& ring) {
 
 /// Drops repeated corners, spurs, and faces without area.
 void drop_empty_faces(Mesh& mesh, std::vector<std::string>& notes) {
-  const auto is_empty = [&](std::vector<int>& face) {
+  for (std::vector<int>& face : mesh.faces) {
     const bool is_triangle = face.size() == 3 && face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
     if (!is_triangle) take_out_spurs(face);
+  }
+  const auto is_empty = [&](const std::vector<int>& face) {
     return face.size() < 3 || exact::is_zero(area_vector(mesh, face));
   };
   const std::size_t empty = std::erase_if(mesh.faces, is_empty);
@@ -280,6 +282,7 @@ bool bends_outward(const Mesh& mesh) {
     const auto uses = edges.at(a, b);
     if (uses.size() != 2) return false;
     const std::vector<int>& beside = mesh.faces[uses[0].face == f ? uses[1].face : uses[0].face];  // from b to a
+    if (beside.size() > mesh.faces[f].size()) return true;                                         // seen from there
     const auto at = std::find(beside.begin(), beside.end(), a) + 1;
     const int next = at == beside.end() ? beside.front() : *at;
     return exact::dot(normal, mesh.vertices[next] - mesh.vertices[a]) <= 0;
