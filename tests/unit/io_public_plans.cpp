@@ -87,6 +87,21 @@ TEST(PublicPlacement, AllAtOnce) {
   EXPECT_NE(found.json().find("simultaneous"), std::string::npos);
 }
 
+/// One copy of B comes before A and the other one after it.
+TEST(PublicPlacement, CopiesOnEitherSideOfAShape) {
+  for (const std::string method : {"sequential", "simultaneous"}) {
+    const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [10, 10]}},
+      "B": {"box": {"min": [0, 0], "max": [2, 2]}}, "C": {"box": {"min": [0, 0], "max": [40, 40]}}},
+      "place": {"shapes": ["A", "B"], "count": {"B": 2}, "each": "inside(self, C)", "pairs": "clear(self, other)",
+      "minimize": ["y", "x"], "method": ")json" + method + R"json("}})json");
+    const Placement found = *scene.place({{{"B", 2, {20, 20}, {}}}}).placement();
+    ASSERT_TRUE(found.complete()) << method;
+    EXPECT_EQ(*found.placed()[0].at, (Place{20, 20})) << method;
+    EXPECT_EQ(*found.placed()[1].at, (Place{0, 0})) << method;
+    EXPECT_EQ(*found.placed()[2].at, (Place{10, 0})) << method;
+  }
+}
+
 TEST(PublicPlacement, InSpace) {
   const std::map<std::string, Shape> shapes{{"hold", Shape::box({0, 0, 0}, {10, 10, 10})},
                                             {"crate", Shape::box({0, 0, 0}, {6, 6, 4})}};

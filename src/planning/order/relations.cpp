@@ -86,12 +86,16 @@ plane::SignMap Relations::sign_map(const Distance& distance, const formula::Sign
 }
 
 BoxedPointer Relations::set(const Condition& condition, const Poses& angles) const {
-  Key key{condition.formula.get(), {}};
-  // The roles decide which name is which body; the names of their variants decide the rest.
+  Key key{condition.formula.get(), {}, {}};
+  auto& [formula, names, subtracted] = key;
+  // The roles decide which name is which body, and which body's position is subtracted; the names of their variants
+  // decide the rest.
+  const std::vector<std::size_t> bodies = bodies_of(*condition.formula, condition.roles);
   for (const auto& [name, role] : condition.roles) {
     const auto& variant = problem_.bodies[role.body].variants[angles[role.body] ? angles[role.body]->angle : 0];
-    std::get<1>(key).push_back(name);
-    std::get<1>(key).insert(std::get<1>(key).end(), variant.begin(), variant.end());
+    names.push_back(name);
+    names.insert(names.end(), variant.begin(), variant.end());
+    subtracted.push_back(bodies.size() > 1 && role.body == bodies.back());
   }
   {
     std::lock_guard lock(guard_);

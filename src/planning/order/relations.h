@@ -3,9 +3,9 @@
 //
 // The sets behind the conditions of a placement: N_i = {p : the condition holds for body i at p} for conditions on one
 // body, and N_ij = {q : it holds where p_i - p_j = q} for conditions on two; seen from the other body that is -N_ij, so
-// the direction of directed distances is kept (distances.md 6.1). Each is made once for a formula and a pair of rotated
-// shapes and then only moved. Guarantee: exact sets, open, closed or neither. Threads: safe. Keywords: no-fit map,
-// relative position.
+// the direction of directed distances is kept (distances.md 6.1). Each is made once for a formula and two rotated
+// shapes, the one with i and the one with j, and then only moved. Guarantee: exact sets, open, closed or neither.
+// Threads: safe. Keywords: no-fit map, relative position.
 #pragma once
 
 #include <memory>
@@ -59,7 +59,7 @@ class Relations {
   Bound bind(const formula::Distance& distance, const Roles& roles, const Poses& angles) const;
 
  private:
-  using Key = std::tuple<const formula::Formula*, std::vector<std::string>>;
+  using Key = std::tuple<const formula::Formula*, std::vector<std::string>, std::vector<bool>>;
 
   plane::SignMap sign_map(const formula::Distance& distance, const formula::SignMap& wanted) const;
   plane::Region relative(const Condition& condition, const Poses& angles) const;
