@@ -301,7 +301,6 @@ void read_distances(Cursor& cursor, const Context& context, Objective& objective
   }
   Context alone = context;  // of the shapes that are placed one is placed at a time
   alone.independent = false;
-  alone.extra.clear();
   check_sum(cursor, alone, sum);
   for (const SumTerm& t : sum.terms) check_computed(cursor, sum.span, t.weight);
   objective.kind = Objective::Kind::kSum;

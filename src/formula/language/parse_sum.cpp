@@ -126,7 +126,7 @@ void check_sum(const Cursor& cursor, const Context& context, const Sum& sum) {
   };
   if (context.dimension != 2) refuse("in 3 dimensions");
   if (context.motion) refuse("over a motion");
-  if (context.independent || !context.extra.empty()) refuse("between shapes that are placed; \"minimize\" takes sums");
+  if (context.independent || !context.placed.empty()) refuse("of shapes that are placed; \"minimize\" takes sums");
   for (const SumTerm& t : sum.terms)
     if (t.distance.mode != Mode::kPlain) refuse("along a direction or in rotation");
 }
