@@ -244,6 +244,20 @@ TEST(PublicPoses, SlicesAndSectors) {
   EXPECT_THROW(passing().poses("gap(cart, post) >= 0", 4), Error);
 }
 
+TEST(PublicPoses, ComparedDistancesAreKnownAtTheAnglesAlone) {
+  const World world({{"P", Shape::points({{-3, 0}})},
+                     {"Q", Shape::points({{3, 0}})},
+                     {"room", Shape::box({-12, -12}, {12, 12})},
+                     {"B", Shape::points({{0, 0}})}},
+                    "B");
+  const PoseMap map = world.poses("gap(B, P) <= gap(B, Q) and inside(B, room)", std::vector<Number>{0, 90});
+  EXPECT_NEAR(*map.slices[0].region.area(), 12 * 24, 1e-9);
+  ASSERT_EQ(map.sectors.size(), 1u);
+  EXPECT_TRUE(map.sectors[0].inner.empty());
+  EXPECT_TRUE((map.slices[0].region - map.sectors[0].outer).empty());
+  EXPECT_TRUE(map.sectors[0].outer.contains(Point{-6, 5}));
+}
+
 /// A ball in a room with another ball in it.
 World room_with_ball() {
   return World({{"room", Shape::box({0, 0, 0}, {10, 10, 10})},

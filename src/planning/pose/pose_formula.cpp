@@ -92,7 +92,8 @@ class Hedge {
   }
 
   Formula certain(const Atom& atom, Relation relation) {
-    if (relation == Relation::kEqual) return formula::constant(false);
+    // Nothing certain is known of sums.
+    if (relation == Relation::kEqual || !atom.more.empty()) return formula::constant(false);
     if (relation == Relation::kNotEqual) {
       const std::array both{certain(atom, Relation::kLess), certain(atom, Relation::kGreater)};
       return formula::disjunction(both);

@@ -12,9 +12,9 @@
 // to their level; where that is not so (a depth jumps: an exact fit in a slot is lost at once), an eroded or grown
 // shape takes a shape's place. Guarantee: maps exact for the rotated shapes on the grid, or between bounds where
 // Solver::known_between_bounds(); sectors certified for the exactly rotated shape. Atoms of which nothing certain is
-// known (eta2, delta2, along a direction, in rotation but at level 0) make `inner` smaller and `outer` larger, never
-// wrong. Cost: one map an angle, two a sector's half. Keywords: configuration space slices, orientation, conservative
-// approximation.
+// known (eta2, delta2, along a direction, in rotation but at level 0, sums) make `inner` smaller and `outer` larger,
+// never wrong. Cost: one map an angle, two a sector's half. Keywords: configuration space slices, orientation,
+// conservative approximation.
 #pragma once
 
 #include <optional>
