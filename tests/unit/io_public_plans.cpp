@@ -167,6 +167,19 @@ TEST(PublicMotion, LeastDistanceOverTime) {
   EXPECT_EQ(world.motion()->paths.at("post").size(), 2u);
 }
 
+TEST(PublicMotion, ValuesOfManyPositions) {
+  const World world = passing();
+  const std::vector<Position> at{{0, 3}, {9, 3}};
+  const auto values = [&at](const World& of, const char* distance) {
+    std::vector<double> out(at.size());
+    of.query(distance).values(at, out);
+    return out;
+  };
+  EXPECT_EQ(values(world, "inf gap(cart, post)"), (std::vector<double>{1, 3}));
+  EXPECT_EQ(values(world, "gap(cart, post)"), (std::vector<double>{1, 3}));
+  EXPECT_EQ(values(world.at_time("0.9"), "gap(cart, post)")[0], 3);
+}
+
 TEST(PublicMotion, InstantsAndOneOfThem) {
   const World world = passing();
   const Instants grazing = world.instants("gap(cart, post) <= 1", {0, 3});

@@ -131,11 +131,11 @@ struct Query::Data {
     });
   }
 
-  /// The values of one distance; of a plain one in the plane without the names of what takes it.
+  /// The values of one distance; of a plain one of shapes at rest in the plane without the names of what takes it.
   class Values {
    public:
     Values(const World::Data& of, const formula::Objective& wanted) : of_(of), wanted_(wanted) {
-      if (!of.planar || wanted.distance.mode != formula::Mode::kPlain) return;
+      if (!of.planar || of.motion || wanted.distance.mode != formula::Mode::kPlain) return;
       const formula::PreparedWorld& prepared = of.planar->prepared();
       const formula::Roles roles = prepared.roles(wanted.distance);
       pair_ = prepared.pair(roles.names);
