@@ -103,7 +103,7 @@ class World {
   Check check(const Formula& formula, const Point& p) const;
   Check check(const Formula& formula, const Point3& p) const;
   /// With the moving shape rotated about a point of its own first. Values are those of the shape whose vertices are put
-  /// on the grid.
+  /// on the grid. Of the plane, without a motion.
   Check check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about = {0, 0}) const;
 
   // ---- at all positions
@@ -123,7 +123,8 @@ class World {
   /// convex polytope; kUnsupported elsewhere. kBadValue for two objectives or another operation.
   SpaceRegion solve_space(const Formula& formula, const SpaceQuestion& question = {}) const;
   /// Where the formula holds, in degrees, for the moving shape at p and rotated about a point of its own (in the
-  /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane.
+  /// coordinates in which it is drawn). Intervals begin in [0, 360) and may go across 360. Of the plane, without a
+  /// motion.
   std::vector<Interval> angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
   /// At some angles of the moving shape about a point of its own, and between neighbouring ones; or at so many angles,
   /// evenly over a turn. Of the plane.
@@ -134,7 +135,7 @@ class World {
   Explanation explain_poses(const Formula& formula, const std::vector<Number>& degrees,
                             const Point& about = {0, 0}) const;
   /// explain() for the moving shape at p, over all its angles: whether there is one, and how far each level can move
-  /// until there is one, or none. Refused as angles() is, and with a motion. Of the plane.
+  /// until there is one, or none. Refused as angles() is. Of the plane, without a motion.
   Explanation explain_angles(const Formula& formula, const Point& p, const Point& about = {0, 0}) const;
   /// explain() over the instants of the motion, for the moving shape at p: whether there is one at which the formula
   /// holds, and how far each level can move until there is one, or none. Refused where shapes turn in time and for

@@ -194,6 +194,8 @@ TEST(PublicMotion, InstantsAndOneOfThem) {
 
 TEST(PublicMotion, MistakesAreRefused) {
   const World world = passing();
+  EXPECT_THROW(world.angles("gap(cart, post) >= 0", {0, 3}), Error);
+  EXPECT_THROW(world.check_rotated("gap(cart, post) >= 0", {0, 3}, 90), Error);
   EXPECT_THROW(world.at_time(2), Error);
   EXPECT_THROW(World(world).remove("post"), Error);
   Motion wrong;

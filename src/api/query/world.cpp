@@ -280,8 +280,18 @@ Optimum World::minimize(std::string_view objective, const Formula& formula) cons
   });
 }
 
+namespace {
+
+const formula::Solver& plane_at_rest(const World::Data& data, std::string_view what) {
+  const formula::Solver& solver = data.plane(what);
+  if (data.motion) throw Error(ErrorCode::kUnsupported, "an angle of shapes that move in time is not computed");
+  return solver;
+}
+
+}  // namespace
+
 std::vector<Interval> World::angles(const Formula& formula, const Point& p, const Point& about) const {
-  const formula::Solver& solver = data_->plane("a map of angles");
+  const formula::Solver& solver = plane_at_rest(*data_, "a map of angles");
   const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
   const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
   return api::limited(data_->options, [&] {
@@ -297,7 +307,7 @@ std::vector<Interval> World::angles(const Formula& formula, const Point& p, cons
 }
 
 Check World::check_rotated(const Formula& formula, const Point& p, const Number& degrees, const Point& about) const {
-  const formula::Solver& solver = data_->plane("a rotated shape");
+  const formula::Solver& solver = plane_at_rest(*data_, "a rotated shape");
   const exact::RealPoint at = findspace::planar(api::place_of(*data_, p));
   const exact::RealPoint centre = findspace::planar(api::place_of(*data_, about));
   return api::limited(data_->options, [&] {
