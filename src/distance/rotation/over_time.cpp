@@ -213,9 +213,10 @@ class AtInstant : public PositionFunction {
 
 std::optional<PlanarAnswer> best_on_pieces(const TDistance& f, std::span<const PathPiece> pieces, Sense sense) {
   if (!f.defined()) return std::nullopt;
+  // It changes no faster than the position, so it is infinite everywhere or nowhere.
+  if (auto v = f.value(pieces.front().from); !v || v->minus_infinity) return v;
   const Extremum e = extremum(f, plane::region_of_pieces(pieces), sense, PathSearch(f, pieces, sense).run());
   if (!e.exists()) return std::nullopt;
-  if (e.answer->minus_infinity) return lowest_answer(Way::kMap);
   if (e.proven()) return exact_answer(e.answer->value, Way::kMap);
   return enclosed_answer(*e.value(), *e.value(), *e.bound());
 }

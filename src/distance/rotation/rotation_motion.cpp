@@ -13,6 +13,7 @@
 #include "distance/planar_features/boundary_features.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
+#include "findspace/error.h"
 #include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
@@ -209,6 +210,9 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
   const auto v = pair.distance(which_)->value(
       {f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))});
   if (!v) return std::nullopt;
+  if (v->minus_infinity)
+    throw Error(ErrorCode::kUnsupported,
+                "a distance of shapes that rotate in time is minus infinity at an instant: it is not computed there");
   const double value = v->value.to_double() / factor_;
   const double off = 2 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
   return ValueRange{value - off, value + off};

@@ -49,7 +49,7 @@ class RotatingMotion {
   /// Closed shapes. `poses`: at the way points, straight and even between.
   RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses);
 
-  /// At part `s` (0 to 1) of leg `k`; nothing where undefined.
+  /// At part `s` (0 to 1) of leg `k`; nothing where undefined. Throws Error(kUnsupported) for minus infinity.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known. A
   /// supremum is undefined where f is at some instant that was looked at.
