@@ -243,6 +243,28 @@ TEST(PublicQuery, ManyPositionsAgreeWithSingleOnes) {
   EXPECT_EQ(query.nearest(Position{50, 30})->at, (Position{50, 7.5}));
 }
 
+TEST(PublicQuery, NearestWhereAStrictConditionIsExactlyAtItsLevel) {
+  const World room({{"A", Shape::box({-2, -2}, {2, 2})}, {"B", Shape::box({-1, -1}, {1, 1})}}, "B");
+  const Position middle{0, 0};
+  EXPECT_FALSE(room.query("margin(B, A) > 1").nearest(middle));  // 1 in the middle, and less elsewhere
+  const auto beside = room.query("margin(B, A) < 1").nearest(middle);
+  ASSERT_TRUE(beside);
+  EXPECT_EQ(beside->at, middle);
+  EXPECT_EQ(beside->distance, 0);
+  EXPECT_FALSE(beside->attained);
+  const Shape frame = Shape::subtract({Shape::box({-10, -10}, {10, 10}), Shape::box({-3, -3}, {3, 3})});
+  const World ring({{"A", frame}, {"B", Shape::box({-1, -1}, {1, 1})}}, "B");
+  // In the hole the gap is 2 in the middle, and less elsewhere; outside it is more than 2 where B is beyond 12.
+  const auto out = ring.query("gap(B, A) > 2").nearest(middle);
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->distance, 13);
+  EXPECT_FALSE(out->attained);
+  const auto edge = ring.query("gap(B, A) > 2").nearest(Position{13, 0});
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->distance, 0);
+  EXPECT_FALSE(edge->attained);
+}
+
 TEST(PublicFormula, ObjectsSayWhatTextSays) {
   const World world({{"A", Shape::box({0, 0}, {10, 10})}, {"the \"B\"", Shape::box({-1, -1}, {1, 1})}}, "the \"B\"",
                     {.unit = "mm"});

@@ -52,7 +52,7 @@ std::optional<NearestFeasible> apart(const ContactWorld& world, const Atom& atom
 std::optional<NearestFeasible> contact(const ContactWorld& world, const Atom& atom, const Coordinates& p) {
   if (!is_simple(atom)) return std::nullopt;
   const auto m = world.value(atom.distance, p);
-  if (!m || !m->proven || m->minus_infinity || !m->nearest) return std::nullopt;
+  if (!m || !m->proven || m->minus_infinity || !m->nearest || m->value.sign() == 0) return std::nullopt;
   // From p in this direction the value grows as fast as it can, to the nearest contact at least.
   Coordinates unit = p;
   for (std::size_t k = 0; k < p.size(); ++k) unit[k] = (p[k] - (*m->nearest)[k]) / m->value;
@@ -62,7 +62,10 @@ std::optional<NearestFeasible> contact(const ContactWorld& world, const Atom& at
     return there && there->proven && !there->minus_infinity && there->value == m->value - by;
   };
   const bool limit = !holds(atom, 0), to_contact = fall.sign() == m->value.sign() && !(abs(fall) > abs(m->value));
-  if (limit ? !falls_by(fall * Real::ratio(1025, 1024)) : !to_contact && !falls_by(fall)) return std::nullopt;
+  // `<` and `>` hold as near to the level as one likes if they do all the way from it to here.
+  const Real beyond = fall.sign() != 0 ? fall * Real::ratio(1025, 1024)
+                                       : abs(m->value) * Real::ratio(atom.relation == Relation::kLess ? 1 : -1, 1024);
+  if (limit ? !falls_by(beyond) : !to_contact && !falls_by(fall)) return std::nullopt;
   return NearestFeasible{behind(p, fall, unit), abs(fall), !limit};
 }
 
