@@ -168,6 +168,32 @@ TEST(Constrained, LargestGapInABox) {
   EXPECT_EQ(e.answer->value, Real(5));
 }
 
+TEST(Constrained, GreatestOverAllPositions) {
+  const Region all = CellComplex::uniform(1);
+  const ShapePair boxes(box(-1, -1, 1, 1), box(0, 0, 10, 10));
+  EXPECT_TRUE(extremum(*boxes.distance(Which::kGamma1), all, Sense::kMaximum).unbounded);
+  // From the middle the way out is half of 10 and half of 2.
+  const Extremum depth = extremum(*boxes.distance(Which::kPenetration), all, Sense::kMaximum);
+  ASSERT_TRUE(depth.exists() && depth.proven() && depth.attained);
+  EXPECT_EQ(depth.answer->value, Real(6));
+  ASSERT_EQ(depth.at.vertices.size(), 1u);
+  EXPECT_EQ(depth.at.geometry.exact(depth.at.vertices[0].point).x, Real(5));
+  // Beyond a wall about it there is none: 0 is the greatest, all the way.
+  const Extremum apart =
+      extremum(*boxes.distance(Which::kPenetration), plane::complement(box(-5, -5, 15, 15)), Sense::kMaximum);
+  ASSERT_TRUE(apart.exists() && apart.proven() && apart.attained);
+  EXPECT_EQ(apart.answer->value, Real());
+}
+
+TEST(Constrained, GreatestGapInAHole) {
+  // In a hole of 10 by 6 a box of 2 by 2 is 2 from the sides along a segment; outside of the hole the gap is negative.
+  const ShapePair pair(box(-1, -1, 1, 1), plane::closure(plane::complement(box(-5, -3, 5, 3))));
+  const Extremum gap = extremum(*pair.distance(Which::kGamma1), CellComplex::uniform(1), Sense::kMaximum);
+  ASSERT_TRUE(gap.exists() && gap.proven() && gap.attained);
+  EXPECT_EQ(gap.answer->value, Real(2));
+  EXPECT_DOUBLE_EQ(plane::summarize(gap.at, 1).dangling_length, 4);
+}
+
 TEST(Coordinate, EdgesPointsAndOpenEnds) {
   Extremum e = linear_extremum(box(0, 1, 4, 3), kY, Sense::kMinimum);
   EXPECT_EQ(e.answer->value, Real(1));

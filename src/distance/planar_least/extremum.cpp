@@ -58,6 +58,7 @@ class ExtremumSearch {
   double number(const Real& level) const { return rotation_ * near_value(level); }
   bool reaches(const Real& level);
   bool accept(const Real& level);
+  bool grows_without_end() const;
   double extent() const;
   Extremum none() const { return no_optimum<Region>(sense_); }
   Extremum infinite(bool below) const;
@@ -110,6 +111,10 @@ bool ExtremumSearch::accept(const Real& level) {
   accepted_ = std::move(c);
   return true;
 }
+
+/// Whether f tends to infinity within S: far away it is positive then. It is 0 there where it is max(0, -g), and
+/// negative about the complement of a bounded shape.
+bool ExtremumSearch::grows_without_end() const { return s_.faces[0].mark > 0 && f_.sign_map(Real()).faces[0].mark > 0; }
 
 double ExtremumSearch::extent() const {
   double most = 1;
@@ -252,7 +257,7 @@ void ExtremumSearch::pin_down() {
 Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   value_only_ = known && known->value_only;
   if (plane::is_empty(s_) || !f_.defined()) return none();
-  if (rotation_ < 0 && s_.faces[0].mark > 0) return no_optimum<Region>(sense_, true);
+  if (rotation_ < 0 && grows_without_end()) return no_optimum<Region>(sense_, true);
   if (Extremum out; take_lowest(out)) return out;
   for (const Real& l : f_.special_levels())
     if (accept(l)) return proven();
