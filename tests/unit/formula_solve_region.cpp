@@ -8,6 +8,7 @@
 #include "formula/language/parse.h"
 #include "formula/language/parse_goal.h"
 #include "formula/planar/solve_region.h"
+#include "plane/query/locate.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::formula {
@@ -98,6 +99,29 @@ TEST_F(SolveRegion, ALineGoesOnBeyondItsEnds) {
   EXPECT_EQ(*least.value(), Real());
   const Optimum bounded = best("x", kAlongAHyperbola, Sense::kMaximum, axis);
   EXPECT_EQ(*bounded.value(), Real(2000));
+}
+
+TEST_F(SolveRegion, AValueThatTheWholeLineHasIsTaken) {
+  const PlanarLine axis{{0, 0}, {1, 0}};
+  for (const char* same : {"y", "depth(B, C)"}) {
+    const Optimum least = best(same, "gap(B, A) >= 5", Sense::kMinimum, axis);
+    ASSERT_TRUE(least.value()) << same;
+    EXPECT_EQ(*least.value(), Real());
+    EXPECT_TRUE(least.proven() && least.attained && !least.unbounded);
+    EXPECT_GT(mark_of(least.at, plane::locate(least.at, {Real(100000), Real()})), 0);
+  }
+  EXPECT_TRUE(best("x", "gap(B, A) >= 5", Sense::kMinimum, axis).unbounded);
+}
+
+TEST_F(SolveRegion, SumsAlongALineThatGoesOn) {
+  const PlanarLine axis{{0, 0}, {1, 0}};
+  EXPECT_THROW(best("gap(B, A) - 2 * gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis), Error);
+  EXPECT_THROW(best("gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMaximum, axis), Error);
+  // Between the discs, which are 800 apart.
+  EXPECT_NEAR(best("gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis).value()->to_double(), 800, 1e-2);
+  // At (2000, 0): 1300 from A, 2300 from C.
+  EXPECT_NEAR(best("gap(B, A) - 2 * gap(B, C)", "inside(B, W)", Sense::kMinimum, axis).value()->to_double(), -3300,
+              1e-2);
 }
 
 TEST_F(SolveRegion, ExactValuesAreAskedOfExactObjectives) {

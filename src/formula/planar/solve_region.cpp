@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "distance/planar/farthest.h"
 #include "distance/planar_least/coordinate.h"
@@ -16,6 +17,7 @@
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
 #include "formula/planar/sums.h"
+#include "plane/base/real_vector.h"
 #include "plane/build/path_region.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
@@ -26,6 +28,8 @@ namespace findspace::formula {
 using distance::Sense;
 using exact::Real;
 using exact::Refusal;
+using plane::operator+;
+using plane::operator-;
 
 namespace {
 
@@ -120,11 +124,17 @@ Optimum between(Optimum certain, const Optimum& possible) {
   return certain;
 }
 
+bool has(const plane::Region& set, const exact::RealPoint& p) { return mark_of(set, plane::locate(set, p)) > 0; }
+
 /// The sum is finite, or infinite everywhere.
-Optimum best_sum(const distance::PositionBounds& over, const Objective& objective, Sense sense, const Solver& solver) {
+Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
   const PreparedWorld& world = solver.prepared();
-  const distance::DistanceSum sum = distance_sum(world, objective.terms);
-  return in_scene(best_position(sum, over, sense, reach_of(world, objective.terms)), world.step());
+  const std::vector<SumTerm>& terms = query.objective.terms;
+  bool goes_on = false;
+  if (query.line)
+    for (const exact::RealPoint& end : ends_of(*query.line)) goes_on = goes_on || has(over.possible, end);
+  return in_scene(best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms), goes_on),
+                  world.step());
 }
 
 /// The values are known between bounds only (rotation_values.h).
@@ -169,10 +179,12 @@ Optimum best_in(const plane::Region& region, const Objective& objective, Sense s
   return best_distance(region, objective, sense, solver);
 }
 
-/// A best value at an end of the line is none: it goes on.
+/// A best value at an end of the line is none, as it goes on, unless all positions up to the end have it.
 Optimum within_line(Optimum best, const PlanarLine& line) {
-  for (const exact::RealPoint& end : ends_of(line)) {
-    if (!best.value() || mark_of(best.at, plane::locate(best.at, end)) == 0) continue;
+  const exact::RealPoint step{Real(line.direction[0]), Real(line.direction[1])};
+  const auto [first, last] = ends_of(line);
+  for (const auto& [end, before] : {std::pair(first, first + step), std::pair(last, last - step)}) {
+    if (!best.value() || !has(best.at, end) || has(best.at, before)) continue;
     best = distance::no_optimum<plane::Region>(best.sense, true);
     best.at = plane::Region::uniform(0);
   }
@@ -184,7 +196,7 @@ Optimum best_over(const Solver& solver, const plane::Region& region, const plane
                   const BestQuery& query) {
   const Objective& objective = query.objective;
   const distance::PositionBounds over{region, outer != nullptr ? *outer : region};
-  if (objective.kind == Objective::Kind::kSum) return best_sum(over, objective, query.sense, solver);
+  if (objective.kind == Objective::Kind::kSum) return best_sum(over, query, solver);
   if (objective.kind == Objective::Kind::kDistance && is_bounded(solver.prepared(), objective.distance))
     return best_of_bounded(over, objective, query.sense, solver);
   const auto best = [&](const plane::Region& set) {

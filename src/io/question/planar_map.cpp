@@ -7,10 +7,14 @@
 #include "api/values/region_data.h"
 #include "findspace/error.h"
 #include "io/write/write_summary.h"
+#include "plane/base/real_vector.h"
 #include "plane/query/in_order.h"
 #include "plane/query/topology.h"
 
 namespace findspace::io {
+
+using plane::operator-;
+
 namespace {
 
 plane::Region applied(plane::Region region, const std::string& operation) {
@@ -31,7 +35,19 @@ formula::PlanarLine line_of(const Free& free) {
 plane::Region on_line(const plane::Region& region, const Free& free) { return formula::on_line(region, line_of(free)); }
 
 std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const Free& free) {
-  return plane::along_line(region, {free.through[0], free.through[1]}, {free.direction[0], free.direction[1]});
+  const plane::GridPoint through{free.through[0], free.through[1]};
+  std::vector<plane::LineInterval> out = plane::along_line(region, through, {free.direction[0], free.direction[1]});
+  // What goes on to where a line is cut off goes on.
+  const plane::RealVector way = formula::ends_of(line_of(free))[1] - plane::RealVector{through.x, through.y};
+  const exact::Real far = sqrt(plane::dot(way, way));
+  for (plane::LineInterval& i : out) {
+    if (i.from && i.to && *i.from == *i.to) continue;
+    if (i.from && *i.from == -far) i.from.reset();
+    if (i.to && *i.to == far) i.to.reset();
+    i.from_in = i.from_in && i.from;
+    i.to_in = i.to_in && i.to;
+  }
+  return out;
 }
 
 namespace {
