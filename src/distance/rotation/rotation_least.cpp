@@ -64,8 +64,8 @@ RotationMap middles(const RotationMap& set) {
 }  // namespace
 
 RotationOptimum least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
-                               const Real& step) {
-  const RotationMap closed = closure(set);
+                               const Real& step, bool jumps) {
+  const RotationMap closed = jumps ? set : closure(set);
   const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
   RotationOptimum out;
   out.at = RotationMap::uniform(0);
@@ -76,7 +76,11 @@ RotationOptimum least_rotation(const std::function<RotationMap(const Real&)>& si
   }
   if (high >= margin::kBeyondAll) return out;
   for (; low > -margin::kBeyondAll && reached(low); low *= 2) high = low;
-  if (low <= -margin::kBeyondAll) return out;
+  if (low <= -margin::kBeyondAll) {
+    out.at = plane::remark(probe(sign(Real::from_double(high) * step), set), [](Mark m) { return Mark(m == kBelow); });
+    out.set_lowest(Way::kAngles);
+    return out;
+  }
   while (high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
     const double middle = low + (high - low) / 2;
     (reached(middle) ? high : low) = middle;

@@ -54,6 +54,10 @@ Kind nearest_kind(Kind kind) {
 
 bool is_farthest(Kind kind) { return kind == Kind::kGamma2 || kind == Kind::kEta2 || kind == Kind::kDelta2; }
 
+bool has_rate(Kind kind) {
+  return kind != Kind::kEta1 && kind != Kind::kEta2 && kind != Kind::kDelta1 && kind != Kind::kDelta2;
+}
+
 bool is_plain_level(const SignMap& wanted) {
   return wanted.distance.mode == Mode::kRotation && wanted.level.sign() == 0 && !is_farthest(wanted.distance.kind);
 }

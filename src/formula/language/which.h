@@ -16,6 +16,8 @@ distance::Which which(Kind kind, bool second_moves);
 
 /// gamma2, eta2 and delta2.
 bool is_farthest(Kind kind);
+/// Not eta and delta: they jump where places at which a shape fits come and go.
+bool has_rate(Kind kind);
 /// gamma1 of gamma2, eta1 of eta2, delta1 of delta2; else the kind itself.
 Kind nearest_kind(Kind kind);
 /// A distance in rotation at level 0, where it is on the same side as the plain one (and of those of the second kind

@@ -32,11 +32,6 @@ constexpr std::size_t kBoxes = 600, kBoxesOverTime = 320, kBoxesOfRotationOverTi
 
 double far(const RealPoint& p) { return std::hypot(distance::near_value(p.x), distance::near_value(p.y)); }
 
-/// Changes no faster than its shapes move, wherever they are.
-bool has_rate(Kind kind) {
-  return kind != Kind::kEta1 && kind != Kind::kEta2 && kind != Kind::kDelta1 && kind != Kind::kDelta2;
-}
-
 /// 0 where shapes are far apart; the others grow with the way.
 bool ends(Kind kind) { return kind == Kind::kPenetration || kind == Kind::kDstar; }
 

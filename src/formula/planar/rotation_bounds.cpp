@@ -110,7 +110,9 @@ ValueRange best_values(const RotationMaps& maps, const Distance& d, const Rotati
     return {outer.low, is_exact(within) ? outer.high : values_over(maps, d, within.inner, sense).high};
   }
   const auto number = [&](const RotationMap& set) {
-    const auto value = maps.best(d, set, sense).value();
+    const RotationOptimum best = maps.best(d, set, sense);
+    if (best.unbounded) return -kInfinity;
+    const auto value = best.value();
     return value ? (sense == Sense::kMinimum ? 1 : -1) * value->to_double() : kInfinity;
   };
   return {number(within.outer), number(within.inner)};

@@ -47,6 +47,14 @@ PairAndDistance rotated_pair(const RotationMaps& maps, const Distance& wanted) {
   return {RotatedPair(world.shape(d.first), world.shape(d.second), maps.about(), maps.centre()), which};
 }
 
+/// Whether a limit of angles can have a better value than those near it: where places to fit come and go, and for a gap
+/// places to be free, which in the limit may be there.
+bool jumps(const Distance& d, distance::Sense sense) {
+  if (d.mode != Mode::kPlain) return is_directional(d);
+  const bool least = sense == distance::Sense::kMinimum;
+  return !has_rate(d.kind) || d.kind == (least ? Kind::kPenetration : Kind::kGamma1);
+}
+
 /// The least step of values that a search of extrema tells apart.
 Real step_of_values(const PreparedWorld& world, const Distance& d) {
   return d.mode == Mode::kRotation ? Real::ratio(1, 1000000) : world.step();  // no sign: values are tried on it
@@ -129,8 +137,10 @@ distance::RotationOptimum RotationMaps::best(const Distance& d, const RotationMa
   const auto sign = [&](const Real& level) {
     return least ? sign_map({d, level}) : plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
   };
-  distance::RotationOptimum best = distance::least_rotation(sign, within, step_of_values(world_, d));
-  if (!least) best.negate();
+  distance::RotationOptimum best = distance::least_rotation(sign, within, step_of_values(world_, d), jumps(d, sense));
+  if (least) return best;
+  if (best.unbounded) return distance::no_optimum(sense, true, RotationMap::uniform(0));
+  best.negate();
   return best;
 }
 
