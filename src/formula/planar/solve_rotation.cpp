@@ -74,6 +74,7 @@ bool has_rotations(const Formula& formula) {
 }
 
 World rotated_world(World world, const RealPoint& about, const Real& degrees, plane::Rounding& rounding) {
+  if ((degrees / Real(360)).integer()) return world;
   if (!is_grid(about))
     throw Error(ErrorCode::kUnsupported,
                 "at an angle, the centre of the rotation must be a point of the grid, seen from the position");
