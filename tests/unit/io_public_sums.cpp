@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <string>
 
 #include "findspace/findspace.h"
 
@@ -118,6 +119,26 @@ TEST(PublicSums, TwiceAsNearIsADisc) {
 
 TEST(PublicSums, SolveRefusesWhatItKnowsBetweenBoundsOnly) {
   EXPECT_THROW(world().solve("gap(B, A) + 2 * gap(B, C) <= 14 and inside(B, W)"), Error);
+}
+
+TEST(PublicSums, ABestPositionOnACurveKnownBetweenBoundsIsUndecided) {
+  // A branch of a hyperbola, |p - C| - |p - A| = 2, with the vertex (1, 0).
+  const auto answer = [](const std::string& where, const std::string& rest) {
+    return Scene::json(R"json({"findspace": 1, "shapes": {"A": {"disc": {"center": [6, 0], "radius": 1}},
+      "C": {"disc": {"center": [-6, 0], "radius": 3}}, "W": {"box": {"min": [-20, -20], "max": [20, 20]}},
+      "B": {"points": [[0, 0]]}}, "moving": "B", "minimize": "x", "where": "inside(B, W) and )json" +
+                       where + "\"" + rest + "}")
+        .map();
+  };
+  const char* const line = R"json(, "free": {"line": {"through": [0, 1], "direction": [1, 0]}})json";
+  for (const char* rest : {"", line}) {
+    const Answer curve = answer("gap(B, A) = gap(B, C)", rest);
+    ASSERT_TRUE(curve.region()->inner.empty());
+    EXPECT_EQ(curve.found(), Answer::Found::kUndecided);
+    EXPECT_NE(curve.text().find("none certain"), std::string::npos) << curve.text();
+    EXPECT_EQ(curve.text().find("there is none"), std::string::npos);
+    EXPECT_EQ(answer("gap(B, A) <= -2", rest).found(), Answer::Found::kNo);
+  }
 }
 
 TEST(PublicSums, HoldsAtAPositionIsTheSign) {

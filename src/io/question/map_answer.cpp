@@ -37,6 +37,15 @@ struct PositionsQuestion {
         [&] { return known ? known->region.data().summary() : plane::summarize(map.region, asked.step()); });
   }
   const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
+  /// The best value is known between bounds: where no position is shown, there may be one.
+  bool open() const { return map.extreme && !map.extreme->proven(); }
+  /// Where that is so, and no position is shown.
+  std::string open_text(const std::string& title) const {
+    const auto bound = map.extreme->bound();
+    const std::string beyond =
+        bound ? fmt::format(": no position passes {}", size_text(bound->to_double(), asked.unit())) : "";
+    return fmt::format("{}\nnone certain{}\n", title, beyond);
+  }
   std::string title(const Applied& apply) const {
     std::string out = fmt::format("Positions of {}", asked.scene().moving_text());
     if (const auto goal = asked.goal())
@@ -53,7 +62,7 @@ struct PositionsQuestion {
   }
   std::string svg(const std::string& title) const {
     Picture picture;
-    picture.title = title + (summary().empty ? ": none" : "");
+    picture.title = title + (!summary().empty ? "" : open() ? ": none certain" : ": none");
     picture.subtitle = asked.scene().where.text;
     picture.region = &map.region;
     picture.summary = &summary();
@@ -80,7 +89,10 @@ struct PositionsQuestion {
 };
 
 void tell_positions(Answer::Data& out, const std::shared_ptr<const PositionsQuestion>& q, const std::string& title) {
-  out.text = [q, title](const Telling&) { return summary_text(title, q->summary(), q->asked.unit(), q->extreme()); };
+  out.text = [q, title](const Telling&) {
+    if (q->open() && q->summary().empty) return q->open_text(title);
+    return summary_text(title, q->summary(), q->asked.unit(), q->extreme());
+  };
   out.json_parts = [q](const Telling& telling, const Sink& sink) { q->json(telling, sink); };
   out.files[".wkt"] = [q](const Telling&) { return q->wkt(); };
   out.files[".dxf"] = [q](const Telling& telling) { return q->dxf(telling.dxf); };
@@ -89,6 +101,7 @@ void tell_positions(Answer::Data& out, const std::shared_ptr<const PositionsQues
 
 void tell_line(Answer::Data& out, const std::shared_ptr<const PositionsQuestion>& q, const std::string& title) {
   out.text = [q, title](const Telling&) {
+    if (q->open() && q->intervals.empty()) return q->open_text(title);
     const std::string text = intervals_text(title, q->intervals, q->asked.step(), q->asked.unit());
     return q->map.extreme ? text + optimum_text(*q->map.extreme, q->asked.unit()) : text;
   };
@@ -135,10 +148,11 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
   if (q->line()) {
     q->intervals = intervals_on_line(q->map.region, q->asked.scene().free);
     q->possible = q->map.outer ? intervals_on_line(*q->map.outer, q->asked.scene().free) : q->intervals;
-    out.found = found_in(!q->intervals.empty(), !q->possible.empty());
+    out.found = found_in(!q->intervals.empty(), q->open() || !q->possible.empty());
     tell_line(out, q, title);
   } else {
-    out.found = found_in(!plane::is_empty(q->map.region), q->map.outer && !plane::is_empty(*q->map.outer));
+    const bool possible = q->open() || (q->map.outer && !plane::is_empty(*q->map.outer));
+    out.found = found_in(!plane::is_empty(q->map.region), possible);
     tell_positions(out, q, title);
   }
   out.json = [q](const Telling& telling) { return q->json(telling); };

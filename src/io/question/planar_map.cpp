@@ -55,6 +55,7 @@ namespace {
 constexpr const char* kNoRoots =
     "the optimum is not a number that square roots express: given to 13 digits, with one position each";
 constexpr const char* kBetweenBounds = "the optimum is known between the value, which some position has, and \"bound\"";
+constexpr const char* kBoundAlone = "no position is certain: of the optimum only \"bound\" is known";
 
 constexpr const char* kRotating =
     "shapes rotate, or distances are in rotation: certainly feasible positions, and in \"outer\" the possible ones";
@@ -65,7 +66,8 @@ constexpr const char* kCompared =
 
 /// What is said about an optimum that is enclosed, by the way that found it.
 void note_enclosed(const formula::Optimum& best, const AskedScene& asked) {
-  if (best.exists() && !best.proven()) asked.note(best.answer->way == distance::Way::kMap ? kNoRoots : kBetweenBounds);
+  if (best.proven()) return;
+  asked.note(!best.exists() ? kBoundAlone : best.answer->way == distance::Way::kMap ? kNoRoots : kBetweenBounds);
 }
 
 /// The region of the formula on the scene's line, and its best positions.
