@@ -117,8 +117,9 @@ TEST_F(SolveRegion, SumsAlongALineThatGoesOn) {
   const PlanarLine axis{{0, 0}, {1, 0}};
   EXPECT_THROW(best("gap(B, A) - 2 * gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis), Error);
   EXPECT_THROW(best("gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMaximum, axis), Error);
-  // Between the discs, which are 800 apart.
-  EXPECT_NEAR(best("gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis).value()->to_double(), 800, 1e-2);
+  // At (495, 0): 5 from A, 795 from C.
+  EXPECT_NEAR(best("2 * gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis).value()->to_double(), 805,
+              1e-2);
   // At (2000, 0): 1300 from A, 2300 from C.
   EXPECT_NEAR(best("gap(B, A) - 2 * gap(B, C)", "inside(B, W)", Sense::kMinimum, axis).value()->to_double(), -3300,
               1e-2);
