@@ -51,8 +51,8 @@ DiscRange disc_range(const PreparedWorld& world, const Roles& r) {
   };
 }
 
-/// Where to look for the best.
-SearchWindow search_window(const PreparedWorld& world, const Roles& r, const plane::Region& over) {
+/// Where to look for the best; `unbounded`: positions go on without end.
+SearchWindow search_window(const PreparedWorld& world, const Roles& r, const plane::Region& over, bool unbounded) {
   const plane::SharedRegion a = world.shape(r.names.second);
   const bool rotation = r.wanted.mode == Mode::kRotation;
   double size = 2 + distance::reach(world.shape(r.names.first)) + distance::reach(a), way = 0;
@@ -66,7 +66,7 @@ SearchWindow search_window(const PreparedWorld& world, const Roles& r, const pla
                    !world.motion().given() ? kBoxes
                    : rotation              ? kBoxesOfRotationOverTime
                                            : kBoxesOverTime};
-  if (out.worse_outside && over.faces[0].mark > 0) {
+  if (out.worse_outside && unbounded) {
     if (!plane::is_bounded(a))
       refuse(r.wanted, "over unbounded positions, of an unbounded shape, no best is looked for");
     // Some position has at most |p| + size; one farther off by twice that has more.
@@ -100,9 +100,13 @@ distance::Extremum found_least(const PreparedWorld& world, const Distance& wante
 }  // namespace
 
 distance::Extremum best_position(const PreparedWorld& world, const Distance& wanted, const PositionBounds& over,
-                                 Sense sense) {
+                                 Sense sense, bool goes_on) {
   const Roles r = world.roles(wanted);
-  return distance::best_position(disc_range(world, r), over, sense, search_window(world, r, over.possible));
+  const DiscRange range = disc_range(world, r);
+  const SearchWindow window = search_window(world, r, over.possible, goes_on || over.possible.faces[0].mark > 0);
+  if (goes_on && window.worse_outside && sense == Sense::kMaximum)
+    return distance::no_optimum<plane::Region>(sense, true);
+  return distance::best_position(range, over, sense, window);
 }
 
 distance::Extremum least_at_rest(const PreparedWorld& world, const Roles& r) {

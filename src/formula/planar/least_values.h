@@ -15,9 +15,10 @@ namespace findspace::formula {
 distance::Extremum least(const PreparedWorld& world, const Distance& wanted);
 /// The same with the shapes at rest.
 distance::Extremum least_at_rest(const PreparedWorld& world, const Roles& roles);
-/// Its least or greatest value over positions in grid steps (in degrees, of one in rotation), where is_bounded.
+/// Its least or greatest value over positions in grid steps (in degrees, of one in rotation), where is_bounded;
+/// `goes_on`: `over` is what was cut out of an unbounded set.
 distance::Extremum best_position(const PreparedWorld& world, const Distance& wanted,
-                                 const distance::PositionBounds& over, distance::Sense sense);
+                                 const distance::PositionBounds& over, distance::Sense sense, bool goes_on = false);
 
 /// 0 where the value is least, + elsewhere.
 plane::SignMap minimiser_map(distance::Extremum least);

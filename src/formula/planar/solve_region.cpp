@@ -126,23 +126,28 @@ Optimum between(Optimum certain, const Optimum& possible) {
 
 bool has(const plane::Region& set, const exact::RealPoint& p) { return mark_of(set, plane::locate(set, p)) > 0; }
 
+/// Whether positions reach an end of the line: beyond it there are more.
+bool goes_on(const distance::PositionBounds& over, const BestQuery& query) {
+  if (!query.line) return false;
+  const auto ends = ends_of(*query.line);
+  return std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& p) { return has(over.possible, p); });
+}
+
 /// The sum is finite, or infinite everywhere.
 Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
   const PreparedWorld& world = solver.prepared();
   const std::vector<SumTerm>& terms = query.objective.terms;
-  bool goes_on = false;
-  if (query.line)
-    for (const exact::RealPoint& end : ends_of(*query.line)) goes_on = goes_on || has(over.possible, end);
-  return in_scene(best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms), goes_on),
-                  world.step());
+  return in_scene(
+      best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms), goes_on(over, query)),
+      world.step());
 }
 
 /// The values are known between bounds only (rotation_values.h).
-Optimum best_of_bounded(const distance::PositionBounds& over, const Objective& objective, Sense sense,
-                        const Solver& solver) {
-  const Sense of_distance = objective.negated ? opposite(sense) : sense;
-  return in_scene(best_position(solver.prepared(), objective.distance, over, of_distance), solver.world().step,
-                  objective.negated, unit_of(objective.distance, solver));
+Optimum best_of_bounded(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
+  const Objective& objective = query.objective;
+  const Sense sense = objective.negated ? opposite(query.sense) : query.sense;
+  return in_scene(best_position(solver.prepared(), objective.distance, over, sense, goes_on(over, query)),
+                  solver.world().step, objective.negated, unit_of(objective.distance, solver));
 }
 
 Optimum best_distance(const plane::Region& region, const Objective& objective, Sense sense, const Solver& solver) {
@@ -198,7 +203,7 @@ Optimum best_over(const Solver& solver, const plane::Region& region, const plane
   const distance::PositionBounds over{region, outer != nullptr ? *outer : region};
   if (objective.kind == Objective::Kind::kSum) return best_sum(over, query, solver);
   if (objective.kind == Objective::Kind::kDistance && is_bounded(solver.prepared(), objective.distance))
-    return best_of_bounded(over, objective, query.sense, solver);
+    return best_of_bounded(over, query, solver);
   const auto best = [&](const plane::Region& set) {
     Optimum found = best_in(set, objective, query.sense, solver);
     return query.line ? within_line(std::move(found), *query.line) : found;
