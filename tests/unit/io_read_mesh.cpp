@@ -100,7 +100,9 @@ std::string ply(const space::Mesh& mesh, const std::string& format) {
 TEST(ReadMesh, EveryFormatGivesTheSameCube) {
   const space::Mesh mesh = cube();
   expect_unit_cube(kObj, ".obj");
-  expect_unit_cube(obj_text(surface(mesh), "a\ncube"), ".obj");
+  Surface named = surface(mesh);
+  named.labels.assign(named.faces.size(), "a\nf 1 2 3");
+  expect_unit_cube(obj_text(named, "a\ncube"), ".obj");
   expect_unit_cube(off_text(surface(mesh)), ".off");
   expect_unit_cube(stl_text(surface(mesh), "cube"), ".stl");
   expect_unit_cube(binary_stl(mesh), ".stl");

@@ -103,7 +103,7 @@ std::string obj_text(const Surface& s, std::string_view title) {
   put(out, "# {}\n", one_line(title));
   for (const Vec& v : s.vertices) put(out, "v {} {} {}\n", v[0], v[1], v[2]);
   for (std::size_t f = 0; f < s.faces.size(); ++f) {
-    if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1])) put(out, "g {}\n", s.labels[f]);
+    if (!s.labels.empty() && (f == 0 || s.labels[f] != s.labels[f - 1])) put(out, "g {}\n", one_line(s.labels[f]));
     const std::size_t corners = s.faces[f].size();
     out.push_back(corners > 2 ? 'f' : corners == 2 ? 'l' : 'p');
     for (const int v : s.faces[f]) put(out, " {}", v + 1);
