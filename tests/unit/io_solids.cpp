@@ -72,6 +72,8 @@ TEST(ReadSolids, SaysWhatIsWrong) {
   EXPECT_NE(message_of(head + "[" + twice + "," + twice + "]}").find("two items 'w'"), std::string::npos);
   const std::string item = R"("id": "w", "demand": 1, "shape": {"box": {"min": [0,0,0], "max": [1,1,1]}})";
   const std::string open = head + "[{" + item;
+  EXPECT_THROW(read_solids(open + "}]}", "a", {.height = {}, .gap = -1, .edge = 0}, {}), Error);
+  EXPECT_THROW(read_solids(open + "}]}", "a", {.height = {}, .gap = 0, .edge = -1}, {}), Error);
   EXPECT_NE(message_of(open + R"(}], "unit": "cm"})").find("no unit"), std::string::npos);
   EXPECT_NE(message_of(open + R"(}], "gap": 2})").find("unknown key 'gap', did you mean 'gaps'"), std::string::npos);
   EXPECT_NE(message_of(open + R"(, "mirrored": true}]})").find("unknown key 'mirrored'"), std::string::npos);

@@ -231,6 +231,7 @@ class SolidReader : private NestingJson {
     if (const JsonValue* named = tree().find("name")) problem.name = named->text;
     problem.gap = asked.gap;
     problem.edge = asked.edge;
+    if (problem.gap < 0 || problem.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0", name());
     const SceneReader json(name(), context);
     JsonValue none;
     none.kind = Kind::kObject;
