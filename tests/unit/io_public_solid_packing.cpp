@@ -91,6 +91,8 @@ TEST(PublicSolidPacking, FaultsAreNamed) {
 TEST(PublicSolidPacking, ContainersAndWhatIsLeftOut) {
   SolidPackProblem problem = bricks();
   problem.containers = {{"carton", 2, 2, 1, 2}};
+  EXPECT_THROW(SolidPacking{problem}, Error);  // there is a floor, too
+  problem.width = problem.depth = 0;
   problem.parts[0].count = 5;
   problem.parts.push_back({"ball", Shape::ball({0, 0, 0}, 3)});
   const auto layout = pack(problem, {.work = 2});

@@ -161,6 +161,8 @@ SolidProblem on_grid(const SolidPackProblem& problem) {
   result.gap = io::fraction(problem.gap, "gap");
   result.edge = io::fraction(problem.edge, "edge");
   if (result.gap < 0 || result.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0");
+  if (!problem.containers.empty() && (result.width != 0 || result.depth != 0))
+    throw Error(ErrorCode::kBadValue, "a problem has either a floor or containers");
   result.digits = digits_of(problem);
   for (const PackContainer& container : problem.containers)
     result.containers.push_back(container_of(container, problem.containers[0].cost.has_value(), result.digits));
