@@ -20,6 +20,8 @@ REFUSALS = [  # problem, exit status, words of the message or the answer
     ({"items": [], "strip_height": 4}, 0, "no parts to pack"),
     ({"items": [item(demand=0)], "strip_height": 4}, 0, "no parts to pack"),
     ({"items": [item()], "sheets": [{"id": "small", "width": 1, "height": 9}]}, 1, "no part fits a sheet"),
+    ({"containers": [{"id": "small", "size-x": 1, "size-y": 9, "size-z": 9}], "where": "gap(self, other) >= 1",
+      "item-types": [{"id": "a", "demand": 1, "shape": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}}}]}, 1, "no part fits a container"),
     ({"items": [item()]}, 3, "'strip_height' is missing"),
     ({"findspace": 1, "shapes": {}}, 3, "this is a scene"),
     ({"strip_height": 4}, 3, "'items' is missing"),

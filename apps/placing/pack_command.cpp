@@ -77,8 +77,10 @@ struct Space {
   using Layout = SolidPackLayout;
   static constexpr const char *kSize = "height", *kHolder = "container";
 
+  /// In containers a part that fits one alone is a layout.
   static bool may_lack_a_layout(const SolidPackProblem& problem) {
-    return !problem.where.empty() || !problem.conditions.empty() || !problem.groups.empty();
+    return problem.containers.empty() &&
+           (!problem.where.empty() || !problem.conditions.empty() || !problem.groups.empty());
   }
   static Writers writers(const SolidPacking& packing, const SolidPackLayout& layout, const Options&) {
     Writers result{{".json", [&] { return packing.json(layout); }}, {".svg", [&] { return packing.svg(layout); }}};
