@@ -225,6 +225,25 @@ TEST(PackingLeastHeight, PartsThatInterlock) {
   EXPECT_GT(layout->lower_bound.to_double(), 4 - 1e-6);
 }
 
+/// A wedge of length 1 over the triangle from y = 0: its base at that height, its edge at the other.
+space::BodyPart wedge(int base, int edge) {
+  const std::vector<space::Point> corners{{0, 0, base}, {2, 0, base}, {1, 0, edge},
+                                          {0, 1, base}, {2, 1, base}, {1, 1, edge}};
+  return space::part_of(corners, {});
+}
+
+/// An hourglass that is turned on its side has the same corners, but its notch holds the wedge.
+TEST(PackingLeastHeight, TurnsWhatHasTheSameCorners) {
+  SolidPart hourglass = part_of("hourglass", 1, {wedge(0, 1), wedge(2, 1)});
+  hourglass.forms.push_back(turned(hourglass.forms[0], {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
+  const SolidProblem problem = problem_of(2, 1, {hourglass, part_of("wedge", 1, {wedge(1, 0)})});
+  EXPECT_EQ(SolidTable(problem).variants_of(0).size(), 2U);
+  const auto layout = packed(problem);
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->height, Fraction(2));
+  EXPECT_GT(layout->lower_bound.to_double(), 2 - 1e-6);
+}
+
 TEST(PackingLeastHeight, WhatIsNotTriedKeepsTheBoundOfVolumes) {
   const SolidProblem turns = problem_of(3, 3, {with_turns(box("brick", 4, 3, 2, 1))});
   EXPECT_TRUE(is_provable(turns, SolidTable(turns)));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "exact/margins/packing.h"
 #include "packing/problem/pair_formula.h"
@@ -18,22 +19,38 @@ namespace {
 
 Vector in_doubles(const std::array<Fraction, 3>& v) { return {v[0].to_double(), v[1].to_double(), v[2].to_double()}; }
 
-/// All corners of its convex parts from the least of them, and the radii about them, sorted: equal where two bodies
-/// are, moved.
-using Look = std::vector<std::array<double, 4>>;
+/// Sorted, with a radius about each.
+using Corners = std::vector<std::array<double, 4>>;
+/// Of each convex part, sorted, for unions that differ may have all corners in common; then of the surface, where parts
+/// were rounded. Equal where two forms are, moved.
+using Look = std::vector<Corners>;
 
-Look look_of(const space::Body& body) {
-  space::Point low{space::kCoordinateLimit, space::kCoordinateLimit, space::kCoordinateLimit};
-  for (const space::BodyPart& part : body.parts)
-    for (const space::Point& p : part.vertices())
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+void take_least(space::Point& low, std::span<const space::Point> points) {
+  for (const space::Point& p : points) low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+}
+
+Corners corners_from(const space::Point& low, std::span<const space::Point> points, double scale, double radius) {
+  Corners corners;
+  for (const space::Point& p : points)
+    corners.push_back({double(p.x - low.x) / scale, double(p.y - low.y) / scale, double(p.z - low.z) / scale, radius});
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+Look look_of(const SolidForm& form) {
+  constexpr space::Point kFar{space::kCoordinateLimit, space::kCoordinateLimit, space::kCoordinateLimit};
+  space::Point low = kFar;
+  for (const space::BodyPart& part : form.body.parts) take_least(low, part.vertices());
   Look look;
-  const double scale = double(body.scale);
-  for (const space::BodyPart& part : body.parts)
-    for (const space::Point& p : part.vertices())
-      look.push_back({double(p.x - low.x) / scale, double(p.y - low.y) / scale, double(p.z - low.z) / scale,
-                      part.radius.to_double() / scale});
+  const double scale = double(form.body.scale);
+  for (const space::BodyPart& part : form.body.parts)
+    look.push_back(corners_from(low, part.vertices(), scale, part.radius.to_double() / scale));
   std::sort(look.begin(), look.end());
+  if (form.is_exact()) return look;
+  low = kFar;
+  for (const space::RaySolid& solid : form.surface) take_least(low, solid.surface.points);
+  for (const space::RaySolid& solid : form.surface)
+    look.push_back(corners_from(low, solid.surface.points, double(form.surface_scale), 0));
   return look;
 }
 
@@ -82,7 +99,7 @@ void SolidTable::add_variants(std::size_t part) {
   for (std::size_t f = 0; f < forms.size(); ++f) {
     const SolidBox box = box_of(problem_, forms[f]);
     if (!fits(problem_, box)) continue;
-    Look look = look_of(forms[f].body);
+    Look look = look_of(forms[f]);
     if (std::find(looks.begin(), looks.end(), look) != looks.end()) continue;
     looks.push_back(std::move(look));
     of_part_[part].push_back(variants_.size());
@@ -108,9 +125,9 @@ void SolidTable::add_fixed() {
 SolidPose SolidTable::pose_of(const SolidPlaced& item) const {
   const Vector at = in_doubles(item.at) - Vector{edge_, edge_, edge_};
   const SolidForm& mine = packing::form_of(problem_, item);
-  const Look look = look_of(mine.body);
+  const Look look = look_of(mine);
   for (const std::size_t v : of_part_[item.part]) {
-    if (look_of(form_of(variants_[v]).body) != look) continue;
+    if (look_of(form_of(variants_[v])) != look) continue;
     const SolidBox box = box_of(problem_, mine);
     return {v, at + (in_doubles(box.low) - variants_[v].low)};
   }
