@@ -159,6 +159,8 @@ TEST(SolidBound, IsTheTallestOrTheVolume) {
   EXPECT_EQ(lower_bound(problem_of(4, 3, {angle(7)})), Fraction(3));
   EXPECT_EQ(lower_bound(problem_of(7, 1, {corner("corner", 9, 1)})), Fraction(1));
   EXPECT_EQ(lower_bound(problem_of(1, 1, {corner("corner", 19, 1)})), Fraction(3166666666, 1000000000));
+  // Doubles of so many billionths are 32 apart.
+  EXPECT_EQ(lower_bound(problem_of(1, 1, {corner("corner", 1000000001, 1)})), Fraction(166666666833333333, 1000000000));
 }
 
 TEST(SolidBound, HalfTheGapBelongsToASolid) {

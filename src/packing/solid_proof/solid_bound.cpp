@@ -138,12 +138,10 @@ Fraction fewest_containers(const SolidProblem& problem) {
   return Fraction(int128(std::max(fixed, fewest_bins(std::move(containers), std::move(parts)))));
 }
 
-/// The greatest decimal of nine digits that is not above the value, or the one below it.
+/// The greatest decimal of nine digits that is not above the value.
 Fraction rounded_down(const exact::Real& value) {
   constexpr std::int64_t kDecimals = 1000000000;
-  const std::int64_t nearest = std::llround(value.to_double() * double(kDecimals));
-  const bool above = exact::Real::ratio(nearest, kDecimals) > value;
-  return Fraction(nearest - (above ? 1 : 0), kDecimals);
+  return Fraction(exact::floor(value * exact::Real(kDecimals)), kDecimals);
 }
 
 }  // namespace
