@@ -53,6 +53,9 @@ class SolidCheck {
         box.high[k] = form.high[k].over(common_) + item.at[k].over(common_);
       }
     }
+    widest_gap_ = problem.widest_gap_of_all().over(common_);
+    if (!problem.conditions.empty() && layout.containers.size() > 1)
+      greatest_level_ = Fraction(int128(std::ceil(packing::greatest_level(problem.conditions, 3))), 1);
   }
 
   SolidVerdict verdict() {
@@ -167,9 +170,12 @@ class SolidCheck {
 
   std::optional<SolidFault> pair_fault(std::size_t i, std::size_t j) const {
     const SolidPlaced &a = layout_.items[i], &b = layout_.items[j];
+    const bool near = container_of(i) == container_of(j) && boxes_meet(i, j, widest_gap_);
+    const bool tied = problem_.are_tied(a.part, b.part);
+    if (!near && !tied) return std::nullopt;
     SolidFault fault{.first = i, .second = j, .at = middle(boxes_[i], boxes_[j])};
     const Fraction gap = problem_.gap_of(a.part, b.part);
-    if (container_of(i) == container_of(j) && boxes_meet(i, j, gap.over(common_))) {
+    if (near && boxes_meet(i, j, gap.over(common_))) {
       const SolidPairProof& proof = made_once<SolidPairProof>(proofs_, of_both(a, b), [&] {
         return std::make_unique<const SolidPairProof>(problem_, form_of(problem_, a), form_of(problem_, b));
       });
@@ -181,7 +187,7 @@ class SolidCheck {
       fault.kind = SolidFault::Kind::kGap;
       if (gap > 0 && proof.is_nearer(u, gap)) return fault;
     }
-    if (!problem_.are_tied(a.part, b.part) || conditions_hold(i, j)) return std::nullopt;
+    if (!tied || conditions_hold(i, j)) return std::nullopt;
     fault.kind = SolidFault::Kind::kCondition;
     return fault;
   }
@@ -194,8 +200,7 @@ class SolidCheck {
                                                       form_of(problem_, b));
     });
     if (container_of(i) == container_of(j)) return pair.holds(between(a, b));
-    const double level = std::ceil(packing::greatest_level(problem_.conditions, 3));
-    return pair.holds({reach_of(i) + reach_of(j) + Fraction(int128(level), 1) + 1, 0, 0});
+    return pair.holds({reach_of(i) + reach_of(j) + greatest_level_ + 1, 0, 0});
   }
 
   static Position between(const SolidPlaced& a, const SolidPlaced& b) {
@@ -204,8 +209,8 @@ class SolidCheck {
 
   /// How far a part reaches from its origin along x.
   Fraction reach_of(std::size_t i) const {
-    const SolidBox box = box_of(problem_, form_of(problem_, layout_.items[i]));
-    return std::max({box.high[0], 0 - box.low[0], Fraction(0)});
+    const int128 origin = layout_.items[i].at[0].over(common_);
+    return Fraction(std::max({boxes_[i].high[0] - origin, origin - boxes_[i].low[0], int128(0)}), common_);
   }
 
   template <class T>
@@ -236,6 +241,8 @@ class SolidCheck {
   const SolidLayout& layout_;
   int128 common_ = 1;  // boxes are integers over it, and so are gaps
   std::vector<Box> boxes_;
+  int128 widest_gap_ = 0;
+  Fraction greatest_level_;  // of conditions, or more; 0 where there is one container
   mutable OfForms<SolidPairProof> proofs_;
   mutable OfForms<SolidPairFormula> formulas_;
   mutable OfForms<SolidContainment> containments_;  // of a form and a kind of container

@@ -4,8 +4,8 @@
 // Whether a layout in space keeps its promises: every part within the container and the height by the edge, no
 // two interiors meeting, gaps as wide as asked for, conditions of pairs, the right number of copies, fixed solids where
 // they stand, and no more containers than there are. Guarantee: exact, on the original shapes: Phi-functions of convex
-// parts, or surfaces where parts were rounded; only depths are doubles. Cost: the pairs of parts whose boxes meet.
-// Keywords: layout validation, collision check.
+// parts, or surfaces where parts were rounded; only depths are doubles. Cost: the pairs of parts whose boxes meet, and
+// those with conditions. Keywords: layout validation, collision check.
 #pragma once
 
 #include <vector>
