@@ -175,7 +175,7 @@ class SolidPacking {
   PackVerdict verdict(const SolidPackLayout& layout) const;
   /// The layout with one of its solids put there in its container, and the others out of its way. Where it is free
   /// there, it stands there exactly and nothing else moves; else it may be moved a little too, and upon a floor the
-  /// height may grow. Nothing where the others cannot make room, or it is fixed.
+  /// height may grow. Nothing where the others cannot make room, it is fixed, or a fixed solid is missing.
   std::optional<SolidPackLayout> moved(const SolidPackLayout& layout, std::size_t item, const Point3& at) const;
 
   /// A layout of this problem from JSON. Error(kSyntax) with line and column.

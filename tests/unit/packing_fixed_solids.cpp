@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Solids that stand already: others go round them, containers with them are used, and proofs ask for them.
+#include <findspace/error.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <atomic>
 
+#include "packing/solid_depth/solid_column.h"
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "packing/solid_search/make_solid_room.h"
@@ -189,6 +191,35 @@ TEST(FixedSolids, MakeNoRoomByHand) {
   ASSERT_TRUE(aside.has_value());
   EXPECT_TRUE(verify(problem, *aside).is_feasible());
   EXPECT_TRUE(is_fixed_solid(problem, *aside, aside->items.back()));
+}
+
+TEST(FixedSolids, MakeNoRoomWithoutTheirContainer) {
+  SolidProblem problem = in_crates({box("cube", 2, 1, 1, 1)});
+  problem.fixed = {fixed(0, {0, 0, 0})};
+  problem.fixed[0].kind = 1;
+  SolidLayout layout;
+  layout.height = 1;
+  layout.containers = {0};
+  layout.items = {{0, 1, 0, {0, 0, 0}}, {0, 2, 0, {1, 0, 0}}};
+  EXPECT_FALSE(with_room(problem, layout, 1, {0, 0, 0}).has_value());
+  const SolidTable table(problem);
+  EXPECT_THROW(SolidColumn(problem, table, {0, 0}), Error);
+  EXPECT_EQ(SolidColumn(problem, table, {0, 1}).fixed_rooms(), std::vector<std::size_t>{1});
+}
+
+/// Into the last container, above what is used of it: it stands where it was put.
+TEST(MakeSolidRoom, InAnotherContainer) {
+  SolidProblem problem = in_crates({box("cube", 3, 1, 1, 1)});
+  SolidLayout layout;
+  layout.height = Fraction(1);
+  layout.containers = {0, 0};
+  layout.items = {{0, 1, 0, {0, 0, 0}, 0}, {0, 2, 0, {0, 0, 1}, 0}, {0, 3, 0, {0, 0, 0}, 1}};
+  ASSERT_TRUE(verify(problem, layout).is_feasible());
+  layout.items[1].container = 1;
+  const auto moved = with_room(problem, layout, 1, {Fraction(1, 3), 0, 1});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_EQ(moved->items[1].at, (std::array<Fraction, 3>{Fraction(1, 3), 0, 1}));
+  EXPECT_EQ(moved->height, Fraction(2));
 }
 
 /// Around a column, the same for any number of threads.

@@ -4,6 +4,8 @@
 
 #include "packing/solid_depth/solid_column.h"
 
+#include <findspace/error.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -36,15 +38,20 @@ SolidColumn::SolidColumn(const SolidProblem& problem, const SolidTable& table, c
 void SolidColumn::add_fixed(const SolidProblem& problem, const SolidTable& table) {
   for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
     const SolidPlaced& placed = problem.fixed[k].placed;
-    std::size_t room = 0;
-    for (std::size_t before = placed.container; problem.in_containers(); ++room)
-      if (rooms_[room].kind == problem.fixed[k].kind && before-- == 0) break;
+    const std::size_t room = problem.in_containers() ? room_of(problem.fixed[k]) : 0;
     const auto from_edge = [&](std::size_t axis) { return placed.at[axis].to_double() - table.edge(); };
     const std::size_t variant = table.fixed_variants()[k];
     obstacles_.push_back({variant, {from_edge(0), from_edge(1), from_edge(2) + rooms_[room].low.z}});
     fixed_rooms_.push_back(room);
     end_ = std::max(end_, obstacles_.back().at.z + table.variants()[variant].high.z);
   }
+}
+
+std::size_t SolidColumn::room_of(const FixedSolid& fixed) const {
+  std::size_t before = fixed.placed.container;
+  for (std::size_t room = 0; room < rooms_.all().size(); ++room)
+    if (rooms_[room].kind == fixed.kind && before-- == 0) return room;
+  throw Error(ErrorCode::kBadValue, "the container of a fixed solid is not used");
 }
 
 void SolidColumn::add_walls(const SolidProblem& problem, const SolidTable& table) {

@@ -15,7 +15,8 @@ namespace findspace::packing {
 
 class SolidColumn {
  public:
-  /// Containers of these kinds, in this order; none where the height is sought.
+  /// Containers of these kinds, in this order; none where the height is sought. Throws Error(kBadValue) where that of a
+  /// fixed solid is missing.
   SolidColumn(const SolidProblem& problem, const SolidTable& table, const std::vector<std::size_t>& kinds);
 
   const Rooms<Vector>& rooms() const { return rooms_; }
@@ -39,6 +40,7 @@ class SolidColumn {
 
  private:
   void add_fixed(const SolidProblem& problem, const SolidTable& table);
+  std::size_t room_of(const FixedSolid& fixed) const;
   void add_walls(const SolidProblem& problem, const SolidTable& table);
 
   Rooms<Vector> rooms_;

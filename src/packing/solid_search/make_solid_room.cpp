@@ -97,10 +97,12 @@ std::optional<SolidLayout> with_room(const SolidProblem& problem, const SolidLay
                                      const std::array<Fraction, 3>& at) {
   if (is_fixed_solid(problem, layout, layout.items[item])) return std::nullopt;
   SolidLayout moved = layout;
-  SolidPlaced& placed = moved.items[item];
-  moved.height = moved.height + std::max(Fraction(0), at[2] - placed.at[2]);
-  placed.at = at;
+  moved.items[item].at = at;
+  const Fraction top = at[2] + box_of(problem, form_of(problem, moved.items[item])).high[2];
+  moved.height = std::max(moved.height, top + problem.edge);
   const SolidVerdict verdict = verify(problem, moved);
+  const auto is_missing = [](const SolidFault& fault) { return fault.kind == SolidFault::Kind::kFixed; };
+  if (std::any_of(verdict.faults.begin(), verdict.faults.end(), is_missing)) return std::nullopt;
   if (!verdict.is_feasible()) {
     const SolidRoom room(problem, moved);
     auto made = room.separated();

@@ -15,7 +15,8 @@
 
 namespace findspace::packing {
 
-/// The item stays in its container. Nothing where the others cannot make room, or the item is fixed.
+/// The item stays in its container. Nothing where the others cannot make room, the item is fixed, or a fixed solid is
+/// missing.
 std::optional<SolidLayout> with_room(const SolidProblem& problem, const SolidLayout& layout, std::size_t item,
                                      const std::array<Fraction, 3>& at);
 
