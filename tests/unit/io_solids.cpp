@@ -11,6 +11,7 @@
 #include "io/mesh/read_mesh.h"
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_solids.h"
+#include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "space/mesh/mesh.h"
 
@@ -209,6 +210,16 @@ TEST(ReadSolids, Balls) {
                                                           packing::Fraction(-1, 2)}));
   EXPECT_NEAR(packing::volume_of(problem, problem.parts[0]), 0.5235987756, 1e-9);
   EXPECT_EQ(problem.parts[1].forms[0].body.parts.size(), 2U);
+}
+
+TEST(ReadSolids, PartsOfAUnionMayOverlap) {
+  const packing::SolidProblem problem =
+      read(R"({"container": {"size-x": "1.5", "size-y": 1}, "item-types": [{"id": "u", "demand": 2, "shape": {"union": [
+        {"box": {"min": [0,0,0], "max": [1,1,1]}}, {"box": {"min": [0.5,0,0], "max": [1.5,1,1]}},
+        {"polytope": [[0.5,0,0], [1.5,0,0], [1.5,0,1], [0.5,1,0], [1.5,1,0], [1.5,1,1]]}]}}]})")
+          .problem;
+  EXPECT_EQ(packing::volume_of(problem, problem.parts[0]), 1.5);
+  EXPECT_EQ(packing::lower_bound(problem), packing::Fraction(2));
 }
 
 TEST(ReadSolids, Containers) {

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "packing/solid_problem/container_shape.h"
+#include "space/polytope/polytope_sets.h"
 
 namespace findspace::packing {
 namespace {
@@ -94,6 +95,15 @@ class TurnedPoints {
   const Turn& turn_;
   int128 common_;
 };
+
+/// Of its polytopes together, in cubic grid steps.
+exact::Real flat_volume_of(const space::Body& body) {
+  std::vector<space::Polytope> polytopes;
+  for (const space::BodyPart& part : body.parts)
+    if (part.core) polytopes.push_back(*part.core);
+  const exact::Real scale(body.scale);
+  return space::six_volumes_of_union(polytopes) / (exact::Real(6) * scale * scale * scale);
+}
 
 }  // namespace
 
@@ -232,6 +242,7 @@ void set_forms(SolidPart& part, const plane::Shape& shape, const std::vector<Sol
   if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
   if (!form.is_exact() && form.surface.empty())
     throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
+  if (!part.disjoint) part.flat_volume = flat_volume_of(form.body);
   for (const SolidRotation& rotation : rotations) part.forms.push_back(turned(form, rotation));
 }
 
@@ -282,11 +293,15 @@ bool fits(const SolidProblem& problem, const SolidBox& box) {
 
 double volume_of(const SolidProblem& problem, const SolidPart& part) {
   const space::Body& body = part.forms[0].body;
-  const double steps = double(problem.steps()) * double(body.scale);
+  const double unit = double(problem.steps()), steps = unit * double(body.scale);
   double sum = 0;
   for (const space::BodyPart& piece : body.parts)
-    sum += piece.core ? piece.core->volume() : 4 * std::numbers::pi / 3 * std::pow(piece.radius.to_double(), 3);
-  return sum / steps / steps / steps;
+    if (!piece.core)
+      sum += 4 * std::numbers::pi / 3 * std::pow(piece.radius.to_double(), 3);
+    else if (!part.flat_volume)
+      sum += piece.core->volume();
+  const double flat = part.flat_volume ? part.flat_volume->to_double() : 0;
+  return sum / steps / steps / steps + flat / unit / unit / unit;
 }
 
 double volume(const SolidProblem& problem) {

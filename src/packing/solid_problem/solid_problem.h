@@ -52,6 +52,8 @@ struct SolidPart {
   std::vector<SolidForm> forms;        // at least one
   bool disjoint = true;                // no two convex parts of a form overlap
   std::optional<Fraction> value = {};  // of a copy, where not all fit; without it its volume
+  // Where they may overlap: of the polytopes of a form together, in cubic grid steps.
+  std::optional<exact::Real> flat_volume = {};
 };
 
 /// From (0, 0, 0) to (width, depth, height).
@@ -142,7 +144,7 @@ bool fits(const SolidProblem& problem, const SolidBox& box);
 void set_forms(SolidPart& part, const plane::Shape& shape, const std::vector<SolidRotation>& rotations);
 /// Of which all entries are rational. Throws Error(kBadValue) for a rounded one.
 SolidRotation exact_rotation(const space::Rotation& rotation);
-/// In cubic units, as doubles find it; not less than the true one where convex parts overlap.
+/// In cubic units, as doubles find it; not less than the true one where balls overlap other parts.
 double volume_of(const SolidProblem& problem, const SolidPart& part);
 /// Of all copies, and of those in a layout.
 double volume(const SolidProblem& problem);

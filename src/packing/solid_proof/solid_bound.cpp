@@ -53,18 +53,19 @@ exact::Real surface_volume(const SolidProblem& problem, const SolidForm& form) {
   return sum / (exact::Real(6) * steps * steps * steps);
 }
 
-/// Of a part, in cubic units.
+/// Of a part, in cubic units, or less where it has balls that may overlap others.
 exact::Real exact_volume(const SolidProblem& problem, const SolidPart& part) {
-  exact::Real sum, most, steps(problem.steps());
+  exact::Real sum, most;
   const SolidForm& form = part.forms[0];
   if (!form.is_exact()) return surface_volume(problem, form);
-  steps = steps * exact::Real(form.body.scale);
+  const exact::Real unit(problem.steps()), steps = unit * exact::Real(form.body.scale);
   for (const space::BodyPart& piece : form.body.parts) {
     const exact::Real volume = piece.core ? six_volumes_of(*piece.core) : six_volumes_of_ball(piece.radius);
     sum += volume;
     if (most < volume) most = volume;
   }
-  return (part.disjoint ? sum : most) / (exact::Real(6) * steps * steps * steps);
+  const exact::Real found = (part.disjoint ? sum : most) / (exact::Real(6) * steps * steps * steps);
+  return part.flat_volume ? std::max(found, *part.flat_volume / (unit * unit * unit)) : found;
 }
 
 /// Of a part and half the gap about it, in cubic units, rounded down: of all sets of its volume a ball has the least.

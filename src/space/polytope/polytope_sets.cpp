@@ -134,6 +134,14 @@ Cell around(std::span<const Polytope> a, std::span<const Polytope> b) {
   return {ConvexRegion(real(low - one), real(high + one)), {}};
 }
 
+/// Whether the plane of a facet of p has all of q beyond it.
+bool is_beyond_facet(const Polytope& p, const Polytope& q) {
+  return std::any_of(p.planes().begin(), p.planes().end(), [&](const Plane& plane) {
+    return std::all_of(q.vertices().begin(), q.vertices().end(),
+                       [&](const Point& v) { return exact::dot(plane.normal, v) + plane.offset >= 0; });
+  });
+}
+
 std::vector<ConvexRegion> regions_of(std::vector<Cell> cells) {
   std::vector<ConvexRegion> out;
   for (Cell& c : cells) out.push_back(std::move(c.region));
@@ -159,6 +167,18 @@ exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> 
     if (auto why = thin_left(thin.thin, left, "difference")) return *std::move(why);
   }
   return regions_of(std::move(left));
+}
+
+/// What each has and those before it lack.
+Real six_volumes_of_union(std::span<const Polytope> polytopes) {
+  Real sum;
+  for (std::size_t k = 0; k < polytopes.size(); ++k) {
+    std::vector<Polytope> before;
+    for (const Polytope& p : polytopes.first(k))
+      if (!is_beyond_facet(p, polytopes[k]) && !is_beyond_facet(polytopes[k], p)) before.push_back(p);
+    for (const ConvexRegion& cell : difference_cells(polytopes.subspan(k, 1), before)) sum += cell.six_volumes();
+  }
+  return sum;
 }
 
 }  // namespace findspace::space

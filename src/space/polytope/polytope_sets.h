@@ -22,5 +22,7 @@ namespace findspace::space {
 exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+/// Six times the volume of the union.
+exact::Real six_volumes_of_union(std::span<const Polytope> polytopes);
 
 }  // namespace findspace::space
