@@ -84,11 +84,16 @@ struct Space {
   }
   static std::string inside(const SolidPacking& packing, std::size_t container, bool drawn) {
     Surface surface = packing.inside(container);
-    std::array<double, 3> size{};
-    for (const Position3& v : surface.vertices)
-      for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(size[k], v[k]);
+    const std::array<double, 3> size = sides_of(surface);
     return fmt::format(R"("size": [{}, {}, {}]{})", json_number(size[0]), json_number(size[1]), json_number(size[2]),
                        drawn ? ", \"drawing\": " + drawing(std::move(surface)) : "");
+  }
+  /// Of what begins at the origin.
+  static std::array<double, 3> sides_of(const Surface& surface) {
+    std::array<double, 3> sides{};
+    for (const Position3& v : surface.vertices)
+      for (std::size_t k = 0; k < 3; ++k) sides[k] = std::max(sides[k], v[k]);
+    return sides;
   }
   static std::string drawing(const SolidPacking& packing, std::size_t part) { return drawing(packing.outline(part)); }
   static std::string drawing(Surface surface) { return SpaceDrawing{std::move(surface), {}}.json(); }
@@ -96,8 +101,13 @@ struct Space {
   static std::array<Number*, 3> place(PlacedSolid& item) { return {&item.at.x, &item.at.y, &item.at.z}; }
   static std::size_t& holder_of(PlacedSolid& item) { return item.container; }
   static std::size_t holders(const SolidPackLayout& layout) { return layout.containers.size(); }
-  static void grow(const SolidPacking&, SolidPackLayout& layout, const std::array<double, 3>& by) {
-    lengthen(layout.height, by[2]);
+  /// In containers by the whole last one: what is moved into it may come from another.
+  static void grow(const SolidPacking& packing, SolidPackLayout& layout, const std::array<double, 3>& by) {
+    const std::vector<PackContainer>& kinds = packing.problem().containers;
+    if (kinds.empty()) return lengthen(layout.height, by[2]);
+    const auto is_last = [&](const PackContainer& kind) { return kind.name == layout.containers.back(); };
+    const auto last = std::find_if(kinds.begin(), kinds.end(), is_last);
+    lengthen(layout.height, sides_of(packing.inside(std::size_t(last - kinds.begin())))[2]);
   }
   static std::optional<SolidPackLayout> moved(const SolidPacking& packing, const SolidPackLayout& layout,
                                               const MovedItem& to) {
@@ -187,7 +197,7 @@ class JobOf : public PackingJob {
     return layout;
   }
 
-  /// The strip may become longer, and what stands upon a floor higher.
+  /// The strip may become longer, and what stands upon a floor or in the last container higher.
   void put(Layout& layout, const MovedItem& moved) const {
     const auto place = Kind::place(layout.items[moved.item]);
     std::array<double, Kind::kDimension> by{};

@@ -277,6 +277,27 @@ class Answers(unittest.TestCase):
         self.assertEqual((results[6]["layout"]["height"], results[6]["layout"]["items"][1]["at"]), ("2.5", ["1", "0", "1.5"]))
         self.assertEqual([answers[k]["error"]["code"] for k in (7, 8, 9)], [-32000, -32602, -32000])
 
+    def test_solids_go_into_another_container(self):
+        def cube(side):
+            return {"box": {"min": [0, 0, 0], "max": [side, side, side]}}
+
+        problem = {"name": "two", "containers": [{"id": "crate", "count": 2, "size-x": 2, "size-y": 2, "size-z": 4}],
+                   "item-types": [{"id": "small", "demand": 1, "shape": cube(1)}, {"id": "large", "demand": 1, "shape": cube(2)}]}
+        layout = {"layout": {"container": {"containers": ["crate", "crate"]}, "height": "2", "items": [
+            {"part": "small", "copy": 1, "container": 0, "at": ["0", "0", "3"]},
+            {"part": "large", "copy": 1, "container": 1, "at": ["0", "0", "0"]}]}}
+        answers, status = serve([
+            {"id": 1, "method": "pack", "params": {"text": json.dumps(problem), "search": False, "start": json.dumps(layout)}},
+            {"id": 2, "method": "verify", "params": {"item": 0, "at": [0, 0, 3], "container": 1}},
+            {"id": 3, "method": "verify", "params": {"item": 0, "at": [0, 0, "3.5"], "container": 1}},
+            {"id": 4, "method": "repair", "params": {"item": 0, "at": [0, 0, 3], "container": 1}},
+        ])
+        self.assertEqual(status, 0)
+        free, through_the_lid, made = [a["result"] for a in answers[1:]]
+        self.assertTrue(free["verdict"]["feasible"])
+        self.assertEqual(through_the_lid["verdict"]["faults"][0]["kind"], "outside")
+        self.assertEqual((made["layout"]["height"], made["layout"]["items"][0]["at"]), ("4", ["0", "0", "3"]))
+
     def test_a_layout_alone_says_what_it_needs(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "layout.json")
