@@ -276,6 +276,15 @@ std::string quoted_if_needed(std::string_view name) {
   return result + '"';
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const Character c = decode(text);
+    if (c.code == kNotUtf8) return false;
+    text.remove_prefix(c.size);
+  }
+  return true;
+}
+
 std::string printable(std::string_view text) {
   std::string result;
   while (!text.empty()) {

@@ -95,6 +95,8 @@ bool is_identifier(std::string_view name);
 /// A name as a formula has to spell it: itself, or in double quotes.
 std::string quoted_if_needed(std::string_view name);
 
+bool is_utf8(std::string_view text);
+
 /// Text made fit for a message: control characters and bytes that are not UTF-8 become '?'.
 std::string printable(std::string_view text);
 

@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
 
 #include "findspace/error.h"
+#include "formula/language/lexer.h"
 
 namespace findspace::io {
 namespace {
@@ -52,6 +54,21 @@ std::string without_escapes(std::string_view text) {
   return out;
 }
 
+/// Of a name in the code page of its writer: the usual one, 1252.
+std::string of_code_page(std::string_view text) {
+  constexpr unsigned kFirst = 0x80;
+  constexpr std::array<std::uint16_t, 32> kBeyondLatin1{
+      0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+      0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+  std::string out;
+  for (const char c : text) {
+    const unsigned byte = static_cast<unsigned char>(c);
+    add_utf8(out, byte >= kFirst && byte < kFirst + kBeyondLatin1.size() ? kBeyondLatin1[byte - kFirst] : byte);
+  }
+  return out;
+}
+
 class DxfParser {
  public:
   DxfParser(std::string_view text, const std::string& name) : text_(text) { document_.name = name; }
@@ -68,6 +85,8 @@ class DxfParser {
       advance();
       if (section == "HEADER")
         header();
+      else if (section == "TABLES")
+        tables();
       else if (section == "BLOCKS")
         blocks();
       else if (section == "ENTITIES")
@@ -140,13 +159,15 @@ class DxfParser {
     } while (now_.code == 999);
   }
 
-  /// To the next group; escapes in names are read.
+  /// To the next group; names become UTF-8, and escapes in them are read.
   void advance() {
     if (binary_)
       advance_binary();
     else
       advance_text();
-    if ((now_.code == 2 || now_.code == 8) && now_.value.find(kEscape) != std::string_view::npos)
+    if (now_.code != 0 && now_.code != 2 && now_.code != 8) return;
+    if (!formula::is_utf8(now_.value)) now_.value = document_.texts.emplace_back(of_code_page(now_.value));
+    if (now_.value.find(kEscape) != std::string_view::npos)
       now_.value = document_.texts.emplace_back(without_escapes(now_.value));
   }
 
@@ -191,6 +212,22 @@ class DxfParser {
     while (!is(0, end)) {
       if (is(0, "ENDSEC") || is(0, "EOF")) fail(fmt::format("{} is expected", end));
       all.push_back(entity());
+    }
+  }
+
+  /// Layers that are off, which their colour says by its sign, or frozen.
+  void tables() {
+    constexpr int kFrozen = 1;
+    while (!is(0, "ENDSEC")) {
+      if (!is(0, "LAYER")) {
+        advance();
+        continue;
+      }
+      const DxfEntity layer = entity();
+      const DxfGroup* name = layer.find(2);
+      const bool off = document_.number(layer, 62, 1).sign() < 0;
+      if (name && (off || (document_.flags(layer, 70) & kFrozen) != 0))
+        document_.hidden_layers.emplace(name->value);
     }
   }
 

@@ -9,6 +9,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,9 @@ struct DxfBlock {
 
 struct DxfDocument {
   std::string name;
-  std::deque<std::string> texts;  // what the values of a binary file refer to
+  std::deque<std::string> texts;  // what values refer to that do not stand so in the file
   std::optional<int> units;       // $INSUNITS
+  std::set<std::string, std::less<>> hidden_layers;
   std::map<std::string, DxfBlock, std::less<>> blocks;
   std::vector<DxfEntity> entities;
 
