@@ -231,6 +231,7 @@ TEST(ReadDxf, Refuses) {
   expect_refused([] { dxf("0 SPLINE|71 3|11 0|21 0|11 5|21 5|"); }, "leaves open how it runs between them");
   expect_refused([] { dxf("0 REGION|8 0|"); }, "REGION is not read");
   expect_refused([] { dxf("0 CIRCLE|10 0|20 0|40 5|220 1|230 0|"); }, "plane is slanted");
+  expect_refused([] { dxf("0 ELLIPSE|10 0|20 0|11 9|21 0|40 0.5|210 0|220 0.6|230 0.8|"); }, "plane is slanted");
   expect_refused([] { dxf("0 INSERT|2 none|10 0|20 0|"); }, "unknown block");
   expect_refused([] { dxf("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|"); }, "without SEQEND");
   expect_refused([] { dxf(kSquare, {}, "7"); }, "$INSUNITS 7");
@@ -415,6 +416,76 @@ TEST(ReadDxf, HeightsAreNoted) {
   EXPECT_EQ(notes("0 POLYLINE|70 1|0 VERTEX|10 0|20 0|30 1|0 VERTEX|10 9|20 0|0 VERTEX|10 9|20 9|0 SEQEND|"),
             std::vector<std::string>{note});
   EXPECT_EQ(notes("0 INSERT|2 b|10 0|20 0|30 4|").at(1), note);
+  EXPECT_EQ(notes("0 SPLINE|71 1|40 0|40 0|40 1|40 1|10 0|20 0|30 0|10 9000|20 0|30 3|").at(1), note);
+}
+
+std::vector<std::string> dxf_notes(const std::string& entities, const std::string& blocks = "",
+                                   FileChoice choice = {}) {
+  Context context;
+  read_dxf(dxf_text(entities, "4", blocks), "f.dxf", choice, context);
+  return context.notes;
+}
+
+TEST(ReadDxf, PaperSpaceAndWhatIsInvisibleAreNotRead) {
+  const std::string block = "0 BLOCK|2 frame|10 0|20 0|0 CIRCLE|10 10|20 10|40 5|0 ENDBLK|";
+  EXPECT_EQ(dxf(kSquare + "0 INSERT|67 1|2 frame|10 0|20 0|", {}, "4", block)->contours.size(), 1u);
+  EXPECT_EQ(dxf_notes(kSquare + "0 INSERT|67 1|2 frame|10 0|20 0|", block), std::vector<std::string>{});
+  const std::string unseen = kSquare + "0 CIRCLE|60 1|10 10|20 10|40 5|0 INSERT|60 1|2 frame|10 0|20 0|";
+  EXPECT_EQ(dxf(unseen, {}, "4", block)->contours.size(), 1u);
+  EXPECT_EQ(dxf_notes(unseen, block), std::vector<std::string>{"f.dxf: 2 invisible entities are left out"});
+  EXPECT_EQ(dxf_notes(kSquare + "0 CIRCLE|60 0|10 10|20 10|40 5|"), std::vector<std::string>{});
+}
+
+TEST(ReadDxf, LayersThatAreOffOrFrozenAreReadWithANote) {
+  const std::string layers =
+      "0 ENDSEC|0 SECTION|2 TABLES|0 TABLE|2 LAYER|70 3|0 LAYER|2 cut|70 0|62 7|0 LAYER|2 off|70 0|62 -7|0 LAYER|2 "
+      "frozen|70 1|62 7|0 ENDTAB|";
+  const std::string entities = kSquare + "0 CIRCLE|8 off|10 5|20 5|40 2|0 CIRCLE|8 frozen|10 15|20 15|40 2|";
+  EXPECT_EQ(dxf(entities + layers)->contours.size(), 3u);
+  EXPECT_EQ(dxf_notes(entities + layers),
+            std::vector<std::string>{
+                "f.dxf: 2 entities come from layers that are off or frozen; \"layer\" chooses a layer"});
+  FileChoice off;
+  off.layer = "off";
+  EXPECT_EQ(dxf_notes(entities + layers, "", off), std::vector<std::string>{});
+}
+
+TEST(ReadDxf, WidthsOfPolylinesAreNoted) {
+  const std::vector<std::string> note{"f.dxf: 1 polyline has a width, left out: the line in the middle is read"};
+  EXPECT_EQ(dxf_notes("0 LWPOLYLINE|70 1|43 2.5|10 0|20 0|42 1|10 20|20 0|42 1|"), note);  // a donut
+  EXPECT_EQ(dxf_notes("0 LWPOLYLINE|70 1|10 0|20 0|40 0|41 1|10 9|20 0|10 9|20 9|"), note);
+  const std::string vertices = "0 VERTEX|10 0|20 0|0 VERTEX|10 9|20 0|41 1|0 VERTEX|10 9|20 9|0 SEQEND|";
+  EXPECT_EQ(dxf_notes("0 POLYLINE|70 1|" + vertices), note);
+  EXPECT_EQ(dxf_notes("0 LWPOLYLINE|70 1|43 0.0|10 0|20 0|10 9|20 0|10 9|20 9|"), std::vector<std::string>{});
+}
+
+TEST(ReadDxf, FullTurnsWithFewDigitsAreCircles) {
+  EXPECT_EQ(dxf("0 ARC|10 0|20 0|40 7|50 0|51 359.9999999999|")->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(dxf("0 ARC|10 0|20 0|40 7|50 0.0000001|51 0|")->kind, Shape::Kind::kDisc);
+}
+
+TEST(ReadDxf, WhatNeverEndsIsRefused) {
+  const std::string ellipse = "0 ELLIPSE|10 0|20 0|11 9|21 0|40 0.5|";
+  expect_refused([&] { dxf(ellipse + "41 1e18|42 0|"); }, "more than a thousand turns");
+  expect_refused([&] { dxf(ellipse + "41 0|42 -1e30|"); }, "more than a thousand turns");
+  for (const char* from : {"1e18", "-1e30"})
+    expect_refused(
+        [&] {
+          dxf("0 HATCH|91 1|92 0|93 1|72 2|10 10|20 10|40 5|50 " + std::string(from) + "|51 0|73 1|97 0|");
+        },
+        "more than a thousand turns");
+  expect_refused(
+      [] { dxf("0 INSERT|2 b|10 0|20 0|70 1048576|71 1048576|", {}, "4", "0 BLOCK|2 b|10 0|20 0|0 ENDBLK|"); },
+      "more than a million blocks");
+}
+
+TEST(ReadDxf, NamesOfCodePagesBecomeUtf8) {
+  FileChoice choice;
+  choice.layer = "Größe €";
+  const std::string circle = "|10 5|20 5|40 2|";
+  EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Gr\xF6\xDF" "e \x80" + circle, choice)->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Größe €" + circle, choice)->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Gr\\U+00F6\\U+00DFe \\U+20AC" + circle, choice)->kind, Shape::Kind::kDisc);
 }
 
 TEST(ReadDxf, BlocksAndLayers) {

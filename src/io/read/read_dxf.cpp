@@ -4,8 +4,9 @@
 // DXF drawings, ASCII or binary: LINE, LWPOLYLINE and POLYLINE with bulges, CIRCLE, ARC, ELLIPSE, SPLINE, SOLID, POINT,
 // INSERT of blocks, in rows and columns too. Open ones are joined where ends meet or the gap is allowed; closed
 // outlines nest by the even-odd rule, so a circle inside an outline is a hole. A HATCH is read where nothing else is
-// drawn: it fills outlines that are drawn beside it. Solids and regions are refused; texts and dimensions are left out
-// with a note, and a z other than 0 is, with a note. Unit: $INSUNITS. Source: AutoCAD DXF reference (2012).
+// drawn: it fills outlines that are drawn beside it. Solids and regions are refused. Texts, dimensions, what is
+// invisible, widths of polylines and a z other than 0 are left out with a note; paper space is passed over. Layers that
+// are off or frozen are read, with a note. Unit: $INSUNITS. Source: AutoCAD DXF reference (2012).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,10 +74,10 @@ class DxfReader {
       context_.notes.push_back(fmt::format("{}: {} {} left out{}", document_.name, count, type,
                                            text ? "; a CAD program turns text into outlines" : ""));
     }
-    if (raised_ > 0) {
-      context_.notes.push_back(fmt::format("{}: {} {} a z other than 0, read as seen from above", document_.name,
-                                           raised_, raised_ == 1 ? "entity has" : "entities have"));
-    }
+    note(raised_, "entity has", "entities have", "a z other than 0, read as seen from above");
+    note(wide_, "polyline has", "polylines have", "a width, left out: the line in the middle is read");
+    note(invisible_, "invisible entity is", "invisible entities are", "left out");
+    note(hidden_, "entity comes", "entities come", "from layers that are off or frozen; \"layer\" chooses a layer");
     return parts;
   }
 
@@ -85,7 +86,13 @@ class DxfReader {
     const DxfEntity* entity;
     Affine map;
     std::string name;
+    bool hidden;  // by its layer
   };
+
+  void note(int count, const char* one, const char* several, const char* what) const {
+    if (count == 0) return;
+    context_.notes.push_back(fmt::format("{}: {} {} {}", document_.name, count, count == 1 ? one : several, what));
+  }
 
   void refuse_layer() const {
     std::string hint = choice("layers", *choice_.layer, {layers_.begin(), layers_.end()});
@@ -96,12 +103,18 @@ class DxfReader {
   /// `block`: the name of the block around it.
   void draw(const DxfEntity& entity, const Affine& map, std::string_view layer, std::string_view block, int depth) {
     layers_.insert(std::string(layer));
-    if (entity.type == "INSERT") return insert(entity, map, layer, block, depth);
-    if (choice_.layer && layer != *choice_.layer) return;
+    const bool inserts = entity.type == "INSERT";
     if (document_.flags(entity, 67) == 1 || entity.type == "SEQEND")
       return;  // paper space: the frame around the drawing
+    if (!inserts && choice_.layer && layer != *choice_.layer) return;
+    if (document_.flags(entity, 60) == 1) {
+      ++invisible_;
+      return;
+    }
+    if (inserts) return insert(entity, map, layer, block, depth);
     outline_.set_name(std::string(!quantity_in(block) && quantity_in(layer) ? layer : block));
-    placed(entity, [&] { draw_one(entity, map); });
+    const bool hidden = !choice_.layer && document_.hidden_layers.contains(layer);
+    placed(entity, [&] { draw_one(entity, map, hidden); });
   }
 
   /// Errors get the place of the entity.
@@ -115,16 +128,19 @@ class DxfReader {
     }
   }
 
-  void draw_one(const DxfEntity& e, const Affine& map) {
+  /// `hidden`: by its layer, that no one asked for.
+  void draw_one(const DxfEntity& e, const Affine& map, bool hidden) {
     static const std::set<std::string_view> refused{"REGION", "3DFACE", "3DSOLID", "MESH",
                                                     "BODY",   "MLINE",  "HELIX",   "SURFACE"};
     if (draw_dxf_entity(document_, e, map, outline_)) {
       raised_ += is_raised(document_, e) ? 1 : 0;
+      wide_ += has_width(document_, e) ? 1 : 0;
+      hidden_ += hidden ? 1 : 0;
       drawn_any_ = true;
     } else if (refused.count(e.type) > 0) {
       throw Error(ErrorCode::kUnsupported, fmt::format("{} is not read; lines and curves in the plane are", e.type));
     } else if (e.type == "HATCH") {
-      hatches_.push_back({&e, map, outline_.name()});
+      hatches_.push_back({&e, map, outline_.name(), hidden});
     } else {
       ++left_out_[std::string(e.type)];
     }
@@ -136,6 +152,7 @@ class DxfReader {
     if (drawn_any_) return;
     for (const Hatch& hatch : hatches_) {
       outline_.set_name(hatch.name);
+      hidden_ += hatch.hidden ? 1 : 0;
       placed(*hatch.entity, [&] { draw_dxf_hatch(document_, *hatch.entity, hatch.map, outline_); });
     }
   }
@@ -166,10 +183,16 @@ class DxfReader {
   }
 
   void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, std::string_view part, int depth) {
+    count_inserted();  // blocks may be empty
     for (const DxfEntity& entity : block.entities) {
-      if (++drawn_ > kMaxInserted) throw Error(ErrorCode::kUnsupported, "more than a million entities in blocks");
+      count_inserted();
       draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), part, depth + 1);
     }
+  }
+
+  void count_inserted() {
+    if (++inserted_ > kMaxInserted)
+      throw Error(ErrorCode::kUnsupported, "more than a million blocks and entities in them");
   }
 
   static constexpr int kMaxInserted = 1000000;  // nested blocks could multiply without end
@@ -180,8 +203,8 @@ class DxfReader {
   Outline outline_;
   std::set<std::string> layers_;
   std::map<std::string, int> left_out_;
-  int raised_ = 0;
-  int drawn_ = 0;
+  int raised_ = 0, wide_ = 0, invisible_ = 0, hidden_ = 0;
+  int inserted_ = 0;
   bool drawn_any_ = false;
   std::vector<Hatch> hatches_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "findspace/error.h"
@@ -19,6 +20,16 @@ using std::numbers::pi;
 
 /// An angle less than this short of a full one is a full one: it is written with few digits.
 constexpr double kFullTurn = 2 * pi - 1.0 / 100000;
+
+/// How far it is from one angle to the other, counter-clockwise, in radians: more than 0, and a full turn at most.
+double turn(double from, double to) {
+  constexpr double kMost = 2000 * pi;  // a thousand turns
+  if (!(std::abs(from) <= kMost && std::abs(to) <= kMost))
+    throw Error(ErrorCode::kBadValue, "an angle of more than a thousand turns");
+  double sweep = to - from;
+  while (sweep <= 0) sweep += 2 * pi;
+  return std::min(sweep, 2 * pi);
+}
 
 class EntityDrawer {
  public:
@@ -72,7 +83,7 @@ class EntityDrawer {
     Real sweep = to - from;
     sweep = sweep - Real(360) * Real(floor(sweep / Real(360)));
     Placed placed = out();
-    if (sweep.sign() == 0) return placed.circle(x, y, r);
+    if (sweep.sign() == 0 || sweep.to_double() * (pi / 180) > kFullTurn) return placed.circle(x, y, r);
     Direction a = direction(from), b = direction(to);
     placed.move_to(x + r * a.cosine, y + r * a.sine);
     placed.arc_to(r, Real(180) < sweep, true, x + r * b.cosine, y + r * b.sine);
@@ -83,11 +94,10 @@ class EntityDrawer {
     const Real ux = number(11), uy = number(21), ratio = number(40);
     if (ux.sign() == 0 && uy.sign() == 0) throw Error(ErrorCode::kBadValue, "an ellipse without a major axis");
     if (ratio.sign() <= 0) throw Error(ErrorCode::kBadValue, "the ratio of an ellipse's axes must be more than 0");
-    const int up = document_.number(e_, 230, 1).sign() < 0 ? -1 : 1;
+    const int up = dxf_plane(document_, e_).mirrors ? -1 : 1;
     EllipseArc arc{{{number(10), number(20)}, {ux, uy}, {-uy * ratio * Real(up), ux * ratio * Real(up)}}};
     arc.first = document_.number(e_, 41, 0).to_double();
-    arc.sweep = document_.number(e_, 42, Real::from_double(2 * pi)).to_double() - arc.first;
-    while (arc.sweep <= 0) arc.sweep += 2 * pi;
+    arc.sweep = turn(arc.first, document_.number(e_, 42, Real::from_double(2 * pi)).to_double());
     Placed placed = out();
     if (arc.sweep > kFullTurn) {
       arc.sweep = 2 * pi;
@@ -272,8 +282,7 @@ class HatchDrawer {
     const double from = number(50).to_double() * (pi / 180), to = number(51).to_double() * (pi / 180);
     const int way = count(73) == 0 ? -1 : 1;
     a.first = from * way;
-    a.sweep = to - from;
-    while (a.sweep <= 0) a.sweep += 2 * pi;
+    a.sweep = turn(from, to);
     if (a.sweep > kFullTurn && !begun_) {
       if (!elliptical) return placed_.circle(a.frame.center.x, a.frame.center.y, r);
       a.sweep = 2 * pi;
@@ -328,11 +337,27 @@ Affine dxf_plane(const DxfDocument& document, const DxfEntity& entity) {
   throw Error(ErrorCode::kUnsupported, "its plane is slanted (extrusion direction other than 0, 0, 1 or 0, 0, -1)");
 }
 
+namespace {
+
+/// Whether a group of these codes, of the entity or of one of its vertices, is not 0.
+bool states(const DxfDocument& document, const DxfEntity& entity, std::initializer_list<int> codes) {
+  const auto counts = [&](const DxfGroup& g) {
+    return std::find(codes.begin(), codes.end(), g.code) != codes.end() && document.number(g).sign() != 0;
+  };
+  return std::any_of(entity.groups.begin(), entity.groups.end(), counts) ||
+         std::any_of(entity.vertices.begin(), entity.vertices.end(),
+                     [&](const DxfEntity& v) { return states(document, v, codes); });
+}
+
+}  // namespace
+
 bool is_raised(const DxfDocument& document, const DxfEntity& entity) {
-  for (const int code : {30, 31, 38})
-    if (document.number(entity, code, 0).sign() != 0) return true;
-  return std::any_of(entity.vertices.begin(), entity.vertices.end(),
-                     [&](const DxfEntity& v) { return is_raised(document, v); });
+  return states(document, entity, {30, 31, 32, 33, 38});
+}
+
+bool has_width(const DxfDocument& document, const DxfEntity& entity) {
+  const bool line = entity.type == "LWPOLYLINE" || entity.type == "POLYLINE";
+  return line && states(document, entity, {40, 41, 43});
 }
 
 }  // namespace findspace::io

@@ -20,7 +20,10 @@ void draw_dxf_hatch(const DxfDocument& document, const DxfEntity& entity, const 
 /// Error(kUnsupported) for other planes than those.
 Affine dxf_plane(const DxfDocument& document, const DxfEntity& entity);
 
-/// Whether some height of it is not 0: its own, that of a line's end, or of a vertex.
+/// Whether some height of it is not 0: its own, that of an end or corner, or of a vertex.
 bool is_raised(const DxfDocument& document, const DxfEntity& entity);
+
+/// Whether it is a polyline that is wider than a line, somewhere.
+bool has_width(const DxfDocument& document, const DxfEntity& entity);
 
 }  // namespace findspace::io
