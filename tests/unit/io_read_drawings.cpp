@@ -58,10 +58,9 @@ TEST(ReadSvg, Refuses) {
   expect_refused([&] { read_svg("<html/>", "f.svg", {}, context); }, "not <svg>");
   expect_refused([] { svg(""); }, "no shape");
   expect_refused([] { svg("\n<path id='p' d='M0 0 X'/>"); }, "<path id='p'> (f.svg:2:2): path, character 6");
-  expect_refused([] { svg("<path/>"); }, "the path is empty");
-  expect_refused([] { svg("<circle r='0'/>"); }, "'r' must be more than 0");
+  expect_refused([] { svg("<circle r='-1'/>"); }, "'r' must not be less than 0");
   expect_refused([] { svg("<circle r='1em'/>"); }, "the unit 'em'");
-  expect_refused([] { svg("<rect width='5'/>"); }, "'height' must be more than 0");
+  expect_refused([] { svg("<rect width='5' height='-5'/>"); }, "'height' must not be less than 0");
   expect_refused([] { svg("<rect width='50%' height='5'/>"); }, "the unit '%'");
   expect_refused([] { svg("<path d='M0 0 H9 V9'/><path d='M0 9 V1'/>"); },
                  "2 outlines are open, the first from (0, 0) to (9, -9); the narrowest gap is 1 mm");
@@ -73,6 +72,21 @@ TEST(ReadSvg, Refuses) {
   FileChoice choice;
   choice.id = "outlin";
   expect_refused([&] { svg("<circle id='outline' r='3'/>", choice); }, "did you mean 'outline'?");
+}
+
+TEST(ReadSvg, ElementsOfNoSizeDrawNothing) {
+  const std::string nothing =
+      "<path d=' '/><path d='M1 1'/><circle r='0'/><circle/><ellipse rx='0' ry='3'/><rect width='0' height='5'/>"
+      "<rect width='5'/><polygon points=''/>";
+  expect_refused([&] { svg(nothing); }, "no shape");
+  Context context;
+  const std::string drawing = "<svg width='100mm' viewBox='0 0 100 100'>" + nothing + "<circle r='3'/></svg>";
+  EXPECT_EQ(read_svg(drawing, "f.svg", {}, context)->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(context.notes,
+            (std::vector<std::string>{"f.svg: 2 <circle> of no size left out", "f.svg: 1 <ellipse> of no size left out",
+                                      "f.svg: 2 <path> of no size left out", "f.svg: 1 <polygon> of no size left out",
+                                      "f.svg: 2 <rect> of no size left out"}));
+  EXPECT_EQ(svg("<ellipse ry='3'/>")->kind, Shape::Kind::kDisc);  // rx is as ry where it is not stated
 }
 
 TEST(ReadSvg, StandsAsThePictureShows) {
@@ -477,6 +491,11 @@ TEST(ReadDxf, WhatNeverEndsIsRefused) {
   expect_refused(
       [] { dxf("0 INSERT|2 b|10 0|20 0|70 1048576|71 1048576|", {}, "4", "0 BLOCK|2 b|10 0|20 0|0 ENDBLK|"); },
       "more than a million blocks");
+}
+
+TEST(ReadDxf, AByteOrderMarkIsPassedOver) {
+  Context context;
+  EXPECT_EQ(read_dxf("\xEF\xBB\xBF" + dxf_text(kSquare, "4"), "f.dxf", {}, context)->kind, Shape::Kind::kRings);
 }
 
 TEST(ReadDxf, NamesOfCodePagesBecomeUtf8) {

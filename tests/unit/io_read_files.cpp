@@ -70,6 +70,33 @@ TEST(ReadWkt, Refuses) {
   EXPECT_THROW(read(read_wkt, "POINT(0 0)", choice), Error);
 }
 
+TEST(ReadFile, PlacesOfATextAreThoseOfItsLines) {
+  std::string text;
+  for (int k = 0; k < 3000; ++k) text += k % 7 == 0 || (k > 1000 && k < 2100) ? 'x' : '\n';
+  text += "end";
+  const TextPlaces places(text, "f");
+  std::size_t line = 1, column = 1;
+  for (std::size_t at = 0; at <= text.size(); ++at) {
+    EXPECT_EQ(places.at(at), "f:" + std::to_string(line) + ":" + std::to_string(column));
+    column = at < text.size() && text[at] == '\n' ? 1 : column + 1;
+    line += column == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(places.at(text.size() + 9), places.at(text.size()));
+  EXPECT_EQ(TextPlaces("", "f").at(0), "f:1:1");
+}
+
+/// Each asks for its place, which must not be looked for from the beginning.
+TEST(ReadWkt, ManyGeometriesTakeLinearTime) {
+  std::string points;
+  for (int k = 0; k < 100000; ++k) points += "POINT(1 2)\n";
+  EXPECT_EQ(read(read_wkt, points.c_str())->children.size(), 100000u);
+}
+
+TEST(ReadWkt, AByteOrderMarkIsPassedOver) {
+  EXPECT_EQ(read(read_wkt, "\xEF\xBB\xBFPOINT(3 -4)")->points, (std::vector<GridPoint>{{3, -4}}));
+  expect_refused(read_wkt, "\xEF\xBB\xBFPOLYGON", "f:1:8: the text ends");
+}
+
 TEST(ReadWkt, Geometries) {
   EXPECT_EQ(read(read_wkt, "SRID=4326;POINT(3 -4)")->points, (std::vector<GridPoint>{{3, -4}}));
   EXPECT_EQ(read(read_wkt, "multipoint((1 2), (3 4))")->points.size(), 2u);
@@ -114,7 +141,19 @@ TEST(ReadGeoJson, Refuses) {
                  "crosses itself");
   expect_refused(read_geojson, R"({"type": "Point", "coordinates": [1,2,3]})", "not [x, y]");
   expect_refused(read_geojson, R"({"type": "Point", "coordinates": ["1",2]})", "f:1:35");
-  expect_refused(read_geojson, R"({"type": "Feature", "geometry": null})", "must be an object");
+  expect_refused(read_geojson, R"({"type": "Feature", "geometry": 1})", "must be an object");
+  expect_refused(read_geojson, R"({"type": "Feature", "geometry": null})", "no shape");
+}
+
+TEST(ReadGeoJson, FeaturesWithoutAGeometryAreLeftOut) {
+  ReadContext context;
+  context.grid = Grid(1);
+  const ShapePtr shape = read_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "id": "nowhere", "geometry": null},
+    {"type": "Feature", "id": "lake", "geometry": {"type": "Point", "coordinates": [1, 2]}}]})",
+                                      "f", {}, context);
+  EXPECT_EQ(shape->points.size(), 1u);
+  EXPECT_EQ(context.notes, std::vector<std::string>{"f: 1 feature has no geometry, left out"});
 }
 
 TEST(ReadGeoJson, Features) {

@@ -103,6 +103,10 @@ TEST(ReadMesh, EveryFormatGivesTheSameCube) {
   Surface named = surface(mesh);
   named.labels.assign(named.faces.size(), "a\nf 1 2 3");
   expect_unit_cube(obj_text(named, "a\ncube"), ".obj");
+  const std::string without_comment = std::string(kObj).substr(std::string_view("# cube\n").size());
+  for (const auto& [text, ending] :
+       {std::pair{without_comment, ".obj"}, {off_text(surface(mesh)), ".off"}, {ply(mesh, "ascii"), ".ply"}})
+    expect_unit_cube("\xEF\xBB\xBF" + text, ending);
   expect_unit_cube(off_text(surface(mesh)), ".off");
   expect_unit_cube(stl_text(surface(mesh), "cube"), ".stl");
   expect_unit_cube(binary_stl(mesh), ".stl");

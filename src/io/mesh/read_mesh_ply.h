@@ -16,15 +16,16 @@
 #include <string_view>
 #include <vector>
 
+#include "io/text/file_kind.h"
 #include "io/text/read_context.h"
 #include "space/polytope/solid.h"
 
 namespace findspace::io {
 
-/// A text as lines of words; `#` starts a comment. Empty lines are passed over.
+/// A text as lines of words; `#` starts a comment. Empty lines and a byte order mark are passed over.
 class TextLines {
  public:
-  explicit TextLines(std::string_view text) : text_(text) {}
+  explicit TextLines(std::string_view text) : text_(text), at_(text.size() - without_byte_order_mark(text).size()) {}
   bool next();
   const std::vector<std::string_view>& words() const { return words_; }
   /// Where the next line begins.
@@ -34,7 +35,7 @@ class TextLines {
 
  private:
   std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   long line_ = 0;
   std::vector<std::string_view> words_;
 };

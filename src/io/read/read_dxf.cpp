@@ -16,6 +16,7 @@
 #include "findspace/error.h"
 #include "io/read/read_dxf_entities.h"
 #include "io/read/read_file.h"
+#include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
 #include "io/text/quantity.h"
 #include "io/text/read_transform.h"
@@ -213,7 +214,7 @@ class DxfReader {
 
 ShapePtr read_dxf(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context) {
   refuse_choice(choice.id.has_value(), "id", "DXF; choose by \"layer\" or \"index\"", name);
-  DxfDocument document = read_dxf_document(text, name);
+  DxfDocument document = read_dxf_document(without_byte_order_mark(text), name);
   Real scale = file_scale(choice.unit ? std::nullopt : millimetres(document), name, choice, context);
   return chosen(DxfReader(document, choice, context, scale).read(), name, choice);
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "findspace/error.h"
 #include "io/text/file_kind.h"
@@ -92,12 +93,28 @@ void refuse_choice(bool given, const char* key, const char* format, const std::s
   if (given) throw Error(ErrorCode::kBadValue, fmt::format("\"{}\" has no meaning for {}", key, format), name);
 }
 
-std::string text_place(std::string_view text, std::size_t offset, const std::string& name) {
-  offset = std::min(offset, text.size());
-  std::string_view before = text.substr(0, offset);
-  auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  std::size_t start = before.rfind('\n');
-  return fmt::format("{}:{}:{}", name, line, start == std::string_view::npos ? offset + 1 : offset - start);
+TextPlaces::TextPlaces(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+  Line line;
+  for (std::size_t at = 0; at <= text.size(); at += kBlock) {
+    lines_.push_back(line);
+    pass(line, at, std::min(at + kBlock, text.size()));
+  }
+}
+
+void TextPlaces::pass(Line& line, std::size_t from, std::size_t to) const {
+  for (std::size_t at = from; at < to; ++at) {
+    if (text_[at] != '\n') continue;
+    ++line.number;
+    line.start = at + 1;
+  }
+}
+
+std::string TextPlaces::at(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const std::size_t block = offset / kBlock;
+  Line line = lines_[block];
+  pass(line, block * kBlock, offset);
+  return fmt::format("{}:{}:{}", name_, line.number, offset - line.start + 1);
 }
 
 }  // namespace findspace::io

@@ -48,7 +48,25 @@ plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& na
 bool nests(const FileChoice& choice, const ReadContext& context);
 /// Refuses a choice that the format has no meaning for.
 void refuse_choice(bool given, const char* key, const char* format, const std::string& name);
-/// The place of a byte of a text: "name:line:column".
-std::string text_place(std::string_view text, std::size_t offset, const std::string& name);
+/// The places of bytes of a text: "name:line:column". Cost: linear in the text once, then constant.
+class TextPlaces {
+ public:
+  /// The text must outlive it.
+  TextPlaces(std::string_view text, std::string name);
+  std::string at(std::size_t offset) const;
+
+ private:
+  struct Line {
+    std::size_t number = 1, start = 0;
+  };
+  /// To the line at the end of a part that begins in this one.
+  void pass(Line& line, std::size_t from, std::size_t to) const;
+
+  static constexpr std::size_t kBlock = 1024;  // bytes
+
+  std::string_view text_;
+  std::string name_;
+  std::vector<Line> lines_;  // at the beginning of each block
+};
 
 }  // namespace findspace::io

@@ -38,6 +38,9 @@ class GeoJsonReader {
 
   std::vector<ShapePtr> read(const JsonValue& root) {
     object(root, "");
+    if (unlocated_ > 0)
+      context_.notes.push_back(fmt::format("{}: {} {} no geometry, left out", json_.file(), unlocated_,
+                                           unlocated_ == 1 ? "feature has" : "features have"));
     if (parts_.empty() && choice_.id) {
       throw Error(ErrorCode::kUnknownName,
                   fmt::format("there is no feature '{}'{}", *choice_.id, choice("features", *choice_.id, ids_)),
@@ -65,17 +68,26 @@ class GeoJsonReader {
   void object(const JsonValue& value, const std::string& id) {
     const std::string& kind = type(value);
     if (kind == "FeatureCollection") {
-      for (const JsonValue& feature : list(json_.need(value, "features", {}), "\"features\"")) object(feature, "");
+      for (const JsonValue& one : list(json_.need(value, "features", {}), "\"features\"")) object(one, "");
     } else if (kind == "Feature") {
-      std::string own = feature_id(value);
-      if (!own.empty()) ids_.push_back(own);
-      object(json_.need(value, "geometry", {}), own);
+      feature(value);
     } else if (!choice_.id || *choice_.id == id) {
       feature_ = id;
       Shape shape = *geometry(value);
       shape.name = id;
       parts_.push_back(std::make_shared<const Shape>(std::move(shape)));
     }
+  }
+
+  void feature(const JsonValue& value) {
+    const JsonValue& drawn = json_.need(value, "geometry", {});
+    const std::string own = feature_id(value);
+    if (drawn.is(Kind::kNull)) {
+      unlocated_ += !choice_.id || *choice_.id == own ? 1 : 0;
+      return;
+    }
+    if (!own.empty()) ids_.push_back(own);
+    object(drawn, own);
   }
 
   static std::string feature_id(const JsonValue& feature) {
@@ -156,7 +168,8 @@ class GeoJsonReader {
     for (const JsonValue& ring : list(value, "a polygon")) {
       const std::size_t before = outline.drawn().chains.size();
       line(ring, outline);
-      if (outline.drawn().chains.size() == before + 1 && open_chains(outline.drawn()) == 0) continue;
+      const std::vector<Chain>& rings = outline.drawn().chains;
+      if (rings.size() == before + 1 && rings.back().closed) continue;
       json_.fail(ErrorCode::kGeometry, "a ring must have an area and end at its first point", {}, ring);
     }
     pool(outline.drawn());
@@ -169,7 +182,7 @@ class GeoJsonReader {
   Real scale_;
   Drawing pool_;         // the outlines of all geometries
   std::string feature_;  // that is read
-  int outlines_ = 0;
+  int outlines_ = 0, unlocated_ = 0;
   std::int64_t repeated_ = context_.repeated_points;  // before
   std::vector<ShapePtr> parts_;
   std::vector<std::string> ids_;

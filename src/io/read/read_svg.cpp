@@ -49,7 +49,7 @@ bool one_of(std::string_view word, std::initializer_list<std::string_view> words
 class SvgReader {
  public:
   SvgReader(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context)
-      : text_(text), name_(name), choice_(choice), context_(context) {}
+      : text_(text), places_(text, name), name_(name), choice_(choice), context_(context) {}
 
   ShapePtr read() {
     pugi::xml_document document;
@@ -57,7 +57,7 @@ class SvgReader {
     if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
     if (!result) {
       throw Error(ErrorCode::kSyntax, fmt::format("this is not proper XML: {}", result.description()),
-                  text_place(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), name_));
+                  places_.at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))));
     }
     pugi::xml_node root = document.document_element();
     if (local_name(root) != "svg") throw Error(ErrorCode::kSyntax, "its first element is not <svg>", name_);
@@ -75,6 +75,8 @@ class SvgReader {
       const char* hint = element == "text" ? "; an editor turns text into paths" : "";
       context_.notes.push_back(fmt::format("{}: {} <{}> left out{}", name_, count, element, hint));
     }
+    for (const auto& [element, count] : empty_)
+      context_.notes.push_back(fmt::format("{}: {} <{}> of no size left out", name_, count, element));
     return chosen(std::move(parts_), name_, choice_);
   }
 
@@ -100,7 +102,7 @@ class SvgReader {
         id.empty() ? fmt::format("<{}>", local_name(node)) : fmt::format("<{} id='{}'>", local_name(node), id);
     std::ptrdiff_t offset = node.offset_debug();
     return offset < 0 ? fmt::format("{}: {}", name_, words)
-                      : fmt::format("{} ({})", words, text_place(text_, static_cast<std::size_t>(offset), name_));
+                      : fmt::format("{} ({})", words, places_.at(static_cast<std::size_t>(offset)));
   }
 
   std::optional<Real> stated_unit(const pugi::xml_node& root) const {
@@ -220,7 +222,11 @@ class SvgReader {
     Outline outline(context_, scale_);
     outline.set_name(part_name(id, label, inside));
     draw_svg_element(node, local_name(node), map, outline);
-    elements_.push_back({outline.take(), id, place(node), inside.look.fill != "none"});
+    Drawing drawing = outline.take();
+    if (is_empty(drawing))
+      ++empty_[std::string(local_name(node))];
+    else
+      elements_.push_back({std::move(drawing), id, place(node), inside.look.fill != "none"});
   }
 
   /// The label or the id, or the name of a group where that says how many.
@@ -235,7 +241,7 @@ class SvgReader {
     const bool nested = !stated && add_nested_outlines();
     for (Element& element : elements_) {
       if (nested && !element.filled) continue;
-      if (nests(choice_, context_) && !is_empty(element.drawing)) {
+      if (nests(choice_, context_)) {
         append(pool_, element.drawing);
       } else {
         add(std::move(element));
@@ -273,12 +279,11 @@ class SvgReader {
 
   void add(Element element) try {
     Drawing& drawing = element.drawing;
-    const bool empty = is_empty(drawing);
     if (!context_.drawing.open_lines || context_.drawing.join > 0) {
       for (Chain& chain : drawing.chains)
         if (!chain.closed) pool_.chains.push_back(std::move(chain));
       std::erase_if(drawing.chains, [](const Chain& c) { return c.edges.empty(); });
-      if (!empty && is_empty(drawing)) return;
+      if (is_empty(drawing)) return;
     }
     Shape shape = *shape_of(std::move(drawing), context_, element.place);
     shape.name = element.id;
@@ -306,6 +311,7 @@ class SvgReader {
   }
 
   std::string_view text_;
+  TextPlaces places_;
   const std::string& name_;
   const FileChoice& choice_;
   ReadContext& context_;
@@ -321,7 +327,7 @@ class SvgReader {
   Drawing pool_;  // open outlines, or all
   std::vector<ShapePtr> parts_;
   std::set<std::string> ids_, layers_;
-  std::map<std::string, int> left_out_;
+  std::map<std::string, int> left_out_, empty_;  // elements of each kind
 };
 
 }  // namespace

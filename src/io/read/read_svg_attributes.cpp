@@ -80,6 +80,7 @@ std::optional<Real> physical(std::string_view text) {
 
 void draw_points(std::string_view text, bool closed, const char* what, Placed& out) {
   std::vector<Real> v = numbers(text);
+  if (v.empty()) return;
   if (v.size() % 2 != 0) throw Error(ErrorCode::kSyntax, "an odd number of coordinates");
   if (v.size() < 4) throw Error(ErrorCode::kGeometry, fmt::format("{} of fewer than two points", what));
   out.move_to(v[0], v[1]);
@@ -87,15 +88,17 @@ void draw_points(std::string_view text, bool closed, const char* what, Placed& o
   if (closed) out.close();
 }
 
-Real positive(const pugi::xml_node& node, const char* name) {
-  Real value = svg_length(node, name, 0);
-  if (value.sign() <= 0) throw Error(ErrorCode::kGeometry, fmt::format("'{}' must be more than 0", name));
+/// Of an element, which draws nothing where it is 0.
+Real extent_of(const pugi::xml_node& node, const char* name, const Real& missing = 0) {
+  Real value = svg_length(node, name, missing);
+  if (value.sign() < 0) throw Error(ErrorCode::kGeometry, fmt::format("'{}' must not be less than 0", name));
   return value;
 }
 
 void draw_rectangle(const pugi::xml_node& node, Placed& out) {
   Real x = svg_length(node, "x", 0), y = svg_length(node, "y", 0);
-  Real w = positive(node, "width"), h = positive(node, "height");
+  Real w = extent_of(node, "width"), h = extent_of(node, "height");
+  if (w.sign() == 0 || h.sign() == 0) return;
   Real rx = svg_length(node, "rx", svg_length(node, "ry", 0)), ry = svg_length(node, "ry", rx);
   if (w < rx + rx) rx = w / Real(2);  // the rule of SVG
   if (h < ry + ry) ry = h / Real(2);
@@ -201,7 +204,11 @@ Affine svg_view(const pugi::xml_node& node, const pugi::xml_node& frame) {
 
 void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const Affine& map, Outline& outline) {
   Placed out(map, outline);
-  if (kind == "path") return read_svg_path(node.attribute("d").value(), out);
+  if (kind == "path") {
+    const std::string_view path = node.attribute("d").value();
+    if (!trim(path).empty()) read_svg_path(path, out);
+    return;
+  }
   if (kind == "polygon") return draw_points(node.attribute("points").value(), true, "a polygon", out);
   if (kind == "polyline") return draw_points(node.attribute("points").value(), false, "a polyline", out);
   if (kind == "rect") return draw_rectangle(node, out);
@@ -209,7 +216,10 @@ void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const A
     out.move_to(svg_length(node, "x1", 0), svg_length(node, "y1", 0));
     return out.line_to(svg_length(node, "x2", 0), svg_length(node, "y2", 0));
   }
-  const Real rx = positive(node, kind == "circle" ? "r" : "rx"), ry = kind == "circle" ? rx : positive(node, "ry");
+  const bool circle = kind == "circle";
+  const Real rx = circle ? extent_of(node, "r") : extent_of(node, "rx", svg_length(node, "ry", 0));
+  const Real ry = circle ? rx : extent_of(node, "ry", rx);
+  if (rx.sign() == 0 || ry.sign() == 0) return;
   const Real cx = svg_length(node, "cx", 0), cy = svg_length(node, "cy", 0);
   if (compare(rx, ry) != 0) return out.ellipse(whole_ellipse(cx, cy, rx, ry));
   out.circle(cx, cy, rx);

@@ -24,7 +24,8 @@ Affine read_svg_transform(std::string_view text, std::uint64_t& operations, plan
 std::optional<exact::Real> svg_millimetres(const pugi::xml_node& root);
 /// The map of a `viewBox` into the width and height of `frame`, by `preserveAspectRatio`.
 Affine svg_view(const pugi::xml_node& node, const pugi::xml_node& frame);
-/// Draws a path, polygon, polyline, line, rect, circle or ellipse.
+/// Draws a path, polygon, polyline, line, rect, circle or ellipse: nothing where its path or points are empty, or its
+/// width, height or radius is 0.
 void draw_svg_element(const pugi::xml_node& node, std::string_view kind, const Affine& map, Outline& outline);
 
 }  // namespace findspace::io

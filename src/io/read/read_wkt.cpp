@@ -11,6 +11,7 @@
 
 #include "findspace/error.h"
 #include "io/read/read_file.h"
+#include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
 
 namespace findspace::io {
@@ -24,12 +25,12 @@ constexpr int kMostGeometryDepth = 50;
 /// The words, numbers and marks of the text, one after another, and the places for messages.
 class WktScanner {
  public:
-  WktScanner(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  WktScanner(std::string_view text, const std::string& name) : text_(text), places_(text, name) {}
 
   std::size_t at() const { return at_; }
   void go_to(std::size_t at) { at_ = at; }
   bool done() const { return at_ >= text_.size(); }
-  std::string place(std::size_t at) const { return text_place(text_, at, name_); }
+  std::string place(std::size_t at) const { return places_.at(at); }
   /// Whether `c` is next; it is not taken.
   bool sees(char c) const { return !done() && text_[at_] == c; }
 
@@ -104,7 +105,7 @@ class WktScanner {
 
  private:
   std::string_view text_;
-  const std::string& name_;
+  TextPlaces places_;
   std::size_t at_ = 0;
 };
 
@@ -209,9 +210,9 @@ class WktReader {
       std::size_t start = from_.at();
       const std::size_t before = outline.drawn().chains.size();
       curve(curves ? member() : "LINESTRING", outline);
-      if (outline.drawn().chains.size() != before + 1 || open_chains(outline.drawn()) > 0) {
+      const std::vector<Chain>& rings = outline.drawn().chains;
+      if (rings.size() != before + 1 || !rings.back().closed)
         throw Error(ErrorCode::kGeometry, "a ring must end at its first point", from_.place(start));
-      }
     } while (from_.take(','));
     from_.need(')');
     pool(outline.drawn());
@@ -283,6 +284,7 @@ ShapePtr read_wkt(std::string_view text, const std::string& name, const FileChoi
   refuse_choice(choice.id.has_value(), "id", "WKT", name);
   refuse_choice(choice.layer.has_value(), "layer", "WKT", name);
   Real scale = file_scale(std::nullopt, name, choice, context);
+  text = without_byte_order_mark(text);
   return chosen(WktReader(text, name, choice, context, scale).read(), name, choice);
 }
 

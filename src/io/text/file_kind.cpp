@@ -20,9 +20,9 @@ constexpr std::array<std::string_view, 14> kGeometries{
     "MULTICURVE",   "MULTISURFACE", "GEOMETRYCOLLECTION", "TRIANGLE"};
 constexpr std::array<std::string_view, 5> kJsonKeys{"coordinates", "geometry", "geometries", "features", "exact"};
 
-/// Without the blanks at its beginning, nor a byte order mark.
+/// Without a byte order mark and the blanks at its beginning.
 std::string_view trimmed(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   return text.substr(std::min(text.find_first_not_of(kBlanks), text.size()));
 }
 
@@ -139,6 +139,11 @@ void require_kind(std::string_view text, std::string_view ending, const std::str
   if (kind == nullptr || kind->is(text)) return;
   throw Error(ErrorCode::kFile, fmt::format("this is not {}, by how it begins{}", kind->name, lacks(*kind, text)),
               name);
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
 bool is_space_ending(std::string_view ending) {

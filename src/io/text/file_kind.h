@@ -15,6 +15,9 @@ namespace findspace::io {
 /// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".step", ".stp", ".iges" or ".igs".
 void require_kind(std::string_view text, std::string_view ending, const std::string& name);
 
+/// A mark that some editors put before a text in UTF-8 is no part of it.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// Whether shapes are read from files with that ending; in space or in the plane.
 bool is_space_ending(std::string_view ending);
 bool is_plane_ending(std::string_view ending);
