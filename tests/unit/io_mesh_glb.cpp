@@ -143,6 +143,33 @@ TEST(MeshGlb, SaysWhatIsWrong) {
   EXPECT_NE(said(file(json(R"({"mesh": 0})", 4, 12, draco), tetrahedron())).find("KHR_draco"), std::string::npos);
 }
 
+/// A mesh of so many primitives that share their vertices and corners.
+std::string primitives(int count) {
+  std::string text = json(R"({"mesh": 0})");
+  const std::string one = R"({"attributes": {"POSITION": 0}, "indices": 1, "mode": 4})";
+  std::string more;
+  for (int k = 1; k < count; ++k) more += one + ", ";
+  return file(text.insert(text.find(one), more), tetrahedron());
+}
+
+TEST(MeshGlb, PrimitivesShareTheirVertices) {
+  ReadContext context;
+  const space::Mesh mesh = read(primitives(3), context);
+  EXPECT_EQ(mesh.vertices.size(), 4u);
+  EXPECT_EQ(mesh.faces.size(), 12u);
+}
+
+TEST(MeshGlb, CornersTakenOftenAreWork) {
+  ReadContext context;
+  context.work = plane::WorkBudget(500000);
+  try {
+    read(primitives(5000), context);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kLimit);
+  }
+}
+
 TEST(MeshGlb, OneMeshPlacedOftenIsWork) {
   std::string nodes = R"({"children": [)";
   for (int k = 1; k <= 5000; ++k) nodes += fmt::format("{}{}", k == 1 ? "" : ", ", k);

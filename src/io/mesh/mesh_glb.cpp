@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -186,36 +187,43 @@ class GlbReader {
   void mesh(std::size_t index, const MeshTransform& placed) {
     const int sense = placed.sense();
     if (sense == 0) refuse("a transform flattens what it places");
-    const bool again = !placed_.insert(index).second;
+    first_.clear();
     for (const JsonValue& primitive : list(item(root_, "meshes", index), "primitives")) {
       const std::size_t mode = whole_at(primitive, "mode", kTriangles);
       if (mode > kFan) refuse(fmt::format("a primitive has the unknown mode {}", mode));
       if (mode < kTriangles)
         ++passed_over_;
       else
-        faces(primitive, mode, placed, {sense < 0, again});
+        faces(primitive, mode, placed, sense < 0);
     }
   }
 
-  struct How {
-    bool mirrored, again;
-  };
+  /// What one file repeats is not bounded by its length: more numbers than its chunk has bytes are work.
+  void charge(std::size_t numbers) {
+    taken_ += numbers;
+    if (taken_ > binary_.length)
+      out_.charge(kAgain * std::min(numbers, taken_ - binary_.length), "placing the same vertices so often");
+  }
 
-  void faces(const JsonValue& primitive, std::size_t mode, const MeshTransform& placed, How how) {
+  void faces(const JsonValue& primitive, std::size_t mode, const MeshTransform& placed, bool mirrored) {
     const JsonValue* attributes = primitive.find("attributes");
     if (attributes == nullptr || attributes->find("POSITION") == nullptr)
       refuse("a primitive of triangles has no \"POSITION\"");
-    const Accessor places = accessor(whole_at(*attributes, "POSITION"), "VEC3", {kFloat});
+    const std::size_t position = whole_at(*attributes, "POSITION");
+    const Accessor places = accessor(position, "VEC3", {kFloat});
     const std::vector<std::size_t> corners = corners_of(primitive, places.count);
-    if (how.again)  // what one file repeats is not bounded by its length
-      out_.charge(kAgain * static_cast<std::uint64_t>(places.count + corners.size()), "placing one mesh so often");
+    charge(1 + corners.size());
     if (mode == kTriangles && corners.size() % 3 != 0) refuse("a primitive of triangles has a part of one");
-    const std::size_t first = out_.size();
-    vertices(places, placed);
+    const auto [shared, fresh] = first_.emplace(position, out_.size());
+    const std::size_t first = shared->second;
+    if (fresh) {
+      charge(places.count);
+      vertices(places, placed);
+    }
     for (std::size_t k = 0, end = corners.size(); k + 2 < end; k += mode == kTriangles ? 3 : 1) {
       const bool fan = mode == kFan, turned = mode == kStrip && k % 2 == 1;
       std::array<std::size_t, 3> at{corners[fan ? 0 : k], corners[k + 1], corners[k + 2]};
-      if (turned != how.mirrored) std::swap(at[1], at[2]);
+      if (turned != mirrored) std::swap(at[1], at[2]);
       if (mode != kTriangles && (at[0] == at[1] || at[1] == at[2] || at[2] == at[0])) continue;  // it joins strips
       out_.face({int(first + at[0]), int(first + at[1]), int(first + at[2])});
     }
@@ -292,7 +300,9 @@ class GlbReader {
   Part binary_;
   MeshBuilder& out_;
   std::vector<Pending> pending_;
-  std::set<std::size_t> visited_, placed_;
+  std::set<std::size_t> visited_;
+  std::map<std::size_t, std::size_t> first_;  // vertex of each accessor that the mesh in hand has placed
+  std::size_t taken_ = 0;                     // vertices and corners
   std::size_t passed_over_ = 0;
 };
 
