@@ -34,6 +34,7 @@ TEST(PublicText, FilesAreReadWithinLimits) {
   std::ofstream(path) << "twelve bytes";
   EXPECT_EQ(read_text(path), "twelve bytes");
   EXPECT_EQ(read_text(path, 12, folder.string()), "twelve bytes");
+  EXPECT_EQ(read_text(path, std::numeric_limits<std::uint64_t>::max()), "twelve bytes");
   EXPECT_EQ(code_of(path, 11), ErrorCode::kLimit);
   EXPECT_EQ(code_of(path, 12, (folder / "inner").string()), ErrorCode::kFile);
   EXPECT_EQ(code_of(folder.string(), 12), ErrorCode::kFile);

@@ -86,9 +86,10 @@ Descriptor open_regular(const std::filesystem::path& path, const std::filesystem
 /// `expected`: how many bytes there seem to be.
 std::string read_all(int descriptor, std::uint64_t most, std::uint64_t expected, const std::string& name) {
   std::string text;
+  const std::uint64_t room = std::max(most, most + 1);  // a byte too many shows; the greatest number has no next
   for (std::size_t size = 0;;) {
     if (size == text.size())
-      text.resize(std::min<std::uint64_t>(std::max<std::uint64_t>(expected + 1, size * 2), most + 1));
+      text.resize(std::min<std::uint64_t>(std::max<std::uint64_t>(expected + 1, size * 2), room));
     const ssize_t n = read(descriptor, text.data() + size, text.size() - size);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail_file(fmt::format("it cannot be read to its end: {}", std::generic_category().message(errno)), name);
