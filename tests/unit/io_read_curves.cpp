@@ -353,6 +353,19 @@ TEST(ReadCurves, SimplifiesOnASide) {
   ASSERT_EQ(contours.size(), 2u);
   EXPECT_LT(contours[0].size(), 80u);
   EXPECT_EQ(contours[1].size(), 4u);  // corners stay
+  const auto by_rule = [&](const std::string& rule, const std::string& beside, std::optional<CurveRule> given) {
+    ReadOptions options;
+    options.drawings.curves = given;
+    const std::string shape = R"({"simplify": "0.05mm", "of": )" + wheel() + beside + "}";
+    return area(
+        read_scene_text(R"({"findspace": 1, "unit": "mm", )" + rule + R"("shapes": {"a": )" + shape + "}}", ".", "s",
+                        options)
+            .shapes.at(0));
+  };
+  const std::string outside = R"("curves": "outside", )";
+  EXPECT_EQ(by_rule(outside, "", {}), scene_area(simple("outside")));
+  EXPECT_EQ(by_rule(outside, R"(, "curves": "inside")", {}), scene_area(simple("inside")));
+  EXPECT_EQ(by_rule(outside, R"(, "curves": "outside")", CurveRule::kInside), scene_area(simple("inside")));
   EXPECT_THROW(scene_area(R"({"simplify": 0.1, "of": {"hull": )" + wheel() + "}}"), Error);
   EXPECT_THROW(scene_area(R"({"simplify": [], "of": )" + wheel() + "}"), Error);
 }

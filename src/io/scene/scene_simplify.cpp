@@ -103,7 +103,8 @@ ShapePtr build_simplify(ShapeReader& reader, const JsonValue& object, const Json
   if (!value.is(JsonValue::Kind::kNumber) && !value.is(JsonValue::Kind::kString))
     json.fail(ErrorCode::kBadValue, "\"simplify\" is a length: a number, or a text such as \"0.01mm\"", label, value);
   return json.placed(label, value, [&] {
-    DrawingRules own = read_drawing_rules(json, object, label);
+    DrawingRules own = read_drawing_rules(json, object, label).over(context.scene_rules);
+    own = context.options.drawings.over(own);
     own.tolerance = value.text;
     context.use(own);
     return simplified(shape, context);
