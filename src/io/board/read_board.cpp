@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <utility>
 
 #include "io/board/board_pad.h"
 #include "io/board/read_groups.h"
@@ -49,16 +51,24 @@ class BoardReader {
       root_.need("version").fail(ErrorCode::kUnsupported,
                                  "a board of KiCad 4 or older; save it in KiCad 5 or later and read that");
     if (*version > kAfterKiCad9) board_.notes.push_back("the board comes from a KiCad after version 9");
-    const bool own_names = *version < kKiCad6;  // copper layers may be called anything
     root_.need("layers").each([&](const Sexpr& layer) {
-      if (!layer.is_list()) return;
-      const std::string number(layer.head());
-      if (own_names && number == "0") names_[layer.item(0).text()] = "F.Cu";
-      if (own_names && number == "31") names_[layer.item(0).text()] = "B.Cu";
+      if (layer.is_list()) read_layer(layer, *version < kKiCad6);
     });
     root_.each([&](const Sexpr& item) {
       if (item.is("net") && item.items().size() > 1) nets_[item.item(0).text()] = item.item(1).text();
     });
+  }
+
+  /// (0 "F.Cu" signal); `own_names`: copper layers, which have the numbers up to 31, may be called anything.
+  void read_layer(const Sexpr& layer, bool own_names) {
+    constexpr int kBack = 31;
+    const std::string_view digits = layer.head();
+    int number = kBack + 1;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const std::string given = layer.item(0).text();
+    if (own_names && (number == 0 || number == kBack)) names_[given] = number == 0 ? "F.Cu" : "B.Cu";
+    const std::string name = layer_name(given);
+    if (name.ends_with(".Cu") || (own_names && number <= kBack)) copper_.push_back(name);
   }
 
   std::string layer_name(const std::string& layer) const {
@@ -116,11 +126,22 @@ class BoardReader {
     board_.tracks.push_back({net_of(item), layers_of(item, names), stroke(std::move(chain), width, item.place())});
   }
 
+  /// The copper layers that a via goes through: it states the first and the last.
+  std::vector<std::string> via_layers(const Sexpr& via, const LayerNames& names) const {
+    std::vector<std::string> stated = layers_of(via, names);
+    if (stated.size() != 2) return stated;
+    auto first = std::find(copper_.begin(), copper_.end(), stated[0]);
+    auto last = std::find(copper_.begin(), copper_.end(), stated[1]);
+    if (first == copper_.end() || last == copper_.end()) return stated;
+    if (last < first) std::swap(first, last);
+    return std::vector<std::string>(first, last + 1);
+  }
+
   void read_via(const Sexpr& item, const LayerNames& names) {
     const Sexpr at = item.need("at");
     const plane::GridPoint p = context_.grid.nearest(at.item(0).number(), at.item(1).number(), context_.rounding);
     const Real size = context_.grid.steps(item.need("size").item(0).number() / Real(2));
-    board_.vias.push_back({net_of(item), layers_of(item, names), disc(p, size, item.place())});
+    board_.vias.push_back({net_of(item), via_layers(item, names), disc(p, size, item.place())});
     if (const auto drill = item.find("drill"))
       board_.holes.push_back({"", disc(p, context_.grid.steps(drill->item(0).number() / Real(2)), item.place())});
   }
@@ -177,6 +198,7 @@ class BoardReader {
   Graphics edges_;
   Board board_;
   std::map<std::string, std::string> names_, nets_;
+  std::vector<std::string> copper_;  // layers from front to back
 };
 
 /// Whether several footprints may have it: none, or one that was never given, "REF**".
