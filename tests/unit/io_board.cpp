@@ -11,6 +11,7 @@
 #include "io/board/board_scene.h"
 #include "io/board/read_board.h"
 #include "io/board/write_board.h"
+#include "io/text/outline_shapes.h"
 #include "plane/build/build.h"
 #include "plane/query/summary.h"
 
@@ -194,6 +195,50 @@ TEST(ReadBoard, BoxStandsInForACourtyard) {
   EXPECT_TRUE(read.parts[0].stands_in);
   EXPECT_NEAR(area(read.parts[0].body), 8, 0.2);
   EXPECT_GE(area(read.parts[0].body), 8);
+}
+
+TEST(ReadBoard, BoxThatStandsInCoversPads) {
+  const std::string small = "(pad \"2\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))";
+  for (const auto& [pad, expected] : std::map<std::string, double>{
+           {"smd trapezoid (at 0 0) (size 2 2) (rect_delta 1 0) (layers \"F.Cu\")", 6},
+           {"smd trapezoid (at 0 0 90) (size 2 2) (rect_delta 1 0) (layers \"F.Cu\")", 6},
+           {"thru_hole rect (at 0 0) (size 2 1) (drill 0.5 (offset 1 0)) (layers \"*.Cu\")", 2.5},
+           {"thru_hole rect (at 0 0 180) (size 2 1) (drill 0.5 (offset 1 0)) (layers \"*.Cu\")", 2.5},
+           {"smd custom (at 0 0 90) (size 1 1) (layers \"F.Cu\") (options (anchor rect)) (primitives (gr_line (start 0 "
+            "0) (end 3 0) (width 1)))",
+            4}}) {
+    const Board read = read_board(board(kOutline + part("R1", small + "(pad \"1\" " + pad + ")")), "b");
+    const Part& only = read.parts[0];
+    EXPECT_TRUE(only.stands_in);
+    EXPECT_NEAR(area(only.body), expected, 0.1) << pad;
+    for (const Pad& p : only.pads) EXPECT_NEAR(area(united({only.body, p.copper}, "")), area(only.body), 1e-9) << pad;
+  }
+}
+
+TEST(ReadBoard, DotsOfTheDrawnBodyArePassedOver) {
+  const std::string dots = "(fp_circle (center 4 4) (end 4 4) (layer \"F.SilkS\"))"
+                           "(fp_circle (center 4 4) (end 4 4) (layer \"F.Fab\"))";
+  const std::string pad = "(pad \"1\" smd rect (at 0 0) (size 2 1) (layers \"F.Cu\"))";
+  const std::string yard = "(fp_rect (start -1 -1) (end 1 1) (layer \"F.CrtYd\"))";
+  EXPECT_EQ(area(read_board(board(kOutline + part("R1", pad + dots + yard)), "b").parts[0].body), 4);
+  EXPECT_NEAR(area(read_board(board(kOutline + part("R1", pad + dots)), "b").parts[0].body), 2, 0.1);
+  expect_refused(board(kOutline + part("R1", "(fp_circle (center 4 4) (end 4 4) (layer \"F.CrtYd\"))")), "radius 0");
+}
+
+TEST(ReadBoard, ViasAreOnAllCopperLayersBetween) {
+  using Names = std::vector<std::string>;
+  const auto layers = [](const std::string& version, const std::string& stack, const std::string& via) {
+    return read_board("(kicad_pcb (version " + version + ") (layers " + stack + " (44 Edge.Cuts user))" + kOutline +
+                          "(via (at 2 2) (size 0.6) (drill 0.3) (layers " + via + ") (net 0)))",
+                      "b")
+        .vias[0]
+        .layers;
+  };
+  const std::string four = "(0 \"F.Cu\" signal) (4 \"In1.Cu\" signal) (6 \"In2.Cu\" power) (2 \"B.Cu\" signal)";
+  EXPECT_EQ(layers("20241229", four, "\"F.Cu\" \"B.Cu\""), (Names{"F.Cu", "In1.Cu", "In2.Cu", "B.Cu"}));
+  EXPECT_EQ(layers("20241229", four, "\"B.Cu\" \"In2.Cu\""), (Names{"In2.Cu", "B.Cu"}));
+  EXPECT_EQ(layers("20171130", "(0 Top signal) (1 GND power) (31 Bottom signal)", "Top Bottom"),
+            (Names{"F.Cu", "GND", "B.Cu"}));
 }
 
 TEST(MoveBoard, ChangesNothingElse) {

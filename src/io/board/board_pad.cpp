@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "io/board/board_graphics.h"
+#include <cmath>
+
 #include "io/text/outline_shapes.h"
 
 namespace findspace::io {
@@ -109,12 +110,23 @@ void draw_outline(const Sexpr& pad, const std::string& kind, const Size& size, P
   draw_corners(size, delta ? size_of(*delta) : Size{}, out);
 }
 
+/// What shape the anchor of a custom pad has.
+std::string anchor_of(const Sexpr& pad) {
+  const auto options = pad.find("options");
+  const auto anchor = options ? options->find("anchor") : std::nullopt;
+  return anchor ? anchor->item(0).text() : "circle";
+}
+
+Real width_of(const Sexpr& primitive) {
+  const auto width = primitive.find("width");
+  return width ? width->item(0).number() : Real(0);
+}
+
 /// One primitive of a custom pad: its outline or chain, grown by half its width.
 ShapePtr primitive(const Sexpr& item, const Affine& map, ReadContext& context) {
   Graphics graphics(context);
   if (!graphics.add(item, map)) item.fail(ErrorCode::kUnsupported, "an unknown primitive of a custom pad");
-  const auto width = item.find("width");
-  const Real half = context.grid.steps((width ? width->item(0).number() : Real(0)) / Real(2));
+  const Real half = context.grid.steps(width_of(item) / Real(2));
   const auto fill = item.find("fill");
   const bool empty = fill && (fill->has_word("none") || fill->has_word("no"));
   const bool polygon = item.is("gr_poly");
@@ -129,17 +141,50 @@ ShapePtr primitive(const Sexpr& item, const Affine& map, ReadContext& context) {
 }
 
 ShapePtr custom(const Sexpr& pad, const Size& size, const Affine& map, ReadContext& context) {
-  const auto options = pad.find("options");
-  const auto anchor = options ? options->find("anchor") : std::nullopt;
   Outline outline(context);
   Placed out(map, outline);
-  draw_outline(pad, anchor ? anchor->item(0).text() : "circle", size, out);
+  draw_outline(pad, anchor_of(pad), size, out);
   std::vector<ShapePtr> parts{shape_of(outline.take(), context, pad.place())};
   if (const auto primitives = pad.find("primitives"))
     primitives->each([&](const Sexpr& item) {
       if (item.is_list()) parts.push_back(primitive(item, map, context));
     });
   return parts.size() == 1 ? parts[0] : node(Shape::Kind::kUnion, std::move(parts), pad.place());
+}
+
+void include_box(const Extent& box, double margin, Extent& out) {
+  out.include(box.low[0] - margin, box.low[1] - margin);
+  out.include(box.high[0] + margin, box.high[1] + margin);
+}
+
+/// What draw_outline() draws.
+void include_outline(const Sexpr& pad, const std::string& kind, Extent& out) {
+  const Size size = size_of(pad.need("size"));
+  double x = size.x.to_double() / 2, y = kind == "circle" ? x : size.y.to_double() / 2;
+  if (const auto delta = pad.find("rect_delta"); delta && kind == "trapezoid") {
+    const Size longer = size_of(*delta);
+    x += std::abs(longer.y.to_double()) / 2;
+    y += std::abs(longer.x.to_double()) / 2;
+  }
+  out.include(-x, -y);
+  out.include(x, y);
+}
+
+void include_primitives(const Sexpr& pad, Extent& out) {
+  const auto primitives = pad.find("primitives");
+  if (!primitives) return;
+  primitives->each([&](const Sexpr& item) {
+    ReadContext aside;  // points that are rounded count once, with the copper
+    Graphics graphics(aside);
+    if (!item.is_list() || !graphics.add(item, Affine{})) return;
+    if (const Extent drawn = graphics.extent(); !drawn.empty())
+      include_box(drawn, width_of(item).to_double() / 2, out);
+  });
+}
+
+std::optional<Sexpr> offset_of(const Sexpr& pad) {
+  const auto drill = pad.find("drill");
+  return drill ? drill->find("offset") : std::nullopt;
 }
 
 /// (drill 0.8), (drill oval 1 2), with or without (offset ...).
@@ -176,8 +221,7 @@ PadShapes read_pad(const Sexpr& pad, const Affine& footprint, ReadContext& conte
   const Real x = at.item(0).number(), y = at.item(1).number();
   const Affine centre =
       Affine::translation(footprint.x_of(x, y), footprint.y_of(x, y)) * Affine::rotation(-angle_of(at));
-  const auto drill = pad.find("drill");
-  const auto offset = drill ? drill->find("offset") : std::nullopt;
+  const auto drill = pad.find("drill"), offset = offset_of(pad);
   const Affine map = offset ? centre * Affine::translation(offset->item(0).number(), offset->item(1).number()) : centre;
   const Size size = size_of(pad.need("size"));
   check_size(pad, size);
@@ -192,6 +236,21 @@ PadShapes read_pad(const Sexpr& pad, const Affine& footprint, ReadContext& conte
     out.copper = shape_of(outline.take(), context, pad.place());
   }
   if (drill) out.hole = hole_of(pad, *drill, centre, context);
+  return out;
+}
+
+Extent pad_extent(const Sexpr& pad) {
+  Extent out;
+  const std::string kind = pad.item(2).text();
+  const bool custom = kind == "custom";
+  include_outline(pad, custom ? anchor_of(pad) : kind, out);
+  if (custom) include_primitives(pad, out);
+  if (const auto offset = offset_of(pad))
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double by = offset->item(k).number().to_double();
+      out.low[k] += by;
+      out.high[k] += by;
+    }
   return out;
 }
 

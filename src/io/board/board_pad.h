@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "io/board/board_graphics.h"
 #include "io/board/sexpr.h"
 #include "io/text/read_context.h"
 #include "io/text/read_transform.h"
@@ -22,6 +23,8 @@ struct PadShapes {
 
 /// `footprint` maps the footprint's coordinates to the board's.
 PadShapes read_pad(const Sexpr& pad, const Affine& footprint, ReadContext& context);
+/// A box about the copper of a pad, in the pad's own coordinates: about its place, not turned.
+Extent pad_extent(const Sexpr& pad);
 
 /// (at x y [angle]) as a map: the point, and the rotation counter-clockwise as it is seen where y runs downwards.
 Affine placement_of(const Sexpr& at);

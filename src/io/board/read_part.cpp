@@ -38,31 +38,46 @@ std::multiset<GridPoint> points_of(const std::vector<ShapePtr>& shapes) {
   return out;
 }
 
-void read_graphics(const Sexpr& footprint, const Affine& map, const LayerNames& names, Layers& layers,
-                   Graphics& edges) {
+/// Calls visit(item, layer) for what the footprint draws.
+template <class Visit>
+void each_graphic(const Sexpr& footprint, const LayerNames& names, Visit visit) {
   footprint.each([&](const Sexpr& item) {
     if (!item.is_list() || item.head().substr(0, 3) != "fp_") return;
-    const auto layer = item.find("layer");
-    if (!layer) return;
-    const std::string name = names(layer->item(0).text());
-    if (name == "F.CrtYd") layers.front.add(item, map);
-    if (name == "B.CrtYd") layers.back.add(item, map);
-    if (name == "Edge.Cuts") edges.add(item, map);
-    if (item.is("fp_curve")) return;  // on layers that only stand in
-    if (name == "F.Fab" || name == "B.Fab") layers.body.add(item, Affine{});
-    if (name == "F.SilkS" || name == "B.SilkS") layers.silk.add(item, Affine{});
+    if (const auto layer = item.find("layer")) visit(item, names(layer->item(0).text()));
+  });
+}
+
+void read_outlines(const Sexpr& footprint, const Affine& map, const LayerNames& names, Layers& layers,
+                   Graphics& edges) {
+  each_graphic(footprint, names, [&](const Sexpr& item, const std::string& layer) {
+    if (layer == "F.CrtYd") layers.front.add(item, map);
+    if (layer == "B.CrtYd") layers.back.add(item, map);
+    if (layer == "Edge.Cuts") edges.add(item, map);
+  });
+}
+
+/// What only stands in for a courtyard. Dots, such as a circle of radius 0, are no part of a body.
+void read_body(const Sexpr& footprint, const LayerNames& names, Layers& layers) {
+  each_graphic(footprint, names, [&](const Sexpr& item, const std::string& layer) {
+    const bool fab = layer == "F.Fab" || layer == "B.Fab", silk = layer == "F.SilkS" || layer == "B.SilkS";
+    if (item.is("fp_curve") || (!fab && !silk)) return;
+    try {
+      (fab ? layers.body : layers.silk).add(item, Affine{});
+    } catch (const Error& dot) {
+      if (dot.code() != ErrorCode::kGeometry) throw;
+    }
   });
 }
 
 /// What a pad covers of the footprint's own plane, turned by any angle.
 void include_pad(const Sexpr& pad, const Real& footprint_degrees, Extent& box) {
-  const Sexpr at = pad.need("at"), size = pad.need("size");
+  const Sexpr at = pad.need("at");
   const double x = at.item(0).number().to_double(), y = at.item(1).number().to_double();
-  const double w = size.item(0).number().to_double() / 2, h = size.item(1).number().to_double() / 2;
+  const Extent own = pad_extent(pad);
   const Direction d = direction(angle_of(at) - footprint_degrees);
-  const double c = std::abs(d.cosine.to_double()), s = std::abs(d.sine.to_double());
-  box.include(x - w * c - h * s, y - w * s - h * c);
-  box.include(x + w * c + h * s, y + w * s + h * c);
+  const double c = d.cosine.to_double(), s = d.sine.to_double();
+  for (const double px : {own.low[0], own.high[0]})
+    for (const double py : {own.low[1], own.high[1]}) box.include(x + px * c + py * s, y - px * s + py * c);
 }
 
 /// Of a pad: "*.Cu" is both; solder paste and mask do not count.
@@ -211,8 +226,9 @@ Part PartReader::read(const Sexpr& footprint, const std::string& name) {
       part.pads.push_back({fmt::format("{}.{}", name, pad), copper_sides(item, layer), std::move(shapes.copper)});
   });
   Layers layers(context);
-  read_graphics(footprint, map, layer, layers, edges);
+  read_outlines(footprint, map, layer, layers, edges);
   if (use_courtyards(layers, part, board, context.grid)) return part;
+  read_body(footprint, layer, layers);
   const Extent box = body_extent(footprint, part.degrees, layers);
   if (box.empty() || (!has_pads(footprint) && layers.body.empty())) return part;
   part.stands_in = true;
