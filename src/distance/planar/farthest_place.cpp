@@ -135,6 +135,12 @@ bool is_farther(const FarthestPlace& k, const FarthestPlace& than) {
   return k.value.to_double() > than.value.to_double();
 }
 
+/// Where an edge was halved parts of A may meet. Where they do not, the place is known in numbers only, and gives way
+/// to one that is about as far.
+bool gives_way(const PlacedSets& sets, const Found& f, const FarthestPlace& k, const FarthestPlace& to) {
+  return f.halving && k.open > 0 && near_value(k.value) <= near_value(to.value) + sets.slack;
+}
+
 }  // namespace
 
 PlanarAnswer FarthestPlace::answer() const {
@@ -153,7 +159,7 @@ std::optional<FarthestPlace> farthest_place(const FeatureTree& b, const FeatureT
     // What lies beside a place within its error counts as found with it.
     if (f.seen.value + 2 * f.error < found.best - sets.slack) continue;
     auto k = f.cell.dimension == 0 ? exact_vertex(sets, f) : exact_meeting(sets, f);
-    if (k && (!best || is_farther(*k, *best))) best = std::move(k);
+    if (k && (!best || (is_farther(*k, *best) && !gives_way(sets, f, *k, *best)))) best = std::move(k);
   }
   if (found.open == 0) return best;
   if (!best) best = exact_vertex(sets, {{}, found.first});

@@ -84,14 +84,15 @@ Seen PlaceSearch::see(Spot at, Index guess) const {
   return {at, inside ? 0 : near.distance, near, inside};
 }
 
-void PlaceSearch::record(const Seen& seen, Cell cell, double error) {
+void PlaceSearch::record(const Found& found) {
+  const auto& [seen, cell, error, halving] = found;
   if (!may_be_farthest(seen.value + error)) return;
   if (error == 0) best_ = std::max(best_, seen.value);
   if (cell.dimension == 0 && !corners_.insert(cell.index).second) return;
   // The places of an edge follow each other, and so do those inside.
   for (auto f = out_.places.rbegin(); f != out_.places.rend() && f->cell == cell; ++f)
     if (plain_length(f->seen.at.x - seen.at.x, f->seen.at.y - seen.at.y) <= std::max(error, slack_)) return;
-  out_.places.push_back({seen, cell, error});
+  out_.places.push_back(found);
 }
 
 /// The corner of B farthest from the middle of A in the direction of B's: often the place, or near it.
@@ -100,7 +101,7 @@ Index PlaceSearch::start() {
   const auto v = sets_.b.extreme(t.x0 + t.x1 + 2 * sets_.px - s.x0 - s.x1, t.y0 + t.y1 + 2 * sets_.py - s.y0 - s.y1);
   const Seen seen = see({v.x + sets_.px, v.y + sets_.py}, kNone);
   out_.first = {0, v.vertex};
-  record(seen, out_.first);
+  record({seen, out_.first});
   return seen.near.feature;
 }
 
@@ -159,10 +160,10 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
   // The distance to one part of A is convex along the edge.
   if (!may_be_farthest(std::max(sets_.to_feature(from, guess), sets_.to_feature(to, guess)))) return;
   Seen first = see(from, guess);
-  record(first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0});
+  record({first, {0, edge.is_vertex() ? edge.cell.index : region.edges[edge.cell.index].v0}});
   if (edge.is_vertex()) return;
   Seen last = see(to, first.near.feature);
-  record(last, {0, region.edges[edge.cell.index].v1});
+  record({last, {0, region.edges[edge.cell.index].v1}});
   std::vector<std::pair<Seen, Seen>> parts{{first, last}};
   while (!parts.empty()) {
     const Seen s = parts.back().first, t = parts.back().second;
@@ -179,12 +180,13 @@ void PlaceSearch::visit_edge(const BoundaryFeature& edge, Index guess) {
       continue;
     }
     auto on_part = [&](double m) { return Spot{s.at.x + m * (t.at.x - s.at.x), s.at.y + m * (t.at.y - s.at.y)}; };
-    double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
-    if (m > margin::kAtEnd && m < 1 - margin::kAtEnd) record(see(on_part(m), s.near.feature), edge.cell);
+    const double m = s.near.feature != t.near.feature ? split(s, t) : 0.5;
+    if (m > margin::kAtEnd && m < 1 - margin::kAtEnd) record({see(on_part(m), s.near.feature), edge.cell});
     // No place of the part is farther than its ends, which are looked at.
     if (bound <= std::max(s.value, t.value) + scale_ * margin::kSurelyLess) continue;
-    if (m < 0.125 || m > 0.875) m = 0.5;  // where both are equally far at an end, splitting there leads nowhere
-    Seen middle = see(on_part(m), s.near.feature);
+    const bool halved = m < 0.125 || m > 0.875;  // where both are equally far at an end, splitting there leads nowhere
+    Seen middle = see(on_part(halved ? 0.5 : m), s.near.feature);
+    if (halved && may_be_farthest(middle.value)) halvings_.push_back({middle, edge.cell, 0, true});
     parts.push_back({s, middle});
     parts.push_back({middle, t});
   }
@@ -233,13 +235,15 @@ std::optional<Index> PlaceSearch::look_inside(const Square& e) {
   if (half > scale_ * margin::kExactPlaceBox || seen.inside) return look.near.feature;
   const bool few = sets_.parts_near(middle, seen.value + margin::kMeetingTolerance * 4 * radius).size() <= kMostParts;
   if (!few && half > scale_ * margin::kTinyPlaceBox) return look.near.feature;
-  record(seen, {2, 0}, 4 * radius);
+  record({seen, {2, 0}, 4 * radius});
   return std::nullopt;
 }
 
 FoundPlaces PlaceSearch::run() {
   walk_boundary();
   search_inside();
+  // Last, as of places that are as far the first is taken, and others are known exactly.
+  for (const Found& f : halvings_) record(f);
   out_.best = best_;
   return std::move(out_);
 }

@@ -52,7 +52,8 @@ struct Seen {
 struct Found {
   Seen seen;
   plane::Cell cell;
-  double error = 0;  // of the value
+  double error = 0;      // of the value
+  bool halving = false;  // the middle of a part of an edge, where parts of A need not meet
 };
 
 /// What a search found: places that can be the farthest, and what it did not look into.
@@ -80,7 +81,7 @@ class PlaceSearch {
     void draw(plane::ObservedCells& seen) const { seen.add_box({box.x0, box.y0, 0}, {box.x1, box.y1, 0}); }
   };
   Seen see(Spot at, plane::Index guess) const;
-  void record(const Seen& seen, plane::Cell cell, double error = 0);
+  void record(const Found& found);
   plane::Index start();
   void walk_boundary();
   void visit_edge(const BoundaryFeature& edge, plane::Index guess);
@@ -107,6 +108,7 @@ class PlaceSearch {
   double scale_, slack_, best_;
   long left_;
   std::unordered_set<plane::Index> corners_;  // of B, that are found
+  std::vector<Found> halvings_;
   FoundPlaces out_;
 };
 
