@@ -226,7 +226,12 @@ std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& 
     if (source[k] == k) continue;
     const Derived d = *derived(wanted[k]);
     out[k] = derived_value(wanted[k], d, out[source[k]]);
-    if (d.other) out[k].answer = distance::greater(*std::move(out[k].answer), *out[place(*d.other)].answer);
+    if (!d.other) continue;
+    const std::optional<distance::SceneAnswer>& other = out[place(*d.other)].answer;
+    if (out[k].answer && other)
+      out[k].answer = distance::greater(*std::move(out[k].answer), *other);
+    else
+      out[k] = distance_at(text(wanted[k]), std::nullopt);  // +infinity, as one of both is
   }
   return out;
 }
