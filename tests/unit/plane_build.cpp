@@ -45,6 +45,24 @@ TEST(Build, EmptySetAndPlane) {
   EXPECT_TRUE(is_empty(region_of(node(Kind::kMinkowskiDifference, {nothing(), box_of(0, 0, 1, 1)}))));
 }
 
+TEST(Build, SumsThatLeaveTheGridAreRefused) {
+  const std::int64_t far = std::int64_t{1} << 40;
+  ShapePtr sum = box_of(0, 0, far, far);
+  for (int k = 0; k < 2; ++k) sum = node(Kind::kMinkowskiSum, {sum, sum});
+  EXPECT_EQ(mark_at(region_of(sum), Real(4 * far), 0), 1);
+  EXPECT_EQ(mark_at(region_of(sum), Real(4 * far + 1), 0), 0);
+  ShapePtr deep = box_of(0, 0, 1000000000, 1000000000);
+  for (int k = 0; k < 34; ++k) deep = node(Kind::kMinkowskiSum, {deep, deep});
+  for (const ShapePtr& beyond : {node(Kind::kMinkowskiSum, {sum, sum}), offset_of(sum, 1), deep}) {
+    try {
+      region_of(beyond);
+      ADD_FAILURE() << "it is made";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kOutOfRange) << e.what();
+    }
+  }
+}
+
 TEST(Build, OneOperand) {
   ShapePtr box = box_of(0, 0, 3, 2);
   for (Kind kind : {Kind::kUnion, Kind::kIntersection, Kind::kDifference}) expect_same(node(kind, {box}), box);

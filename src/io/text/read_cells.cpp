@@ -10,6 +10,7 @@
 
 #include "exact/number/real_text.h"
 #include "exact/planar/geometry_signs.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/marked_curves.h"
 
 namespace findspace::io {
@@ -145,8 +146,7 @@ class CellsReader {
     json_.expect(item, Kind::kObject, "a vertex", label_);
     json_.check_keys(item, kKeys, label_);
     const Index p = item.find("on") ? crossing(g, item) : place(g, item);
-    constexpr double kMost = 0x1p42;  // no sign: a limit of sizes
-    if (std::fabs(g.points[p].x) > kMost || std::fabs(g.points[p].y) > kMost)
+    if (std::fabs(g.points[p].x) > plane::kFarthestVertex || std::fabs(g.points[p].y) > plane::kFarthestVertex)
       json_.fail(ErrorCode::kOutOfRange, "a vertex is more than 2^42 grid steps away", label_, item);
     return p;
   }

@@ -41,9 +41,15 @@ constexpr std::size_t kOperands = 32;
 /// Units of work (plane/base/work_budget.h).
 constexpr std::uint64_t kCell = 20, kPair = 20;
 
-/// What can have more edges than its operands.
+/// What can have more edges than its operands, and reach farther.
 bool is_construction(Kind kind) {
   return kind == Kind::kMinkowskiSum || kind == Kind::kMinkowskiDifference || kind == Kind::kOffset;
+}
+
+void check_range(const Region& made) {
+  if (!is_within(made, kFarthestVertex))
+    throw Error(ErrorCode::kOutOfRange,
+                "a sum, a difference or an offset leaves the grid: a coordinate exceeds 2^42 grid steps");
 }
 
 /// A Boolean tree over the regions it was compiled with.
@@ -74,7 +80,9 @@ class Builder {
 
   Region make(const Shape& shape) {
     try {
-      return is_boolean(shape.kind) ? combine(shape) : leaf(shape);
+      Region made = is_boolean(shape.kind) ? combine(shape) : leaf(shape);
+      if (is_construction(shape.kind)) check_range(made);
+      return made;
     } catch (const Error& e) {
       if (!e.place().empty()) throw;
       throw e.within(shape.place.empty() ? shape.name : shape.place);

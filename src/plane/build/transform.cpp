@@ -3,12 +3,12 @@
 
 #include "plane/build/transform.h"
 
-#include <cmath>
 #include <utility>
 
 #include "exact/planar/geometry_signs.h"
 #include "findspace/error.h"
 #include "plane/build/transform_grid.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/marked_curves.h"
 #include "plane/sum/minkowski.h"
 
@@ -23,11 +23,8 @@ using exact::SupportingCurve;
 constexpr double kGridLimit = 0x1p40;  // no sign: the size of the grid
 
 void check_range(const CellComplex& c) {
-  for (Index v = 0; v < c.vertices.size(); ++v) {
-    const exact::Point& p = c.point(v);
-    if (std::abs(p.x) - p.error <= kGridLimit && std::abs(p.y) - p.error <= kGridLimit) continue;
+  if (!is_within(c, kGridLimit))
     throw Error(ErrorCode::kOutOfRange, "a moved shape leaves the grid: a coordinate exceeds 2^40 grid steps");
-  }
 }
 
 SupportingCurve shifted(const SupportingCurve& k, const GridPoint& by) {

@@ -41,6 +41,13 @@ std::optional<PieceBox> extent(const CellComplex& c) {
   return box;
 }
 
+bool is_within(const CellComplex& c, double most) {
+  return std::all_of(c.vertices.begin(), c.vertices.end(), [&](const Vertex& v) {
+    const exact::Point& p = c.geometry.points[v.point];
+    return std::abs(p.x) - p.error <= most && std::abs(p.y) - p.error <= most;
+  });
+}
+
 PieceBox extent(std::span<const Contour> rings) {
   std::optional<PieceBox> box;
   for (const Contour& ring : rings)
