@@ -7,8 +7,10 @@
 #include <cmath>
 #include <optional>
 
+#include "distance/planar/farthest.h"
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/feature_pair_search.h"
+#include "distance/planar_features/point_set.h"
 #include "distance_shapes.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/nearest.h"
@@ -52,6 +54,19 @@ TEST(Values, TwoDiscs) {
     EXPECT_NEAR(value(pair, Which::kMuBack, p), d + 3, 1e-12);
     EXPECT_NEAR(value(pair, Which::kHausdorff, p), d + 3, 1e-12);
     EXPECT_DOUBLE_EQ(value(pair, Which::kDiameter, p), std::max(10, d + 7));
+  }
+}
+
+/// From 2^27 steps on a distance and one that is farther by a step to the side are one double.
+TEST(Values, ClosedFormsOfOneDoubleAreComparedExactly) {
+  const std::int64_t far = std::int64_t{1} << 27;
+  const Real beyond = sqrt(Real(far) * Real(far) + Real(1));
+  ASSERT_EQ(beyond.to_double(), double(far));
+  const auto inside = [](plane::Mark mark) { return mark > 0; };
+  const std::array<exact::RealPoint, 2> near_is_last{at(-far, 1), at(far, 0)}, near_is_first{at(-far, 0), at(far, 1)};
+  for (const auto& points : {near_is_last, near_is_first}) {
+    EXPECT_EQ(plane::nearest(point_set(points), inside, at(0, 0))->distance, Real(far));
+    EXPECT_EQ(Farthest(point_set(points, 0, 1)).value(at(0, 0))->value, beyond);
   }
 }
 

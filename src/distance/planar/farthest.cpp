@@ -75,7 +75,7 @@ Farthest::Best Farthest::best(const RealPoint& p) const {
     } else if (s.arc) {
       continue;  // its ends are features
     }
-    if (!best || k.distance.to_double() > best->distance.to_double()) best = k;
+    if (!best || compare_if_closed(k.distance, best->distance) > 0) best = k;
   }
   return *best;
 }

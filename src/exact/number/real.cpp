@@ -243,6 +243,12 @@ int compare(const Real& a, const Real& b) {
   return difference.sign();
 }
 
+int compare_if_closed(const Real& a, const Real& b) {
+  if (a.is_closed() && b.is_closed()) return compare(a, b);
+  const double x = a.to_double(), y = b.to_double();
+  return x < y ? -1 : x > y;
+}
+
 Real abs(const Real& x) { return x.sign() < 0 ? -x : x; }
 
 int128 floor(const Real& x) {

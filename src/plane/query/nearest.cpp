@@ -147,7 +147,7 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
     greatest = std::max({greatest, std::abs(c.point(v).x), std::abs(c.point(v).y)});
   scale += greatest;
   // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; their distances are
-  // exact, and compared when rounded once.
+  // exact, and compared so where they are closed forms.
   const double slack = scale * margin::kNearestCandidate;
   std::vector<Candidate> all;
   const auto take = [&](double d, Mark mark, Cell cell) {
@@ -166,7 +166,7 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
   for (const Candidate& k : all) {
     if (k.distance > reach) continue;
     auto n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
-    if (n && (!best || n->distance.to_double() < best->distance.to_double())) best = std::move(n);
+    if (n && (!best || compare_if_closed(n->distance, best->distance) < 0)) best = std::move(n);
   }
   return best;
 }
