@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "distance/answer/optimum.h"
+#include "distance/planar_least/distance_sum.h"
 
 namespace findspace::distance {
 namespace distance_answer {
@@ -51,7 +54,31 @@ TEST(Answer, TheGreaterOfTwoEnclosures) {
   EXPECT_EQ(a.value, Real(4));
   EXPECT_EQ(*a.bounds().lower, Real(3));
   EXPECT_EQ(*a.bounds().upper, Real(6));
+  EXPECT_EQ(a.error, 3);
+  EXPECT_EQ(greater(exact_answer(Real(4), Way::kMap), enclosed_answer(Real(3), Real(3), Real(5))).error, 1);
   EXPECT_EQ(greater(lowest_answer(Way::kMap), exact_answer(Real(-7), Way::kMap)).value, Real(-7));
+}
+
+/// From 1 to 3 everywhere.
+class Between : public TDistance {
+ public:
+  bool defined() const override { return true; }
+  plane::SignMap sign_map(const Real&) const override { return plane::CellComplex::uniform(1); }
+  std::optional<PlanarAnswer> value(const exact::RealPoint&) const override {
+    return enclosed_answer(Real(2), Real(1), Real(3));
+  }
+  exact::RealPoint seed() const override { return {}; }
+  std::vector<NearLevelCurve> level_curves(const exact::RealPoint&, double) const override { return {}; }
+};
+
+TEST(Answer, ErrorsOfASumAreThoseOfItsEnclosure) {
+  const auto f = std::make_shared<Between>();
+  const auto a = DistanceSum({{f, Real(1)}, {f, Real(-2)}}).answer({});
+  ASSERT_TRUE(a);
+  EXPECT_EQ(a->value, Real(-2));
+  EXPECT_EQ(*a->bounds().lower, Real(-5));
+  EXPECT_EQ(*a->bounds().upper, Real(1));
+  EXPECT_EQ(a->error, 6);
 }
 
 TEST(Answer, InAnotherUnitEverythingIsScaled) {

@@ -40,6 +40,9 @@ using SpacePosition = std::array<exact::Real, 3>;
 /// The ends of what a value that is not exact lies between; without one it has no bound there.
 struct Enclosure {
   std::optional<exact::Real> lower, upper;
+
+  /// How far the ends, which are both there, are apart.
+  double width() const { return (*upper - *lower).to_double(); }
 };
 
 /// The ends as doubles that are not within; infinite where there is none.
@@ -148,7 +151,7 @@ AnswerOf<V> narrowed(AnswerOf<V> a, const exact::Real& level, int sign) {
     const std::optional<exact::Real>& far = sign > 0 ? ends.upper : ends.lower;
     a.value = far ? (level + *far) / exact::Real(2) : level;
   }
-  if (ends.lower && ends.upper) a.error = (*ends.upper - *ends.lower).to_double();
+  if (ends.lower && ends.upper) a.error = ends.width();
   a.enclosed = std::move(ends);
   return a;
 }
@@ -238,10 +241,15 @@ template <class V>
 AnswerOf<V> greater(AnswerOf<V> a, AnswerOf<V> b) {
   if (a.minus_infinity || (!b.minus_infinity && a.value < b.value)) std::swap(a, b);
   if (b.minus_infinity || (a.proven && b.proven)) return a;
-  const Enclosure f = a.bounds(), g = b.bounds();
+  Enclosure ends = a.bounds(), other = b.bounds();
+  const bool lower = !ends.lower || (other.lower && *ends.lower < *other.lower),
+             upper = ends.upper && (!other.upper || *ends.upper < *other.upper);
+  if (lower) ends.lower = std::move(other.lower);
+  if (upper) ends.upper = std::move(other.upper);
+  if (a.error == 0 && !a.enclosed) a.error = a.slack();
+  if ((lower || upper) && ends.lower && ends.upper) a.error = std::max(a.error, ends.width());
   a.set_unproven();
-  a.enclosed = Enclosure{!f.lower || (g.lower && *f.lower < *g.lower) ? g.lower : f.lower,
-                         f.upper && g.upper ? std::optional(std::max(*f.upper, *g.upper)) : std::nullopt};
+  a.enclosed = std::move(ends);
   return a;
 }
 

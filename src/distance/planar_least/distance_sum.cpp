@@ -83,7 +83,9 @@ std::optional<PlanarAnswer> DistanceSum::answer(const RealPoint& p) const {
     lower = lower + s.weight * (grows ? *within.lower : *within.upper);
     upper = upper + s.weight * (grows ? *within.upper : *within.lower);
   }
-  if (!out.proven) out.enclosed = Enclosure{std::move(lower), std::move(upper)};
+  if (out.proven) return out;
+  out.enclosed = Enclosure{std::move(lower), std::move(upper)};
+  out.error = out.enclosed->width();
   return out;
 }
 
