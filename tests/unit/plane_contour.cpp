@@ -4,6 +4,7 @@
 // Rings: what is refused and why, what is normalised, nesting. Degenerate input first.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -11,6 +12,7 @@
 #include "findspace/error.h"
 #include "plane/contour/alike.h"
 #include "plane/contour/contour.h"
+#include "plane/contour/nesting_depths.h"
 
 namespace findspace::plane {
 namespace plane_contour {
@@ -178,6 +180,60 @@ TEST(Contour, ManyHolesInAnyOrder) {
   EXPECT_EQ(make_rings(rings, 1).contours.size(), 901u);
   rings.push_back(square(10, 10, 12, 12));
   expect_refused(rings, "is inside hole");
+}
+
+/// In each of 40 places up to four squares in each other, in no order; `around`: those about each, by their numbers.
+std::vector<Contour> nested_squares(std::vector<std::vector<std::size_t>>& around) {
+  constexpr std::size_t kSquares = 160;  // 157 is prime to it
+  std::vector<Contour> rings;
+  for (std::size_t k = 0; k < kSquares; ++k) {
+    const std::size_t at = k * 157 % kSquares;
+    const auto x = std::int64_t(at / 4 * 100), in = std::int64_t(at % 4 * 10);
+    rings.push_back(square(x + in, in, x + 90 - in, 90 - in));
+  }
+  around.resize(kSquares);
+  for (std::size_t i = 0; i < kSquares; ++i)
+    for (std::size_t j = 0; j < kSquares; ++j)
+      if (i * 157 % kSquares / 4 == j * 157 % kSquares / 4 && j * 157 % kSquares < i * 157 % kSquares)
+        around[i].push_back(j);
+  return rings;
+}
+
+GridPoint first_corner(const Contour& contour) {
+  const auto before = [](const ContourEdge& e, const ContourEdge& f) { return e.start < f.start; };
+  return std::min_element(contour.begin(), contour.end(), before)->start;
+}
+
+TEST(Contour, ManyRingsAreNestedInTheirOrder) {
+  std::vector<std::vector<std::size_t>> around;
+  const std::vector<Contour> rings = nested_squares(around);
+  EXPECT_EQ(rings_around(rings), around);
+  const std::vector<RingSet> sets = nest_rings(rings, 1);
+  ASSERT_EQ(sets.size(), 80u);
+  std::size_t k = 0;
+  for (const RingSet& set : sets) {
+    while (around[k].size() % 2 != 0) ++k;
+    ASSERT_EQ(set.contours.size(), 2u);
+    const GridPoint outer = first_corner(rings[k++]), hole{outer.x + 10, outer.y + 10};
+    EXPECT_EQ(first_corner(set.contours[0]), outer);
+    EXPECT_EQ(first_corner(set.contours[1]), hole);
+  }
+}
+
+TEST(Contour, AHundredThousandRingsAreNotComparedInPairs) {
+  std::vector<Contour> rings;
+  for (std::int64_t k = 0; k < 100000; ++k) {
+    const std::int64_t x = k % 400 * 30, y = k / 400 * 30;
+    rings.push_back(square(x, y, x + 20, y + 20));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(nest_rings(rings, 1).size(), 100000u);
+  EXPECT_EQ(rings_around(rings).size(), 100000u);
+  rings.insert(rings.begin(), square(-1, -1, 12000, 12000));
+  EXPECT_EQ(make_rings(std::move(rings), 1).contours.size(), 100001u);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  RecordProperty("seconds", std::to_string(seconds.count()));
+  EXPECT_LT(seconds.count(), 10);  // all pairs take longer; room for sanitizers
 }
 
 ShapePtr rings(std::vector<Contour> contours) {

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <string>
 
 #include "law/plane_random.h"
+#include "plane/build/loose_nesting.h"
 #include "plane/build/mended_rings.h"
 #include "plane/complex/primitives.h"
 #include "plane/contour/contour.h"
@@ -50,6 +53,36 @@ TEST(MendedRings, NothingToMend) {
   EXPECT_EQ(a.places, 0u);
   EXPECT_EQ(a.width, 0);
   EXPECT_EQ(a.spike, 0);
+}
+
+TEST(MendedRings, ManyLoopsAreNestedInTheirOrder) {
+  constexpr std::size_t kSquares = 160;  // 157 is prime to it: squares in each other, four in a place, in no order
+  std::vector<Contour> rings;
+  for (std::size_t k = 0; k < kSquares; ++k) {
+    const std::size_t at = k * 157 % kSquares;
+    const auto x = std::int64_t(at / 4 * 100), in = std::int64_t(at % 4 * 10);
+    rings.push_back(box_ring(x + in, in, x + 90 - in, 90 - in));
+  }
+  const std::vector<Loop> loops = loosely_nested(rings);
+  ASSERT_EQ(loops.size(), kSquares);
+  for (std::size_t k = 0; k < kSquares; ++k) {
+    const std::size_t at = k * 157 % kSquares, within = loops[k].within * 157 % kSquares;
+    EXPECT_EQ(loops[k].depth, at % 4);
+    EXPECT_EQ(within, at % 4 == 0 ? at : at - 1);
+  }
+}
+
+TEST(MendedRings, AHundredThousandLoopsAreNotComparedInPairs) {
+  std::vector<Contour> rings;
+  for (std::int64_t k = 0; k < 100000; ++k) {
+    const std::int64_t x = k % 400 * 30, y = k / 400 * 30, size = 10 + k % 11;
+    rings.push_back(box_ring(x, y, x + size, y + size));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(loosely_nested(rings).size(), rings.size());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  RecordProperty("seconds", std::to_string(seconds.count()));
+  EXPECT_LT(seconds.count(), 3);  // all pairs take longer; room for sanitizers
 }
 
 TEST(MendedRings, TouchingIsNoFault) {

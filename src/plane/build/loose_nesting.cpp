@@ -12,6 +12,7 @@
 
 #include "plane/complex/extent.h"
 #include "plane/contour/contour.h"
+#include "plane/contour/contour_boxes.h"
 
 namespace findspace::plane {
 namespace {
@@ -119,8 +120,9 @@ bool goes_round(const Sketch& outer, const Contour& inner) {
   return votes > 0;
 }
 
-bool boxes_meet(const PieceBox& a, const PieceBox& b) {
-  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+Box box_around(const PieceBox& b) {
+  const auto below = [](double v) { return std::int64_t(std::floor(v)); };
+  return {below(b.x0), below(b.y0), -below(-b.x1), -below(-b.y1)};
 }
 
 }  // namespace
@@ -133,14 +135,18 @@ std::vector<Loop> loosely_nested(std::span<const Contour> rings) {
     sketches.emplace_back(loop.edges);
     loop.area = sketches.back().area();
   }
+  std::vector<Box> boxes;
+  for (const Sketch& s : sketches) boxes.push_back(box_around(*s.box));
+  const auto around = meeting_others(boxes, [&](std::size_t i, std::size_t j) {
+    return std::abs(loops[j].area) > std::abs(loops[i].area) && sketches[i].box->meets(*sketches[j].box) &&
+           goes_round(sketches[j], loops[i].edges);
+  });
   for (std::size_t i = 0; i < loops.size(); ++i) {
     loops[i].within = i;
+    loops[i].depth = around[i].size();
     double least = INFINITY;
-    for (std::size_t j = 0; j < loops.size(); ++j) {
+    for (const std::size_t j : around[i]) {
       const double size = std::abs(loops[j].area);
-      if (size <= std::abs(loops[i].area) || !boxes_meet(*sketches[i].box, *sketches[j].box)) continue;
-      if (!goes_round(sketches[j], loops[i].edges)) continue;
-      ++loops[i].depth;
       if (size >= least) continue;
       least = size;
       loops[i].within = j;

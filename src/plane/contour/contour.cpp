@@ -200,22 +200,35 @@ Contour directed(Ring ring, int wanted, std::int64_t& reversed_so_far) {
   return reversed(ring.edges);
 }
 
+std::vector<Box> boxes_of(const std::vector<Ring>& rings) {
+  std::vector<Box> boxes;
+  boxes.reserve(rings.size());
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  return boxes;
+}
+
 void check_holes(const std::vector<Ring>& rings, double step) {
   if (rings.size() == 1) return;
-  std::vector<Box> boxes;
-  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
-  for (std::size_t i = 1; i < rings.size(); ++i) {
-    GridPoint p = rings[i].edges[0].start;
-    if (!encloses(rings[0].edges, p)) {
-      fail(fmt::format("{} is not inside {}: its vertex {} is outside", rings[i].label(), rings[0].label(),
-                       show(double(p.x), double(p.y), step)),
-           double(p.x), double(p.y), step);
-    }
-    for (std::size_t j = 1; j < rings.size(); ++j) {
-      if (i == j || !boxes[j].holds(p.x, p.y) || !encloses(rings[j].edges, p)) continue;
-      fail(fmt::format("{} is inside {}", rings[i].label(), rings[j].label()), double(p.x), double(p.y), step);
-    }
-  }
+  const std::vector<Box> boxes = boxes_of(rings);
+  const auto corner = [&](std::size_t i) { return rings[i].edges[0].start; };
+  std::size_t outside = 1;  // the first that is not inside the outer ring
+  while (outside < rings.size() && encloses(rings[0].edges, corner(outside))) ++outside;
+  std::size_t last = outside - 1;  // no later one can be the first that lies in another
+  const auto around = meeting_others(boxes, [&](std::size_t i, std::size_t j) {
+    const GridPoint p = corner(i);
+    if (i == 0 || j == 0 || i > last || !boxes[j].holds(p.x, p.y) || !encloses(rings[j].edges, p)) return false;
+    last = i;
+    return true;
+  });
+  const auto refuse = [&](std::size_t i, const std::string& message) {
+    fail(message, double(corner(i).x), double(corner(i).y), step);
+  };
+  for (std::size_t i = 1; i < outside; ++i)
+    if (!around[i].empty()) refuse(i, fmt::format("{} is inside {}", rings[i].label(), rings[around[i][0]].label()));
+  if (outside == rings.size()) return;
+  const GridPoint p = corner(outside);
+  refuse(outside, fmt::format("{} is not inside {}: its vertex {} is outside", rings[outside].label(),
+                              rings[0].label(), show(double(p.x), double(p.y), step)));
 }
 
 }  // namespace
@@ -235,25 +248,23 @@ RingSet make_rings(std::vector<Contour> input, double step) {
 std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   std::int64_t repeated = 0, ignored = 0;
   std::vector<Ring> rings = clean_and_check(input, any_ring, repeated, step);
-  std::vector<Box> boxes;
-  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
-  std::vector<std::vector<std::size_t>> around(rings.size());
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    GridPoint p = rings[i].edges[0].start;
-    for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (i != j && boxes[j].holds(p.x, p.y) && encloses(rings[j].edges, p)) around[i].push_back(j);
-    }
+  const std::vector<Box> boxes = boxes_of(rings);
+  const auto around = meeting_others(boxes, [&](std::size_t i, std::size_t j) {
+    const GridPoint p = rings[i].edges[0].start;
+    return boxes[j].holds(p.x, p.y) && encloses(rings[j].edges, p);
+  });
+  std::vector<std::vector<std::size_t>> holes(rings.size());
+  for (std::size_t h = 0; h < rings.size(); ++h) {
+    if (around[h].size() % 2 == 0) continue;
+    for (const std::size_t i : around[h])
+      if (around[i].size() + 1 == around[h].size()) holes[i].push_back(h);
   }
   std::vector<RingSet> sets;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (around[i].size() % 2 != 0) continue;
     RingSet& set = sets.emplace_back();
     set.contours.push_back(directed(rings[i], 1, ignored));
-    for (std::size_t h = 0; h < rings.size(); ++h) {
-      bool mine = around[h].size() == around[i].size() + 1 &&
-                  std::find(around[h].begin(), around[h].end(), i) != around[h].end();
-      if (mine) set.contours.push_back(directed(rings[h], -1, ignored));
-    }
+    for (const std::size_t h : holes[i]) set.contours.push_back(directed(rings[h], -1, ignored));
   }
   if (!sets.empty()) sets[0].repeated_points = repeated;
   return sets;
@@ -268,18 +279,13 @@ std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& r
     for (const ContourEdge& e : ring) own.push_back(e.start);
     std::sort(own.begin(), own.end());
   }
-  std::vector<std::vector<std::size_t>> around(rings.size());
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (i == j || !boxes[j].meets(boxes[i])) continue;  // those of arcs may be wider than the arcs
-      const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
-        return !std::binary_search(corners[j].begin(), corners[j].end(), p);
-      });
-      if (apart == corners[i].end() || !boxes[j].holds(apart->x, apart->y)) continue;
-      if (encloses(rings[j], *apart)) around[i].push_back(j);
-    }
-  }
-  return around;
+  return meeting_others(boxes, [&](std::size_t i, std::size_t j) {
+    const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
+      return !std::binary_search(corners[j].begin(), corners[j].end(), p);
+    });
+    // Boxes of arcs may be wider than the arcs.
+    return apart != corners[i].end() && boxes[j].holds(apart->x, apart->y) && encloses(rings[j], *apart);
+  });
 }
 
 std::vector<std::size_t> nesting_depths(const std::vector<Contour>& rings) {

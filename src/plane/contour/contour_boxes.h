@@ -5,7 +5,7 @@
 // so runs of the list are joined in pairs and this tree is descended against itself without any sorting: O(n) for
 // curves that do not come back to themselves. Where that would take too long (long spirals, edges in no order) a tree
 // of median splits takes over: O(n log n + pairs) for boxes that are small beside the whole, whatever their order; a
-// pair may then be visited twice. Used by contour.cpp only.
+// pair may then be visited twice. Boxes in no order, as those of rings, go to that tree at once.
 #pragma once
 
 #include <algorithm>
@@ -30,9 +30,10 @@ struct Box {
 
 class BoxTree {
  public:
-  explicit BoxTree(std::span<const Box> boxes) : boxes_(boxes) {
+  /// `run_length`: so many boxes that follow each other stay together.
+  explicit BoxTree(std::span<const Box> boxes, std::size_t run_length = kRun) : boxes_(boxes), run_length_(run_length) {
     if (boxes.empty()) return;
-    for (std::size_t i = 0; i < boxes.size(); i += kRun) {
+    for (std::size_t i = 0; i < boxes.size(); i += run_length_) {
       Box run = boxes[i];
       for (std::size_t k = i + 1; k < end_of(i); ++k) run = run.joined(boxes[k]);
       runs_.push_back({run, i});
@@ -55,12 +56,12 @@ class BoxTree {
     std::size_t right;  // the left child is the next node
   };
 
-  struct Run {  // boxes first, first + 1, ... up to kRun of them
+  struct Run {  // boxes first, first + 1, ... up to run_length_ of them
     Box box;
     std::size_t first;
   };
 
-  std::size_t end_of(std::size_t first) const { return std::min(first + kRun, boxes_.size()); }
+  std::size_t end_of(std::size_t first) const { return std::min(first + run_length_, boxes_.size()); }
 
   std::size_t build(std::size_t begin, std::size_t end) {
     if (end - begin == 1) return build_run(runs_[begin].first, end_of(runs_[begin].first));
@@ -112,6 +113,7 @@ class BoxTree {
   }
 
   std::span<const Box> boxes_;
+  std::size_t run_length_;
   std::vector<Run> runs_;
   std::vector<Node> nodes_;
 };
@@ -193,16 +195,33 @@ class RunTree {
   std::size_t runs_ = 0, left_ = 0;
 };
 
+/// `neighbours`: boxes that are near in the list are near in the plane.
 template <class Visit>
-void for_meeting_boxes(std::span<const Box> boxes, Visit visit) {
+void for_meeting_boxes(std::span<const Box> boxes, Visit visit, bool neighbours = true) {
   constexpr std::size_t kFew = 16;  // up to here the tree costs more than it saves
   if (boxes.size() > kFew) {
-    if (!RunTree(boxes).meeting_pairs(visit)) BoxTree(boxes).meeting_pairs(visit);
+    if (!neighbours)
+      BoxTree(boxes, 1).meeting_pairs(visit);
+    else if (!RunTree(boxes).meeting_pairs(visit))
+      BoxTree(boxes).meeting_pairs(visit);
     return;
   }
   for (std::size_t j = 1; j < boxes.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (boxes[i].meets(boxes[j])) visit(i, j);
+}
+
+/// Of boxes in no order, for each those others that meet it and are wanted(box, other), in their order.
+template <class Wanted>
+std::vector<std::vector<std::size_t>> meeting_others(std::span<const Box> boxes, Wanted wanted) {
+  std::vector<std::vector<std::size_t>> out(boxes.size());
+  const auto visit = [&](std::size_t i, std::size_t j) {
+    if (wanted(i, j)) out[i].push_back(j);
+    if (wanted(j, i)) out[j].push_back(i);
+  };
+  for_meeting_boxes(boxes, visit, false);
+  for (std::vector<std::size_t>& others : out) std::sort(others.begin(), others.end());
+  return out;
 }
 
 }  // namespace findspace::plane
