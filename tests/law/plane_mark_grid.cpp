@@ -77,6 +77,19 @@ TEST(MarkGrid, EmptyAndWholePlane) {
   EXPECT_EQ(MarkGrid(CellComplex::uniform(1)).mark({1e300, 4, 0}), Mark(1));
 }
 
+TEST(MarkGrid, LongEdgesAreListedInFewBuckets) {
+  std::vector<ShapePtr> boxes;
+  for (std::int64_t k = 0; k < 20000; ++k) boxes.push_back(box_of(0, 10 * k, 1000000, 10 * k + 5));
+  const Region region = region_of(node(Shape::Kind::kUnion, boxes));
+  ASSERT_EQ(region.edges.size(), 80000u);
+  const MarkGrid grid(region);
+  EXPECT_LT(grid.listed(), 128 * region.edges.size());
+  for (int k = 0; k < 20000; k += 999) {
+    EXPECT_EQ(grid.mark({500000, 10.0 * k + 2, 0}), Mark(1));
+    EXPECT_EQ(grid.mark({500000, 10.0 * k + 7, 0}), Mark(0));
+  }
+}
+
 TEST(MarkGrid, LargeErrorsAreLeftOpen) {
   const MarkGrid grid(region_of(box_of(0, 0, 10, 10)));
   EXPECT_EQ(grid.mark({5, 5, 100}), std::nullopt);

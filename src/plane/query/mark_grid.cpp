@@ -13,6 +13,9 @@ namespace findspace::plane {
 namespace {
 
 constexpr double kBucketsPerItem = 3, kFewestBuckets = 1024, kMostBuckets = 1 << 22;
+/// How often items are listed, about: as much memory as the edges themselves take, and what a small complex may take in
+/// any case. Twice the greatest is a place in the list, which 31 bits hold.
+constexpr double kListedPerItem = 64, kListedAnyway = 1 << 20, kMostListed = 1 << 29;
 
 std::int32_t code(Mark mark) { return -2 - mark; }
 Mark decoded(std::int32_t start) { return Mark(-2 - start); }
@@ -29,6 +32,7 @@ bool steeper(const BoundaryItem& first, const BoundaryItem& second) {
 MarkGrid::MarkGrid(const CellComplex& complex) : items_(complex), outside_(complex.faces[0].mark) {
   if (items_.all().empty()) return;
   choose_size();
+  shorten_lists();
   fill();
   settle(complex);
 }
@@ -40,6 +44,24 @@ void MarkGrid::choose_size() {
   const double columns = std::clamp(std::sqrt(buckets * wide / high), 1.0, buckets);
   columns_ = Index(columns);
   rows_ = Index(std::max(1.0, buckets / columns));
+}
+
+/// Fewer columns or rows where long edges would be listed in too many buckets.
+void MarkGrid::shorten_lists() {
+  const BoundaryItems::Box& b = items_.bounds();
+  const double wide = b.x1 - b.x0, high = b.y1 - b.y0;
+  double across = 0, upwards = 0;  // the widths and heights of all items, as parts of the whole
+  for (const BoundaryItem& item : items_.all()) {
+    across += (item.x1 - item.x0) / wide;
+    upwards += std::abs(item.y1 - item.y0) / high;
+  }
+  const double most = std::min(kListedPerItem * double(items_.all().size()) + kListedAnyway, kMostListed);
+  while (columns_ * rows_ > 1 && across * columns_ + upwards * rows_ > most) {
+    if (columns_ > 1 && (rows_ == 1 || across * columns_ >= upwards * rows_))
+      columns_ /= 2;
+    else
+      rows_ /= 2;
+  }
   width_ = wide / columns_;
   height_ = high / rows_;
 }
@@ -64,13 +86,13 @@ void MarkGrid::fill() {
   std::vector<std::uint32_t> count(std::size_t(columns_) * rows_, 0);
   for (const BoundaryItem& item : items_.all()) each_bucket(item, [&](std::size_t k) { ++count[k]; });
   start_.assign(count.size(), code(0));
-  std::int32_t next = 0;
+  std::size_t next = 0;
   for (std::size_t k = 0; k < count.size(); ++k) {
     if (count[k] == 0) continue;
-    start_[k] = next;
-    next += std::int32_t(count[k]) + 1;
+    start_[k] = std::int32_t(next);
+    next += std::size_t(count[k]) + 1;
   }
-  listed_.assign(std::size_t(next), kNone);
+  listed_.assign(next, kNone);
   for (Index n = 0; n < items_.all().size(); ++n)
     each_bucket(items_.all()[n], [&](std::size_t k) { listed_[std::size_t(start_[k]) + --count[k]] = n; });
 }
