@@ -8,7 +8,7 @@ grid, slots without width in any direction, single points, curves alone, holes, 
 very same cells come back. In SVG, DXF (R12 and 2000), WKT and GeoJSON every point of what is read is within FAR grid steps
 of what was written, and the other way round: the Hausdorff distance, of closures. What a format cannot hold must be said:
 GeoJSON arcs, SVG single points, all three of SVG, DXF and WKT open edges. Outlines that rounding makes cross are mended as
-a note says, by no more than the width that it states.
+notes say, by no more than MENDED times the greatest length that they state.
 
 usage: random_read_back.py FINDSPACE [--count 40] [--seed 1] [--kind NAME] [--keep DIR]
 """
@@ -25,6 +25,7 @@ import tempfile
 from pathlib import Path
 
 FAR = 3  # grid steps: what docs/results.md promises
+MENDED = 1.5  # two cusps at one point are off by half the sum of their lengths, each up to sqrt(2) times the one stated
 FORMATS = {"a.svg": [], "r12.dxf": [], "r2000.dxf": ["--dxf", "2000"], "a.wkt": [], "a.geojson": []}
 TRIPLES = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (119, 120, 169)]
 
@@ -215,9 +216,9 @@ class Folder:
 
 
 def left_out(notes, name):
-    """How wide the crossings were that reading a file mended, as its note says."""
-    found = re.search(rf"note: {re.escape(name)}:.*outlines cross .*the longest (\S+) at", notes)
-    return float(found.group(1)) if found else 0
+    """How long the longest crossing was that reading a file mended, as its notes say."""
+    found = re.findall(rf"note: {re.escape(name)}:.*outlines cross .*the longest (\S+) at", notes)
+    return max(map(float, found), default=0)
 
 
 def without_points(cells):
@@ -290,7 +291,7 @@ class Round:
     def compared(self, names, cells):
         for name, (off, stated) in zip(names, self.folder.hausdorff(cells, names, self.grid) if names else []):
             self.count[name] += 1
-            if isinstance(off, str) or off is None or off > max(FAR, stated + 1):
+            if isinstance(off, str) or off is None or off > max(FAR, MENDED * stated + 1):
                 yield f"{name}: off by {off} grid steps"
             elif off > FAR:
                 self.count[f"{name}: left out with a note"] += 1
