@@ -89,7 +89,10 @@ Tried<Erosion> of_union(const Body& a, const Body& b) {
   }
   std::optional<ConvexRegion> within = box_of(bounds(a), b);
   if (!within) return nothing_left();
-  return Erosion{{body_of(parts_of_cells({*std::move(within)}))}, minkowski_sum(body_of(parts_of_corners(corners)), b)};
+  Erosion out{{body_of(parts_of_cells({*std::move(within)}))}};
+  const Body left = body_of(parts_of_corners(corners));
+  if (!left.parts.empty()) out.obstacles = minkowski_sum(left, b);
+  return out;
 }
 
 Body at(Body body, std::int64_t scale) {
@@ -100,8 +103,10 @@ Body at(Body body, std::int64_t scale) {
 
 }  // namespace
 
+Refusal shrunk_by_complement() { return Refusal("a Minkowski difference by a complement is empty or all of space"); }
+
 Tried<Erosion> erosion(const Body& a, const Body& b) {
-  if (b.outside) return Refusal("a Minkowski difference by a complement is empty or all of space");
+  if (b.outside) return shrunk_by_complement();
   const std::int64_t scale = std::lcm(a.scale, b.scale);
   Body p = at_scale(a, scale), q = at_scale(b, scale);
   p.scale = q.scale = 1;  // finer steps from here on
@@ -156,7 +161,7 @@ Tried<Body> eroded(const Body& a, const Body& b) {
   Tried<Erosion> made = erosion(a, b);
   if (!made) return made.refusal();
   Body out = std::move(made->containers[0]);
-  if (made->containers.size() == 1 && (!made->obstacles || made->obstacles->parts.empty())) return out;
+  if (made->containers.size() == 1 && !made->obstacles) return out;
   for (std::size_t k = 1; k < made->containers.size(); ++k) {
     Tried<Body> next = cut(out, made->containers[k], true);
     if (!next) return next;

@@ -19,12 +19,13 @@ namespace findspace::space {
 
 struct Erosion {
   std::vector<Body> containers;  // at least one
-  std::optional<Body> obstacles{};
+  std::optional<Body> obstacles{};  // with parts
 };
 
 /// Of a complement a complement, as the only container. Refuses a union with round parts as a, a complement as b;
 /// throws Error(kGeometry) if nothing with interior is left of a container.
 exact::Tried<Erosion> erosion(const Body& a, const Body& b);
+exact::Refusal shrunk_by_complement();
 
 /// The closure of its interior as a body. Refuses, besides, where no union of convex parts is one.
 exact::Tried<Body> eroded(const Body& a, const Body& b);
