@@ -110,6 +110,38 @@ TEST(Erosion, OfABowlMovesItsWallsAndItsHollow) {
   EXPECT_EQ(shrunk.parts[0].without[0].radius, Real(16));
 }
 
+TEST(Erosion, OfAUnionThatFillsItsBoxHasNothingToKeepOut) {
+  const ShapePtr both = node(Kind::kUnion, {block({0, 0, 0}, {10, 10, 10}), block({10, 0, 0}, {20, 10, 10})});
+  const CsgSolid shrunk =
+      csg_solid(*offset(node(Kind::kDifference, {both, ball({10, 5, 10}, 3)}), Real(-1)));
+  EXPECT_EQ(shrunk.containers.size(), 1u);
+  ASSERT_EQ(shrunk.obstacles.size(), 1u);  // the ball
+  EXPECT_EQ(shrunk.obstacles[0].parts[0].radius, Real(4));
+}
+
+TEST(Erosion, RefusesComplementsThatAreTakenAwayOrShrinkOthers) {
+  const ShapePtr outside = node(Kind::kComplement, {block({-5, -5, -5}, {5, 5, 5})});
+  const ShapePtr lens = node(Kind::kDifference, {ball({0, 0, 0}, 9), outside}),
+                 bowl = node(Kind::kDifference, {block({-20, -20, -20}, {20, 20, 20}), ball({0, 0, 20}, 15)});
+  EXPECT_FALSE(try_csg_solid(*offset(lens, Real(-1))));
+  EXPECT_FALSE(try_csg_solid(*offset(node(Kind::kMinkowskiDifference, {bowl, outside}), Real(-1))));
+  EXPECT_FALSE(try_csg_solid(*node(Kind::kMinkowskiDifference, {offset(bowl, Real(-1)), outside})));
+}
+
+TEST(Erosion, KeepsSheetsThatDistancesDoNotSee) {
+  const ShapePtr thin = node(Kind::kIntersection, {block({0, 0, 0}, {4, 9, 9}), block({2, 0, 0}, {9, 9, 9})});
+  const auto plain = cut_erosion(*node(Kind::kMinkowskiDifference, {thin, block({0, 0, 0}, {2, 2, 2})}));
+  ASSERT_TRUE(plain);
+  ASSERT_EQ(plain->parts.size(), 1u);
+  EXPECT_EQ(bounds(plain->parts[0]).low[0], Real(4));
+  EXPECT_EQ(bounds(plain->parts[0]).high[0], Real(4));
+  const ShapePtr round = offset(node(Kind::kIntersection, {thin, ball({3, 4, 4}, 20)}), Real(-1));
+  const auto sheet = cut_erosion(*round);
+  ASSERT_TRUE(sheet);
+  EXPECT_EQ(sheet->parts.size(), 1u);
+  EXPECT_TRUE(csg_solid(*round).parts.empty());
+}
+
 TEST(Erosion, OfRoundShapesByPolytopesIsWhatTheirCopiesHaveInCommon) {
   const CsgSolid lens =
       csg_solid(*node(Kind::kMinkowskiDifference, {ball({0, 0, 0}, 10), block({0, 0, 0}, {2, 2, 2})}));

@@ -47,18 +47,22 @@ bool meet(const Bounds3& a, const Bounds3& b) {
   return true;
 }
 
-/// Whether a set whose boxes are these may have interior.
-bool bulky(const CsgPart& part) {
-  const Bounds3 box = bounds(part);
+/// Whether a set whose boxes have this in common may have interior.
+bool bulky(const Bounds3& box) {
   return box.low[0] < box.high[0] && box.low[1] < box.high[1] && box.low[2] < box.high[2];
+}
+
+/// Whether it may hold a place.
+bool holds_places(const Bounds3& box) {
+  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
 }
 
 Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
 
 /// False where there are too many already.
 bool keep(CsgPart part, std::vector<CsgPart>& out) {
-  if (!bulky(part)) return true;
   const Bounds3 box = bounds(part);
+  if (!holds_places(box)) return true;
   std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
   if (out.size() == kMostParts) return false;
   out.push_back(std::move(part));
@@ -152,6 +156,11 @@ Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second) {
   return std::move(a);
 }
 
+CsgSolid without_sheets(CsgSolid body) {
+  std::erase_if(body.parts, [](const CsgPart& part) { return !bulky(bounds(part)); });
+  return body;
+}
+
 CsgSolid translated(const CsgSolid& body, const Point& by) {
   return changed(body, body.scale, [&](Body b) { return translated(std::move(b), by); });
 }
@@ -171,7 +180,7 @@ Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point&
     out.parts = *std::move(left);
   else
     return left.refusal();
-  return out;
+  return without_sheets(std::move(out));
 }
 
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {

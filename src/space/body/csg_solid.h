@@ -44,6 +44,8 @@ CsgSolid united(const CsgSolid& first, const CsgSolid& second);
 exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second);
 /// The first less the second; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second);
+/// Without parts whose boxes have no interior in common, which intersections and differences keep.
+CsgSolid without_sheets(CsgSolid body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
 /// What the solid leaves of a box; without containers. More than 10,000 parts are refused.

@@ -72,11 +72,18 @@ Tried<Body> bounded_body(const plane::Shape& shape) {
   return made;
 }
 
+/// What another shape is shrunk by, no complement.
+Tried<Body> shrinking(const plane::Shape& shape) {
+  Tried<Body> made = try_body(shape);
+  if (made && made->outside) return shrunk_by_complement();
+  return made;
+}
+
 Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b);
 
 /// The shape's Minkowski difference by the sum of another shape and b.
 Tried<CsgSolid> eroded(const plane::Shape& shape, const plane::Shape& other, const Body& b) {
-  const Tried<Body> by = try_body(other);
+  const Tried<Body> by = shrinking(other);
   if (!by) return by.refusal();
   return eroded(shape, minkowski_sum(*by, b));
 }
@@ -86,7 +93,7 @@ Tried<CsgSolid> eroded(const plane::Shape& shape, const plane::Shape& other, con
 Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b) {
   const auto& child = shape.children;
   const auto grown = [&](const plane::Shape& c) -> Tried<CsgSolid> {
-    const Tried<Body> away = try_body(c);
+    const Tried<Body> away = bounded_body(c);
     if (!away) return away.refusal();
     return uncut(minkowski_sum(*away, b));
   };
@@ -128,6 +135,12 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
   return out;
 }
 
+/// As distances see it.
+Tried<CsgSolid> bulk_of(Tried<CsgSolid> made) {
+  if (!made) return made;
+  return without_sheets(*std::move(made));
+}
+
 Tried<CsgSolid> node(const plane::Shape& shape) {
   const auto& children = shape.children;
   switch (shape.kind) {
@@ -135,7 +148,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return clipped(shape, try_csg_solid, try_csg_solid);
+      return bulk_of(clipped(shape, try_csg_solid, try_csg_solid));
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -144,9 +157,9 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
     case Kind::kMirror:
       return displaced(try_csg_solid(*children[0]), shape);
     case Kind::kMinkowskiDifference:
-      return cut_erosion(shape);
+      return bulk_of(cut_erosion(shape));
     case Kind::kOffset:
-      if (shape.amount.sign() < 0) return cut_erosion(shape);
+      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape));
       break;
     default:
       break;
@@ -185,7 +198,7 @@ CsgSolid csg_solid(const plane::Shape& shape) { return try_csg_solid(shape).or_t
 
 Tried<CsgSolid> cut_erosion(const plane::Shape& shape) {
   try {
-    const Tried<Body> by = shape.kind == Kind::kOffset ? ball(-shape.amount) : try_body(*shape.children[1]);
+    const Tried<Body> by = shape.kind == Kind::kOffset ? ball(-shape.amount) : shrinking(*shape.children[1]);
     Tried<CsgSolid> out = by ? eroded(*shape.children[0], *by) : by.refusal();
     return out ? std::move(out) : out.refusal().at(shape.place);
   } catch (const Error& e) {
