@@ -98,6 +98,35 @@ TEST(SolidPairs, BallInBox) {
   }
 }
 
+/// Balls of radius 0, as offset leaves them: they overlap with nothing that has no interior, and nothing fits into them
+/// but they themselves.
+TEST(SolidPairs, Points) {
+  const PairDistances two = solid_pair(shared(ball(1, 2, 3, 0)), shared(ball(1, 2, 3, 0)));
+  for (const Which which : {Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kDelta1, Which::kMu}) {
+    EXPECT_EQ(two.value(which, place(3, 4, 0))->value, Real(5));
+    EXPECT_EQ(two.value(which, place(0, 0, 0))->value, Real(0));
+  }
+  // A union with a point, in which a box fits into the boxes alone.
+  Body rooms = box_body({{{{0, 0, 0}, {4, 4, 4}}}, {{{20, 0, 0}, {24, 4, 4}}}});
+  rooms.parts.push_back(ball(10, 1, 1, 0).parts[0]);
+  const PairDistances box = solid_pair(shared(box_body({{{{0, 0, 0}, {1, 1, 1}}}})), shared(rooms)),
+                      point = solid_pair(shared(ball(0, 0, 0, 0)), shared(rooms));
+  EXPECT_EQ(box.value(Which::kEta1, place(10, 1, 1))->value, Real(7));
+  EXPECT_EQ(box.value(Which::kGamma1, place(5, 1, 1))->value, Real(1));
+  EXPECT_EQ(point.value(Which::kGamma1, place(12, 1, 1))->value, Real(2));
+}
+
+/// All of space but a point: a box about it protrudes by nothing.
+TEST(SolidPairs, ProtrusionFromTheComplementOfAPoint) {
+  Body outside = ball(5, 5, 5, 0);
+  outside.outside = true;
+  const PairDistances pair = solid_pair(shared(box_body({{{{0, 0, 0}, {4, 4, 4}}}})), shared(outside));
+  const auto within = pair.value(Which::kMu, place(2, 3, 2));
+  ASSERT_TRUE(within);
+  EXPECT_EQ(within->value, Real(0));
+  EXPECT_EQ(pair.value(Which::kMu, place(7, 2, 2))->value, Real(-2));
+}
+
 TEST(SolidPairs, BallCoversBox) {
   // delta1 of a ball about a box: |p| + a to the far corner, less the radius, where it covers.
   const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 9)), shared(box_body({{{{-4, -4, -4}, {4, 4, 4}}}})));

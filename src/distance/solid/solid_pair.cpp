@@ -74,10 +74,11 @@ TriedAnswer SolidSide::protrusion(const RealVector& p, Depth depth) const {
 
 /// The depth of the deepest point of B + p, which lies in the interior of A's parts.
 TriedAnswer SolidSide::reach_into_parts(const RealVector& p) const {
-  if (!a_->round()) return protrusion_of_cells(*b_, positions().cells, p);
+  const BodyPart& part = a_->parts[0];
+  const bool point = a_->convex() && part.point();
+  if (!a_->round() && !point) return protrusion_of_cells(*b_, positions().cells, p);
   if (!a_->convex()) return reach_into_round_parts(p);
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
-  const BodyPart& part = a_->parts[0];
   Answer out;
   if (!part.core) {
     const TriedAnswer apart = gap(p, Depth::kSign);

@@ -47,4 +47,7 @@ inline std::vector<HalfSpace> walls(const Bounds3& box) {
   return out;
 }
 
+/// Those of a point: no place is within all of them.
+inline std::vector<HalfSpace> walls_about(const Point& p) { return walls({real(p), real(p)}); }
+
 }  // namespace findspace::space

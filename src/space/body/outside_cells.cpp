@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "space/body/body_boxes.h"
 #include "space/polytope/convex_region.h"
 
 namespace findspace::space {
@@ -110,6 +111,7 @@ void subtract(ConvexRegion region, const Carved& mesh, std::vector<ConvexRegion>
 
 std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
   std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)}, next;
+  if (regions[0].dimension() < 3) return {};  // of points
   std::vector<bool> done(body.parts.size());
   for (const PlacedSurroundings& place : body.around) {
     next.clear();
@@ -119,7 +121,7 @@ std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
     std::fill_n(done.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, true);
   }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
-    if (done[k]) continue;
+    if (done[k] || body.parts[k].point()) continue;  // a point leaves the same closure
     std::vector<Vector> points;
     for (const Point& v : body.parts[k].vertices()) points.push_back(exact::approx(v));
     const Convex part{space::extent_of(points), body.parts[k].planes()};
@@ -140,7 +142,9 @@ std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
 std::vector<OutsideCell> outside_cells(const Body& body) {
   std::vector<OutsideCell> cells;
   if (body.parts.size() == 1) {
-    for (const HalfSpace& h : body.parts[0].planes()) cells.push_back({{h.opposite()}, {}, {}});
+    const BodyPart& part = body.parts[0];
+    for (const HalfSpace& h : part.point() ? walls_about(part.center) : part.planes())
+      cells.push_back({{h.opposite()}, {}, {}});
     return cells;
   }
   const bool one_mesh = body.around.size() == 1 && body.around[0].count == body.parts.size();

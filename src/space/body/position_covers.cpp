@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/margins/space.h"
+#include "space/body/body_boxes.h"
 #include "space/body/observe_body.h"
 #include "space/phi/contact_surface.h"
 
@@ -135,7 +136,9 @@ OpenUnion overlap_cover(const Body& b, const Body& a) {
   OpenUnion cover;
   for (const BodyPart& t : a.parts) {
     for (const BodyPart& s : b.parts) {
-      cover.add(difference_extent(t, s), [&t, &s] { return difference_planes(t, s); });
+      cover.add(difference_extent(t, s), [&t, &s] {
+        return t.point() && s.point() ? walls_about(t.center - s.center) : difference_planes(t, s);
+      });
     }
   }
   observe_union("positions at which interiors meet", cover);

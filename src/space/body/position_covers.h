@@ -17,7 +17,7 @@
 
 namespace findspace::space {
 
-/// {a - b}: planes and a box around it.
+/// {a - b}: planes, none of two points, and a box around it.
 std::vector<HalfSpace> difference_planes(const BodyPart& a, const BodyPart& b);
 std::vector<HalfSpace> difference_planes(const OutsideCell& a, const BodyPart& b);
 Extent difference_extent(const BodyPart& a, const BodyPart& b);
