@@ -5,6 +5,9 @@
 // points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "space/body/open_union.h"
 #include "space/box/box_operations.h"
 #include "space/box/box_summary.h"
@@ -53,6 +56,50 @@ TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
   EXPECT_EQ(outside.components.size(), 2u);
   EXPECT_TRUE(summarize(BoxComplex({}, 1), Real(1)).whole);
   EXPECT_TRUE(summarize(BoxComplex(), Real(1)).empty);
+}
+
+/// Of each component alone: its holes are cavities whatever lies in them.
+TEST(BoxComplex, HolesOfComponentsWithinOthers) {
+  const BoxComplex sets[] = {box_set({{{{0, 0, 0}, {12, 12, 12}}}}), box_set({{{{2, 2, 2}, {10, 10, 10}}}}),
+                             box_set({{{{3, 3, 3}, {9, 9, 9}}}}), box_set({{{{5, 5, 5}, {7, 7, 7}}}})};
+  const BoxComplex shells =
+      overlay(std::array{&sets[0], &sets[1], &sets[2], &sets[3]},
+              [](std::span<const Mark> m) { return Mark((m[0] && !m[1]) || (m[2] && !m[3])); });
+  const auto holes = [](const SpaceSummary& s) {
+    std::vector<int> out;
+    for (const SpaceComponent& c : s.components) out.push_back(c.holes);
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const SpaceSummary s = summarize(shells, Real(1)), around = summarize(complement(shells), Real(1));
+  EXPECT_EQ(s.holes, 2);
+  EXPECT_EQ(holes(s), (std::vector{1, 1}));
+  EXPECT_EQ(around.holes, 2);
+  EXPECT_EQ(holes(around), (std::vector{0, 1, 1}));
+  EXPECT_FALSE(around.bbox);
+  ASSERT_TRUE(s.bbox);
+  EXPECT_EQ(s.bbox->high[1], 12);
+}
+
+/// Each of 4,096 components on its own part of the grid: minutes where it is a copy of the whole.
+TEST(BoxComplex, SummaryOfManyComponents) {
+  std::vector<Corners> cubes;
+  for (std::int64_t k = 0; k < 16 * 16 * 16; ++k) {
+    const std::int64_t x = 2 * (k % 16), y = 2 * (k / 16 % 16), z = 2 * (k / 256);
+    cubes.push_back({{{x, y, z}, {x + 1, y + 1, z + 1}}});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const SpaceSummary s = summarize(box_set(cubes), Real(1));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ASSERT_EQ(s.components.size(), cubes.size());
+  EXPECT_EQ(s.holes, 0);
+  EXPECT_DOUBLE_EQ(*s.volume, 4096);
+  for (const SpaceComponent& c : s.components) {
+    ASSERT_EQ(c.holes, 0);
+    ASSERT_TRUE(c.bbox);
+    ASSERT_EQ(c.bbox->high[0] - c.bbox->low[0], 1);
+  }
+  EXPECT_LT(seconds, 20);  // about one where it was written; room for sanitizers
 }
 
 /// Made of too many coordinates a set has no cells, and neither has what is made of it.

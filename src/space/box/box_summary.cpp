@@ -118,17 +118,15 @@ RealVector middle(const BoxComplex& set, const std::array<int, 3>& cell) {
 
 struct Exact {
   Real volume, dangling_area, dangling_length;
-  bool finite = true, any = false;
+  bool any = false;
   int dimension = -1;
   Real sample_size;
-  std::array<int, 3> sample{};
-  RealVector low, high;
+  std::array<int, 3> sample{}, first{}, last{};  // first and last: cells along each axis
   bool bounded = true;
 
   void add(const BoxComplex& set, const std::array<int, 3>& cell, bool dangling) {
     const int d = space::dimension(cell[0], cell[1], cell[2]);
     const std::optional<Real> s = size(set, cell);
-    if (!s) finite = false;
     if (s && d == 3) volume += *s;
     if (s && dangling && d == 2) dangling_area += *s;
     if (s && dangling && d == 1) dangling_length += *s;
@@ -138,15 +136,10 @@ struct Exact {
       sample = cell;
       sample_size = s.value_or(Real());
     }
-    for (int k = 0; k < 3; ++k) {
-      const Interval i = set.interval(k, cell[std::size_t(k)], cell[std::size_t(k)]);
-      if (!i.from || !i.to) {
-        bounded = false;
-        continue;
-      }
-      Real &lo = low[std::size_t(k)], &hi = high[std::size_t(k)];
-      if (!any || *i.from < lo) lo = *i.from;
-      if (!any || hi < *i.to) hi = *i.to;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounded = bounded && cell[k] > 0 && cell[k] < set.cells(static_cast<int>(k)) - 1;
+      first[k] = any ? std::min(first[k], cell[k]) : cell[k];
+      last[k] = any ? std::max(last[k], cell[k]) : cell[k];
     }
     any = true;
   }
@@ -217,16 +210,29 @@ class BoxSummarizer {
     c.dangling_length = scaled_size(e.dangling_length, 1);
     c.sample = place(middle(set_, e.sample));
     c.bbox = box(e);
-    // Its own complement: all cells that are not its.
-    BoxComplex alone = set_;
-    for (int z = 0; z < set_.cells(2); ++z) {
-      for (int y = 0; y < set_.cells(1); ++y) {
-        for (int x = 0; x < set_.cells(0); ++x) alone.set_mark(x, y, z, parts_.of(x, y, z) == id);
-      }
-    }
-    c.holes = e.dimension < 2 ? 0 : Components(alone, false).bounded_count();
+    c.holes = e.dimension < 2 ? 0 : Components(alone(e, id), false).bounded_count();
     if (e.dimension == 0) out_.isolated.push_back(c.sample);
     out_.components.push_back(c);
+  }
+
+  /// The component on its part of the grid: what is beyond that is its complement, and unbounded.
+  BoxComplex alone(const Exact& e, int id) const {
+    std::array<int, 3> from{};  // an open interval, as the last one is
+    Axes at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Axis& all = set_.at()[k];
+      from[k] = (e.first[k] - 1) / 2 * 2;
+      const auto to = std::min(static_cast<std::size_t>(e.last[k]) / 2 + 1, all.size());
+      at[k].assign(all.begin() + from[k] / 2, all.begin() + static_cast<std::ptrdiff_t>(to));
+    }
+    BoxComplex out(std::move(at));
+    for (int z = 0; z < out.cells(2); ++z) {
+      for (int y = 0; y < out.cells(1); ++y) {
+        for (int x = 0; x < out.cells(0); ++x)
+          out.set_mark(x, y, z, parts_.of(from[0] + x, from[1] + y, from[2] + z) == id);
+      }
+    }
+    return out;
   }
 
   /// Whether the cell is an edge of a face that is in (or is not): then it adds nothing to the length of lines.
@@ -252,7 +258,13 @@ class BoxSummarizer {
   }
   std::optional<PlaceBox> box(const Exact& e) const {
     if (!e.bounded) return std::nullopt;
-    return PlaceBox{place(e.low), place(e.high)};
+    RealVector low, high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Interval i = set_.interval(static_cast<int>(k), e.first[k], e.last[k]);
+      low[k] = *i.from;
+      high[k] = *i.to;
+    }
+    return PlaceBox{place(low), place(high)};
   }
 
   const BoxComplex& set_;
