@@ -43,42 +43,60 @@ FacetPiece cut_off(const FacetPiece& piece, const HalfSpace& plane, int side) {
 
 class Partition {
  public:
+  /// A half without facets is all solid or all empty; the facets in the cut say which. Calls itself for the lower half
+  /// alone, where both halves have facets: else a round surface would take a level for each of its planes.
   void run(std::vector<FacetPiece> facets, ConvexRegion bounds) {
-    const Plane chosen = choose(facets);
-    const HalfSpace plane(chosen);
-    std::vector<FacetPiece> above, below;
-    bool solid_above = false;
-    for (FacetPiece& piece : facets) {
-      const Sides s = sides(plane, piece);
-      if (s.above && s.below) {
-        above.push_back(cut_off(piece, plane, 1));
-        below.push_back(cut_off(piece, plane, -1));
-      } else if (s.above || s.below) {
-        (s.above ? above : below).push_back(std::move(piece));
-      } else {
-        solid_above = solid_above || piece.plane.normal == -chosen.normal;
+    std::vector<Half> bare;  // upper halves without facets; they come after all that is below them
+    while (!facets.empty()) {
+      const Plane chosen = choose(facets);
+      Cut cut = cut_by(chosen, std::move(facets));
+      ConvexRegion over = bounds;
+      over.cut(cut.plane.opposite());
+      bounds.cut(cut.plane);
+      if (cut.below.empty()) cells.inside.push_back(std::move(bounds));
+      if (cut.above.empty()) {
+        bare.push_back({std::move(over), cut.solid_above});
+        facets = std::move(cut.below);
+        continue;
       }
+      if (!cut.below.empty()) run(std::move(cut.below), std::move(bounds));
+      facets = std::move(cut.above);
+      bounds = std::move(over);
     }
-    facets = {};
-    ConvexRegion over = bounds;
-    over.cut(plane.opposite());
-    bounds.cut(plane);
-    // A half without facets is all solid or all empty; the facets in the cut say which.
-    if (below.empty()) {
-      cells.inside.push_back(std::move(bounds));
-    } else {
-      run(std::move(below), std::move(bounds));
-    }
-    if (!above.empty()) {
-      run(std::move(above), std::move(over));
-    } else if (!over.empty()) {
-      (solid_above ? cells.inside : cells.outside).push_back(std::move(over));
+    for (auto half = bare.rbegin(); half != bare.rend(); ++half) {
+      if (!half->region.empty()) (half->solid ? cells.inside : cells.outside).push_back(std::move(half->region));
     }
   }
 
   Cells cells;
 
  private:
+  struct Half {
+    ConvexRegion region;
+    bool solid = false;
+  };
+  struct Cut {
+    HalfSpace plane;
+    std::vector<FacetPiece> above{}, below{};
+    bool solid_above = false;  // as facets in the plane say
+  };
+
+  static Cut cut_by(const Plane& chosen, std::vector<FacetPiece> facets) {
+    Cut out{HalfSpace(chosen)};
+    for (FacetPiece& piece : facets) {
+      const Sides s = sides(out.plane, piece);
+      if (s.above && s.below) {
+        out.above.push_back(cut_off(piece, out.plane, 1));
+        out.below.push_back(cut_off(piece, out.plane, -1));
+      } else if (s.above || s.below) {
+        (s.above ? out.above : out.below).push_back(std::move(piece));
+      } else {
+        out.solid_above = out.solid_above || piece.plane.normal == -chosen.normal;
+      }
+    }
+    return out;
+  }
+
   static bool nothing_above(const HalfSpace& plane, const std::vector<FacetPiece>& facets) {
     return std::none_of(facets.begin(), facets.end(), [&](const FacetPiece& p) { return sides(plane, p).above; });
   }
