@@ -197,10 +197,12 @@ Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
   return result;
 }
 
-/// Whether the set is the interior of one, or a union with such.
+/// Whether the set is the interior of one, or a union or intersection with such.
 bool lacks_boundary(const plane::Shape& shape) {
-  if (shape.kind == Kind::kInterior) return true;
-  if (shape.kind != Kind::kTranslate && shape.kind != Kind::kMirror && shape.kind != Kind::kUnion) return false;
+  const Kind kind = shape.kind;
+  if (kind == Kind::kInterior) return true;
+  if (kind != Kind::kTranslate && kind != Kind::kMirror && kind != Kind::kUnion && kind != Kind::kIntersection)
+    return false;
   return std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return lacks_boundary(*c); });
 }
 

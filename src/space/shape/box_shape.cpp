@@ -5,7 +5,6 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <span>
 
@@ -95,35 +94,54 @@ std::optional<Faces> faces_of(const Solid& solid) {
   return out;
 }
 
-/// How much deeper it is in the solid above the level than below it, at (x, y), given twice as large and on no edge: by
-/// the edges that lie to the right.
-int step_at(const Level& level, std::int64_t x, std::int64_t y) {
-  int rounds = 0;
-  for (const Edge& e : level.edges) {
-    const bool up = 2 * e.to.y > y;
-    if (up != (2 * e.from.y > y) && 2 * e.from.x > x) rounds += up ? e.times : -e.times;
+/// The levels with those of their edges that pass the line at y, given twice as large and on no vertex.
+std::vector<Level> levels_at(std::span<const Level> levels, std::int64_t y) {
+  std::vector<Level> out;
+  for (const Level& level : levels) {
+    Level& row = out.emplace_back(Level{level.z, level.sense, {}});
+    for (const Edge& e : level.edges) {
+      if ((2 * e.to.y > y) != (2 * e.from.y > y)) row.edges.push_back(e);
+    }
+    if (row.edges.empty()) out.pop_back();
   }
-  return level.sense == 0 ? -rounds : rounds % 2 != 0 ? level.sense : 0;
+  return out;
 }
 
-/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them.
+/// How much deeper it is in the solid above the level than below it, at x, given twice as large and on no edge: by the
+/// edges that lie to the right, all of which pass the line.
+int step_at(const Level& row, std::int64_t x) {
+  int rounds = 0;
+  for (const Edge& e : row.edges) {
+    if (2 * e.from.x > x) rounds += e.to.y > e.from.y ? e.times : -e.times;
+  }
+  return row.sense == 0 ? -rounds : rounds % 2 != 0 ? row.sense : 0;
+}
+
+/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them; nothing where
+/// that would have too many cells.
 std::optional<BoxComplex> filled(const Faces& faces) {
   std::array<std::vector<std::int64_t>, 3> at;
   for (const Point& v : faces.vertices) {
     at[0].push_back(v.x);
     at[1].push_back(v.y);
-    at[2].push_back(v.z);
   }
+  for (const Level& level : faces.levels) {
+    if (!level.edges.empty()) at[2].push_back(level.z);
+  }
+  double cells = 1;
   for (auto& axis : at) {
     std::sort(axis.begin(), axis.end());
     axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
+    cells *= 2 * static_cast<double>(axis.size()) + 1;
   }
+  if (cells > static_cast<double>(BoxComplex::kMostCells)) return std::nullopt;
   std::vector<IntervalBox> boxes;
-  for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
-    for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
+  for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
+    const std::vector<Level> row = levels_at(faces.levels, at[1][j] + at[1][j + 1]);
+    for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
       std::vector<std::pair<std::int64_t, int>> steps;
-      for (const Level& level : faces.levels) {
-        const int step = step_at(level, at[0][i] + at[0][i + 1], at[1][j] + at[1][j + 1]);
+      for (const Level& level : row) {
+        const int step = step_at(level, at[0][i] + at[0][i + 1]);
         if (step != 0) steps.emplace_back(level.z, step);
       }
       std::sort(steps.begin(), steps.end());
@@ -154,6 +172,7 @@ std::optional<IntervalBox> one_box(const BoxComplex& set) {
 
 std::optional<BoxComplex> hull_of(const BoxComplex& set) {
   if (set.too_fine()) return std::nullopt;
+  if (set.empty()) return set;
   IntervalBox all;
   for (const IntervalBox& box : set.boxes()) {
     for (int k = 0; k < 3; ++k) {
@@ -184,28 +203,30 @@ std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
   return BoxComplex::of_boxes(std::array<IntervalBox, 1>{*box});
 }
 
-/// {p : combine(marks of p in each set)}.
-BoxComplex overlaid(const std::vector<BoxComplex>& sets, const std::function<Mark(std::span<const Mark>)>& combine) {
-  std::vector<const BoxComplex*> each;
-  for (const BoxComplex& s : sets) each.push_back(&s);
-  return overlay(each, combine);
+/// Painted on one grid.
+BoxComplex united(const std::vector<BoxComplex>& sets) {
+  std::vector<IntervalBox> boxes;
+  for (const BoxComplex& s : sets) {
+    for (IntervalBox& box : s.boxes()) boxes.push_back(std::move(box));
+  }
+  return BoxComplex::of_boxes(boxes);
 }
 
-constexpr auto kIn = [](Mark m) { return m != 0; };
-
-Mark in_any(std::span<const Mark> m) { return Mark(std::any_of(m.begin(), m.end(), kIn)); }
-Mark in_all(std::span<const Mark> m) { return Mark(std::all_of(m.begin(), m.end(), kIn)); }
-Mark in_first_alone(std::span<const Mark> m) { return Mark(m[0] && std::none_of(m.begin() + 1, m.end(), kIn)); }
+/// The complement of the union of the sets, the first `inverted` of them replaced by their complements.
+BoxComplex left_by(std::vector<BoxComplex> sets, std::size_t inverted) {
+  for (std::size_t k = 0; k < inverted; ++k) sets[k] = complement(sets[k]);
+  return complement(united(sets));
+}
 
 /// The node over its operands' sets; nothing where the result has other faces than those of boxes.
 std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxComplex>& c) {
   switch (shape.kind) {
     case Kind::kUnion:
-      return overlaid(c, in_any);
+      return united(c);
     case Kind::kIntersection:
-      return overlaid(c, in_all);
+      return left_by(c, c.size());
     case Kind::kDifference:
-      return overlaid(c, in_first_alone);
+      return left_by(c, 1);
     case Kind::kComplement:
       return complement(c[0]);
     case Kind::kInterior:
@@ -225,7 +246,7 @@ std::optional<BoxComplex> node(const plane::Shape& shape, const std::vector<BoxC
     case Kind::kMinkowskiDifference:
       return complement(sum(complement(c[0]), c[1]));
     case Kind::kHull:
-      return hull_of(overlaid(c, in_any));
+      return hull_of(united(c));
     case Kind::kOffset:
       return offset_of(c[0], shape.amount);
     default:

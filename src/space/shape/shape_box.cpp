@@ -35,6 +35,7 @@ std::vector<Point> corners(const Solid& solid) {
 }
 
 bool goes_on(const plane::Shape& shape) {
+  if (shape.kind == Kind::kBoundary) return false;  // of a bounded set or of the complement of one
   const auto child = [](const auto& c) { return goes_on(*c); };
   const auto& c = shape.children;
   if (shape.kind == Kind::kComplement) return !goes_on(*c[0]);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Shape trees as sets of boxes and as convex parts: against the definition, what a touching piece is worth, and sizes
+// that once took gigabytes or minutes.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "space/shape/box_shape.h"
+#include "space/shape/shape_rays.h"
+#include "unit/solid_shapes.h"
+#include "unit/space_bodies.h"
+
+namespace findspace::space {
+namespace space_shape_trees {
+
+using exact::Real;
+using plane::ShapePtr;
+using Kind = plane::Shape::Kind;
+
+ShapePtr block(const Point& low, const Point& high) {
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  return hull(std::move(corners));
+}
+
+/// Twice the coordinates of a place, in a block or not.
+bool in(const std::array<std::int64_t, 3>& p, std::int64_t low, std::int64_t high) {
+  return std::all_of(p.begin(), p.end(), [&](std::int64_t c) { return 2 * low <= c && c <= 2 * high; });
+}
+
+TEST(BoxShapes, AreMadeAsTheirNodesSay) {
+  const ShapePtr a = block({0, 0, 0}, {4, 4, 4}), b = block({2, 2, 2}, {6, 6, 6}), c = block({3, 3, 3}, {5, 5, 5});
+  const auto outside = [](const ShapePtr& of) { return node(Kind::kComplement, {of}); };
+  const auto all = box_complex(*node(Kind::kUnion, {a, outside(b), c})),
+             some = box_complex(*node(Kind::kIntersection, {a, outside(c), b})),
+             rest = box_complex(*node(Kind::kDifference, {outside(a), b, c})),
+             hull_of_none = box_complex(*node(Kind::kHull, {node(Kind::kDifference, {c, b})}));
+  ASSERT_TRUE(all && some && rest && hull_of_none);
+  EXPECT_TRUE(hull_of_none->empty());
+  for (std::int64_t x = -2; x <= 14; ++x) {
+    for (std::int64_t y = -2; y <= 14; ++y) {
+      for (std::int64_t z = -2; z <= 14; ++z) {
+        const std::array<std::int64_t, 3> p{x, y, z};
+        const bool in_a = in(p, 0, 4), in_b = in(p, 2, 6), in_c = in(p, 3, 5);
+        const RealVector at = place(x, y, z, 2);
+        ASSERT_EQ(all->mark(at) != 0, in_a || !in_b || in_c) << x << " " << y << " " << z;
+        ASSERT_EQ(some->mark(at) != 0, in_a && !in_c && in_b) << x << " " << y << " " << z;
+        ASSERT_EQ(rest->mark(at) != 0, !in_a && !in_b && !in_c) << x << " " << y << " " << z;
+      }
+    }
+  }
+}
+
+/// Fourteen million cells, once for each of the sixty blocks, would be 840 MB.
+TEST(BoxShapes, AUnionOfManyTakesOneGrid) {
+  std::vector<ShapePtr> blocks;
+  for (std::int64_t k = 0; k < 60; ++k) blocks.push_back(block({3 * k, 3 * k, 3 * k}, {3 * k + 1, 3 * k + 1, 3 * k + 1}));
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  const auto all = box_complex(*node(Kind::kUnion, blocks));
+  getrusage(RUSAGE_SELF, &after);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->at()[0].size(), 120u);
+  EXPECT_EQ(all->mark(place(31, 31, 31)), 1);
+  EXPECT_EQ(all->mark(place(31, 31, 32)), 0);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 300'000);  // kilobytes
+}
+
+/// A minute where each column of the grid looks at all edges.
+TEST(BoxShapes, APlateWithManyHoles) {
+  constexpr std::int64_t kHoles = 200, kSide = 3 * kHoles + 1;
+  Solid plate;
+  plate.form = Solid::Form::kPrism;
+  plate.high = 2;
+  const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t side) {
+    plate.contours.push_back({{.start = {x, y}},
+                              {.start = {x + side, y}},
+                              {.start = {x + side, y + side}},
+                              {.start = {x, y + side}}});
+  };
+  add(0, 0, kSide);
+  for (std::int64_t i = 0; i < kHoles; ++i) {
+    for (std::int64_t j = 0; j < kHoles; ++j) add(3 * i + 1, 3 * j + 1, 2);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto set = box_complex(*primitive(std::move(plate)));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->mark(place(302, 302, 1)), 0);
+  EXPECT_EQ(set->mark(place(301, 301, 1, 2)), 1);
+  EXPECT_LT(seconds, 20);  // less than one where it was written; room for sanitizers
+}
+
+/// Without the open set T keeps the facet that lies on the boundary of P.
+TEST(ConvexParts, OfAShapeLessAnIntersectionOfInteriors) {
+  const ShapePtr t = hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}),
+                 p = hull({{-10, -10, 0}, {18, -10, 0}, {-10, 18, 0}, {-10, -10, 28}}),
+                 q = hull({{-20, -20, -20}, {100, -20, -20}, {-20, 100, -20}, {-20, -20, 100}});
+  const ShapePtr open = node(Kind::kIntersection, {node(Kind::kInterior, {p}), node(Kind::kInterior, {q})});
+  EXPECT_TRUE(try_convex_parts(*node(Kind::kDifference, {t, node(Kind::kIntersection, {p, q})})));
+  EXPECT_FALSE(try_convex_parts(*node(Kind::kDifference, {t, open})));
+  const ShapePtr apart = node(Kind::kTranslate, {open}, {0, 0, -1});
+  EXPECT_TRUE(try_convex_parts(*node(Kind::kDifference, {t, apart})));
+}
+
+TEST(ShapeBox, ABoundaryIsBounded) {
+  const ShapePtr outside = node(Kind::kComplement, {block({1, 2, 3}, {4, 5, 6})});
+  EXPECT_TRUE(shape_box(*outside).unbounded);
+  const ShapeBox box = shape_box(*node(Kind::kBoundary, {outside}));
+  EXPECT_FALSE(box.unbounded);
+  EXPECT_EQ(box.low, (Point{1, 2, 3}));
+  EXPECT_EQ(box.high, (Point{4, 5, 6}));
+}
+
+}  // namespace space_shape_trees
+}  // namespace findspace::space
