@@ -55,6 +55,23 @@ TEST(CutSolid, HasValuesWhicheverShapeMoves) {
   EXPECT_EQ(solver.value(named(K::kD1), space::place(0, 0, 3))->value, Real());
 }
 
+/// All places of a sphere are as near to its centre, and as far.
+TEST(CutSolid, HasExactValuesAboutTheCentreOfAShell) {
+  using K = findspace::formula::Kind;
+  SpaceWorld all = world("B");
+  all.shapes["A"] =
+      space_shape(*space::node(Kind::kDifference, {space::ball({0, 0, 0}, 10), space::ball({0, 0, 0}, 6)}));
+  all.shapes["B"] = space_shape(*space::ball({0, 0, 0}, 2));
+  const SpaceSolver solver(all);
+  const auto near = solver.value(named(K::kGamma1), space::place(0, 0, 0)),
+             far = solver.value(named(K::kGamma2), space::place(0, 0, 0));
+  ASSERT_TRUE(near && far);
+  EXPECT_TRUE(near->proven);
+  EXPECT_TRUE(far->proven);
+  EXPECT_EQ(near->value, Real(4));
+  EXPECT_EQ(far->value, Real(12));
+}
+
 TEST(CutSolid, HasSignsWhereItHasNoValue) {
   RayWorld rays;
   rays.shapes.emplace("A", RayShape(bowl()));

@@ -131,10 +131,13 @@ Answer CsgSide::named_reach(const space::CsgPart& part, const RealVector& from, 
   Answer out = searched_answer(found, size_);
   for (const BodyPart& set : part.within) {
     for (const space::Point& v : set.vertices()) {
-      const RealVector way = space::minus(space::real(v), from);
-      if (space::is_zero(way)) continue;
+      RealVector way = space::minus(space::real(v), from);
       const Real d = sqrt(space::dot(way, way)), value = d + set.radius;
-      const RealVector place = space::along(space::real(v), set.radius / d, way);
+      // From the centre all of a sphere is as far.
+      if (d.sign() == 0) way = space::minus(space::real(found.place), from);
+      if (space::is_zero(way)) continue;
+      const Real size = d.sign() == 0 ? sqrt(space::dot(way, way)) : d;
+      const RealVector place = space::along(space::real(v), set.radius / size, way);
       if (std::fabs(value.to_double() - found.value) > out.error || !holds(part, place)) continue;  // no sign
       Answer v_exact;
       v_exact.value = value;

@@ -148,9 +148,13 @@ class Names {
  private:
   /// From the point b of s without its radius to the place, if that belongs.
   void offer(const RealVector& b, const RealVector& place) {
+    const RealVector way = space::minus(place, b);
+    offer(b, place, sqrt(dot(way, way)));
+  }
+  /// At that distance.
+  void offer(const RealVector& b, const RealVector& place, const Real& d) {
     if (!holds(a_, place)) return;
     const RealVector way = space::minus(place, b);
-    const Real d = sqrt(dot(way, way));
     Answer v;
     v.value = d - s_.radius;
     if (d.sign() > 0) {
@@ -228,10 +232,21 @@ class Names {
   void from_corners(const std::vector<HalfSpace>& planes, const std::vector<space::Ball>& spheres) {
     for (const space::Point& v : s_.vertices()) {
       const RealVector b = space::plus(space::real(v), p_);
+      const bool from_centre = planes.empty() && spheres.size() == 1 && b == spheres[0].center;
       for (const RealVector& place : space::name_places(planes, spheres, b)) {
-        if (near(place)) offer(b, place);
+        if (near(place))
+          offer(b, place);
+        else if (from_centre)
+          offer_beside(spheres[0]);
       }
     }
+  }
+
+  /// From the centre, to which all of the sphere is as near: the place of it beside the one found.
+  void offer_beside(const space::Ball& sphere) {
+    const RealVector way = space::minus(space::real(place_), sphere.center);
+    const Real size = sqrt(dot(way, way));
+    if (size.sign() > 0) offer(sphere.center, space::along(sphere.center, sphere.radius / size, way), sphere.radius);
   }
 
   const CsgPart& a_;
