@@ -60,9 +60,9 @@ bool holds_places(const Bounds3& box) {
 Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
 
 /// False where there are too many already.
-bool keep(CsgPart part, std::vector<CsgPart>& out) {
+bool keep(CsgPart part, FlatParts flats, std::vector<CsgPart>& out) {
   const Bounds3 box = bounds(part);
-  if (!holds_places(box)) return true;
+  if (flats == FlatParts::kKept ? !holds_places(box) : !bulky(box)) return true;
   std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
   if (out.size() == kMostParts) return false;
   out.push_back(std::move(part));
@@ -75,27 +75,27 @@ std::pair<CsgSolid, CsgSolid> together(const CsgSolid& a, const CsgSolid& b) {
 }
 
 /// x less y: where x leaves one of the sets that y lies within, or is in one that y lies without.
-Tried<std::vector<CsgPart>> less(const std::vector<CsgPart>& all, const CsgPart& y) {
+Tried<std::vector<CsgPart>> less(const std::vector<CsgPart>& all, const CsgPart& y, FlatParts flats) {
   std::vector<CsgPart> out;
   for (const CsgPart& x : all) {
     for (const BodyPart& p : y.within) {
       CsgPart part = x;
       part.without.push_back(p);
-      if (!keep(std::move(part), out)) return too_many();
+      if (!keep(std::move(part), flats, out)) return too_many();
     }
     for (const BodyPart& p : y.without) {
       CsgPart part = x;
       part.within.push_back(p);
-      if (!keep(std::move(part), out)) return too_many();
+      if (!keep(std::move(part), flats, out)) return too_many();
     }
   }
   return out;
 }
 
-Tried<std::vector<CsgPart>> less(std::vector<CsgPart> all, const std::vector<CsgPart>& others) {
+Tried<std::vector<CsgPart>> less(std::vector<CsgPart> all, const std::vector<CsgPart>& others, FlatParts flats) {
   Tried<std::vector<CsgPart>> left = std::move(all);
   for (const CsgPart& y : others) {
-    left = less(*left, y);
+    left = less(*left, y, flats);
     if (!left) break;
   }
   return left;
@@ -120,7 +120,7 @@ CsgSolid united(const CsgSolid& first, const CsgSolid& second) {
 }
 
 // The second form is kept where both have it.
-Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second) {
+Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats) {
   const auto [a, b] = together(first, second);
   CsgSolid out;
   out.scale = a.scale;
@@ -129,7 +129,7 @@ Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second) {
       CsgPart part = x;
       part.within.insert(part.within.end(), y.within.begin(), y.within.end());
       part.without.insert(part.without.end(), y.without.begin(), y.without.end());
-      if (!keep(std::move(part), out.parts)) return too_many();
+      if (!keep(std::move(part), flats, out.parts)) return too_many();
     }
   }
   if (a.containers.empty() || b.containers.empty()) return out;
@@ -140,9 +140,9 @@ Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second) {
   return out;
 }
 
-Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second) {
+Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats) {
   auto [a, b] = together(first, second);
-  if (auto left = less(std::move(a.parts), b.parts))
+  if (auto left = less(std::move(a.parts), b.parts, flats))
     a.parts = *std::move(left);
   else
     return left.refusal();
@@ -156,7 +156,7 @@ Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second) {
   return std::move(a);
 }
 
-CsgSolid without_sheets(CsgSolid body) {
+CsgSolid without_flat_parts(CsgSolid body) {
   std::erase_if(body.parts, [](const CsgPart& part) { return !bulky(bounds(part)); });
   return body;
 }
@@ -176,11 +176,11 @@ Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point&
   CsgSolid out;
   out.scale = body.scale;
   out.parts.push_back({{part_of(corners, Real())}, {}});
-  if (auto left = less(std::move(out.parts), body.parts))
+  if (auto left = less(std::move(out.parts), body.parts, FlatParts::kDropped))
     out.parts = *std::move(left);
   else
     return left.refusal();
-  return without_sheets(std::move(out));
+  return out;
 }
 
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {

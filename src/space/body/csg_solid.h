@@ -40,12 +40,13 @@ exact::Tried<CsgSolid> cut_erosion(const plane::Shape& shape);
 CsgSolid uncut(Body body);
 /// The union; it has no containers.
 CsgSolid united(const CsgSolid& first, const CsgSolid& second);
+/// What becomes of parts of whose sets the boxes have no interior in common.
+enum class FlatParts { kDropped, kKept };
 /// What both have in common; more than 10,000 parts are refused.
-exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second);
+exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
 /// The first less the second; more than 10,000 parts are refused.
-exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second);
-/// Without parts whose boxes have no interior in common, which intersections and differences keep.
-CsgSolid without_sheets(CsgSolid body);
+exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
+CsgSolid without_flat_parts(CsgSolid body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
 /// What the solid leaves of a box; without containers. More than 10,000 parts are refused.

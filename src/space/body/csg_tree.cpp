@@ -20,7 +20,7 @@ namespace {
 /// The first child less the others, or what all have in common; `kept` and `taken` make those that count and those that
 /// are taken away.
 template <class Kept, class Taken>
-Tried<CsgSolid> clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
+Tried<CsgSolid> clipped(const plane::Shape& shape, FlatParts flats, Kept&& kept, Taken&& taken) {
   const bool differs = shape.kind == Kind::kDifference;
   std::optional<CsgSolid> out;
   std::vector<const plane::Shape*> away;
@@ -31,7 +31,7 @@ Tried<CsgSolid> clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
       away.push_back(c->children[0].get());
     } else {
       Tried<CsgSolid> next = kept(*c);
-      if (next && out) next = common(*out, *next);
+      if (next && out) next = common(*out, *next, flats);
       if (!next) return next;
       out = *std::move(next);
     }
@@ -40,7 +40,7 @@ Tried<CsgSolid> clipped(const plane::Shape& shape, Kept&& kept, Taken&& taken) {
   for (const plane::Shape* c : away) {
     const Tried<CsgSolid> other = taken(*c);
     if (!other) return other;
-    Tried<CsgSolid> left = less(*out, *other);
+    Tried<CsgSolid> left = less(*out, *other, flats);
     if (!left) return left;
     out = *std::move(left);
   }
@@ -57,12 +57,12 @@ Tried<CsgSolid> displaced(const Tried<CsgSolid>& child, const plane::Shape& shap
 Tried<CsgSolid> of_erosion(const Erosion& made) {
   CsgSolid out = uncut(made.containers[0]);
   for (std::size_t k = 1; k < made.containers.size(); ++k) {
-    Tried<CsgSolid> next = common(out, uncut(made.containers[k]));
+    Tried<CsgSolid> next = common(out, uncut(made.containers[k]), FlatParts::kKept);
     if (!next) return next;
     out = *std::move(next);
   }
   if (!made.obstacles) return out;
-  return less(out, uncut(*made.obstacles));
+  return less(out, uncut(*made.obstacles), FlatParts::kKept);
 }
 
 /// A body, no complement.
@@ -101,7 +101,7 @@ Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b) {
     case Kind::kIntersection:
     case Kind::kDifference:
       return clipped(
-          shape, [&](const plane::Shape& c) { return eroded(c, b); }, grown);
+          shape, FlatParts::kKept, [&](const plane::Shape& c) { return eroded(c, b); }, grown);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -138,7 +138,7 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
 /// As distances see it.
 Tried<CsgSolid> bulk_of(Tried<CsgSolid> made) {
   if (!made) return made;
-  return without_sheets(*std::move(made));
+  return without_flat_parts(*std::move(made));
 }
 
 Tried<CsgSolid> node(const plane::Shape& shape) {
@@ -148,7 +148,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return bulk_of(clipped(shape, try_csg_solid, try_csg_solid));
+      return clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
