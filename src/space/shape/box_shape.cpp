@@ -117,9 +117,8 @@ int step_at(const Level& row, std::int64_t x) {
   return row.sense == 0 ? -rounds : rounds % 2 != 0 ? row.sense : 0;
 }
 
-/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them; nothing where
-/// that would have too many cells.
-std::optional<BoxComplex> filled(const Faces& faces) {
+/// Those in which its boxes end, ascending.
+std::array<std::vector<std::int64_t>, 3> coordinates_of(const Faces& faces) {
   std::array<std::vector<std::int64_t>, 3> at;
   for (const Point& v : faces.vertices) {
     at[0].push_back(v.x);
@@ -128,12 +127,19 @@ std::optional<BoxComplex> filled(const Faces& faces) {
   for (const Level& level : faces.levels) {
     if (!level.edges.empty()) at[2].push_back(level.z);
   }
-  double cells = 1;
   for (auto& axis : at) {
     std::sort(axis.begin(), axis.end());
     axis.erase(std::unique(axis.begin(), axis.end()), axis.end());
-    cells *= 2 * static_cast<double>(axis.size()) + 1;
   }
+  return at;
+}
+
+/// Columns of open boxes between the coordinates of all vertices, filled between the levels over them; nothing where
+/// that would have too many cells.
+std::optional<BoxComplex> filled(const Faces& faces) {
+  const auto at = coordinates_of(faces);
+  double cells = 1;
+  for (const auto& axis : at) cells *= 2 * static_cast<double>(axis.size()) + 1;
   if (cells > static_cast<double>(BoxComplex::kMostCells)) return std::nullopt;
   std::vector<IntervalBox> boxes;
   for (std::size_t j = 0; j + 1 < at[1].size(); ++j) {
