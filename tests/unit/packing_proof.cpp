@@ -44,6 +44,17 @@ TEST(Interiors, APartThatFitsItsHole) {
   EXPECT_TRUE(interiors_meet(frame(), box(1, 1, 5, 5)));
 }
 
+/// Each hole leaves the other one's corner to the part; only both together leave nothing.
+TEST(Interiors, HolesThatTouchAtACorner) {
+  const Polygon plate = make_polygon(
+      {{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{3, 3}, {5, 3}, {5, 5}, {3, 5}}}, "plate");
+  EXPECT_FALSE(interiors_meet(plate, box(1, 1, 3, 3)));
+  EXPECT_FALSE(interiors_meet(box(3, 3, 5, 5), plate));
+  EXPECT_TRUE(interiors_meet(plate, box(2, 2, 4, 4)));
+  EXPECT_TRUE(interiors_meet(plate, box(3, 1, 5, 3)));
+  EXPECT_TRUE(interiors_meet(box(3, 2, 4, 3), plate));
+}
+
 TEST(Interiors, CornersThatCrossAtVertices) {
   const Polygon diamond = make_polygon({{{0, -2}, {2, 0}, {0, 2}, {-2, 0}}}, "diamond");
   EXPECT_TRUE(interiors_meet(diamond, box(-2, -2, 2, 2)));

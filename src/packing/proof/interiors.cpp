@@ -69,11 +69,34 @@ std::optional<Sector> sector_at(const RingEdge& e, const LatticePoint& p) {
   return e.amid();
 }
 
-/// Whether both interiors meet next to a point where these edges touch.
-bool enter_at(const RingEdge& e, const RingEdge& f) {
-  if (const auto of_f = sector_at(f, e.start()); of_f && overlap(e.at_start(), *of_f)) return true;
-  const auto of_e = sector_at(e, f.start());
-  return of_e && overlap(*of_e, f.at_start());
+/// Whether both interiors meet next to a point: whether all rings that pass there have a direction in common.
+bool meet_at(const LatticePoint& p, const std::vector<RingEdge>& of_a, const std::vector<RingEdge>& of_b) {
+  struct Corner {
+    const Ring* ring;
+    Sector sector;
+  };
+  std::vector<Corner> corners;
+  for (const auto* edges : {&of_a, &of_b})
+    for (const RingEdge& e : *edges)
+      if (const auto sector = sector_at(e, p)) corners.push_back({e.ring, *sector});
+  const auto is_in = [&](const Ring* ring, const LatticePoint& d) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Corner& c) { return c.ring == ring && from_on(c.sector, d); });
+  };
+  const auto begins_common = [&](const Corner& first) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const Corner& c) { return is_in(c.ring, first.sector.from); });
+  };
+  return std::any_of(corners.begin(), corners.end(), begins_common);
+}
+
+/// Whether these edges touch where that is so.
+bool enter_at(const RingEdge& e, const RingEdge& f, const std::vector<RingEdge>& of_a,
+              const std::vector<RingEdge>& of_b) {
+  if (const auto at = sector_at(f, e.start()); at && overlap(e.at_start(), *at) && meet_at(e.start(), of_a, of_b))
+    return true;
+  const auto at = sector_at(e, f.start());
+  return at && overlap(*at, f.at_start()) && meet_at(f.start(), of_a, of_b);
 }
 
 bool cross(const RingEdge& e, const RingEdge& f) {
@@ -107,7 +130,7 @@ bool interiors_meet(const Polygon& a, const Polygon& b) {
   const std::vector<RingEdge> of_a = edges_of(a), of_b = edges_of(b);
   for (const RingEdge& e : of_a)
     for (const RingEdge& f : of_b)
-      if (e.meets_box(f) && (cross(e, f) || enter_at(e, f))) return true;
+      if (e.meets_box(f) && (cross(e, f) || enter_at(e, f, of_a, of_b))) return true;
   return has_vertex_inside(a, b) || has_vertex_inside(b, a);
 }
 

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Whether the interiors of two polygons meet. Closed sets that only touch do not count, nor does a part that fits its
-// hole without clearance. They meet where two edges cross, where the sectors of the two interiors at a common point of
-// the boundaries overlap, or where a vertex of one lies inside the other; without these one cannot enter the other.
-// Guarantee: exact, by signs of lattice points alone. Cost: pairs of edges whose boxes meet.
-// Keywords: interior intersection, collision test, weakly simple contact.
+// hole without clearance. They meet where two edges cross, where the sectors of all rings at a common point of the
+// boundaries have a direction in common, or where a vertex of one lies inside the other; without these one cannot enter
+// the other. Guarantee: exact, by signs of lattice points alone. Cost: pairs of edges whose boxes meet, and all edges
+// at a contact. Keywords: interior intersection, collision test, weakly simple contact.
 #pragma once
 
 #include "packing/problem/problem.h"
