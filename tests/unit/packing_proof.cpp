@@ -151,6 +151,55 @@ TEST(LowerBound, AreaAndWidestPart) {
   EXPECT_EQ(lower_bound(problem), Fraction(5));
 }
 
+/// A bar that stands upright at 45 degrees where it is turned over, and lies along the strip where not.
+TEST(LowerBound, AMirroredPartMayBeNarrower) {
+  Problem problem;
+  problem.height = 20;
+  problem.parts.push_back({"bar", 1, make_polygon({{{0, 10}, {10, 0}, {11, 1}, {1, 11}}}, "bar"), {45}, true});
+  const auto width = [&](bool mirrored) {
+    const LatticeBox box = box_of(problem.parts[0], 45, mirrored);
+    return Fraction(box.high.x - box.low.x, 1);
+  };
+  ASSERT_LT(width(true), width(false));
+  EXPECT_LE(lower_bound(problem), width(true));
+  problem.parts[0].mirrored = false;
+  EXPECT_EQ(lower_bound(problem), width(false));
+}
+
+TEST(LowerBound, AFixedCopyMayStandAtAnyAngle) {
+  Problem problem;
+  problem.height = 20;
+  problem.parts.push_back({"bar", 1, box(0, 0, 14, 1), {0}});
+  EXPECT_EQ(lower_bound(problem), Fraction(14));
+  problem.fixed = {{{.part = 0, .copy = 1, .angle = 90, .mirrored = false, .x = 1, .y = 0}, 0}};
+  EXPECT_LE(lower_bound(problem), Fraction(1));
+  problem.parts[0].demand = 2;
+  EXPECT_EQ(lower_bound(problem), Fraction(14));
+}
+
+/// Squares of area 2 whose corners are rounded so that they have area 1.
+TEST(LowerBound, RoundedCopiesMayBeSmaller) {
+  Problem problem;
+  problem.height = 1;
+  problem.parts.push_back({"square", 10, make_polygon({{{0, 0}, {1, 1}, {0, 2}, {-1, 1}}}, "square"), {45}});
+  EXPECT_LE(lower_bound(problem), Fraction(10));
+  problem.box = true;
+  EXPECT_LE(lower_bound(problem), Fraction(10));
+  problem.box = false;
+  problem.parts[0].angles = {0};
+  problem.parts[0].tilt = 45;
+  EXPECT_LE(lower_bound(problem), Fraction(10));
+  problem.parts[0].tilt = 0;
+  EXPECT_GT(lower_bound(problem), Fraction(19));
+  problem.digits = 6;  // of large parts they are hardly smaller
+  problem.height = 8;
+  problem.parts[0].shape = box(0, 0, 2000000, 2000000);
+  problem.parts[0].angles = {45};
+  EXPECT_NEAR(lower_bound(problem).to_double(), 5, 1e-3);
+  problem.gap = Fraction(1, 100);
+  EXPECT_NEAR(lower_bound(problem).to_double(), 5, 0.1);
+}
+
 TEST(LowerBound, HalfTheGapBelongsToAPart) {
   Problem problem = two_squares();  // of 3 by 3
   problem.height = 3;

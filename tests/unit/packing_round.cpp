@@ -232,5 +232,19 @@ TEST(LowerBound, OfDiscs) {
   EXPECT_EQ(lower_bound(problem), Fraction(2));  // no more than 2.83
 }
 
+/// A triangle whose corner (8/3, 4/3) is off the grid: the polygon about it ends at (3, 1).
+TEST(LowerBound, OfASheetWithCornersOffTheGrid) {
+  const plane::Region left = region_of(make_polygon({{{0, 0}, {4, 0}, {0, 4}}}, "left")),
+                      right = region_of(make_polygon({{{0, 0}, {4, 0}, {4, 2}}}, "right"));
+  const plane::Region* const both[] = {&left, &right};
+  const Part area = round_part("both", plane::intersect(both));
+  Problem problem;
+  problem.sheets.push_back({"sheet", 2, {}, area.shape, {}, area.round});
+  problem.parts = {{"dot", 5, make_polygon({{{0, 0}, {1, 0}, {0, 1}}}, "dot")}};  // 2.5 of 8/3
+  EXPECT_EQ(lower_bound(problem), Fraction(1));
+  problem.parts[0].demand = 6;
+  EXPECT_EQ(lower_bound(problem), Fraction(2));
+}
+
 }  // namespace packing_round
 }  // namespace findspace::packing

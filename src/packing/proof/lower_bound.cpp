@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "exact/margins/rounding.h"
 #include "packing/problem/round_part.h"
@@ -45,18 +46,57 @@ bool is_in_kernel(const Part& part) {
   return part.round || (-kMost <= std::min(box.low.x, box.low.y) && std::max(box.high.x, box.high.y) <= kMost);
 }
 
-/// Of a part and half the gap about it, in grid steps, rounded down.
-exact::Real least_twice_area(const Problem& problem, const Part& part) {
-  if (problem.gap > Fraction(0) && is_in_kernel(part)) {
-    const double grown = twice_area_about(*region_of(part, 0, false), half_gap(problem));
-    return exact::Real::from_double(grown * (1 - margin::kRoundings16));
-  }
-  if (!part.round) return exact_twice_area(part.shape);
-  return exact::Real::from_double(part.round->twice_area() * (1 - margin::kRoundings16));
+/// How far the boundary of a copy may be off that of the part at the copy's angle, in grid steps: a vertex by less than
+/// one and what numbers of machine size lose, an arc, which keeps its radius, by less than three.
+double most_moved(const Problem& problem, std::size_t number) {
+  const Part& part = problem.parts[number];
+  const auto is_rounded = [&](const FixedPart& fixed) {
+    return fixed.placed.part == number && !is_quarter(fixed.placed.angle);
+  };
+  const bool is_exact = part.tilt == Fraction(0) && std::all_of(part.angles.begin(), part.angles.end(), is_quarter) &&
+                        std::none_of(problem.fixed.begin(), problem.fixed.end(), is_rounded);
+  const LatticeBox box = box_of(part.shape);
+  const double reach = double(box.high.x - box.low.x) + double(box.high.y - box.low.y) + std::abs(double(box.low.x)) +
+                       std::abs(double(box.low.y));
+  return is_exact ? 0 : part.round ? 3 : 1 + margin::kRounding * reach;
 }
 
-/// What parts, with half the gap about them, can cover at most: of a round sheet the polygon about it, and of the box
-/// about it what the edge leaves. Where the edge is less than half the gap, that is of the box alone.
+/// Twice the area within so much of the boundary, rounded up. Chords of the polygon about a part are shorter than its
+/// arcs by a thousandth at most, and their ends are on the grid.
+exact::Real twice_area_near_boundary(const Part& part, double moved) {
+  constexpr double kRounded = 2, kLonger = 1.001;
+  double twice = 0;
+  for (const Ring& ring : rotated(part, 0, false).rings) {
+    double length = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const LatticePoint way = ring[(i + 1) % ring.size()] - ring[i];
+      length += std::hypot(double(way.x), double(way.y)) + kRounded;
+    }
+    twice += 2 * (2 * moved * kLonger * length + std::numbers::pi * moved * moved);
+  }
+  return exact::Real::from_double(twice * (1 + margin::kRoundings16));
+}
+
+/// Of a copy and half the gap about it, in grid steps, rounded down. What is near a rounded copy is near the part, but
+/// for twice as much as its boundary moved.
+exact::Real least_twice_area(const Problem& problem, std::size_t number) {
+  const Part& part = problem.parts[number];
+  const double moved = most_moved(problem, number);
+  const exact::Real about = half_gap(problem) - exact::Real::from_double(2 * moved);
+  if (about.sign() > 0 && is_in_kernel(part)) {
+    const double grown = twice_area_about(*region_of(part, 0, false), about);
+    return exact::Real::from_double(grown * (1 - margin::kRoundings16));
+  }
+  const exact::Real stated = part.round
+                                 ? exact::Real::from_double(part.round->twice_area() * (1 - margin::kRoundings16))
+                                 : exact_twice_area(part.shape);
+  if (moved == 0) return stated;
+  const exact::Real least = stated - twice_area_near_boundary(part, moved);
+  return least.sign() > 0 ? least : exact::Real();
+}
+
+/// What parts, with half the gap about them, can cover at most: of the sheet its area, and of the box about it what the
+/// edge leaves. Where the edge is less than half the gap, that is of the box alone.
 exact::Real most_twice_area(const Problem& problem, const Sheet& sheet) {
   const LatticeBox box = box_of(sheet);
   const exact::Real edge =
@@ -67,7 +107,9 @@ exact::Real most_twice_area(const Problem& problem, const Sheet& sheet) {
   if (width.sign() <= 0 || height.sign() <= 0) return {};
   const exact::Real within = exact::Real(2) * width * height;
   if (reach.sign() > 0) return within;
-  const exact::Real whole = exact_twice_area(sheet.shape);
+  const exact::Real whole = sheet.round
+                                ? exact::Real::from_double(sheet.round->twice_area() * (1 + margin::kRoundings16))
+                                : exact_twice_area(sheet.shape);
   return within < whole ? within : whole;
 }
 
@@ -79,26 +121,39 @@ Fraction fewest_sheets(const Problem& problem) {
     sheets.push_back({most_twice_area(problem, sheet), std::size_t(sheet.count)});
     fixed += sheets_with_fixed(problem, k);
   }
-  for (const Part& part : problem.parts) parts.push_back({least_twice_area(problem, part), std::size_t(part.demand)});
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    parts.push_back({least_twice_area(problem, part), std::size_t(problem.parts[part].demand)});
   return Fraction(int128(std::max(fixed, fewest_bins(std::move(sheets), std::move(parts)))));
 }
 
-/// Width and height at an angle in whole grid steps, rounded down.
-std::pair<int128, int128> size_at(const Part& part, const Fraction& angle) {
+struct Size {
+  int128 width, height;
+};
+/// At an angle in whole grid steps, rounded down.
+Size size_at(const Part& part, const Fraction& angle, bool mirrored) {
   if (part.round) {
-    const RoundPart::Form& form = part.round->at(angle, false);
+    const RoundPart::Form& form = part.round->at(angle, mirrored);
     return {exact::floor(form.high.x - form.low.x), exact::floor(form.high.y - form.low.y)};
   }
-  const LatticeBox box = box_of(part, angle, false);
+  const LatticeBox box = box_of(part, angle, mirrored);
   return {box.high.x - box.low.x, box.high.y - box.low.y};
+}
+
+/// As it may stand. Turned over, a part has another size where the angle is not a multiple of 90 degrees.
+std::vector<Size> sizes_of(const Part& part) {
+  std::vector<Size> result;
+  for (const Fraction& angle : part.angles) {
+    result.push_back(size_at(part, angle, false));
+    if (part.mirrored && !is_quarter(angle)) result.push_back(size_at(part, angle, true));
+  }
+  return result;
 }
 
 /// The width at the narrowest angle at which the part fits the height; not of parts that may be tilted.
 std::optional<int128> least_width(const Problem& problem, const Part& part) {
   if (part.tilt > 0) return std::nullopt;
   std::optional<int128> least;
-  for (const Fraction& angle : part.angles) {
-    const auto [width, height] = size_at(part, angle);
+  for (const auto& [width, height] : sizes_of(part)) {
     if (Fraction(height, problem.steps()) + problem.edge + problem.edge > problem.height) continue;
     least = std::min(least.value_or(width), width);
   }
@@ -109,18 +164,16 @@ std::optional<int128> least_width(const Problem& problem, const Part& part) {
 double least_side(const Problem& problem, const Part& part) {
   if (part.tilt > 0) return 0;
   std::optional<int128> least;
-  for (const Fraction& angle : part.angles) {
-    const auto [width, height] = size_at(part, angle);
-    least = std::min(least.value_or(width), std::min(width, height));
-  }
+  for (const auto& [width, height] : sizes_of(part)) least = std::min(least.value_or(width), std::min(width, height));
   return Fraction(least.value_or(0), problem.steps()).to_double();
 }
 
 /// The areas of all parts, with half the gap about each or without; in square units, rounded down.
 double least_area(const Problem& problem) {
   exact::Real twice;
-  for (const Part& part : problem.parts)
-    if (part.demand > 0) twice += exact::Real(part.demand) * least_twice_area(problem, part);
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    if (const int demand = problem.parts[part].demand; demand > 0)
+      twice += exact::Real(demand) * least_twice_area(problem, part);
   const double steps = double(problem.steps());
   return twice.to_double() / 2 / steps / steps * (1 - margin::kRoundings16);
 }
@@ -157,10 +210,11 @@ Fraction least_box(const Problem& problem) {
 Fraction lower_bound(const Problem& problem) {
   if (problem.on_sheets()) return fewest_sheets(problem);
   if (problem.box) return least_box(problem);
-  Fraction widest;
-  for (const Part& part : problem.parts)
-    if (part.demand > 0)
-      if (const auto width = least_width(problem, part)) widest = std::max(widest, Fraction(*width, problem.steps()));
+  Fraction widest;  // of what is not fixed: that may stand at any angle
+  for (std::size_t part = 0; part < problem.parts.size(); ++part)
+    if (problem.free_copies(part) > 0)
+      if (const auto width = least_width(problem, problem.parts[part]))
+        widest = std::max(widest, Fraction(*width, problem.steps()));
   return std::max(widest, least_length(problem)) + problem.edge + problem.edge;
 }
 
