@@ -128,13 +128,14 @@ void FieldTable::find_ties(const Problem& problem) {
   const std::size_t n = variants_.size();
   greatest_level_ = packing::greatest_level(problem.conditions);
   ties_.resize(n * n);
+  const Ties ties(problem.conditions, problem.parts.size());
   reach_ = height_ + edge_;
   for (std::size_t a = 0; a < n; ++a) {
     if (variants_[a].part == kNoPart) continue;
     const Vec size = variants_[a].high - variants_[a].low;
     reach_ += (size.x + size.y + gap_) * problem.parts[variants_[a].part].demand;
     for (std::size_t b = 0; b < n; ++b)
-      ties_[a * n + b] = variants_[b].part != kNoPart && problem.are_tied(variants_[a].part, variants_[b].part);
+      ties_[a * n + b] = variants_[b].part != kNoPart && ties.between(variants_[a].part, variants_[b].part);
   }
   for (const Sheet& sheet : problem.sheets) {
     const double width = double(box_of(sheet).high.x) / double(problem.steps());

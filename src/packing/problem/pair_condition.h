@@ -46,6 +46,22 @@ inline bool are_between(const std::vector<PairCondition>& conditions, std::size_
                      [&](const PairCondition& c) { return is_between(c, first, second); });
 }
 
+/// Which parts are tied by conditions, as a table. Cost: the square of the parts, once.
+class Ties {
+ public:
+  Ties(const std::vector<PairCondition>& conditions, std::size_t parts)
+      : parts_(parts), tied_(conditions.empty() ? 0 : parts * parts) {
+    for (const PairCondition& c : conditions) tied_[c.first * parts + c.second] = tied_[c.second * parts + c.first] = 1;
+  }
+  bool between(std::size_t first, std::size_t second) const {
+    return !tied_.empty() && tied_[first * parts_ + second] != 0;
+  }
+
+ private:
+  std::size_t parts_;
+  std::vector<char> tied_;
+};
+
 /// For all pairs of these parts.
 inline void add_conditions(std::vector<PairCondition>& conditions, const std::vector<std::size_t>& parts,
                            const std::string& where) {

@@ -110,8 +110,6 @@ struct Problem {
   bool on_sheets() const { return !sheets.empty(); }
   /// Or sheets or zones.
   bool has_round_parts() const;
-  /// Whether there is a condition between copies of two parts.
-  bool are_tied(std::size_t first, std::size_t second) const { return are_between(conditions, first, second); }
   /// How many copies are to be placed: the fixed ones stand already.
   int free_copies(std::size_t part) const;
   /// The least distance of copies of two parts.

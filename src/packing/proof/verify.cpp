@@ -23,10 +23,20 @@ struct Container {
   std::vector<std::vector<Standing>> zones;  // the walls of each
 };
 
+bool is_on_many_sheets(const Layout& layout) {
+  return std::any_of(layout.items.begin(), layout.items.end(),
+                     [&](const Placed& item) { return item.sheet != layout.items[0].sheet; });
+}
+
 class Check {
  public:
   Check(const Problem& problem, const Layout& layout)
-      : problem_(problem), layout_(layout), parts_(problem, layout), common_(parts_.common()) {}
+      : problem_(problem),
+        layout_(layout),
+        parts_(problem, layout),
+        common_(parts_.common()),
+        ties_(problem.conditions, problem.parts.size()),
+        greatest_level_(is_on_many_sheets(layout) ? greatest_level(problem.conditions) : 0) {}
 
   Verdict verdict() {
     count_copies();
@@ -156,13 +166,12 @@ class Check {
   }
 
   std::optional<Fault> pair_fault(std::size_t i, std::size_t j) const {
-    const bool tied = !problem_.conditions.empty() && problem_.are_tied(part_of(i), part_of(j));
     if (sheet_of(i) == sheet_of(j)) {
       const Contact found = parts_.contact(items()[i], items()[j], problem_.gap_of(part_of(i), part_of(j)));
       if (found == Contact::kOverlap) return overlap(i, j);
       if (found == Contact::kGap) return fault_at(Fault::Kind::kGap, i, j);
     }
-    if (tied && !conditions_hold(i, j)) return fault_at(Fault::Kind::kCondition, i, j);
+    if (ties_.between(part_of(i), part_of(j)) && !conditions_hold(i, j)) return fault_at(Fault::Kind::kCondition, i, j);
     return std::nullopt;
   }
 
@@ -177,7 +186,7 @@ class Check {
     const exact::Real step = exact::Real(1) / exact::Real(problem_.steps());
     const PairFormula pair(problem_, a.part, shape_of(a), b.part, shape_of(b), step);
     if (a.sheet == b.sheet) return pair.holds(b.x - a.x, b.y - a.y);
-    const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level(problem_.conditions)))) + 1;
+    const Fraction far = size_of(a) + size_of(b) + Fraction(int128(std::ceil(greatest_level_))) + 1;
     return pair.holds(far, 0);
   }
 
@@ -218,6 +227,8 @@ class Check {
   const Layout& layout_;
   StandingParts parts_;
   int128 common_;
+  Ties ties_;
+  double greatest_level_;  // of parts on different sheets
   std::vector<Container> containers_;
   Verdict result_;
 };
