@@ -3,6 +3,8 @@
 
 #include "packing/search/make_room.h"
 
+#include <findspace/error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -92,6 +94,13 @@ class RoomMaker {
   double length_ = 0;
 };
 
+Fraction on_grid(const Problem& problem, double coordinate) {
+  constexpr double kMost = 0x1p100;  // of a fraction
+  const double steps = std::round(coordinate * double(problem.steps()));
+  if (!(std::abs(steps) < kMost)) throw Error(ErrorCode::kOutOfRange, "an item cannot be moved that far");
+  return Fraction(int128(steps), problem.steps());
+}
+
 }  // namespace
 
 std::optional<Layout> with_room(const Problem& problem, const Layout& layout, std::size_t item,
@@ -105,9 +114,8 @@ std::optional<Layout> with_room(const Problem& problem, const Layout& layout, st
     return made;
   }
   Layout moved = layout;
-  const double steps = double(problem.steps());
-  moved.items[item].x = Fraction(int128(std::llround(at[0] * steps)), problem.steps());
-  moved.items[item].y = Fraction(int128(std::llround(at[1] * steps)), problem.steps());
+  moved.items[item].x = on_grid(problem, at[0]);
+  moved.items[item].y = on_grid(problem, at[1]);
   for (const FixedPart& fixed : problem.fixed)
     if (is_fixed_part(moved, moved.items[item], fixed)) return std::nullopt;
   const RoomMaker maker(problem, moved, item);
