@@ -236,10 +236,14 @@ TEST_F(Program, RefusesDrawingsOfSparrowThatAreBroken) {
     EXPECT_LE(result.status, 4) << use;
     return result.status == 0 ? result.out : result.err;
   };
-  EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(0)" href="#item_0")x"), "feasible"));
   EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(=)" href="#item_0")x"), "not one angle"));
   EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(1, 2)" href="#item_0")x"), "not one angle"));
   EXPECT_FALSE(contains(said(R"x(transform="translate(0,0), rotate(0)" href="")x"), "substr"));
+  EXPECT_TRUE(contains(said(R"x(transform="translate(0,0), rotate(0)" href="#item_0")x"), "feasible"));
+  EXPECT_EQ(run("verify layout.svg --gap 2").status, 2);
+  const auto* kit = R"({"strip_height":4,"items":[{"id":"0","demand":1,"shape":{"box":{"min":[0,0],"max":[2,3]}}}]})";
+  EXPECT_EQ(run("verify layout.svg scene.json --height 3", kit).status, 0);
+  EXPECT_EQ(run("verify layout.svg scene.json --edge 1", kit).status, 1);
 }
 
 TEST_F(Program, SaysWhatIsWrongWithPackedDrawings) {
