@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "packing/proof/verify.h"
 #include "packing/search/island_peers.h"
 #include "packing/search/refined_search.h"
 
@@ -22,12 +23,16 @@ constexpr double kBesides[] = {0.94, 0.97, 1.03, 1.06};
 class BoxSearch {
  public:
   BoxSearch(const Problem& problem, const SearchOptions& options, const SearchEvents& events, const StopWish& stop)
-      : problem_(problem), options_(options), events_(events), stop_(stop) {
+      : problem_(problem),
+        options_(options),
+        start_(std::exchange(options_.start, nullptr)),
+        events_(events),
+        stop_(stop) {
     if (options_.seconds <= 0 && options_.work <= 0) options_.seconds = kUsualSeconds;
-    options_.start = nullptr;
   }
 
   std::optional<Layout> run() {
+    if (start_ != nullptr) offer_start();
     const double side = std::sqrt(area(problem_) / kUsualDensity);
     for (const double aspect : kAspects) try_height(on_grid(aspect * side), 0.5 / std::size(kAspects));
     if (!best_) return std::nullopt;
@@ -72,6 +77,17 @@ class BoxSearch {
     search_refined(strip, options, events, stop_);
   }
 
+  /// Where it is feasible and has all parts.
+  void offer_start() {
+    const Verdict verdict = verify(problem_, *start_);
+    if (!verdict.feasible() || start_->items.size() < problem_.items()) return;
+    Layout layout = *start_;
+    layout.length = std::min(layout.length, verdict.used + problem_.edge);
+    PackProgress state;
+    state.length = layout.length.to_double();
+    offer(std::move(layout), state);
+  }
+
   /// The box ends where its parts end.
   void offer(Layout layout, const PackProgress& state) {
     layout.height = top_of(problem_, layout);
@@ -84,6 +100,7 @@ class BoxSearch {
 
   const Problem& problem_;
   SearchOptions options_;
+  const Layout* const start_;
   const SearchEvents& events_;
   const StopWish stop_;
   std::optional<Layout> best_;

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A rectangle of small area that holds all parts: strips of several heights, then of those near the best ones, then of
-// the best. Guarantee: layouts given are feasible, exactly. Cost: as long as allowed. Keywords: rectangular packing.
+// the best. A layout to start with is the first one where it is feasible. Guarantee: layouts given are feasible,
+// exactly. Cost: as long as allowed. Keywords: rectangular packing.
 #pragma once
 
 #include "packing/search/strip_search.h"
