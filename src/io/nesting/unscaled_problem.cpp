@@ -8,13 +8,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/nesting/fault_text.h"
 #include "packing/problem/pair_formula.h"
 #include "packing/problem/round_part.h"
+#include "packing/proof/interiors.h"
 #include "packing/proof/verify.h"
+#include "plane/complex/overlay.h"
 #include "plane/contour/decimal_grid.h"
 #include "plane/query/scaled.h"
+#include "plane/query/topology.h"
 
 namespace findspace::io {
 namespace {
@@ -45,8 +49,22 @@ int digits_of(const std::vector<UnscaledRing>& rings, const std::string& place) 
   throw e.within(place);
 }
 
-/// A grid finer than the numbers is for what is rounded. Shapes on it must stay below 2^40 steps.
+/// A grid finer than the numbers is for what is rounded. Shapes on it, and parts with conditions, must stay below 2^40
+/// steps.
 constexpr int kDigitsOfShapes = 7;
+
+bool has_conditions(const StatedConditions& stated) {
+  return !stated.conditions.empty() || !stated.where.empty() || !stated.groups.empty();
+}
+
+/// No corner of a part is farther from its origin.
+double reach_of(const std::vector<UnscaledPart>& parts) {
+  double reach = 0;
+  for (const UnscaledPart& part : parts)
+    for (const UnscaledRing& ring : part.rings)
+      for (const auto& [x, y] : ring) reach = std::max(reach, std::abs(x.to_double()) + std::abs(y.to_double()));
+  return reach;
+}
 
 int grid_digits(const UnscaledProblem& problem) {
   bool shapes = false;
@@ -70,7 +88,11 @@ int grid_digits(const UnscaledProblem& problem) {
     see(sheet, place);
     for (const UnscaledZone& zone : sheet.zones) see(zone, place + ": a zone");
   }
-  return shapes ? std::max(digits, std::min(digits + finer, kDigitsOfShapes)) : digits + finer;
+  if (shapes) return std::max(digits, std::min(digits + finer, kDigitsOfShapes));
+  while (finer > 0 && has_conditions(problem) &&
+         double(packing::power_of_ten(digits + finer)) * reach_of(problem.parts) > double(plane::Grid::kLimit))
+    --finer;
+  return digits + finer;
 }
 
 packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) {
@@ -89,17 +111,67 @@ struct Outlined {
   packing::LatticeBox box() const { return round ? round->at(0, false).box : box_of(shape); }
 };
 
-/// A polygon where the shape is one; a round part otherwise.
+/// The outline and each hole as polygons.
+std::vector<packing::Polygon> sets_of(const packing::Polygon& shape) {
+  std::vector<packing::Polygon> sets;
+  for (const packing::Ring& ring : shape.rings)
+    sets.push_back({{sets.empty() ? ring : packing::Ring(ring.rbegin(), ring.rend())}});
+  return sets;
+}
+
+/// What is not in an outline, as far as a hole reaches.
+packing::Polygon outside_of(const packing::Polygon& outline, const packing::Polygon& hole) {
+  const packing::LatticeBox a = box_of(outline), b = box_of(hole);
+  const packing::LatticePoint low{std::min(a.low.x, b.low.x) - 1, std::min(a.low.y, b.low.y) - 1},
+      high{std::max(a.high.x, b.high.x) + 1, std::max(a.high.y, b.high.y) + 1};
+  const packing::Ring& ring = outline.rings[0];
+  return {{{low, {high.x, low.y}, high, {low.x, high.y}}, packing::Ring(ring.rbegin(), ring.rend())}};
+}
+
+/// Whether two holes overlap, such as a defect that is marked twice, or one reaches beyond the outline.
+bool holes_overlap(const std::vector<packing::Polygon>& sets) {
+  std::vector<packing::LatticeBox> boxes;
+  for (const packing::Polygon& set : sets) boxes.push_back(box_of(set));
+  const auto meet = [](const packing::LatticeBox& a, const packing::LatticeBox& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+  };
+  for (std::size_t i = 1; i < sets.size(); ++i) {
+    if (packing::interiors_meet(outside_of(sets[0], sets[i]), sets[i])) return true;
+    for (std::size_t j = 1; j < i; ++j)
+      if (meet(boxes[i], boxes[j]) && packing::interiors_meet(sets[i], sets[j])) return true;
+  }
+  return false;
+}
+
+/// The outline without its holes.
+plane::Region region_without(const std::vector<packing::Polygon>& sets) {
+  std::vector<plane::Region> regions;
+  for (const packing::Polygon& set : sets) regions.push_back(packing::region_of(set));
+  std::vector<const plane::Region*> all;
+  for (const plane::Region& region : regions) all.push_back(&region);
+  return plane::closure(plane::subtract(all));
+}
+
+/// A polygon where the set is one; a round part otherwise.
+Outlined outlined_as(plane::Region region, const std::string& place) {
+  const auto round = std::make_shared<const packing::RoundPart>(std::move(region));
+  if (auto rings = packing::rings_of(round->at(0, false).region))
+    return {packing::make_polygon(std::move(*rings), place)};
+  return {round->at(0, false).about, round};
+}
+
 template <class Unscaled>
 Outlined outlined_on(const Unscaled& from, packing::int128 steps, const std::string& place) {
-  if (!from.shape) return {on_steps(from.rings, steps, place)};
+  packing::Polygon stated;
+  if (!from.shape) stated = on_steps(from.rings, steps, place);
   try {
+    if (!from.shape) {
+      const std::vector<packing::Polygon> sets = sets_of(stated);
+      return holes_overlap(sets) ? outlined_as(region_without(sets), place) : Outlined{std::move(stated)};
+    }
     const packing::int128 factor = from.shape->step.over(steps);
-    plane::Region region = factor == 1 ? *from.shape->region : plane::scaled(from.shape->region, std::int64_t(factor));
-    const auto round = std::make_shared<const packing::RoundPart>(std::move(region));
-    if (auto rings = packing::rings_of(round->at(0, false).region))
-      return {packing::make_polygon(std::move(*rings), place)};
-    return {round->at(0, false).about, round};
+    return outlined_as(factor == 1 ? *from.shape->region : plane::scaled(from.shape->region, std::int64_t(factor)),
+                       place);
   } catch (const Error& e) {
     throw e.within(place);
   }
