@@ -129,7 +129,7 @@ class PackRun {
       const StopOnInterrupt interrupt;
       best = packing_.search(search_options(options_), search);
     }
-    if (!best) return empty();
+    if (!best || best->items.empty()) return empty(best);
     if (Kind::bound(packing_, *best).text() != bound_) write(*best);
     return {answer(*best), was_stopped() ? kInterrupted : kDone};
   }
@@ -155,21 +155,28 @@ class PackRun {
     return text;
   }
 
-  /// No parts, none that are wanted or fit, or no layout in which all conditions hold.
-  Outcome empty() {
+  /// No parts, none that are wanted or fit, or no layout in which all conditions hold. `found`: without items, where
+  /// some would fit.
+  Outcome empty(const std::optional<Layout>& found) {
     if (was_stopped()) return {"interrupted before a first layout was found\n", kInterrupted};
     const bool wanted = packing_.copies() > 0;
-    if (wanted && Kind::may_lack_a_layout(packing_.problem()))
+    if (wanted && !found && Kind::may_lack_a_layout(packing_.problem()))
       throw Error(ErrorCode::kLimit, "no layout was found in which all conditions of pairs hold", options_.scene);
+    const Layout layout = found ? *found : all_too_large();
+    write(layout);
+    return {options_.json ? packing_.json(layout)
+            : !wanted     ? "there are no parts to pack\n"
+            : found       ? fmt::format("no place was found on a {} for any part\n", Kind::kHolder)
+                          : fmt::format("no part fits a {}\n", Kind::kHolder),
+            wanted ? kEmpty : kDone};
+  }
+
+  Layout all_too_large() const {
     Layout layout;
     for (const auto& part : packing_.problem().parts)
       if (part.count > 0)
         layout.left_out.push_back({part.name, part.count, fmt::format("it is larger than every {}", Kind::kHolder)});
-    write(layout);
-    return {options_.json ? packing_.json(layout)
-            : wanted      ? fmt::format("no part fits a {}\n", Kind::kHolder)
-                          : "there are no parts to pack\n",
-            wanted ? kEmpty : kDone};
+    return layout;
   }
 
   const Options& options_;

@@ -266,10 +266,11 @@ class Packing {
 };
 
 /// The best layout found. Nothing where no part is wanted, none fits a sheet, or no layout was found in which all
-/// conditions hold. Of the options: searches side by side on all threads; the search ends after its seconds or its
-/// work, and without both where no better layout comes for long. With a limit of work alone the result depends on the
-/// seed and the number of threads only. `better` hears of each better layout at once; what it throws ends the search.
-/// Error where a part is not a simple polygon, is higher than the strip, a name is unknown, or the fixed parts overlap.
+/// conditions hold. It has no items where no place was found on a sheet for any part that would fit. Of the options:
+/// searches side by side on all threads; the search ends after its seconds or its work, and without both where no
+/// better layout comes for long. With a limit of work alone the result depends on the seed and the number of threads
+/// only. `better` hears of each better layout at once; what it throws ends the search. Error where a part is not a
+/// simple polygon, is higher than the strip, a name is unknown, or the fixed parts overlap.
 std::optional<PackLayout> pack(const PackProblem& problem, const Options& options = {.seconds = 10},
                                const std::function<void(const PackLayout&)>& better = {});
 

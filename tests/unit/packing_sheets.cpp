@@ -147,6 +147,47 @@ TEST(Box, OfTheLeastArea) {
   EXPECT_DOUBLE_EQ(container_area(problem, *layout), 24);
 }
 
+TEST(Box, BeginsWithALayout) {
+  Problem problem;
+  problem.box = true;
+  problem.parts = {{"domino", 2, box(1, 2), {0, 90}}};
+  Layout start{9, {{0, 1, 0, false, 0, 0}, {0, 2, 0, false, 1, 0}}, {}};
+  start.height = 7;
+  const std::atomic<bool> stop = true;
+  SearchOptions options;
+  options.start = &start;
+  const auto layout = search_box(problem, options, {}, stop);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->items.size(), 2u);
+  EXPECT_EQ(layout->length, Fraction(2));
+  EXPECT_EQ(layout->height, Fraction(2));
+  start.items[1].x = 0;  // upon each other
+  const auto other = search_box(problem, options, {}, stop);
+  EXPECT_TRUE(!other || verify(problem, *other).feasible());
+}
+
+/// No corner of what keeps the part away leaves it room: only where the sides of two no-fit polygons cross.
+TEST(Sheets, APlaceThatIsNoCorner) {
+  Problem problem;
+  problem.digits = 1;
+  const Polygon slits = make_polygon({{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+                                      {{5, 40}, {10, 40}, {10, 60}, {5, 60}},
+                                      {{50, 1}, {60, 1}, {60, 5}, {50, 5}}},
+                                     "slits");
+  problem.sheets.push_back({"plate", 1, {}, slits});
+  problem.parts = {{"block", 1, box(60, 90), {0}}};
+  const Layout layout = found(problem, 1e6);
+  EXPECT_EQ(layout.items.size(), 1u);
+  problem.parts = {{"block", 2, box(60, 90), {0}}, {"dot", 1, box(4, 4), {0}}};
+  problem.fixed = {{{.part = 1, .copy = 1, .angle = 0, .mirrored = false, .x = 0, .y = 0}, 0}};
+  EXPECT_EQ(found(problem, 1e6).items.size(), 2u);
+  problem.fixed.clear();
+  problem.parts = {{"block", 1, box(95, 95), {0}}};  // smaller than the sheet, and there is no place for it
+  const Layout none = found(problem, 1e6);
+  EXPECT_TRUE(none.items.empty());
+  EXPECT_EQ(none.left_out.at(0).why, "no container was found for it");
+}
+
 TEST(FieldTable, PairsThatShareAField) {
   Problem problem;
   problem.height = 20;

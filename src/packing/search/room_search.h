@@ -4,10 +4,11 @@
 // The search for a short strip, or for few containers, on several islands. Containers are a strip with walls (rooms.h).
 // Where they cannot hold all parts, it first seeks a more valuable choice of parts, for half of the work. After rounds
 // of the same work the islands meet, and those that are behind go on from the best layout. Every better layout is
-// proved and given away at once. Guarantee: layouts given are feasible, exactly; what is not in them is left out with a
-// reason. With a limit of work alone the result depends on the seed and the number of islands only; a limit of time
-// only ends the search. Other processes may take part; all of them give the same layouts. Cost: as long as allowed.
-// Keywords: strip packing, bin packing, knapsack.
+// proved and given away at once. A layout to start with that is not feasible is separated first, or given up.
+// Guarantee: layouts given are feasible, exactly; what is not in them is left out with a reason. With a limit of work
+// alone the result depends on the seed and the number of islands only; a limit of time only ends the search. Other
+// processes may take part; all of them give the same layouts. Cost: as long as allowed. Keywords: strip packing, bin
+// packing, knapsack.
 //
 // The kit has the type Core, which is the kit of the islands, Problem, Layout and kRound. Its functions make a first
 // layout, poses of a layout and a proved layout of poses, which may drop some of them (finished). They tell what a
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,17 +54,19 @@ class RoomSearch {
         table_(problem),
         row_(problem, table_, options.start != nullptr ? containers_from(*options.start) : Kit::cheapest(problem)) {}
 
-  /// Nothing where no part fits a container, or no layout was found in which all conditions hold.
+  /// Nothing where no part fits a container, or no layout was found in which all conditions hold. A layout without
+  /// items where parts would fit, and no place was found for any.
   std::optional<Layout> run() {
-    First first = options_.start != nullptr ? start_layout() : Kit::first_layout(problem_, table_, row_, options_.seed);
-    if (first.layout.poses.empty() && !Kit::has_fixed(problem_)) return std::nullopt;
-    const bool is_free = !first.overlaps || separated(first.layout);
-    if (!agree(first, is_free)) return std::nullopt;
+    First first;
+    const bool is_found = find_first(first);
+    if (!agree(first, is_found)) return std::nullopt;
     std::erase_if(first.left, [&](std::size_t part) { return table_.variants_of(part).empty(); });
-    offer_first(first);
-    if (first.layout.poses.empty()) return std::move(best_);
+    if (!first.layout.poses.empty() || Kit::has_fixed(problem_)) offer_first(first);
     fill(first);
-    if (options_.peers != nullptr && agree(first, true)) offer(first.layout);
+    std::vector<Pose>& poses = first.layout.poses;
+    if (options_.peers != nullptr && agree(first, true) && !poses.empty()) offer(first.layout);
+    if (poses.empty() && !best_ && !first.left.empty()) return Kit::finished(problem_, table_, row_, poses, 0);
+    if (poses.empty()) return std::move(best_);
     team_.settle(table_, row_, first.layout, options_.seed, Kit::islands(options_.threads), options_.peers);
     for (std::uint64_t work = work_ + Kit::kRound; !any_of(options_.peers, is_over()); work += Kit::kRound) round(work);
     return std::move(best_);
@@ -78,14 +82,31 @@ class RoomSearch {
     return kinds;
   }
 
+  /// The layout to start with where it is free, or becomes so; else a new one. False where that is not free.
+  bool find_first(First& first) {
+    if (options_.start != nullptr) {
+      first = start_layout();
+      if (!first.overlaps || separated(first.layout, kLonger.size())) return true;
+    }
+    first = Kit::first_layout(problem_, table_, row_, options_.seed);
+    return !first.overlaps || separated(first.layout, std::numeric_limits<std::size_t>::max());
+  }
+
+  /// It overlaps where it cannot be proved. On a strip nothing is left out.
   First start_layout() const {
     First result;
     result.layout.length = row_.fixed_end();
-    result.layout.poses = Kit::poses_of(problem_, table_, row_, *options_.start);
-    for (const Pose& p : result.layout.poses)
-      result.layout.length = std::max(result.layout.length, along(p.at) + along(table_.variants()[p.variant].high));
+    std::vector<Pose>& poses = result.layout.poses;
+    poses = Kit::poses_of(problem_, table_, row_, *options_.start);
     for (const LeftOut& out : options_.start->left_out)
-      result.left.insert(result.left.end(), std::size_t(out.copies), out.part);
+      if (Kit::has_containers(problem_))
+        result.left.insert(result.left.end(), std::size_t(out.copies), out.part);
+      else if (out.copies > 0)
+        poses.insert(poses.end(), std::size_t(out.copies), Pose{table_.variants_of(out.part)[0], {}});
+    for (const Pose& p : poses)
+      result.layout.length = std::max(result.layout.length, along(p.at) + along(table_.variants()[p.variant].high));
+    std::vector<Pose> proved = poses;
+    result.overlaps = !Kit::finished(problem_, table_, row_, proved, result.layout.length);
     return result;
   }
 
@@ -107,12 +128,12 @@ class RoomSearch {
     return found;
   }
 
-  /// Moves parts until the conditions of pairs hold, in a strip as much longer as that needs.
-  bool separated(Found& layout) {
+  /// Moves parts until none overlap and the conditions of pairs hold, in a strip as much longer as that needs.
+  bool separated(Found& layout, std::size_t most) {
     Random random(options_.seed);
     SeparationOf<Core> separation(table_, row_, layout.poses, kLonger.back() * layout.length, random);
     using State = typename SeparationOf<Core>::State;
-    for (std::size_t tried = 0; !is_over(); ++tried) {
+    for (std::size_t tried = 0; tried < most && !is_over(); ++tried) {
       const double length = kLonger[tried % kLonger.size()] * layout.length;
       separation.begin(tried == 0 ? layout.poses : separation.nearest(), length, kLonger.back() * layout.length);
       State state = State::kUnderWay;

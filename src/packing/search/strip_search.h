@@ -17,6 +17,7 @@ using SearchOptions = SearchOptionsOf<Layout>;
 using SearchEvents = SearchEventsOf<Layout>;
 
 /// Nothing where there are no parts, no part that fits a sheet, or no layout was found in which all conditions hold.
+/// No items where parts would fit a sheet, and no place was found for any.
 /// `stop`: ends the search when it becomes true.
 std::optional<Layout> search_strip(const Problem& problem, const SearchOptions& options, const SearchEvents& events,
                                    const StopWish& stop);
