@@ -51,7 +51,7 @@ PackLayout start_layout(const Packing& packing, const std::filesystem::path& pat
   PackLayout layout =
       path.extension() == ".svg" ? Packing::sparrow(text, path.string()).second : packing.layout(text, path.string());
   try {
-    packing.check_copies(layout);
+    packing.check_start(layout);
   } catch (const Error& e) {
     throw e.within(path.string());
   }

@@ -45,8 +45,8 @@ class PackPeers {
 /// What a search starts from, and who hears of it. What the functions throw ends the search.
 template <class Layout>
 struct PackSearch {
-  /// A layout of all copies to begin with. Error(kBadValue) where it has others; of solids also where it is not
-  /// feasible.
+  /// A layout of all copies to begin with. Error(kBadValue) where Packing::check_start() refuses it; of solids where it
+  /// is not feasible. In the plane its overlaps are taken out first; where that fails, the search begins anew.
   std::optional<Layout> start = {};
   /// Hears of each better layout at once; it is proved.
   std::function<void(const Layout&, const PackProgress&)> better = {};

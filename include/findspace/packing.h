@@ -237,11 +237,12 @@ class Packing {
                                    const PackSearch<PackLayout>& search = {}) const;
   /// By exact signs.
   PackVerdict verdict(const PackLayout& layout) const;
-  /// Error(kBadValue) unless every copy that is wanted is in the layout, or said to be left out.
-  void check_copies(const PackLayout& layout) const;
+  /// Error(kBadValue) unless a search can begin with the layout: every copy that is wanted is in it, or said to be left
+  /// out; fixed parts stand where they stand; there are as many sheets, and each item is on one of them.
+  void check_start(const PackLayout& layout) const;
   /// The layout with one of its items put there, its origin on the grid, and the others out of its way. A strip or a
   /// box may become longer; on sheets it stays on the one that the layout says, and no other is taken. Nothing where
-  /// they cannot make room. Error(kBadValue) for a part that is fixed.
+  /// they cannot make room. Error(kBadValue) for a part that is fixed, and for a layout that check_start() refuses.
   std::optional<PackLayout> moved(const PackLayout& layout, std::size_t item, const Position& at) const;
 
   /// A layout of this problem from JSON. Error(kSyntax) with line and column.

@@ -378,8 +378,9 @@ Examples
           },
           py::arg("svg"), py::arg("name") = "layout",
           "(packing, layout) of a drawing that sparrow writes. Parts may stand at the angles at which they stand.")
-      .def("check_copies", &Packing::check_copies, py::arg("layout"),
-           "Raises Error unless every copy that is wanted is in the layout, or said to be left out.")
+      .def("check_start", &Packing::check_start, py::arg("layout"),
+           "Raises Error unless a search can begin with the layout: every copy that is wanted is in it, or said to be "
+           "left out; fixed parts stand where they stand; there are as many sheets, and each item is on one of them.")
       .def(
           "moved",
           [](const Packing& p, const PackLayout& layout, std::size_t item, const Position& at) {

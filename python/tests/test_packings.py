@@ -64,11 +64,11 @@ def test_a_search_goes_on_from_a_layout():
     state = again(states[-1])
     assert state.density == states[-1].density and "PackProgress" in repr(state) and state.overlap >= 0
     assert state.processor >= 0 and state.since_better >= 0
-    packing.check_copies(on)
+    packing.check_start(on)
     with pytest.raises(fs.Error, match="other parts than the problem"):
         fs.Packing(strip(11)).search(work=1, start=on)
     with pytest.raises(fs.Error, match="other parts"):
-        fs.Packing(strip(11)).check_copies(on)
+        fs.Packing(strip(11)).check_start(on)
 
 
 def test_the_same_search_brings_the_same_layout():

@@ -371,6 +371,135 @@ TEST(PublicPacking, ABoxGrowsWhereThatMakesRoom) {
   EXPECT_EQ(made->height, Number(3));
 }
 
+/// The message of the error, or nothing.
+template <class Ask>
+std::string refusal(const Ask& ask) {
+  try {
+    ask();
+    return "";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kBadValue);
+    return e.what();
+  }
+}
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+TEST(PublicPacking, ALayoutToStartWithIsOneOfTheProblem) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("plate", 4, 4)};
+  problem.parts = {{"tile", {box_ring(0, 0, 2, 2)}, 2}};
+  PackLayout start;
+  start.sheets = {"plate"};
+  start.items = {{"tile", 1, 0, 0, false, 0, 0}, {"tile", 2, 0, 0, false, 2, 0}};
+  const auto said = [&] {
+    PackSearch<PackLayout> how;
+    how.start = start;
+    const Packing packing(problem);
+    const std::string of_moved = refusal([&] { packing.moved(start, start.items.size() - 1, {0, 0}); });
+    EXPECT_EQ(refusal([&] { packing.search({.threads = 1, .work = 1}, how); }), of_moved);
+    EXPECT_EQ(refusal([&] { packing.check_start(start); }), of_moved);
+    return of_moved;
+  };
+  EXPECT_EQ(said(), "");
+  start.items[1].sheet = 1;
+  EXPECT_TRUE(contains(said(), "has tile#2 on sheet 1, which it does not list"));
+  start.sheets.push_back("plate");
+  EXPECT_TRUE(contains(said(), "uses more sheets 'plate' than there are"));
+  start.sheets.pop_back();
+  start.items[1].sheet = 0;
+  problem.fixed = {{.part = "tile", .x = 1, .y = 1, .sheet = "plate"}};
+  EXPECT_TRUE(contains(said(), "lacks the fixed part 'tile' at (1, 1)"));
+  problem.fixed[0] = {.part = "tile", .x = 0, .y = 0, .sheet = "plate"};
+  EXPECT_EQ(said(), "");
+  start.items.pop_back();
+  EXPECT_TRUE(contains(said(), "has other parts than the problem"));
+  problem.sheets.clear();
+  problem.fixed.clear();
+  problem.height = 4;
+  start.sheets.clear();
+  start.items.push_back({"tile", 2, 1, 0, false, 2, 0});
+  EXPECT_TRUE(contains(said(), "on sheet 1"));
+}
+
+/// With another gap, height or angle it is no longer feasible.
+TEST(PublicPacking, ALayoutToStartWithNeedNotBeFeasible) {
+  PackProblem problem;
+  problem.height = 4;
+  problem.parts = {{"tile", {box_ring(0, 0, 2, 2)}, 4}};
+  PackSearch<PackLayout> how;
+  how.start.emplace();
+  for (int k = 0; k < 4; ++k) how.start->items.push_back({"tile", k + 1, 0, k * 45, false, k / 2 * 2, k % 2 * 2});
+  how.start->length = 4;
+  const auto searched = [&] {
+    const auto layout = Packing(problem).search({.threads = 1, .work = 1}, how);
+    EXPECT_TRUE(layout && layout_faults(problem, *layout).empty());
+    return *layout;
+  };
+  EXPECT_EQ(searched().length, Number(4));
+  problem.gap = 1;
+  EXPECT_NEAR(searched().length.value(), 11, 1e-3);
+  problem.height = 6;
+  EXPECT_NEAR(searched().length.value(), 5, 1e-3);
+  how.start->items.pop_back();
+  how.start->left_out = {{"tile", 1, ""}};
+  EXPECT_TRUE(searched().left_out.empty());
+  problem.sheets = {PackSheet::rectangle("plate", 5, 5, 2)};
+  how.start->sheets = {"plate"};
+  how.start->items[2].x = 1;
+  EXPECT_TRUE(searched().left_out.empty());
+  problem.gap = 2;  // one a sheet
+  EXPECT_EQ(searched().items.size(), 2u);
+}
+
+TEST(PublicPacking, AnItemIsMovedFarOnAFineGrid) {
+  PackProblem problem;
+  problem.sheets = {PackSheet::rectangle("sheet", 3000, 2)};
+  problem.parts = {{"tile", {{{0, 0}, {1, 0}, {"1.0000000000000001", 1}, {0, 1}}}}};
+  PackLayout layout;
+  layout.sheets = {"sheet"};
+  layout.items = {{"tile", 1, 0, 0, false, 0, 0}};
+  const Packing packing(problem);
+  const auto moved = packing.moved(layout, 0, {2000, 0});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_EQ(moved->items[0].x, Number(2000));
+  EXPECT_THROW(packing.moved(layout, 0, {1e300, 0}), Error);
+}
+
+/// A defect that is marked twice is missing once; so is what of it lies on the sheet.
+TEST(PublicPacking, HolesMayOverlap) {
+  PackProblem problem;
+  problem.sheets = {{"plate", {box_ring(0, 0, 10, 10), box_ring(3, 3, 7, 8), box_ring(3, 3, 7, 8)}, 2}};
+  problem.parts = {{"dot", {box_ring(0, 0, 1, 1)}, 68}};
+  EXPECT_EQ(Packing(problem).lower_bound(), Number(1));
+  problem.sheets[0].rings[2] = box_ring(5, 5, 8, 8);
+  EXPECT_EQ(Packing(problem).lower_bound(), Number(1));
+  problem.parts[0].count = 78;  // one more than there is room for
+  EXPECT_EQ(Packing(problem).lower_bound(), Number(2));
+  problem.sheets[0].rings = {box_ring(0, 0, 10, 10), box_ring(8, 0, 12, 10)};
+  EXPECT_EQ(Packing(problem).lower_bound(), Number(1));
+  problem.parts[0].count = 1;
+  const auto layout = pack(problem, {.threads = 1, .work = 1});
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_TRUE(layout_faults(problem, *layout).empty());
+  problem.sheets[0].rings = {box_ring(0, 0, 10, 10), box_ring(-1, -1, 12, 12)};
+  EXPECT_THROW(Packing{problem}, Error);  // nothing is left
+}
+
+/// Turned parts have corners off the grid of the numbers. With conditions the grid stays coarse enough for them.
+TEST(PublicPacking, ConditionsOfLongParts) {
+  PackProblem problem;
+  problem.height = 40;
+  problem.parts = {{"bar", {{{0, 0}, {1200, 0}, {1200, 10}, {0, "10.125"}}}, 2, {0, 45}}};
+  problem.where = "gap(self, other) >= 5";
+  PackLayout layout;
+  layout.length = 1200;
+  layout.items = {{"bar", 1, 0, 0, false, 0, 0}, {"bar", 2, 0, 0, false, 0, 20}};
+  EXPECT_TRUE(layout_faults(problem, layout).empty());
+  layout.items[1].y = 15;
+  EXPECT_FALSE(layout_faults(problem, layout).empty());
+}
+
 TEST(PublicPacking, JsonIsReadAsItIsAsked) {
   const char* const text = R"({"name": "kit", "strip_height": 4, "unread": 1,
     "items": [{"id": "a", "demand": 2, "shape": {"type": "simple_polygon", "data": [[0,0], [1,0], [1,1.5]]}}]})";

@@ -9,6 +9,7 @@
 #include <findspace/packing.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -144,9 +145,41 @@ packing::Layout layout_of(const packing::Problem& problem, const PackLayout& lay
     result.items.push_back({index_of(item.part, problem.parts, "part"), item.copy, fraction(item.angle), item.mirrored,
                             fraction(item.x), fraction(item.y), item.sheet});
   for (const LeftOutPart& out : layout.left_out)
-    result.left_out.push_back({index_of(out.part, problem.parts, "part"), out.copies, out.why});
+    result.left_out.push_back({index_of(out.part, problem.parts, "part"), count_of(out.copies), out.why});
   for (const std::string& name : layout.sheets) result.sheets.push_back(index_of(name, problem.sheets, "sheet"));
   return result;
+}
+
+[[noreturn]] void refuse_layout(const std::string& why) { throw Error(ErrorCode::kBadValue, "the layout " + why); }
+
+/// Of each part and of each sheet as many as the problem has, and every item on one of its sheets. Throws Error.
+void check_counts(const packing::Problem& problem, const packing::Layout& layout) {
+  std::vector<int> missing, unused;
+  for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
+  for (const packing::Placed& item : layout.items) --missing[item.part];
+  for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
+  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
+    refuse_layout("has other parts than the problem");
+  for (const packing::Sheet& sheet : problem.sheets) unused.push_back(sheet.count);
+  for (const std::size_t kind : layout.sheets)
+    if (--unused[kind] < 0)
+      refuse_layout(fmt::format("uses more sheets '{}' than there are", problem.sheets[kind].name));
+  const std::size_t sheets = problem.on_sheets() ? layout.sheets.size() : 1;
+  for (std::size_t i = 0; i < layout.items.size(); ++i)
+    if (layout.items[i].sheet >= sheets)
+      refuse_layout(fmt::format("has {} on sheet {}, which it does not list", io::item_name(problem, layout, i),
+                                layout.items[i].sheet));
+}
+
+/// Whether a search may begin with the layout, or an item of it be moved. Throws Error.
+void check_layout_of(const packing::Problem& problem, const packing::Layout& layout) {
+  check_counts(problem, layout);
+  for (const packing::FixedPart& fixed : problem.fixed) {
+    const auto is_it = [&](const packing::Placed& item) { return packing::is_fixed_part(layout, item, fixed); };
+    if (std::count_if(layout.items.begin(), layout.items.end(), is_it) != 1)
+      refuse_layout(fmt::format("lacks the fixed part '{}' at ({}, {}), or has it twice",
+                                problem.parts[fixed.placed.part].name, fixed.placed.x.text(), fixed.placed.y.text()));
+  }
 }
 
 std::vector<Ring> public_rings(const std::vector<io::UnscaledRing>& rings) {
@@ -352,7 +385,7 @@ std::optional<PackLayout> Packing::search(const Options& options, const PackSear
   std::optional<packing::Layout> start;
   if (how.start) {
     start = layout_of(inner, *how.start);
-    io::check_copies(inner, *start);
+    check_layout_of(inner, *start);
   }
   const auto search = inner.box ? packing::search_box : packing::search_refined;
   const auto shown = [&](const packing::Layout& layout) { return public_layout(inner, layout); };
@@ -360,8 +393,8 @@ std::optional<PackLayout> Packing::search(const Options& options, const PackSear
                                                    [&](const auto&... asked) { return search(inner, asked...); });
 }
 
-void Packing::check_copies(const PackLayout& layout) const {
-  io::check_copies(data_->problem, layout_of(data_->problem, layout));
+void Packing::check_start(const PackLayout& layout) const {
+  check_layout_of(data_->problem, layout_of(data_->problem, layout));
 }
 
 PackVerdict Packing::verdict(const PackLayout& layout) const {
@@ -377,6 +410,7 @@ std::optional<PackLayout> Packing::moved(const PackLayout& layout, std::size_t i
   if (item >= layout.items.size())
     throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
   const packing::Layout before = layout_of(inner, layout);
+  check_layout_of(inner, before);
   for (const packing::FixedPart& fixed : inner.fixed)
     if (packing::is_fixed_part(before, before.items[item], fixed))
       throw Error(ErrorCode::kBadValue, "part '" + layout.items[item].part + "' is fixed where it stands");

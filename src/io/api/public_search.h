@@ -71,17 +71,6 @@ std::optional<Shown> searched(const Options& options, const PackSearch<Shown>& h
   return result;
 }
 
-/// Whether a layout has as many copies of each part as are wanted. Throws Error.
-template <class Problem, class Layout>
-void check_copies(const Problem& problem, const Layout& layout) {
-  std::vector<int> missing;
-  for (const auto& part : problem.parts) missing.push_back(part.demand);
-  for (const auto& item : layout.items) --missing[item.part];
-  for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
-  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
-    throw Error(ErrorCode::kBadValue, "the layout to start with has other parts than the problem");
-}
-
 /// What JSON of a problem is read by.
 inline NestingOptions nesting_options(const PackReading& reading) {
   const auto height = reading.height ? std::optional(fraction(*reading.height, "height")) : std::nullopt;
