@@ -140,7 +140,7 @@ class JobOf : public PackingJob {
   }
 
   std::string verdict_json(const std::optional<MovedItem>& moved) const override {
-    Layout layout = known(moved.value_or(MovedItem{0, std::vector<Number>(Kind::kDimension, 0)}));
+    Layout layout = moved ? known(*moved) : best();
     if (moved) put(layout, *moved);
     return app::verdict_json(layout.items.size(), size_of(layout), packing_.verdict(layout));
   }
@@ -180,15 +180,22 @@ class JobOf : public PackingJob {
     count(state);
   }
 
-  /// The best layout, with that item in the sheet or container that it is moved to. Throws Error.
-  Layout known(const MovedItem& moved) const {
+  /// The best layout. Throws Error.
+  Layout best() const {
     const std::lock_guard lock(guard_);
     if (!best_) throw Error(ErrorCode::kBadValue, "there is no layout yet");
-    if (moved.item >= best_->items.size())
-      throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", best_->items.size() - 1));
+    return *best_;
+  }
+
+  /// The same, with that item in the sheet or container that it is moved to.
+  Layout known(const MovedItem& moved) const {
+    Layout layout = best();
+    const std::size_t items = layout.items.size();
+    if (moved.item >= items)
+      throw Error(ErrorCode::kBadValue,
+                  items == 0 ? "the layout has no items" : fmt::format("the layout has items 0 to {}", items - 1));
     if (moved.at.size() != Kind::kDimension)
       throw Error(ErrorCode::kBadValue, fmt::format("a place of this layout has {} numbers", Kind::kDimension));
-    Layout layout = *best_;
     if (!moved.in) return layout;
     const std::size_t holders = Kind::holders(layout);
     if (*moved.in >= std::max<std::size_t>(1, holders))

@@ -224,6 +224,7 @@ class Answers(unittest.TestCase):
         at = [{"part": "tile", "copy": 1, "sheet": 0, "angle": 0, "at": ["0", "0"]}, {"part": "tile", "copy": 2, "sheet": 1, "angle": 0, "at": ["0", "0"]}]
         layout = {"layout": {"container": {"sheets": ["plate", "plate"]}, "length": "3", "items": at}}
         box = {"name": "kit", "box": True, "items": items}
+        nothing = {"layout": {"container": {"sheets": []}, "length": "0", "items": [], "left_out": [{"part": "tile", "copies": 2, "why": ""}]}}
         requests = [
             {"id": 1, "method": "pack", "params": {"text": json.dumps(sheets), "drawing": True, "search": False, "start": json.dumps(layout)}},
             {"id": 2, "method": "verify", "params": {"item": 1, "at": [1, 1], "sheet": 0}},
@@ -231,10 +232,13 @@ class Answers(unittest.TestCase):
             {"id": 4, "method": "repair", "params": {"item": 1, "at": [4, 1], "sheet": 0}},
             {"id": 5, "method": "repair", "params": {"item": 1, "at": [0, 0], "sheet": 5}},
             {"id": 6, "method": "pack", "params": {"text": json.dumps(box), "search": False, "scene": "box"}},
+            {"id": 7, "method": "pack", "params": {"start": json.dumps(nothing), "search": False}},
+            {"id": 8, "method": "verify"},
+            {"id": 9, "method": "repair", "params": {"item": 0, "at": [0, 0]}},
         ]
         lines = "".join(json.dumps({"jsonrpc": "2.0", **r}) + "\n" for r in requests)
         run = subprocess.run([PROGRAM, "serve", "--stdio"], input=lines, capture_output=True, text=True, timeout=120)
-        loaded, overlaps, free, made, missing, boxed = [json.loads(line) for line in run.stdout.splitlines()]
+        loaded, overlaps, free, made, missing, boxed, _, judged, none = [json.loads(line) for line in run.stdout.splitlines()]
         self.assertEqual([(s["name"], s["count"], s["zones"]) for s in loaded["result"]["sheets"]], [("plate", 2, "")])
         self.assertTrue(loaded["result"]["sheets"][0]["drawing"].startswith("M0,"))
         self.assertFalse(overlaps["result"]["verdict"]["feasible"])
@@ -243,6 +247,8 @@ class Answers(unittest.TestCase):
         self.assertEqual([i["at"] for i in made["result"]["layout"]["items"]], [["0", "0"], ["4", "1"]])
         self.assertIn("no sheet 5", missing["error"]["message"])
         self.assertIs(boxed["result"]["box"], True)
+        self.assertEqual((judged["result"]["verdict"]["feasible"], judged["result"]["verdict"]["items"]), (True, 0))
+        self.assertEqual(none["error"]["message"], "the layout has no items")
 
     def test_packings_of_solids(self):
         def block(x, y, z):

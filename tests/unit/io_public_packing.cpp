@@ -293,6 +293,12 @@ TEST(PublicPacking, TheOthersMakeRoomForAnItem) {
   ASSERT_TRUE(moved.has_value());
   EXPECT_TRUE(packing.verdict(*moved).feasible());
   EXPECT_THROW(packing.moved(layout, 3, {0, 0}), Error);
+  try {
+    packing.moved({}, 0, {0, 0});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "the layout has no items");
+  }
 }
 
 TEST(PublicPacking, OnSheetsTheOthersMakeRoomAsWell) {

@@ -58,6 +58,7 @@ TEST(PublicSolidPacking, ASolidIsMovedByHand) {
   EXPECT_TRUE(packing.verdict(*made).feasible());
   EXPECT_EQ(made->items.size(), 8u);
   EXPECT_THROW(packing.moved(layout, 8, {0, 0, 0}), Error);
+  EXPECT_THROW(packing.moved({}, 0, {0, 0, 0}), Error);
 }
 
 TEST(PublicSolidPacking, AnOutlineIsNotTurned) {

@@ -407,8 +407,7 @@ PackVerdict Packing::verdict(const PackLayout& layout) const {
 
 std::optional<PackLayout> Packing::moved(const PackLayout& layout, std::size_t item, const Position& at) const {
   const packing::Problem& inner = data_->problem;
-  if (item >= layout.items.size())
-    throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
+  io::check_item(item, layout.items.size());
   const packing::Layout before = layout_of(inner, layout);
   check_layout_of(inner, before);
   for (const packing::FixedPart& fixed : inner.fixed)

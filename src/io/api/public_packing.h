@@ -43,6 +43,13 @@ void check_names(const std::vector<Named>& all, const char* what) {
         throw Error(ErrorCode::kBadValue, fmt::format("two {} are called '{}'", what, all[k].name));
 }
 
+/// Refuses an item, counted from 0, that a layout of so many does not have.
+inline void check_item(std::size_t item, std::size_t items) {
+  if (item < items) return;
+  throw Error(ErrorCode::kBadValue,
+              items == 0 ? "the layout has no items" : fmt::format("the layout has items 0 to {}", items - 1));
+}
+
 inline int count_of(int count) {
   if (count < 0) throw Error(ErrorCode::kBadValue, "a count below 0");
   return count;

@@ -399,8 +399,7 @@ PackVerdict SolidPacking::verdict(const SolidPackLayout& layout) const {
 
 std::optional<SolidPackLayout> SolidPacking::moved(const SolidPackLayout& layout, std::size_t item,
                                                    const Point3& at) const {
-  if (item >= layout.items.size())
-    throw Error(ErrorCode::kBadValue, fmt::format("the layout has items 0 to {}", layout.items.size() - 1));
+  io::check_item(item, layout.items.size());
   SolidLayout placed = layout_of(data_->problem(), layout);
   const auto made =
       packing::with_room(data_->problem(), placed, item, {io::fraction(at.x), io::fraction(at.y), io::fraction(at.z)});
