@@ -3,7 +3,10 @@
 
 #include "options.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 
 #include "interruptible.h"
 #include "pickles.h"
@@ -77,6 +80,15 @@ False
       .def_property_readonly("requested", &Cancel::requested, "Whether it is requested.");
 }
 
+/// As before the last time that this store was opened.
+void close(const ResultStore& store) {
+  std::vector<ResultStore>& open = open_stores();
+  const auto last =
+      std::find_if(open.rbegin(), open.rend(), [&](const ResultStore& s) { return &s.data() == &store.data(); });
+  if (last == open.rend()) throw std::runtime_error("this store is not open: use it in 'with'");
+  open.erase(std::next(last).base());
+}
+
 void bind_store(py::module_& m) {
   py::class_<ResultStore>(m, "ResultStore", R"doc(Results in a folder, kept between runs and shared by processes.
 
@@ -110,7 +122,7 @@ Examples
           },
           "What is asked from now on uses it.")
       .def(
-          "__exit__", [](const ResultStore&, const py::args&) { open_stores().pop_back(); }, "As before.")
+          "__exit__", [](const ResultStore& s, const py::args&) { close(s); }, "As before.")
       .def(py::pickle(
           [](const ResultStore& s) { return py::make_tuple(s.folder(), s.limit()); },
           [](const py::tuple& t) { return ResultStore(t[0].cast<std::string>(), t[1].cast<std::uint64_t>()); }))
@@ -164,7 +176,9 @@ Examples
       .def_property(
           "progress", &function_of, [](Options& o, const py::object& f) { o.progress = progress_of(f); },
           "Called with a part from 0 to 1, or None.")
-      .def_readwrite("cancel", &Options::cancel, "The token that ends the question.")
+      .def_property(
+          "cancel", [](const Options& o) { return o.cancel; }, [](Options& o, const Cancel& c) { o.cancel = c; },
+          "The token that ends the question.")
       .def_readwrite("seed", &Options::seed, "Of what is random.")
       .def_readwrite("work", &Options::work, "Of packings, in million pairs of parts looked at; 0: no limit.")
       .def(py::pickle(

@@ -306,7 +306,7 @@ template <class Ask>
 auto asking(const Ask& ask) {
   return [ask](const py::object& self, const GivenPacking& given) {
     const Packing packing = packing_of(self, given);
-    const auto& layout = self.cast<const PackLayout&>();
+    const auto layout = self.cast<PackLayout>();  // its items may be moved meanwhile
     return interruptible([&] { return ask(packing, layout); });
   };
 }
@@ -383,7 +383,7 @@ Examples
            "left out; fixed parts stand where they stand; there are as many sheets, and each item is on one of them.")
       .def(
           "moved",
-          [](const Packing& p, const PackLayout& layout, std::size_t item, const Position& at) {
+          [](const Packing& p, PackLayout layout, std::size_t item, const Position& at) {
             return Remembering<PackLayout>{interruptible([&] { return p.moved(layout, item, at); }),
                                            py::cast(p.problem())};
           },
@@ -393,9 +393,8 @@ Examples
 Parameters
 ----------
 layout : PackLayout
-    Of a strip without fixed parts.
 item : int
-    Which of its items, from 0.
+    Which of its items, from 0; not one that is fixed.
 at : (float, float)
     Where its origin goes, on the grid.
 

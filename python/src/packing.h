@@ -122,6 +122,7 @@ template <class Layout, class Problem>
 Remembering<Layout> packed_in_python(const Problem& problem, const std::optional<Options>& options,
                                      const std::function<void(const Heard<Layout>&)>& better, const py::kwargs& words) {
   const Options asked = search_options(options, words);
+  const Problem taken = problem;                // other threads of Python may change its parts meanwhile
   const py::object known = py::cast(&problem);  // the object that it is already
   std::function<void(const Layout&)> heard;
   if (better)
@@ -129,7 +130,7 @@ Remembering<Layout> packed_in_python(const Problem& problem, const std::optional
       const py::gil_scoped_acquire held;
       better({layout, known});
     };
-  return {interruptible([&] { return pack(problem, asked, heard); }), known};
+  return {interruptible([&] { return pack(taken, asked, heard); }), known};
 }
 
 /// As pickled(), with what it remembers.

@@ -145,7 +145,7 @@ Notes
 What the functions raise ends the search.
 )doc")
       .def(
-          "verdict", [](const Packing& p, const Layout& l) { return interruptible([&] { return p.verdict(l); }); },
+          "verdict", [](const Packing& p, Layout l) { return interruptible([&] { return p.verdict(l); }); },
           py::arg("layout"), "Whether a layout keeps all promises, by exact signs: a PackVerdict.")
       .def(
           "layout",

@@ -54,7 +54,7 @@ void bind_motion(py::module_& m, py::class_<World>& world) {
   world
       .def(
           "in_motion",
-          [](const World& w, const py::dict& paths, const py::object& start, const py::object& end) {
+          [](World w, const py::dict& paths, const py::object& start, const py::object& end) {
             const Motion given = motion(paths, start, end);
             return interruptible([&] { return w.with(given); });
           },
@@ -83,14 +83,14 @@ Examples
 )doc")
       .def(
           "at_time",
-          [](const World& w, const py::object& time) {
+          [](World w, const py::object& time) {
             const Number at = number(time);
             return interruptible([&] { return w.at_time(at); });
           },
           py::arg("time"), "The same world at one instant of its motion.")
       .def(
           "instants",
-          [](const World& w, const Formula& f, const py::sequence& p) {
+          [](World w, const Formula& f, const py::sequence& p) {
             const Point at = point(p);
             return interruptible([&] { return w.instants(f, at); });
           },
@@ -125,7 +125,7 @@ void bind_poses(py::module_& m, py::class_<World>& world) {
   world
       .def(
           "poses",
-          [](const World& w, const Formula& f, const py::object& angles, const py::sequence& about) {
+          [](World w, const Formula& f, const py::object& angles, const py::sequence& about) {
             const Point centre = point(about);
             if (py::isinstance<py::int_>(angles)) {
               const int count = angles.cast<int>();
@@ -154,7 +154,7 @@ Examples
 )doc")
       .def(
           "explain_poses",
-          [](const World& w, const Formula& f, const py::iterable& angles, const py::sequence& about) {
+          [](World w, const Formula& f, const py::iterable& angles, const py::sequence& about) {
             const Point centre = point(about);
             const std::vector<Number> degrees = numbers(angles);
             return interruptible([&] { return w.explain_poses(f, degrees, centre); });
@@ -182,7 +182,7 @@ Examples
 )doc")
       .def(
           "explain_angles",
-          [](const World& w, const Formula& f, const py::sequence& at, const py::sequence& about) {
+          [](World w, const Formula& f, const py::sequence& at, const py::sequence& about) {
             const Point place = point(at), centre = point(about);
             return interruptible([&] { return w.explain_angles(f, place, centre); });
           },
@@ -211,7 +211,7 @@ Examples
 )doc")
       .def(
           "explain_instants",
-          [](const World& w, const Formula& f, const py::sequence& at) {
+          [](World w, const Formula& f, const py::sequence& at) {
             const Point place = point(at);
             return interruptible([&] { return w.explain_instants(f, place); });
           },
@@ -239,7 +239,7 @@ Examples
 )doc")
       .def(
           "solve_bounds",
-          [](const World& w, const Formula& f) {
+          [](World w, const Formula& f) {
             const RegionBounds found = interruptible([&] { return w.solve_bounds(f); });
             return py::make_tuple(found.inner, found.outer);
           },
@@ -291,7 +291,7 @@ void bind_lines(py::module_& m, py::class_<World>& world) {
   world
       .def(
           "on_lines",
-          [lines](const World& w, const Formula& f, int count, const std::string& axis) {
+          [lines](World w, const Formula& f, int count, const std::string& axis) {
             const Lines asked = lines(count, axis);
             return interruptible([&] { return w.on_lines(f, asked); });
           },
@@ -299,7 +299,7 @@ void bind_lines(py::module_& m, py::class_<World>& world) {
           "Where the formula holds on so many lines of space each way.")
       .def(
           "volume",
-          [lines](const World& w, const Formula& f, int count, const std::string& axis) {
+          [lines](World w, const Formula& f, int count, const std::string& axis) {
             const Lines asked = lines(count, axis);
             const VolumeBounds found = interruptible([&] { return w.volume(f, asked); });
             return py::make_tuple(found.lower, found.upper);
@@ -317,7 +317,7 @@ True
 )doc")
       .def(
           "surface",
-          [](const World& w, const Formula& f, int count) {
+          [](World w, const Formula& f, int count) {
             return interruptible([&] { return w.surface(f, count); });
           },
           py::arg("formula"), py::arg("count") = 64,

@@ -463,7 +463,8 @@ Examples
       .def_property_readonly("is_prepared", &Scene::is_prepared, "Whether it keeps what it makes.")
       .def("edited_text", &Scene::edited_text,
            "Its text with what `asking` has changed; all else stays as it was written, comments too.")
-      .def_property_readonly("options", &Scene::options, "The limits of its questions.")
+      .def_property_readonly(
+          "options", [](const Scene& s) { return s.options(); }, "The limits of its questions, a copy.")
       .def(
           "limited",
           [](const Scene& s, const std::optional<Options>& options, const py::kwargs& words) {

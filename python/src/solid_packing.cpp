@@ -290,7 +290,9 @@ void bind_item(py::module_& m) {
       .def_readonly("part", &PlacedSolid::part, "The name of its kind.")
       .def_readonly("copy", &PlacedSolid::copy, "Which copy of it, from 1.")
       .def_readonly("container", &PlacedSolid::container, "The container that it stands in, from 0.")
-      .def_readwrite("orientation", &PlacedSolid::orientation, "How it stands.")
+      .def_property(
+          "orientation", [](const PlacedSolid& p) { return p.orientation; },
+          [](PlacedSolid& p, const Orientation& o) { p.orientation = o; }, "How it stands.")
       .def_property_readonly("matrix", &matrix_of, "Where it stands, shape (4, 4), in doubles.")
       .def_property(
           "at", [](const PlacedSolid& p) { return shown_point(p.at); },
@@ -334,7 +336,7 @@ template <class Ask>
 auto asking(const Ask& ask) {
   return [ask](const py::object& self, const GivenPacking& given) {
     const SolidPacking packing = packing_of(self, given);
-    const auto& layout = self.cast<const SolidPackLayout&>();
+    const auto layout = self.cast<SolidPackLayout>();  // its items may be moved meanwhile
     return interruptible([&] { return ask(packing, layout); });
   };
 }
@@ -351,7 +353,7 @@ void bind_texts(py::class_<SolidPackLayout>& layout) {
           "text",
           [](const py::object& self, const GivenPacking& given, const std::string& ending) {
             const SolidPacking packing = packing_of(self, given);
-            const auto& layout = self.cast<const Layout&>();
+            const auto layout = self.cast<Layout>();
             return py::bytes(interruptible([&] { return packing.file(layout, ending); }));
           },
           py::arg(kOf) = py::none(), py::arg("ending") = ".3mf",
@@ -393,7 +395,7 @@ Examples
 )doc")
       .def(
           "moved",
-          [](const SolidPacking& p, const SolidPackLayout& layout, std::size_t item, const py::sequence& at) {
+          [](const SolidPacking& p, SolidPackLayout layout, std::size_t item, const py::sequence& at) {
             const Point3 to = point3(at);
             return Remembering<SolidPackLayout>{interruptible([&] { return p.moved(layout, item, to); }),
                                                 py::cast(p.problem())};

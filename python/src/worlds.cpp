@@ -215,7 +215,8 @@ array([3., 5.])
       .def(py::pickle([](const Query& q) { return py::make_tuple(q.world(), q.text()); },
                       [](const py::tuple& t) { return t[0].cast<World>().query(t[1].cast<std::string>()); }))
       .def_property_readonly("text", &Query::text, "What was asked.")
-      .def_property_readonly("world", &Query::world, "The world that is asked.")
+      .def_property_readonly(
+          "world", [](const Query& q) { return q.world(); }, "The world that is asked, a copy.")
       .def_property_readonly(
           "region", [](const Query& q) { return interruptible([&] { return q.region(); }); },
           "{p : the formula holds at p}, of the plane.")
@@ -284,7 +285,7 @@ World with_motion(World world, const py::object& state) {
 
 void bind_changes(py::class_<World>& world) {
   world
-      .def("set", &World::set, py::arg("name"), py::arg("shape"), py::call_guard<py::gil_scoped_release>(),
+      .def("set", &World::set, py::arg("name"), py::arg("shape"),
            "A shape that is new, or replaces that of its name; what does not speak of it is kept.")
       .def("remove", &World::remove, py::arg("name"), "Without a shape; not the moving one.")
       .def(
@@ -326,7 +327,7 @@ Examples
 void bind_groups(py::class_<World>& world) {
   world.def(
       "grouped",
-      [](const World& w, const Groups& groups, const std::optional<std::vector<std::string>>& all) {
+      [](World w, const Groups& groups, const std::optional<std::vector<std::string>>& all) {
         return interruptible([&] { return w.with(ShapeGroups{groups, all}); });
       },
       py::arg("groups"), py::arg("all") = py::none(),
@@ -360,7 +361,7 @@ void bind_questions(py::class_<World>& world) {
   world
       .def(
           "solve",
-          [](const World& w, const Formula& f) -> py::object {
+          [](World w, const Formula& f) -> py::object {
             if (w.dimension() == 3) return py::cast(interruptible([&] { return w.solve_space(f); }));
             return py::cast(interruptible([&] { return w.solve(f); }));
           },
@@ -368,7 +369,7 @@ void bind_questions(py::class_<World>& world) {
           "{p : the formula holds at p}, exactly: a Region, in space a SpaceRegion where it has one of its forms.")
       .def(
           "solve_space",
-          [](const World& w, const Formula& f, const std::string& apply, const std::string& minimize,
+          [](World w, const Formula& f, const std::string& apply, const std::string& minimize,
              const std::string& maximize) {
             return interruptible([&] { return w.solve_space(f, {apply, minimize, maximize}); });
           },
@@ -396,18 +397,18 @@ False
 )doc")
       .def(
           "sign_map",
-          [](const World& w, const Distance& d, const py::object& level) {
+          [](World w, const Distance& d, const py::object& level) {
             return sign_map(w, d.text(), number(level));
           },
           py::arg("distance"), py::arg("level") = 0)
       .def(
           "sign_map",
-          [](const World& w, const std::string& d, const py::object& level) { return sign_map(w, d, number(level)); },
+          [](World w, const std::string& d, const py::object& level) { return sign_map(w, d, number(level)); },
           py::arg("distance"), py::arg("level") = 0,
           "The sign of a distance minus a level at every position of the plane.")
       .def(
           "angles",
-          [](const World& w, const Formula& f, const py::sequence& p, const py::sequence& about) {
+          [](World w, const Formula& f, const py::sequence& p, const py::sequence& about) {
             const Point at = point(p), centre = point(about);
             return interruptible([&] { return w.angles(f, at, centre); });
           },
@@ -415,7 +416,7 @@ False
           "Where the formula holds for the moving shape rotated about a point of its own: intervals in degrees.")
       .def(
           "check_rotated",
-          [](const World& w, const Formula& f, const py::sequence& p, const py::object& degrees,
+          [](World w, const Formula& f, const py::sequence& p, const py::object& degrees,
              const py::sequence& about) {
             const Point at = point(p), centre = point(about);
             const Number angle = number(degrees);
@@ -429,31 +430,31 @@ False
            "A formula, or the text of a distance, ready for many positions.")
       .def(
           "holds",
-          [](const World& w, const Formula& f, const py::sequence& p) {
+          [](World w, const Formula& f, const py::sequence& p) {
             return at_point(p, [&](const auto& at) { return w.holds(f, at); });
           },
           py::arg("formula"), py::arg("position"), "Whether the formula holds at p, exactly, without a map.")
       .def(
           "check",
-          [](const World& w, const Formula& f, const py::sequence& p) {
+          [](World w, const Formula& f, const py::sequence& p) {
             return at_point(p, [&](const auto& at) { return w.check(f, at); });
           },
           py::arg("formula"), py::arg("position"), "The same, with every comparison and its value.")
       .def(
           "distance",
-          [](const World& w, const Distance& d, const py::sequence& p) {
+          [](World w, const Distance& d, const py::sequence& p) {
             return at_point(p, [&](const auto& at) { return w.distance(d, at); });
           },
           py::arg("distance"), py::arg("position"))
       .def(
           "distance",
-          [](const World& w, const std::string& d, const py::sequence& p) {
+          [](World w, const std::string& d, const py::sequence& p) {
             return at_point(p, [&](const auto& at) { return w.distance(d, at); });
           },
           py::arg("distance"), py::arg("position"), "The value of a distance, its bounds and its witness.")
       .def(
           "on_line",
-          [](const World& w, const Formula& f, const py::sequence& through, const py::sequence& direction) {
+          [](World w, const Formula& f, const py::sequence& through, const py::sequence& direction) {
             const Point3 from = point3(through), along = point3(direction);
             const OnLine found = interruptible([&] { return w.on_line(f, from, along); });
             return py::make_tuple(found.intervals, found.exact);
@@ -462,7 +463,7 @@ False
           "(intervals, exact): where the formula holds on a line of space; the direction is in integers.")
       .def(
           "explain",
-          [](const World& w, const Formula& f, const std::optional<py::sequence>& p) {
+          [](World w, const Formula& f, const std::optional<py::sequence>& p) {
             if (p && py::len(*p) == 3) {
               const Point3 at = point3(*p);
               return interruptible([&] { return w.explain(f, at); });
@@ -493,7 +494,7 @@ how far each level can be tightened:
 )doc")
       .def(
           "minimize",
-          [](const World& w, const std::string& objective, const Formula& f) {
+          [](World w, const std::string& objective, const Formula& f) {
             return interruptible([&] { return w.minimize(objective, f); });
           },
           py::arg("objective"), py::arg("formula") = Formula("true"),
@@ -546,12 +547,14 @@ Examples
             ShapeGroups groups{t[4].cast<Groups>(), t[5].cast<std::optional<std::vector<std::string>>>()};
             return with_motion(groups.groups.empty() && !groups.all ? world : world.with(groups), t[3]);
           }))
-      .def_property_readonly("shapes", &World::shapes, "By name.")
+      .def_property_readonly(
+          "shapes", [](const World& w) { return w.shapes(); }, "By name.")
       .def_property_readonly("moving", &World::moving, "The name of the shape that moves, or of the first of several.")
       .def_property_readonly("moving_together", &World::moving_together, "The names of all that move.")
       .def_property_readonly("unit", &World::unit, "The unit of length, or ''.")
       .def_property_readonly("dimension", &World::dimension, "2 or 3.")
-      .def_property_readonly("options", &World::options, "The limits of its questions.")
+      .def_property_readonly(
+          "options", [](const World& w) { return w.options(); }, "The limits of its questions, a copy.")
       .def_property_readonly(
           "groups", [](const World& w) { return known_groups(w).groups; },
           "Lists of shapes by the names that formulas have for them.")

@@ -23,6 +23,8 @@ def plane():
     world.query("clear(peg, plate, 0.5)").holds(np.random.rand(500, 2) * 100)
     world.query("gap(peg, plate)").values(np.random.rand(20, 2) * 100)
     world.poses("clear(peg, plate)", [0, 10])
+    for name, shape in world.shapes.items():
+        world.set(name, shape.translated((1, 0)))
     return world
 
 

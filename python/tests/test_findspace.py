@@ -192,6 +192,29 @@ def test_worlds_change(world):
     assert sorted(world.shapes) == ["peg", "plate", "table"]
 
 
+def test_what_a_world_gives_away_is_a_copy(world):
+    for name, shape in world.shapes.items():
+        world.set(name, shape.translated((1, 0)))
+    assert world.shape("peg").bounds == (-5, -4, 7, 4) and world.shape("table").bounds == (1, 0, 101, 60)
+    query = world.query("clear(peg, plate)")
+    query.world.move("plate", (30, 0))
+    assert query.world.shape("plate").bounds == (26, 12, 76, 48) and not query.holds([[30, 30]])[0]
+    world.options.seconds = 5
+    assert world.options.seconds == 0
+
+
+def test_a_world_changes_while_it_is_asked(world):
+    def change():
+        for x in (1, -1) * 200:
+            world.move("plate", (x, 0))
+    changes = threading.Thread(target=change)
+    changes.start()
+    while changes.is_alive():
+        assert not world.solve("inside(peg, table) and clear(peg, plate)").empty
+    changes.join()
+    assert world.shape("plate").bounds == (25, 12, 75, 48)
+
+
 def test_limits_and_progress(world):
     with pytest.raises(fs.Stopped) as caught:
         world.limited(seconds=1e-9).solve("clear(peg, plate)")
@@ -227,6 +250,9 @@ def test_options(world):
     again = pickle.loads(pickle.dumps(options))
     assert (again.threads, again.seconds, again.seed, again.progress) == (1, 5, 7, print)
     assert world.limited(options).options.seconds == 5 and world.options.seconds == 0
+    token, options.cancel = options.cancel, fs.Cancel()
+    token.request()
+    assert not options.cancel.requested
     with pytest.raises(TypeError):
         world.limited(options, seconds=3)
     with pytest.raises(TypeError):

@@ -178,6 +178,10 @@ def test_packing_solids():
     layout.items[0].at = layout.items[1].at
     layout.items[0].orientation = layout.items[1].orientation
     assert layout.faults(problem)
+    stood = layout.items[0].orientation
+    rows = stood.rows
+    layout.items[0].orientation = next(o for o in fs.Orientation.right_angles() if o.rows != rows)
+    assert stood.rows == rows != layout.items[0].orientation.rows
 
 
 def test_solids_in_containers_under_conditions():

@@ -400,6 +400,13 @@ def test_results_are_kept(tmp_path):
     with store:
         assert solved() == alone
     assert any(path.suffix == ".sqlite" for path in (tmp_path / "kept").iterdir())
+    other = fs.ResultStore(str(tmp_path / "other"))
+    for one in (store, other):
+        one.__enter__()
+    for one in (store, other):
+        one.__exit__(None, None, None)
+        with pytest.raises(RuntimeError, match="not open"):
+            one.__exit__(None, None, None)
 
 
 PLATE = ('{"findspace": 1, "shapes": {"plate": {"polygon": [[2, 2], [12, 2], [12, 10], [2, 10]], "holes": [[[5, 4], [7, 4], [7, 6], [5, 6]]]},'
@@ -411,6 +418,8 @@ def test_prepared_scenes_answer_as_before():
     plain = fs.Scene.json(PLATE)
     scene = plain.prepared()
     assert (plain.is_prepared, scene.is_prepared) == (False, True)
+    plain.options.seconds = 5
+    assert plain.options.seconds == 0
     for at in ((6, 5), (6.25, 5), (40, 0.125)):
         assert scene.check(at).json() == plain.check(at).json()
         assert scene.nearest(at).json() == plain.nearest(at).json()
