@@ -27,7 +27,7 @@ const hidden = new Set<string>();
 const editor = new Editor(get<HTMLTextAreaElement>("where"), get("caret"), get("mistake"), get("words"));
 const history = new History(get<HTMLButtonElement>("undo"), get<HTMLButtonElement>("redo"));
 const poses = new Poses(get("poses"));
-let picture: Picture, stage: Stage | null = null, spaceText = "";
+let picture: Picture, stage: Stage | null = null, spaceText = "", pictureEnd = new AbortController();
 let summary: Summary, map: RegionMap | null = null, empty = false, roomy = false, picked = "", operation = "";
 let measuring: Place[] | null = null, placing: Placing | null = null, turnsTook = 0;
 
@@ -71,6 +71,19 @@ const check = latest(async (at: Place, snap: number) => {
 /// The answer to what the last drag asked for. A drag is kept for undo once it is answered, and before the next act begins.
 let dragged: Promise<void> = Promise.resolve();
 
+/// The same of the last formula that was asked for, and its levels.
+let asked: Promise<void> = Promise.resolve();
+const askWhere = (formula: string): void => { asked = setWhere(formula).catch(fault); };
+function keepWhere(): void {
+  const last = asked;
+  // Of two acts in one answer the second one is kept.
+  void last.then(() => {
+    if (last !== asked) return;
+    sliders();
+    keep();
+  });
+}
+
 /// Where on the slider of angles or of time the formula holds.
 const turns = latest(async () => {
   const method = poses.method;
@@ -109,7 +122,10 @@ const explain = latest(async (over: "angles" | "instants" | null) => {
     go: (at) => void moveTo(at).then(keep),
     pose: (value) => { poses.set(value); void setPose().then(keep); },
     canReplace: (text) => summary.where.includes(text),
-    replace: (text, by) => void setWhere(summary.where.replace(text, () => by)).then(() => { sliders(); keep(); }),
+    replace: (text, by) => {
+      askWhere(summary.where.replace(text, () => by));
+      keepWhere();
+    },
   });
   if (over) box.prepend(make("p", box, `Where the part is, at ${over === "angles" ? "any angle" : "any instant"}:`));
   const other = over ? null : poses.method;
@@ -168,12 +184,13 @@ async function moveTo(at: Place, snap = 0): Promise<void> {
 }
 
 function sliders(): void {
-  showSliders(get("sliders"), summary.where, (formula) => void setWhere(formula), () => setTimeout(() => { sliders(); keep(); }, 50));
+  showSliders(get("sliders"), summary.where, askWhere, keepWhere);
 }
 
 async function restore(back: boolean): Promise<void> {
   if (placing && !summary.moving.length) return placing.step(back);
   await dragged;
+  await asked;
   const to = history.step(back);
   if (!to) return;
   picture.at = to.at;
@@ -181,14 +198,19 @@ async function restore(back: boolean): Promise<void> {
     poses.set(to.angle);
     picture.setPose(poses.pose);
   }
-  if (JSON.stringify(to.moving) !== JSON.stringify(summary.moving)) await setMoving(to.moving);
-  await setWhere(to.where);
+  if (JSON.stringify(to.moving) !== JSON.stringify(summary.moving)) await setMoving({ moving: to.moving, where: to.where });
+  else await setWhere(to.where);
   sliders();
 }
 
-async function setMoving(moving: string[]): Promise<void> {
+/// With another formula at once: each of the two may be refused without the other.
+async function setMoving(to: { moving: string[]; where?: string }): Promise<void> {
   try {
-    await call("set", { moving });
+    await call("set", to);
+    if (to.where !== undefined) {
+      editor.text = to.where;
+      editor.show(null);
+    }
   } catch (e) {
     if (!(e instanceof Refusal)) throw e;
     editor.show(e);
@@ -202,7 +224,7 @@ function showScene(): void {
   picture.setScene(summary, hidden);
   document.title = `${summary.moving.join(", ") || summary.shapes[0]?.name || "scene"} – findspace`;
   editor.words = [...summary.shapes.map((s) => s.name), ...summary.words, "and", "or", "not"];
-  showShapes(get("shapes"), summary.shapes, hidden, !!alone, () => picture.setScene(summary, hidden), (name) => void setMoving([name]).then(keep));
+  showShapes(get("shapes"), summary.shapes, hidden, !!alone, () => picture.setScene(summary, hidden), (name) => void setMoving({ moving: [name] }).then(keep));
 }
 
 async function toNearest(): Promise<void> {
@@ -291,16 +313,20 @@ function onKey(e: KeyboardEvent): void {
   keys[e.key]?.();
 }
 
+/// What is done in a picture.
+function follow(made: Picture): void {
+  made.onDrag = (at) => { dragged = check(at, kSnapPixels * made.unit).catch(fault); };
+  made.onDragged = () => void dragged.then(() => { keep(); showTurns(); });
+  made.onPick = (at) => void pickFeature(at).catch(fault);
+}
+
 function connect(): void {
   for (const at of ["pointerenter", "focusin"]) get("poses").addEventListener(at, () => showTurns(true));
-  picture.onDrag = (at) => { dragged = check(at, kSnapPixels * picture.unit).catch(fault); };
-  picture.onDragged = () => void dragged.then(() => { keep(); showTurns(); });
-  picture.onPick = (at) => void pickFeature(at).catch(fault);
-  editor.onText = (formula) => void setWhere(formula);
-  editor.onDone = () => { sliders(); keep(); };
+  editor.onText = askWhere;
+  editor.onDone = keepWhere;
   poses.onPose = () => void setPose().catch(fault);
   poses.onDone = keep;
-  for (const id of coordinates()) get<HTMLInputElement>(id).onchange = () => {
+  for (const id of ["x", "y", "z"]) get<HTMLInputElement>(id).onchange = () => {
     if (typedPlace().every(Number.isFinite)) void moveTo(typedPlace()).then(keep);
   };
   const clicks: Record<string, () => void> = {
@@ -326,11 +352,11 @@ function onDropped(open: (text: string) => Promise<void>): void {
 /// Another scene in place of this one.
 async function openScene(text: string): Promise<void> {
   const loaded = await call<Summary>("load", { text, drawing: true });
+  placing?.end();
   hidden.clear();
   picked = operation = "";
-  picture.setRegion(null, true);
   measure(false);
-  if (loaded.dimension !== summary.dimension) await choosePicture(loaded);
+  await choosePicture(loaded);
   await showLoaded(loaded);
 }
 
@@ -415,24 +441,27 @@ function firstPlace(): Place {
   return map?.sample ?? map?.isolated?.[0] ?? map?.components?.[0]?.sample ?? Array<number>(summary.dimension).fill(0);
 }
 
-/// The canvas of space, or the picture of the plane.
-function showCanvas(space: boolean): void {
+/// The canvas of space, or the elements of the plane, empty. The picture that they had hears nothing more; the next one
+/// hears until the signal comes.
+function showCanvas(space: boolean): AbortSignal {
+  pictureEnd.abort();
+  pictureEnd = new AbortController();
   get("space").toggleAttribute("hidden", !space);
-  for (const id of ["picture", "picture-over"]) {
-    get(id).toggleAttribute("hidden", space);
-    get(id).replaceChildren();
-  }
+  for (const id of ["picture", "picture-over"]) get(id).toggleAttribute("hidden", space);
+  for (const id of ["picture", "picture-over", "labels", "hover"]) get(id).replaceChildren();
+  return pictureEnd.signal;
 }
 
 async function choosePicture(loaded: Summary): Promise<void> {
   const space = loaded.dimension === 3;
-  showCanvas(space);
-  stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get<SVGSVGElement>("picture-over"), get("scale"));
+  const until = showCanvas(space);
+  stage = space ? null : new Stage(get<SVGSVGElement>("picture"), get<SVGSVGElement>("picture-over"), get("scale"), until);
   if (stage) stage.onHover = (at) => { get("hover").textContent = `${placeText(at)} ${loaded.unit ?? ""}`; };
-  picture = stage ?? (await newSpace(loaded.unit ?? ""));
+  picture = stage ?? (await newSpace(loaded.unit ?? "", until));
+  if (!alone) follow(picture);
 }
 
-async function newSpace(unit: string): Promise<SpaceStage> {
+async function newSpace(unit: string, until: AbortSignal): Promise<SpaceStage> {
   const program = globalThis as { findspaceSpace?: typeof SpaceStage };
   if (!program.findspaceSpace) {
     spaceText = alone || alonePacking ? get("space-program").textContent! : await spaceScript();
@@ -441,7 +470,7 @@ async function newSpace(unit: string): Promise<SpaceStage> {
     script.textContent = spaceText;
     document.body.append(script);
   }
-  return new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), unit);
+  return new program.findspaceSpace!(get<HTMLCanvasElement>("space"), get("labels"), get("scale"), unit, until);
 }
 
 const showTheme = (theme: string): void => { document.documentElement.dataset["theme"] = theme; };
@@ -469,12 +498,11 @@ async function beginPacking(): Promise<void> {
   list.id = "placed";
   const savePage = async () => save("findspace.html", new Blob([alonePage({ packing: await page.taken() }, spaceText)], { type: "text/html" }));
   const page = new PackingPage(async (problem) => {
-    const space = problem.dimension === 3;
-    showCanvas(space);
+    const space = problem.dimension === 3, until = showCanvas(space);
     list.replaceChildren();
     get("views").replaceChildren();
-    if (!space) return new StripPicture(get<SVGSVGElement>("picture"), get("scale"));
-    const made = await newSpace("");
+    if (!space) return new StripPicture(get<SVGSVGElement>("picture"), get("scale"), until);
+    const made = await newSpace("", until);
     showSection(get("views"), made, "");
     return new CratePicture(made, list);
   }, box, verdict, (text) => { get("hover").textContent = text; }, history);

@@ -42,6 +42,13 @@ export interface Picture {
   png(): Promise<Blob>;
 }
 
+/// Whenever the element has another size, until the signal comes.
+export function onResize(element: Element, until: AbortSignal, act: () => void): void {
+  const sizes = new ResizeObserver(act);
+  sizes.observe(element);
+  until.addEventListener("abort", () => sizes.disconnect());
+}
+
 /// Of the picture's size, for a key.
 export const kShift = 0.1;
 

@@ -43,8 +43,11 @@ export class Placing {
     this.picture.fit();
   }
 
+  /// What is still being looked for is not shown.
+  end(): void { this.run += 1; }
+
   stop(): void {
-    this.run += 1;
+    this.end();
     this.verdict(`Stopped: ${this.placed.length} are placed`, null);
   }
 
@@ -60,7 +63,7 @@ export class Placing {
     const [from, to] = back ? [this.past, this.future] : [this.future, this.past];
     const before = from.pop();
     if (!before) return;
-    this.run += 1;
+    this.end();
     to.push(this.placed);
     this.show(before);
     this.verdict(`${before.length} are placed`, true);
@@ -97,6 +100,7 @@ export class Placing {
         this.verdict(`Placing: ${stand.length} of ${found.positions.length} stand`, null);
       }
     } catch (e) {
+      if (run !== this.run) return;
       this.verdict(e instanceof Error ? e.message : String(e), false);
       this.show(before);
     }

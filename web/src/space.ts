@@ -16,7 +16,7 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 import type { AnyDrawing, Atom, Corner, Place, SpaceDrawing, Summary } from "./engine";
 import { aboutZ, arrowGeometry, dot, ofSheets, rotated, surface } from "./forms";
 import { Section } from "./section";
-import { roundLength, shortDecimals, shown } from "./picture";
+import { onResize, roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Placed, Pose } from "./picture";
 
 const kAxes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
@@ -72,7 +72,8 @@ export class SpaceStage implements Picture {
   turnsAll = false;
   private placed: { all: Placed[]; groups: Group[]; picked: number; names: string[] } = { all: [], groups: [], picked: -1, names: [] };
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string) {
+  /// `until`: as of the picture of the plane (stage.ts).
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly bar: HTMLElement, private readonly unitName: string, private readonly until: AbortSignal) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
@@ -84,8 +85,15 @@ export class SpaceStage implements Picture {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
     this.follow();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    onResize(canvas.parentElement!, until, () => this.resize());
+    until.addEventListener("abort", () => this.end());
     this.resize();
+  }
+
+  private end(): void {
+    this.controls.dispose();
+    empty(this.scene);
+    this.renderer.dispose();
   }
 
   get unit(): number {
@@ -110,6 +118,7 @@ export class SpaceStage implements Picture {
 
   private render(): void {
     this.dirty = false;
+    if (this.until.aborted) return;
     const length = 70 * this.unit;
     for (const handle of this.handles) handle.parent!.scale.setScalar(length);
     this.section.face(this.camera);
@@ -387,6 +396,7 @@ export class SpaceStage implements Picture {
       const hit = ray.ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(normal.normalize(), through), new Vector3());
       return hit && through.clone().add(kAxes[axis]!.clone().multiplyScalar(hit.sub(through).dot(kAxes[axis]!)));
     };
+    const signal = this.until;
     this.canvas.addEventListener("pointerdown", (e) => {
       aim(e);
       const arrow = ray.intersectObjects(this.handles, false)[0];
@@ -404,7 +414,7 @@ export class SpaceStage implements Picture {
       hold = { axis: arrow ? (arrow.object.userData["axis"] as number) : -1, from, at: placed < 0 ? this.at : this.placed.all[placed]!.at, placed, to: [] };
       this.controls.enabled = false;
       this.canvas.setPointerCapture(e.pointerId);
-    }, { capture: true });
+    }, { capture: true, signal });
     this.canvas.addEventListener("pointermove", (e) => {
       if (!hold) return;
       aim(e);
@@ -418,7 +428,7 @@ export class SpaceStage implements Picture {
       this.placed.groups[hold.placed]!.position.set(...(hold.to as Corner));
       this.onDragPlaced(hold.placed, hold.to);
       this.draw();
-    });
+    }, { signal });
     const release = (e: PointerEvent) => {
       if (clicked && e.type === "pointerup" && Math.hypot(e.clientX - clicked.x, e.clientY - clicked.y) < kClickPixels) this.onPickPlaced(clicked.placed);
       clicked = null;
@@ -431,8 +441,8 @@ export class SpaceStage implements Picture {
       hold = null;
       this.controls.enabled = true;
     };
-    this.canvas.addEventListener("pointerup", release);
-    this.canvas.addEventListener("pointercancel", release);
+    this.canvas.addEventListener("pointerup", release, { signal });
+    this.canvas.addEventListener("pointercancel", release, { signal });
   }
 
   /// A picture of pixels in an SVG.

@@ -5,7 +5,7 @@
 // element of its own above the rest, so that a drag draws nothing else anew. Its own coordinates
 // are those of the engine's path data: the scene's, with y down.
 import type { AnyDrawing, Atom, Between, Drawing, Movement, Place, Point, Summary } from "./engine";
-import { along, kShift, roundLength, shortDecimals, shown } from "./picture";
+import { along, kShift, onResize, roundLength, shortDecimals, shown } from "./picture";
 import type { Picture, Placed, Pose } from "./picture";
 import { element, pictureOf, pictureText } from "./svg";
 
@@ -44,12 +44,13 @@ export class Stage implements Picture {
   onPickPlaced: (k: number) => void = () => {};
   private placed: Placed[] = [];
 
-  constructor(readonly element: SVGSVGElement, private readonly over: SVGSVGElement, private readonly bar: HTMLElement) {
+  /// It hears nothing more once `until` says so: another picture comes to the same elements.
+  constructor(readonly element: SVGSVGElement, private readonly over: SVGSVGElement, private readonly bar: HTMLElement, private readonly until: AbortSignal) {
     // Lines that do not scale by themselves are laid out and drawn anew at every change anywhere.
     element.classList.add("scaled");
     for (const id of kLayers) this.layers[id] = layer(id, kOver.has(id) ? over : element);
     this.follow();
-    new ResizeObserver(() => this.show()).observe(element);
+    onResize(element, until, () => this.show());
   }
 
   get unit(): number {
@@ -280,15 +281,16 @@ export class Stage implements Picture {
       if (hold?.part) this.onDragged();
       hold = null;
     };
+    const signal = this.until;
     for (const element of [this.element, this.over]) {
-      element.addEventListener("pointerdown", begin);
-      element.addEventListener("pointermove", move);
-      element.addEventListener("pointerup", release);
-      element.addEventListener("pointercancel", release);
+      element.addEventListener("pointerdown", begin, { signal });
+      element.addEventListener("pointermove", move, { signal });
+      element.addEventListener("pointerup", release, { signal });
+      element.addEventListener("pointercancel", release, { signal });
       element.addEventListener("wheel", (e) => {
         e.preventDefault();
         this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), this.under(e));
-      }, { passive: false });
+      }, { passive: false, signal });
     }
   }
 

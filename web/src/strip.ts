@@ -6,7 +6,7 @@
 import type { PackedItem, PackingProblem, PackingState, Place, Point } from "./engine";
 import { holderOf, hueOf, keyedHolder, keyedMove, nameOf, numberOf, placeOf } from "./layout";
 import type { LayoutPicture } from "./layout";
-import { kShift, roundLength, shortDecimals, shown } from "./picture";
+import { kShift, onResize, roundLength, shortDecimals, shown } from "./picture";
 import { element, pictureOf, pictureText } from "./svg";
 
 const kBetween = 0.06;  // sheets, of the width of all
@@ -26,12 +26,13 @@ export class StripPicture implements LayoutPicture {
   onHover: (item: number | null) => void = () => {};
   still = false;
 
-  constructor(private readonly svgElement: SVGSVGElement, private readonly bar: HTMLElement) {
+  /// `until`: as of the picture of a scene (stage.ts).
+  constructor(private readonly svgElement: SVGSVGElement, private readonly bar: HTMLElement, private readonly until: AbortSignal) {
     svgElement.replaceChildren();
     this.holderLayer = element("g", { id: "layer-holders" }, svgElement) as SVGGElement;
     this.layer = element("g", { id: "layer-items" }, svgElement) as SVGGElement;
     this.follow();
-    new ResizeObserver(() => this.look()).observe(svgElement);
+    onResize(svgElement, until, () => this.look());
   }
 
   show(problem: PackingProblem, state: PackingState, items: PackedItem[]): void {
@@ -135,7 +136,7 @@ export class StripPicture implements LayoutPicture {
   }
 
   private follow(): void {
-    const svg = this.svgElement, under = (e: MouseEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
+    const svg = this.svgElement, signal = this.until, under = (e: MouseEvent): DOMPoint => new DOMPoint(e.clientX, e.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
     let hold: { id: number; from: DOMPoint; item: number; at: Place; to: number; moved: Place | null } | null = null;
     const down = new Map<number, PointerEvent>();
     /// What the pointers that are down span: of one its place.
@@ -152,7 +153,7 @@ export class StripPicture implements LayoutPicture {
       hold = { id: e.pointerId, from: under(e), item, at: placeOf(this.items[item]!), to: holderOf(this.items[item]!), moved: null };
       this.layer.append(path);
       this.onGrab(item);
-    });
+    }, { signal });
     svg.addEventListener("pointermove", (e) => {
       if (down.has(e.pointerId)) {
         const old = span();
@@ -171,17 +172,17 @@ export class StripPicture implements LayoutPicture {
       Object.assign(hold, { moved: at, to });
       this.layer.querySelector(`[data-item="${hold.item}"]`)?.setAttribute("transform", this.transform(this.items[hold.item]!, at, to));
       this.onDrag(hold.item, at, to);
-    });
+    }, { signal });
     const release = (e: PointerEvent) => {
       if (down.delete(e.pointerId) || hold?.id !== e.pointerId) return;
       this.onDrop(hold.item, hold.moved ?? hold.at, hold.to);
       hold = null;
     };
-    svg.addEventListener("pointerup", release);
-    svg.addEventListener("pointercancel", release);
+    svg.addEventListener("pointerup", release, { signal });
+    svg.addEventListener("pointercancel", release, { signal });
     svg.addEventListener("wheel", (e) => {
       e.preventDefault();
       this.zoom(Math.exp(Math.sign(e.deltaY) * 0.15), under(e));
-    }, { passive: false });
+    }, { passive: false, signal });
   }
 }

@@ -12,6 +12,7 @@ import { mkdtempSync, mkdirSync, writeFileSync, existsSync, rmSync } from "node:
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import puppeteer from "puppeteer-core";
+import { lateTests } from "./late.mjs";
 
 const program = resolve(process.argv[2] ?? "../build/release/findspace");
 const pictures = process.argv[3] ?? "";
@@ -678,6 +679,7 @@ const tests = {
     await shot(opened.page, "small-light");
     await close(opened);
   },
+  ...lateTests({ open, close, scene, example, until, onScreen, pixelsSeen, slot: kSlot }),
 };
 
 async function passes(name) {
