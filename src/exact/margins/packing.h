@@ -55,4 +55,7 @@ inline constexpr double kHeightProof = 1e-7;
 /// follows is right for any of them. Searches.
 inline constexpr double kHeightShake = 1e-9, kHeightRow = 1e-9, kHeightPivot = 1e-9;
 
+/// Grid steps: an item is moved no farther, so that sums of fractions stay within 127 bits. Bounds: refused beyond.
+inline constexpr double kFarthestItem = 0x1p100;
+
 }  // namespace findspace::margin

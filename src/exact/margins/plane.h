@@ -123,5 +123,8 @@ inline constexpr double kLongerTravel = 1.01;
 inline constexpr double kOpenCurves = 0.1;
 /// Of the level: where its bisection stops, 2^11 roundings wide. Searches: the bracket is stated with the value.
 inline constexpr double kRotatedBracket = 0x1p-42;
+/// Grid steps: no vertex of cells that are read or constructed is farther along x or y. The sum of two such sets has
+/// coordinates up to 2^43, as the margins here assume. Bounds: what goes beyond is refused.
+inline constexpr double kFarthestVertex = 0x1p42;
 
 }  // namespace findspace::margin

@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
+#include "exact/margins/plane.h"
 #include "exact/number/real_text.h"
 #include "exact/planar/geometry_signs.h"
-#include "plane/complex/extent.h"
 #include "plane/complex/marked_curves.h"
 
 namespace findspace::io {
@@ -146,7 +146,7 @@ class CellsReader {
     json_.expect(item, Kind::kObject, "a vertex", label_);
     json_.check_keys(item, kKeys, label_);
     const Index p = item.find("on") ? crossing(g, item) : place(g, item);
-    if (std::fabs(g.points[p].x) > plane::kFarthestVertex || std::fabs(g.points[p].y) > plane::kFarthestVertex)
+    if (std::fabs(g.points[p].x) > margin::kFarthestVertex || std::fabs(g.points[p].y) > margin::kFarthestVertex)
       json_.fail(ErrorCode::kOutOfRange, "a vertex is more than 2^42 grid steps away", label_, item);
     return p;
   }

@@ -95,9 +95,8 @@ class RoomMaker {
 };
 
 Fraction on_grid(const Problem& problem, double coordinate) {
-  constexpr double kMost = 0x1p100;  // of a fraction
   const double steps = std::round(coordinate * double(problem.steps()));
-  if (!(std::abs(steps) < kMost)) throw Error(ErrorCode::kOutOfRange, "an item cannot be moved that far");
+  if (!(std::abs(steps) < margin::kFarthestItem)) throw Error(ErrorCode::kOutOfRange, "an item cannot be moved that far");
   return Fraction(int128(steps), problem.steps());
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/margins/plane.h"
 #include "findspace/error.h"
 #include "plane/base/result_store.h"
 #include "plane/build/hull.h"
@@ -47,7 +48,7 @@ bool is_construction(Kind kind) {
 }
 
 void check_range(const Region& made) {
-  if (!is_within(made, kFarthestVertex))
+  if (!is_within(made, margin::kFarthestVertex))
     throw Error(ErrorCode::kOutOfRange,
                 "a sum, a difference or an offset leaves the grid: a coordinate exceeds 2^42 grid steps");
 }

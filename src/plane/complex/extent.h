@@ -18,10 +18,6 @@ namespace findspace::plane {
 /// Nothing for a complex of one face.
 std::optional<PieceBox> extent(const CellComplex& c);
 
-/// Grid steps: no vertex of cells that are read or constructed is farther along x or y. The sum of two such sets has
-/// coordinates up to 2^43, as the margins of the plane assume.
-inline constexpr double kFarthestVertex = 0x1p42;
-
 /// Whether no vertex is farther along x or y, as far as doubles tell.
 bool is_within(const CellComplex& c, double most);
 
