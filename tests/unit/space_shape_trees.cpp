@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Shape trees as sets of boxes and as convex parts: against the definition, what a touching piece is worth, and sizes
-// that once took gigabytes or minutes.
+// Shape trees as sets of boxes and as convex parts, and their bounds: against the definition, pieces without interior,
+// and sizes at which memory and time count.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
