@@ -52,8 +52,10 @@ void MarkGrid::shorten_lists() {
   const double wide = b.x1 - b.x0, high = b.y1 - b.y0;
   double across = 0, upwards = 0;  // the widths and heights of all items, as parts of the whole
   for (const BoundaryItem& item : items_.all()) {
-    across += (item.x1 - item.x0) / wide;
-    upwards += std::abs(item.y1 - item.y0) / high;
+    const double width = item.x1 - item.x0, height = std::abs(item.y1 - item.y0);
+    across += width / wide;
+    // An arc may rise by half its width beyond its ends, and falls again.
+    upwards += item.kind == BoundaryItem::Kind::kArc ? std::min(2.0, (width + height) / high) : height / high;
   }
   const double most = std::min(kListedPerItem * double(items_.all().size()) + kListedAnyway, kMostListed);
   while (columns_ * rows_ > 1 && across * columns_ + upwards * rows_ > most) {
