@@ -47,7 +47,7 @@ bool is_construction(Kind kind) {
   return kind == Kind::kMinkowskiSum || kind == Kind::kMinkowskiDifference || kind == Kind::kOffset;
 }
 
-void check_range(const Region& made) {
+void check_reach(const Region& made) {
   if (!is_within(made, margin::kFarthestVertex))
     throw Error(ErrorCode::kOutOfRange,
                 "a sum, a difference or an offset leaves the grid: a coordinate exceeds 2^42 grid steps");
@@ -82,7 +82,7 @@ class Builder {
   Region make(const Shape& shape) {
     try {
       Region made = is_boolean(shape.kind) ? combine(shape) : leaf(shape);
-      if (is_construction(shape.kind)) check_range(made);
+      if (is_construction(shape.kind)) check_reach(made);
       return made;
     } catch (const Error& e) {
       if (!e.place().empty()) throw;
