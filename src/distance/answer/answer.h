@@ -243,11 +243,11 @@ AnswerOf<V> greater(AnswerOf<V> a, AnswerOf<V> b) {
   if (b.minus_infinity || (a.proven && b.proven)) return a;
   Enclosure ends = a.bounds(), other = b.bounds();
   const bool lower = !ends.lower || (other.lower && *ends.lower < *other.lower),
-             upper = ends.upper && (!other.upper || *ends.upper < *other.upper);
+             upper = ends.upper && (!other.upper || *ends.upper < *other.upper), wider = upper || !ends.lower;
   if (lower) ends.lower = std::move(other.lower);
   if (upper) ends.upper = std::move(other.upper);
   if (a.error == 0 && !a.enclosed) a.error = a.slack();
-  if ((lower || upper) && ends.lower && ends.upper) a.error = std::max(a.error, ends.width());
+  if (wider && ends.lower && ends.upper) a.error = std::max(a.error, ends.width());
   a.set_unproven();
   a.enclosed = std::move(ends);
   return a;

@@ -76,16 +76,17 @@ std::optional<PlanarAnswer> DistanceSum::answer(const RealPoint& p) const {
     const auto v = s.f->value(place(s, p));
     if (!v || v->minus_infinity) return std::nullopt;
     out.value = out.value + s.weight * v->value;
-    if (!v->proven) out.set_unproven();
+    if (!v->proven) {
+      out.set_unproven();
+      out.error += std::abs(near_value(s.weight)) * (v->enclosed ? v->error : v->slack());
+    }
     const Enclosure within = v->bounds();
     if (!within.lower || !within.upper) return std::nullopt;
     const bool grows = s.weight.sign() > 0;
     lower = lower + s.weight * (grows ? *within.lower : *within.upper);
     upper = upper + s.weight * (grows ? *within.upper : *within.lower);
   }
-  if (out.proven) return out;
-  out.enclosed = Enclosure{std::move(lower), std::move(upper)};
-  out.error = out.enclosed->width();
+  if (!out.proven) out.enclosed = Enclosure{std::move(lower), std::move(upper)};
   return out;
 }
 
