@@ -178,7 +178,7 @@ TEST(PreparedScene, ItsTextSaysTheLastObjective) {
   greatest.maximize = "y";
   const Scene scene = Scene::json(Scene::json(kPlate).asking(greatest).edited_text());
   const std::string text = scene.asking(least).edited_text();
-  EXPECT_NE(text.find(R"("maximize": "")"), std::string::npos);
+  EXPECT_EQ(text.find("maximize"), std::string::npos);
   EXPECT_EQ(Scene::json(text).asking({}).edited_text(), text);
   EXPECT_EQ(scene.asking(least).asking(greatest).edited_text(), scene.edited_text());
 }

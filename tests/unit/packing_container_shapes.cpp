@@ -211,8 +211,9 @@ TEST(ContainerShape, ARoomLessAPillar) {
   EXPECT_DOUBLE_EQ(volume_of(problem, problem.containers[0]), 960);
   EXPECT_EQ(lower_bound(problem), Fraction(1));
   EXPECT_EQ(lower_bound(in_one(shape, {box("brick", 481, 1, 1, 2)}, 2)), Fraction(2));
-  EXPECT_FALSE(outside(problem, {3, 4, 0}));
-  EXPECT_TRUE(outside(problem, {Fraction(3) + kTiny, 4, 0}));
+  const SolidProblem one = in_one(shape, {box("brick", 1, 1, 1, 2)});
+  EXPECT_FALSE(outside(one, {3, 4, 0}));
+  EXPECT_TRUE(outside(one, {Fraction(3) + kTiny, 4, 0}));
 }
 
 TEST(ContainerShape, ARoomCutToABoxIsABox) {

@@ -3,8 +3,11 @@
 
 #include "io/api/edited_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "findspace/error.h"
 #include "findspace/text.h"
 #include "io/text/json_tree.h"
 
@@ -40,13 +43,12 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
   return at + 1;
 }
 
-/// The text with `value` under a key of the scene, which may not have been there; an empty text says as much.
+/// The text with `value` under a key of the scene, which may not have been there.
 std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
   plane::WorkBudget work;
   const JsonValue scene = parse_json(text, "scene", work);
   const JsonValue* old = scene.find(key);
   if (old == nullptr) {
-    if (value == R"("")") return text;
     const std::size_t brace = offset_of(text, scene.line, scene.column) + 1;
     return text.substr(0, brace) + "\n  \"" + key + "\": " + value + "," + text.substr(brace);
   }
@@ -54,9 +56,30 @@ std::string with_key(const std::string& text, const std::string& key, const std:
   return text.substr(0, from) + value + text.substr(end_of_value(text, from));
 }
 
+/// The text without a key of the scene. Throws Error where its words lie between comments that hide them.
+std::string without_key(const std::string& text, const std::string& key) {
+  plane::WorkBudget work;
+  const JsonValue scene = parse_json(text, "scene", work);
+  const JsonValue* old = scene.find(key);
+  if (old == nullptr) return text;
+  constexpr const char* kSpace = " \t\r\n";
+  const std::size_t value = offset_of(text, old->line, old->column);
+  std::size_t from = text.rfind(json_string(key), value), to = end_of_value(text, value);
+  const std::size_t next = text.find_first_not_of(kSpace, to), before = text.find_last_not_of(kSpace, from - 1);
+  if (text[next] == ',')
+    to = text[before] == '{' ? next + 1 : text.find_first_not_of(kSpace, next + 1);
+  else if (text[before] == ',')
+    from = before;
+  const std::string out = text.substr(0, from) + text.substr(to);
+  if (parse_json(out, "scene", work).find(key) != nullptr)
+    throw Error(ErrorCode::kUnsupported, fmt::format("\"{}\" cannot be taken out of the text of the scene", key));
+  return out;
+}
+
 }  // namespace
 
 std::string edited_scene(const std::string& text, const std::string& key, const std::vector<std::string>& values) {
+  if (values.empty()) return without_key(text, key);
   return with_key(text, key, values.size() == 1 ? json_string(values[0]) : json_list(values, json_string));
 }
 

@@ -447,7 +447,7 @@ std::string Scene::edited_text() const {
     last.maximize = question.maximize.value_or("");
   }
   const auto put = [&](const char* key, const std::optional<std::string>& value) {
-    if (value) out = io::edited_scene(out, key, {*value});
+    if (value) out = io::edited_scene(out, key, value->empty() ? std::vector<std::string>() : std::vector{*value});
   };
   put("where", last.where);
   put("minimize", last.minimize);
