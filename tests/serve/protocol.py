@@ -344,8 +344,8 @@ class Answers(unittest.TestCase):
         self.assertEqual(answers[3]["result"]["moving"], ["plate"])
 
     def test_a_limit_is_named(self):
-        answers, _ = serve([{"id": 1, "method": "load", "params": {"text": open(PEG, encoding="utf-8").read()}}], PEG,
-                           "--work-limit", "10000")
+        many = {"findspace": 1, "shapes": {"a": {"points": [[k, 0] for k in range(10000)]}}}
+        answers, _ = serve([{"id": 1, "method": "load", "params": {"text": json.dumps(many)}}], PEG, "--work-limit", "10000")
         self.assertEqual((answers[0]["error"]["code"], answers[0]["error"]["data"]["kind"]), (-32001, "limit"), answers)
 
     def test_batches_notifications_and_mistakes(self):
