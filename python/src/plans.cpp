@@ -317,9 +317,7 @@ True
 )doc")
       .def(
           "surface",
-          [](World w, const Formula& f, int count) {
-            return interruptible([&] { return w.surface(f, count); });
-          },
+          [](World w, const Formula& f, int count) { return interruptible([&] { return w.surface(f, count); }); },
           py::arg("formula"), py::arg("count") = 64,
           "The surface of the region on a lattice of cubes, so many along its longest side.");
 }

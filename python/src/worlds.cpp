@@ -397,9 +397,7 @@ False
 )doc")
       .def(
           "sign_map",
-          [](World w, const Distance& d, const py::object& level) {
-            return sign_map(w, d.text(), number(level));
-          },
+          [](World w, const Distance& d, const py::object& level) { return sign_map(w, d.text(), number(level)); },
           py::arg("distance"), py::arg("level") = 0)
       .def(
           "sign_map",
@@ -416,8 +414,7 @@ False
           "Where the formula holds for the moving shape rotated about a point of its own: intervals in degrees.")
       .def(
           "check_rotated",
-          [](World w, const Formula& f, const py::sequence& p, const py::object& degrees,
-             const py::sequence& about) {
+          [](World w, const Formula& f, const py::sequence& p, const py::object& degrees, const py::sequence& about) {
             const Point at = point(p), centre = point(about);
             const Number angle = number(degrees);
             return interruptible([&] { return w.check_rotated(f, at, angle, centre); });

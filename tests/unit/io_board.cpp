@@ -216,8 +216,9 @@ TEST(ReadBoard, BoxThatStandsInCoversPads) {
 }
 
 TEST(ReadBoard, DotsOfTheDrawnBodyArePassedOver) {
-  const std::string dots = "(fp_circle (center 4 4) (end 4 4) (layer \"F.SilkS\"))"
-                           "(fp_circle (center 4 4) (end 4 4) (layer \"F.Fab\"))";
+  const std::string dots =
+      "(fp_circle (center 4 4) (end 4 4) (layer \"F.SilkS\"))"
+      "(fp_circle (center 4 4) (end 4 4) (layer \"F.Fab\"))";
   const std::string pad = "(pad \"1\" smd rect (at 0 0) (size 2 1) (layers \"F.Cu\"))";
   const std::string yard = "(fp_rect (start -1 -1) (end 1 1) (layer \"F.CrtYd\"))";
   EXPECT_EQ(area(read_board(board(kOutline + part("R1", pad + dots + yard)), "b").parts[0].body), 4);

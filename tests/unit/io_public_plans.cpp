@@ -93,7 +93,8 @@ TEST(PublicPlacement, CopiesOnEitherSideOfAShape) {
     const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [10, 10]}},
       "B": {"box": {"min": [0, 0], "max": [2, 2]}}, "C": {"box": {"min": [0, 0], "max": [40, 40]}}},
       "place": {"shapes": ["A", "B"], "count": {"B": 2}, "each": "inside(self, C)", "pairs": "clear(self, other)",
-      "minimize": ["y", "x"], "method": ")json" + method + R"json("}})json");
+      "minimize": ["y", "x"], "method": ")json" +
+                                    method + R"json("}})json");
     const Placement found = *scene.place({{{"B", 2, {20, 20}, {}}}}).placement();
     ASSERT_TRUE(found.complete()) << method;
     EXPECT_EQ(*found.placed()[0].at, (Place{20, 20})) << method;

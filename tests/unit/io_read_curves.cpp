@@ -357,10 +357,9 @@ TEST(ReadCurves, SimplifiesOnASide) {
     ReadOptions options;
     options.drawings.curves = given;
     const std::string shape = R"({"simplify": "0.05mm", "of": )" + wheel() + beside + "}";
-    return area(
-        read_scene_text(R"({"findspace": 1, "unit": "mm", )" + rule + R"("shapes": {"a": )" + shape + "}}", ".", "s",
-                        options)
-            .shapes.at(0));
+    return area(read_scene_text(R"({"findspace": 1, "unit": "mm", )" + rule + R"("shapes": {"a": )" + shape + "}}", ".",
+                                "s", options)
+                    .shapes.at(0));
   };
   const std::string outside = R"("curves": "outside", )";
   EXPECT_EQ(by_rule(outside, "", {}), scene_area(simple("outside")));

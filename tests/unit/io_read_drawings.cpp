@@ -456,9 +456,9 @@ TEST(ReadDxf, LayersThatAreOffOrFrozenAreReadWithANote) {
       "frozen|70 1|62 7|0 ENDTAB|";
   const std::string entities = kSquare + "0 CIRCLE|8 off|10 5|20 5|40 2|0 CIRCLE|8 frozen|10 15|20 15|40 2|";
   EXPECT_EQ(dxf(entities + layers)->contours.size(), 3u);
-  EXPECT_EQ(dxf_notes(entities + layers),
-            std::vector<std::string>{
-                "f.dxf: 2 entities come from layers that are off or frozen; \"layer\" chooses a layer"});
+  EXPECT_EQ(
+      dxf_notes(entities + layers),
+      std::vector<std::string>{"f.dxf: 2 entities come from layers that are off or frozen; \"layer\" chooses a layer"});
   FileChoice off;
   off.layer = "off";
   EXPECT_EQ(dxf_notes(entities + layers, "", off), std::vector<std::string>{});
@@ -484,9 +484,7 @@ TEST(ReadDxf, WhatNeverEndsIsRefused) {
   expect_refused([&] { dxf(ellipse + "41 0|42 -1e30|"); }, "more than a thousand turns");
   for (const char* from : {"1e18", "-1e30"})
     expect_refused(
-        [&] {
-          dxf("0 HATCH|91 1|92 0|93 1|72 2|10 10|20 10|40 5|50 " + std::string(from) + "|51 0|73 1|97 0|");
-        },
+        [&] { dxf("0 HATCH|91 1|92 0|93 1|72 2|10 10|20 10|40 5|50 " + std::string(from) + "|51 0|73 1|97 0|"); },
         "more than a thousand turns");
   expect_refused(
       [] { dxf("0 INSERT|2 b|10 0|20 0|70 1048576|71 1048576|", {}, "4", "0 BLOCK|2 b|10 0|20 0|0 ENDBLK|"); },
@@ -502,7 +500,13 @@ TEST(ReadDxf, NamesOfCodePagesBecomeUtf8) {
   FileChoice choice;
   choice.layer = "Größe €";
   const std::string circle = "|10 5|20 5|40 2|";
-  EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Gr\xF6\xDF" "e \x80" + circle, choice)->kind, Shape::Kind::kDisc);
+  EXPECT_EQ(dxf(kSquare +
+                    "0 CIRCLE|8 Gr\xF6\xDF"
+                    "e \x80" +
+                    circle,
+                choice)
+                ->kind,
+            Shape::Kind::kDisc);
   EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Größe €" + circle, choice)->kind, Shape::Kind::kDisc);
   EXPECT_EQ(dxf(kSquare + "0 CIRCLE|8 Gr\\U+00F6\\U+00DFe \\U+20AC" + circle, choice)->kind, Shape::Kind::kDisc);
 }

@@ -62,9 +62,8 @@ TEST(BoxComplex, CavitiesSlitsAndUnboundedSets) {
 TEST(BoxComplex, HolesOfComponentsWithinOthers) {
   const BoxComplex sets[] = {box_set({{{{0, 0, 0}, {12, 12, 12}}}}), box_set({{{{2, 2, 2}, {10, 10, 10}}}}),
                              box_set({{{{3, 3, 3}, {9, 9, 9}}}}), box_set({{{{5, 5, 5}, {7, 7, 7}}}})};
-  const BoxComplex shells =
-      overlay(std::array{&sets[0], &sets[1], &sets[2], &sets[3]},
-              [](std::span<const Mark> m) { return Mark((m[0] && !m[1]) || (m[2] && !m[3])); });
+  const BoxComplex shells = overlay(std::array{&sets[0], &sets[1], &sets[2], &sets[3]},
+                                    [](std::span<const Mark> m) { return Mark((m[0] && !m[1]) || (m[2] && !m[3])); });
   const auto holes = [](const SpaceSummary& s) {
     std::vector<int> out;
     for (const SpaceComponent& c : s.components) out.push_back(c.holes);

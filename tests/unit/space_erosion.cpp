@@ -112,8 +112,7 @@ TEST(Erosion, OfABowlMovesItsWallsAndItsHollow) {
 
 TEST(Erosion, OfAUnionThatFillsItsBoxHasNothingToKeepOut) {
   const ShapePtr both = node(Kind::kUnion, {block({0, 0, 0}, {10, 10, 10}), block({10, 0, 0}, {20, 10, 10})});
-  const CsgSolid shrunk =
-      csg_solid(*offset(node(Kind::kDifference, {both, ball({10, 5, 10}, 3)}), Real(-1)));
+  const CsgSolid shrunk = csg_solid(*offset(node(Kind::kDifference, {both, ball({10, 5, 10}, 3)}), Real(-1)));
   EXPECT_EQ(shrunk.containers.size(), 1u);
   ASSERT_EQ(shrunk.obstacles.size(), 1u);  // the ball
   EXPECT_EQ(shrunk.obstacles[0].parts[0].radius, Real(4));

@@ -38,7 +38,8 @@ struct Task {
 
 void* cut(void* at) {
   Task& task = *static_cast<Task*>(at);
-  task.cells = partition(std::move(task.facets), ConvexRegion(real(Point{-kHalf, 0, 0}), real(Point{kHalf, kDeep, 10})));
+  task.cells =
+      partition(std::move(task.facets), ConvexRegion(real(Point{-kHalf, 0, 0}), real(Point{kHalf, kDeep, 10})));
   return nullptr;
 }
 

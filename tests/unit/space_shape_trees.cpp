@@ -60,7 +60,8 @@ TEST(BoxShapes, AreMadeAsTheirNodesSay) {
 /// Fourteen million cells, once for each of the sixty blocks, would be 840 MB.
 TEST(BoxShapes, AUnionOfManyTakesOneGrid) {
   std::vector<ShapePtr> blocks;
-  for (std::int64_t k = 0; k < 60; ++k) blocks.push_back(block({3 * k, 3 * k, 3 * k}, {3 * k + 1, 3 * k + 1, 3 * k + 1}));
+  for (std::int64_t k = 0; k < 60; ++k)
+    blocks.push_back(block({3 * k, 3 * k, 3 * k}, {3 * k + 1, 3 * k + 1, 3 * k + 1}));
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   const auto all = box_complex(*node(Kind::kUnion, blocks));
@@ -79,10 +80,8 @@ TEST(BoxShapes, APlateWithManyHoles) {
   plate.form = Solid::Form::kPrism;
   plate.high = 2;
   const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t side) {
-    plate.contours.push_back({{.start = {x, y}},
-                              {.start = {x + side, y}},
-                              {.start = {x + side, y + side}},
-                              {.start = {x, y + side}}});
+    plate.contours.push_back(
+        {{.start = {x, y}}, {.start = {x + side, y}}, {.start = {x + side, y + side}}, {.start = {x, y + side}}});
   };
   add(0, 0, kSide);
   for (std::int64_t i = 0; i < kHoles; ++i) {

@@ -130,8 +130,8 @@ class Real {
 
 Real sqrt(const Real&);
 int compare(const Real&, const Real&);
-/// Exact where both are closed forms; else of the values rounded once, as deep roots are costly to compare: 0 where they
-/// are one double.
+/// Exact where both are closed forms; else of the values rounded once, as deep roots are costly to compare: 0 where
+/// they are one double.
 int compare_if_closed(const Real&, const Real&);
 Real abs(const Real&);
 /// Greatest integer <= x and nearest integer (ties away from zero); throw Error(kOutOfRange) beyond 2^126.

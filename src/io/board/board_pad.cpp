@@ -177,8 +177,7 @@ void include_primitives(const Sexpr& pad, Extent& out) {
     ReadContext aside;  // points that are rounded count once, with the copper
     Graphics graphics(aside);
     if (!item.is_list() || !graphics.add(item, Affine{})) return;
-    if (const Extent drawn = graphics.extent(); !drawn.empty())
-      include_box(drawn, width_of(item).to_double() / 2, out);
+    if (const Extent drawn = graphics.extent(); !drawn.empty()) include_box(drawn, width_of(item).to_double() / 2, out);
   });
 }
 

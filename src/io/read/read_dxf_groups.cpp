@@ -57,10 +57,10 @@ std::string without_escapes(std::string_view text) {
 /// Of a name in the code page of its writer: the usual one, 1252.
 std::string of_code_page(std::string_view text) {
   constexpr unsigned kFirst = 0x80;
-  constexpr std::array<std::uint16_t, 32> kBeyondLatin1{
-      0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-      0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+  constexpr std::array<std::uint16_t, 32> kBeyondLatin1{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                        0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                        0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                        0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
   std::string out;
   for (const char c : text) {
     const unsigned byte = static_cast<unsigned char>(c);
@@ -226,8 +226,7 @@ class DxfParser {
       const DxfEntity layer = entity();
       const DxfGroup* name = layer.find(2);
       const bool off = document_.number(layer, 62, 1).sign() < 0;
-      if (name && (off || (document_.flags(layer, 70) & kFrozen) != 0))
-        document_.hidden_layers.emplace(name->value);
+      if (name && (off || (document_.flags(layer, 70) & kFrozen) != 0)) document_.hidden_layers.emplace(name->value);
     }
   }
 

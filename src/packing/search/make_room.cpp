@@ -96,7 +96,8 @@ class RoomMaker {
 
 Fraction on_grid(const Problem& problem, double coordinate) {
   const double steps = std::round(coordinate * double(problem.steps()));
-  if (!(std::abs(steps) < margin::kFarthestItem)) throw Error(ErrorCode::kOutOfRange, "an item cannot be moved that far");
+  if (!(std::abs(steps) < margin::kFarthestItem))
+    throw Error(ErrorCode::kOutOfRange, "an item cannot be moved that far");
   return Fraction(int128(steps), problem.steps());
 }
 

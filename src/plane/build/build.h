@@ -25,8 +25,8 @@ struct BuildResult {
 };
 
 /// The set of a 2D shape. Throws Error, its place that of the node: kUnsupported for a hull that is refused (hull.h),
-/// kGeometry where a rotated shape no longer is one, kOutOfRange where a moved shape exceeds 2^40 grid steps or a sum, a
-/// difference or an offset 2^42, kLimit where it costs more than `work` units. `step`: size of a grid step, for the
+/// kGeometry where a rotated shape no longer is one, kOutOfRange where a moved shape exceeds 2^40 grid steps or a sum,
+/// a difference or an offset 2^42, kLimit where it costs more than `work` units. `step`: size of a grid step, for the
 /// geometry of errors.
 BuildResult build(const Shape& shape, double step = 1, std::uint64_t work = kUsualWorkBudget);
 

@@ -227,8 +227,8 @@ void check_holes(const std::vector<Ring>& rings, double step) {
     if (!around[i].empty()) refuse(i, fmt::format("{} is inside {}", rings[i].label(), rings[around[i][0]].label()));
   if (outside == rings.size()) return;
   const GridPoint p = corner(outside);
-  refuse(outside, fmt::format("{} is not inside {}: its vertex {} is outside", rings[outside].label(),
-                              rings[0].label(), show(double(p.x), double(p.y), step)));
+  refuse(outside, fmt::format("{} is not inside {}: its vertex {} is outside", rings[outside].label(), rings[0].label(),
+                              show(double(p.x), double(p.y), step)));
 }
 
 }  // namespace

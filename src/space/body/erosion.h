@@ -18,7 +18,7 @@
 namespace findspace::space {
 
 struct Erosion {
-  std::vector<Body> containers;  // at least one
+  std::vector<Body> containers;     // at least one
   std::optional<Body> obstacles{};  // with parts
 };
 
