@@ -74,9 +74,10 @@ Options options_of(const Job& job, const Options& batch) {
   options.memory_limit = lower_limit(options.memory_limit, batch.memory_limit);
   options.input_limit = std::min(options.input_limit, batch.input_limit);
   options.work_limit = std::min(options.work_limit, batch.work_limit);
-  if (options.threads == 0) options.threads = std::max(1U, batch.threads);
+  options.threads = std::max(1U, lower_limit(options.threads, batch.threads));
   options.no_files = options.no_files || batch.no_files;
-  if (!batch.root.empty()) options.root = batch.root;
+  if (!batch.root.empty() && (options.root.empty() || !is_inside_folder(options.root, batch.root)))
+    options.root = batch.root;
   check_root(job, options);
   return options;
 }

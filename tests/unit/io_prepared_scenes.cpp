@@ -183,6 +183,19 @@ TEST(PreparedScene, ItsTextSaysTheLastObjective) {
   EXPECT_EQ(scene.asking(least).asking(greatest).edited_text(), scene.edited_text());
 }
 
+TEST(PreparedScene, KeysAreTakenOutBesideComments) {
+  const std::string begin =
+      R"({"findspace": 1, "shapes": {"a": {"box": {"min": [0, 0], "max": [1, 1]}}}, "moving": "a")";
+  Scene::Question greatest;
+  greatest.maximize = "x";
+  for (const char* end : {", \"where\": \"true\", // the \"minimize\", rules\n \"minimize\": \"y\"\n}",
+                          ", \"minimize\": /* the \"least\" */ \"y\", \"where\": \"true\"}"}) {
+    const std::string text = Scene::json(begin + end).asking(greatest).edited_text();
+    EXPECT_EQ(Scene::json(text).asking({}).edited_text(), text);
+    EXPECT_EQ(text.find("\"y\""), std::string::npos);
+  }
+}
+
 TEST(PreparedScene, InSpace) {
   const Scene plain = Scene::json(kRooms), prepared = plain.prepared();
   const Pose near{{"7.25", "0", "2"}, {}, {}};

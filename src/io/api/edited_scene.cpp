@@ -3,11 +3,8 @@
 
 #include "io/api/edited_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "findspace/error.h"
 #include "findspace/text.h"
 #include "io/text/json_tree.h"
 
@@ -27,19 +24,18 @@ std::size_t end_of_string(const std::string& text, std::size_t at) {
   return at + 1;
 }
 
+/// Behind the string or comment that begins at `at`, or the next letter.
+std::size_t after(const std::string& text, std::size_t at) {
+  if (text[at] == '"') return end_of_string(text, at);
+  if (text.compare(at, 2, "//") == 0) return std::min(text.find('\n', at), text.size());
+  if (text.compare(at, 2, "/*") == 0) return std::min(text.find("*/", at), text.size() - 2) + 2;
+  return at + 1;
+}
+
 /// Behind the value that begins at `at`: a string, or a list of strings.
 std::size_t end_of_value(const std::string& text, std::size_t at) {
   if (text[at] == '"') return end_of_string(text, at);
-  for (++at; at < text.size() && text[at] != ']';) {
-    if (text[at] == '"')
-      at = end_of_string(text, at);
-    else if (text.compare(at, 2, "//") == 0)
-      at = std::min(text.find('\n', at), text.size());
-    else if (text.compare(at, 2, "/*") == 0)
-      at = std::min(text.find("*/", at), text.size() - 2) + 2;
-    else
-      ++at;
-  }
+  for (++at; at < text.size() && text[at] != ']';) at = after(text, at);
   return at + 1;
 }
 
@@ -56,24 +52,21 @@ std::string with_key(const std::string& text, const std::string& key, const std:
   return text.substr(0, from) + value + text.substr(end_of_value(text, from));
 }
 
-/// The text without a key of the scene. Throws Error where its words lie between comments that hide them.
+/// The text without a key of the scene, and without the comma before it, or behind it where it is the first.
 std::string without_key(const std::string& text, const std::string& key) {
   plane::WorkBudget work;
   const JsonValue scene = parse_json(text, "scene", work);
   const JsonValue* old = scene.find(key);
   if (old == nullptr) return text;
-  constexpr const char* kSpace = " \t\r\n";
-  const std::size_t value = offset_of(text, old->line, old->column);
-  std::size_t from = text.rfind(json_string(key), value), to = end_of_value(text, value);
-  const std::size_t next = text.find_first_not_of(kSpace, to), before = text.find_last_not_of(kSpace, from - 1);
-  if (text[next] == ',')
-    to = text[before] == '{' ? next + 1 : text.find_first_not_of(kSpace, next + 1);
-  else if (text[before] == ',')
-    from = before;
-  const std::string out = text.substr(0, from) + text.substr(to);
-  if (parse_json(out, "scene", work).find(key) != nullptr)
-    throw Error(ErrorCode::kUnsupported, fmt::format("\"{}\" cannot be taken out of the text of the scene", key));
-  return out;
+  const std::size_t value = offset_of(text, old->line, old->column), end = end_of_value(text, value);
+  std::size_t begin = 0, comma = text.npos, next = end;
+  for (std::size_t at = 0; at < value; at = after(text, at)) {
+    if (text[at] == '"') begin = at;
+    if (text[at] == ',') comma = at;
+  }
+  if (comma != text.npos) return text.substr(0, comma) + text.substr(comma + 1, begin - comma - 1) + text.substr(end);
+  while (text[next] != ',' && text[next] != '}') next = after(text, next);
+  return text.substr(0, begin) + text.substr(end, next - end) + text.substr(text[next] == ',' ? next + 1 : next);
 }
 
 }  // namespace

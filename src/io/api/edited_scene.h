@@ -10,8 +10,8 @@
 
 namespace findspace::io {
 
-/// `text` is a scene that was read; the value of a key is a string, or a list of strings where it has several; without
-/// a value the key is taken out. Throws Error where the text is none, or a comment hides where a key begins.
+/// `text` is a scene that was read; the value of a key is a string, or a list of strings where it has several. Without
+/// a value the key is taken out. Throws Error where the text is none.
 std::string edited_scene(const std::string& text, const std::string& key, const std::vector<std::string>& values);
 
 }  // namespace findspace::io

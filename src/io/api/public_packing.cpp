@@ -154,11 +154,11 @@ packing::Layout layout_of(const packing::Problem& problem, const PackLayout& lay
 
 /// Of each part and of each sheet as many as the problem has, and every item on one of its sheets. Throws Error.
 void check_counts(const packing::Problem& problem, const packing::Layout& layout) {
-  std::vector<int> missing, unused;
+  std::vector<std::int64_t> missing, unused;
   for (const packing::Part& part : problem.parts) missing.push_back(part.demand);
   for (const packing::Placed& item : layout.items) --missing[item.part];
   for (const packing::LeftOut& out : layout.left_out) missing[out.part] -= out.copies;
-  if (std::any_of(missing.begin(), missing.end(), [](int count) { return count != 0; }))
+  if (std::any_of(missing.begin(), missing.end(), [](std::int64_t count) { return count != 0; }))
     refuse_layout("has other parts than the problem");
   for (const packing::Sheet& sheet : problem.sheets) unused.push_back(sheet.count);
   for (const std::size_t kind : layout.sheets)

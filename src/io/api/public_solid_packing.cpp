@@ -202,7 +202,7 @@ SolidLayout layout_of(const SolidProblem& problem, const SolidPackLayout& layout
   result.height = io::fraction(layout.height);
   for (const PlacedSolid& item : layout.items) result.items.push_back(placed_of(problem, item));
   for (const LeftOutPart& out : layout.left_out)
-    result.left_out.push_back({io::index_of(out.part, problem.parts, "part"), out.copies, out.why});
+    result.left_out.push_back({io::index_of(out.part, problem.parts, "part"), io::count_of(out.copies), out.why});
   for (const std::string& name : layout.containers)
     result.containers.push_back(io::index_of(name, problem.containers, "container"));
   for (const packing::SolidPlaced& item : result.items)
