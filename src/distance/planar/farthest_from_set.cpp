@@ -103,7 +103,7 @@ std::optional<FarthestPlace> FarthestFromSet::greatest(const RealPoint& p, doubl
     for (const MaxMinPlace& k : distinct(all, scale)) {
       FarthestPlace place = exact_place(k, p);
       if (k.unnamed) unnamed = std::max(unnamed, k.value + scale * short_part);
-      if (!best || place.value.to_double() > best->value.to_double()) best = std::move(place);
+      if (!best || compare_if_closed(place.value, best->value) > 0) best = std::move(place);
     }
   };
   MaxMinSearch search({a_, b_, a_features_, b_features_, a_reach_}, px, py,

@@ -129,10 +129,10 @@ std::optional<FarthestPlace> exact_meeting(const PlacedSets& sets, const Found& 
   return out;
 }
 
-/// Corners by their exact distances, which have few roots; others by these rounded once.
+/// Corners by their exact distances, which have few roots; so others that are closed forms.
 bool is_farther(const FarthestPlace& k, const FarthestPlace& than) {
   if (k.cell.dimension == 0 && than.cell.dimension == 0) return k.value > than.value;
-  return k.value.to_double() > than.value.to_double();
+  return compare_if_closed(k.value, than.value) > 0;
 }
 
 /// Where an edge was halved parts of A may meet. Where they do not, the place is known in numbers only, and gives way

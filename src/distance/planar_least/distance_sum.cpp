@@ -193,12 +193,15 @@ ValueRange DistanceSum::range(const RealPoint& p, double radius) const {
   return {std::max(out.low, tight.low) - noise, std::min(out.high, tight.high) + noise};
 }
 
-Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size, bool goes_on) {
+void refuse_without_end() {
+  throw Error(ErrorCode::kUnsupported,
+              "over unbounded positions only the least sum of distances with positive factors is looked for");
+}
+
+Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size) {
   SearchWindow window{{}, false, margin::kBestPart * size, kMostBoxes, true};
   const bool unbounded = s.possible.faces[0].mark > 0, finite = f.infinite().value_or(0) == 0;
-  if ((unbounded || goes_on) && finite && !(f.grows() && sense == Sense::kMinimum))
-    throw Error(ErrorCode::kUnsupported,
-                "over unbounded positions only the least sum of distances with positive factors is looked for");
+  if (unbounded && finite && !(f.grows() && sense == Sense::kMinimum)) refuse_without_end();
   if (unbounded) {
     // Some position has at most (|p| + size) times the weights; one farther off by twice that has more.
     const plane::Region& all = s.possible;

@@ -67,9 +67,9 @@ class DistanceSum {
   double rate_ = 0;
 };
 
-/// The least or greatest value over positions of S (best_position.h), `size`: the reach of all shapes; `goes_on`: S is
-/// what was cut out of an unbounded set. Throws Error(kUnsupported) where that is so, or S is unbounded, and F need not
-/// grow with the distance.
-Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size, bool goes_on = false);
+/// The least or greatest value over positions of S (best_position.h), `size`: the reach of all shapes. Throws
+/// Error(kUnsupported) where S is unbounded and F need not grow with the distance.
+Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size);
+[[noreturn]] void refuse_without_end();
 
 }  // namespace findspace::distance

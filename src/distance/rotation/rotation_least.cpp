@@ -45,6 +45,13 @@ RotationMap probe(const RotationMap& sign, const RotationMap& set) {
   });
 }
 
+/// Angles beside the set that it lacks.
+RotationMap missing_ends(const RotationMap& set) {
+  const RotationMap closed = closure(set);
+  const std::array<const RotationMap*, 2> both{&closed, &set};
+  return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] == 0); });
+}
+
 /// The middle of every interval.
 RotationMap middles(const RotationMap& set) {
   RotationMap out = RotationMap::uniform(0);
@@ -95,8 +102,9 @@ RotationOptimum least_rotation(const std::function<RotationMap(const Real&)>& si
   const RotationMap at = out.proven() ? map : middles(probe(sign(reached_level), closed));
   const std::array<const RotationMap*, 2> both{&at, &set};
   const RotationMap inside = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] != 0); });
-  out.attained = has(inside, 1);
-  out.at = out.attained ? inside : at;
+  const bool reached_inside = has(inside, 1);
+  out.attained = reached_inside && (out.proven() || !has(probe(sign(reached_level), missing_ends(set)), kOn));
+  out.at = reached_inside ? inside : at;
   return out;
 }
 

@@ -103,8 +103,9 @@ distance::Extremum best_position(const PreparedWorld& world, const Distance& wan
                                  Sense sense, bool goes_on) {
   const Roles r = world.roles(wanted);
   const DiscRange range = disc_range(world, r);
-  const SearchWindow window = search_window(world, r, over.possible, goes_on || over.possible.faces[0].mark > 0);
-  if (goes_on && window.worse_outside && sense == Sense::kMaximum)
+  const bool looks_far = goes_on && (sense == Sense::kMinimum || plane::is_bounded(world.shape(r.names.second)));
+  const SearchWindow window = search_window(world, r, over.possible, looks_far || over.possible.faces[0].mark > 0);
+  if (looks_far && window.worse_outside && sense == Sense::kMaximum)
     return distance::no_optimum<plane::Region>(sense, true);
   return distance::best_position(range, over, sense, window);
 }

@@ -137,7 +137,14 @@ distance::RotationOptimum RotationMaps::best(const Distance& d, const RotationMa
   const auto sign = [&](const Real& level) {
     return least ? sign_map({d, level}) : plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
   };
-  distance::RotationOptimum best = distance::least_rotation(sign, within, step_of_values(world_, d), jumps(d, sense));
+  const auto search = [&](bool jumping) {
+    return distance::least_rotation(sign, within, step_of_values(world_, d), jumping);
+  };
+  distance::RotationOptimum best = search(false);
+  // The greatest gap, where it is above 0, is the limit of those near it.
+  const bool is_apart =
+      d.mode == Mode::kPlain && d.kind == Kind::kGamma1 && !least && best.value() && best.value()->sign() < 0;
+  if (jumps(d, sense) && !is_apart) best = search(true);
   if (least) return best;
   if (best.unbounded) return distance::no_optimum(sense, true, RotationMap::uniform(0));
   best.negate();

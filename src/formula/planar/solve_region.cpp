@@ -137,9 +137,13 @@ bool goes_on(const distance::PositionBounds& over, const BestQuery& query) {
 Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
   const PreparedWorld& world = solver.prepared();
   const std::vector<SumTerm>& terms = query.objective.terms;
-  return in_scene(
-      best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms), goes_on(over, query)),
-      world.step());
+  const auto best = best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms));
+  if (best.value() && query.line) {
+    const auto ends = ends_of(*query.line);
+    if (std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& end) { return has(best.at, end); }))
+      distance::refuse_without_end();
+  }
+  return in_scene(best, world.step());
 }
 
 /// The values are known between bounds only (rotation_values.h).
