@@ -13,7 +13,7 @@ namespace space_partition {
 
 using exact::Real;
 
-constexpr std::int64_t kHalf = 400, kDeep = kHalf * kHalf;
+constexpr std::int64_t kHalf = 1200, kDeep = kHalf * kHalf;
 
 /// A prism over the points (x, x^2).
 Polytope round_prism() {

@@ -57,44 +57,6 @@ bool has_conditions(const StatedConditions& stated) {
   return !stated.conditions.empty() || !stated.where.empty() || !stated.groups.empty();
 }
 
-/// No corner of a part is farther from its origin.
-double reach_of(const std::vector<UnscaledPart>& parts) {
-  double reach = 0;
-  for (const UnscaledPart& part : parts)
-    for (const UnscaledRing& ring : part.rings)
-      for (const auto& [x, y] : ring) reach = std::max(reach, std::abs(x.to_double()) + std::abs(y.to_double()));
-  return reach;
-}
-
-int grid_digits(const UnscaledProblem& problem) {
-  bool shapes = false;
-  int digits = gap_digits(problem.gap), finer = 0;
-  const auto see = [&](const auto& outlined, const std::string& place) {
-    digits = std::max(digits, digits_of(outlined.rings, place));
-    if (!outlined.shape) return;
-    digits = std::max(digits, digits_of(outlined.shape->step));
-    shapes = true;
-  };
-  for (const packing::PairGap& pair : problem.gaps) digits = std::max(digits, gap_digits(pair.gap));
-  if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
-  for (const UnscaledPart& part : problem.parts) {
-    see(part, "part '" + part.name + "'");
-    if (part.tilt > 0 || !std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
-  }
-  for (const packing::FixedPart& fixed : problem.fixed)
-    if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
-  for (const UnscaledSheet& sheet : problem.sheets) {
-    const std::string place = "sheet '" + sheet.name + "'";
-    see(sheet, place);
-    for (const UnscaledZone& zone : sheet.zones) see(zone, place + ": a zone");
-  }
-  if (shapes) return std::max(digits, std::min(digits + finer, kDigitsOfShapes));
-  while (finer > 0 && has_conditions(problem) &&
-         double(packing::power_of_ten(digits + finer)) * reach_of(problem.parts) > double(plane::Grid::kLimit))
-    --finer;
-  return digits + finer;
-}
-
 packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) {
   std::vector<packing::Ring> result;
   for (const UnscaledRing& ring : rings) {
@@ -103,13 +65,6 @@ packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int12
   }
   return packing::make_polygon(std::move(result), place);
 }
-
-struct Outlined {
-  packing::Polygon shape;  // of a round one a polygon about it
-  std::shared_ptr<const packing::RoundPart> round = {};
-
-  packing::LatticeBox box() const { return round ? round->at(0, false).box : box_of(shape); }
-};
 
 /// The outline and each hole as polygons.
 std::vector<packing::Polygon> sets_of(const packing::Polygon& shape) {
@@ -142,6 +97,64 @@ bool holes_overlap(const std::vector<packing::Polygon>& sets) {
   }
   return false;
 }
+
+/// The same of rings; where these are faulty, that is said later.
+bool holes_overlap(const std::vector<UnscaledRing>& rings, const std::string& place) {
+  if (rings.size() < 2) return false;
+  try {
+    return holes_overlap(sets_of(on_steps(rings, packing::power_of_ten(digits_of(rings, place)), place)));
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// No corner of one is farther from its origin.
+template <class Outlined>
+double reach_of(const std::vector<Outlined>& shapes) {
+  double reach = 0;
+  for (const Outlined& shape : shapes)
+    for (const UnscaledRing& ring : shape.rings)
+      for (const auto& [x, y] : ring) reach = std::max(reach, std::abs(x.to_double()) + std::abs(y.to_double()));
+  return reach;
+}
+
+int grid_digits(const UnscaledProblem& problem) {
+  bool shapes = false, overlap = false;
+  int digits = gap_digits(problem.gap), finer = 0;
+  const auto see = [&](const auto& outlined, const std::string& place) {
+    digits = std::max(digits, digits_of(outlined.rings, place));
+    overlap = overlap || holes_overlap(outlined.rings, place);
+    if (!outlined.shape) return;
+    digits = std::max(digits, digits_of(outlined.shape->step));
+    shapes = true;
+  };
+  for (const packing::PairGap& pair : problem.gaps) digits = std::max(digits, gap_digits(pair.gap));
+  if (!problem.sheets.empty()) digits = std::max(digits, gap_digits(problem.edge));
+  for (const UnscaledPart& part : problem.parts) {
+    see(part, "part '" + part.name + "'");
+    if (part.tilt > 0 || !std::all_of(part.angles.begin(), part.angles.end(), packing::is_quarter)) finer = 6;
+  }
+  for (const packing::FixedPart& fixed : problem.fixed)
+    if (!packing::is_quarter(fixed.placed.angle)) finer = 6;
+  for (const UnscaledSheet& sheet : problem.sheets) {
+    const std::string place = "sheet '" + sheet.name + "'";
+    see(sheet, place);
+    for (const UnscaledZone& zone : sheet.zones) see(zone, place + ": a zone");
+  }
+  if (shapes) return std::max(digits, std::min(digits + finer, kDigitsOfShapes));
+  // Pairs with conditions, and what holes that overlap leave, are sets of the kernel.
+  double reach = overlap || has_conditions(problem) ? reach_of(problem.parts) : 0;
+  if (overlap) reach = std::max(reach, reach_of(problem.sheets));
+  while (finer > 0 && double(packing::power_of_ten(digits + finer)) * reach > double(plane::Grid::kLimit)) --finer;
+  return digits + finer;
+}
+
+struct Outlined {
+  packing::Polygon shape;  // of a round one a polygon about it
+  std::shared_ptr<const packing::RoundPart> round = {};
+
+  packing::LatticeBox box() const { return round ? round->at(0, false).box : box_of(shape); }
+};
 
 /// The outline without its holes.
 plane::Region region_without(const std::vector<packing::Polygon>& sets) {

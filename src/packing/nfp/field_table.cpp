@@ -41,7 +41,7 @@ bool fits_somewhere(const Problem& problem, const Variant& v, double height) {
   const double steps = double(problem.steps()), edges = 2 * problem.edge.to_double();
   const auto fits = [&](const Sheet& sheet) {
     const LatticeBox box = box_of(sheet);
-    return v.high.x - v.low.x <= double(box.high.x) / steps - edges &&
+    return sheet.count > 0 && v.high.x - v.low.x <= double(box.high.x) / steps - edges &&
            v.high.y - v.low.y <= double(box.high.y) / steps - edges;
   };
   return std::any_of(problem.sheets.begin(), problem.sheets.end(), fits);

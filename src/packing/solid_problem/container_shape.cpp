@@ -138,7 +138,7 @@ space::Body rest_of_box(const space::Body& body, const Point& end) {
   for (const space::BodyPart& part : body.parts) parts.push_back(*part.core);
   space::Body rest = space::body_of(space::parts_of_cells(space::difference_cells({&box, 1}, parts)));
   rest.scale *= body.scale;
-  if (rest.rounded > 0) throw Error(ErrorCode::kOutOfRange, "what a container lacks has corners with too many digits");
+  if (rest.rounded > 0) throw Error(ErrorCode::kOutOfRange, "a container has corners with too many digits");
   return rest;
 }
 

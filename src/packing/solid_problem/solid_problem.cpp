@@ -105,6 +105,16 @@ exact::Real flat_volume_of(const space::Body& body) {
   return space::six_volumes_of_union(polytopes) / (exact::Real(6) * scale * scale * scale);
 }
 
+/// Unions of more facets count what their parts share twice: to tell it apart would take too long.
+constexpr int kMostFacets = 1000;
+
+int facets_of(const space::Body& body) {
+  int sum = 0;
+  for (const space::BodyPart& part : body.parts)
+    if (part.core) sum += part.core->facet_count();
+  return sum;
+}
+
 }  // namespace
 
 std::size_t SolidProblem::items() const {
@@ -242,7 +252,7 @@ void set_forms(SolidPart& part, const plane::Shape& shape, const std::vector<Sol
   if (shape.solid != nullptr && form.body.parts.size() > 1) form.surface = space::ray_solids(shape);
   if (!form.is_exact() && form.surface.empty())
     throw Error(ErrorCode::kOutOfRange, "its convex parts have corners with too many digits");
-  if (!part.disjoint) part.flat_volume = flat_volume_of(form.body);
+  if (!part.disjoint && facets_of(form.body) <= kMostFacets) part.flat_volume = flat_volume_of(form.body);
   for (const SolidRotation& rotation : rotations) part.forms.push_back(turned(form, rotation));
 }
 
