@@ -8,8 +8,8 @@ namespace findspace::margin {
 
 // -- in all streets, and in those of `distance`
 
-/// In grid steps: no level lies beyond, as coordinates are below 2^40 and a distance is below 2^3 times that. Searches:
-/// values are bracketed between minus this and this.
+/// In grid steps: no level lies beyond, as coordinates are at most 2^42 and a distance is below 2^2 times that.
+/// Searches: values are bracketed between minus this and this.
 inline constexpr double kBeyondAll = 0x1p44;
 
 // -- base and complex

@@ -184,7 +184,7 @@ class DxfReader {
   }
 
   void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, std::string_view part, int depth) {
-    count_inserted();  // blocks may be empty
+    if (block.entities.empty()) count_inserted();
     for (const DxfEntity& entity : block.entities) {
       count_inserted();
       draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), part, depth + 1);

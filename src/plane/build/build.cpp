@@ -297,8 +297,8 @@ class Builder {
   }
 
   /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
-  /// A boundary between two offsets counts as a level, as curves of both its sides meet. Above one so does another
-  /// amount than those below it, as then what is moved there and back is not where it was.
+  /// A boundary between two offsets counts as a level, as curves of both its sides meet. An offset above such a
+  /// boundary counts twice if its amount is not used below it: what moves there and back is not where it was.
   void charge_offset(const Shape& s) {
     constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
     std::uint64_t units = child(s, 0)->edges.size() + 1;

@@ -197,13 +197,25 @@ Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
   return result;
 }
 
-/// Whether the set is the interior of one, or a union or intersection with such.
+/// Whether the set is the interior of one, or is made of such, so that it may lack boundary.
 bool lacks_boundary(const plane::Shape& shape) {
-  const Kind kind = shape.kind;
-  if (kind == Kind::kInterior) return true;
-  if (kind != Kind::kTranslate && kind != Kind::kMirror && kind != Kind::kUnion && kind != Kind::kIntersection)
-    return false;
-  return std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return lacks_boundary(*c); });
+  switch (shape.kind) {
+    case Kind::kInterior:
+      return true;
+    case Kind::kDifference:
+    case Kind::kMinkowskiDifference:
+      return lacks_boundary(*shape.children[0]);
+    case Kind::kTranslate:
+    case Kind::kMirror:
+    case Kind::kUnion:
+    case Kind::kIntersection:
+    case Kind::kHull:
+    case Kind::kMinkowskiSum:
+      return std::any_of(shape.children.begin(), shape.children.end(),
+                         [](const auto& c) { return lacks_boundary(*c); });
+    default:
+      return false;
+  }
 }
 
 /// Keeps what is inside the other shape, or what is not.

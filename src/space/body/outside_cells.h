@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Convex sets whose union is the closure of the complement of a body whose parts have no radius (a single one may be
-// flat; several may be points). The first ones are half spaces; the others, cells of the bounding box, do not meet in
+// Convex sets whose union is the closure of the complement of a body. Its parts have no radius; a single one may be
+// flat, several may be points. The first ones are half spaces; the others, cells of the bounding box, do not meet in
 // their interiors. Of what is a mesh they are the empty cells of the partition that made its parts, so they leave the
 // mesh itself, also where parts were rounded to the grid: a shape may then protrude from the rounded parts by `moved`
 // and fit all the same. Guarantee: exact. Cost: of one mesh none; else a cell of the box is cut by every part, and by
