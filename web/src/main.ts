@@ -351,6 +351,8 @@ function onDropped(open: (text: string) => Promise<void>): void {
 
 /// Another scene in place of this one.
 async function openScene(text: string): Promise<void> {
+  await dragged;  // what is still asked is about the scene before
+  await asked;
   const loaded = await call<Summary>("load", { text, drawing: true });
   placing?.end();
   hidden.clear();
