@@ -114,7 +114,7 @@ class Hedge {
     Formula of_variant(formula::compare(with(d, true, r.grows == at_most ? bound_ : -bound_), relation, atom.level));
     if (!r.from_zero_up || atom.level.sign() < 0) return of_variant;
     // Or the shape itself is so deep in the other that it cannot leave it by more than the level.
-    const std::array either{std::move(of_variant), Formula(formula::compare(with(d, false, level), relation, Real()))};
+    const std::array either{of_variant, Formula(formula::compare(with(d, false, level), relation, Real()))};
     return formula::disjunction(either);
   }
 
@@ -153,7 +153,7 @@ class Hedge {
 Hedged hedged(const Formula& formula, const std::vector<std::string>& moving, const Real& bound, Certainty certainty) {
   Hedge hedge(formula, moving, bound);
   Formula out = hedge.run(formula.root(), certainty);
-  return {std::move(out), hedge.variants()};
+  return {out, hedge.variants()};
 }
 
 }  // namespace findspace::planning

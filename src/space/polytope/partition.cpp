@@ -53,7 +53,7 @@ class Partition {
       ConvexRegion over = bounds;
       over.cut(cut.plane.opposite());
       bounds.cut(cut.plane);
-      if (cut.below.empty()) cells.inside.push_back(std::move(bounds));
+      if (cut.below.empty()) cells.inside.push_back(bounds);
       if (cut.above.empty()) {
         bare.push_back({std::move(over), cut.solid_above});
         facets = std::move(cut.below);
