@@ -46,7 +46,8 @@ class PackPeers {
 template <class Layout>
 struct PackSearch {
   /// A layout of all copies to begin with. Error(kBadValue) where Packing::check_start() refuses it; of solids where it
-  /// is not feasible. In the plane its overlaps are taken out first; where that fails, the search begins anew.
+  /// is not feasible. In the plane its overlaps are taken out first; where that fails, the search begins anew. For a
+  /// box a layout that is not feasible is not used.
   std::optional<Layout> start = {};
   /// Hears of each better layout at once; it is proved.
   std::function<void(const Layout&, const PackProgress&)> better = {};

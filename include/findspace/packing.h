@@ -237,8 +237,8 @@ class Packing {
                                    const PackSearch<PackLayout>& search = {}) const;
   /// By exact signs.
   PackVerdict verdict(const PackLayout& layout) const;
-  /// Error(kBadValue) unless a search can begin with the layout: every copy that is wanted is in it, or said to be left
-  /// out; fixed parts stand where they stand; there are as many sheets, and each item is on one of them.
+  /// Error(kBadValue) unless a search can begin with the layout. Every copy that is wanted is in it, or said to be left
+  /// out. Fixed parts stand where they stand. No more sheets are used than there are, and each item is on one of them.
   void check_start(const PackLayout& layout) const;
   /// The layout with one of its items put there, its origin on the grid, and the others out of its way. A strip or a
   /// box may become longer; on sheets it stays on the one that the layout says, and no other is taken. Nothing where

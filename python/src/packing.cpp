@@ -380,7 +380,8 @@ Examples
           "(packing, layout) of a drawing that sparrow writes. Parts may stand at the angles at which they stand.")
       .def("check_start", &Packing::check_start, py::arg("layout"),
            "Raises Error unless a search can begin with the layout: every copy that is wanted is in it, or said to be "
-           "left out; fixed parts stand where they stand; there are as many sheets, and each item is on one of them.")
+           "left out; fixed parts stand where they stand; no more sheets are used than there are, and each item is on "
+           "one of them.")
       .def(
           "moved",
           [](const Packing& p, PackLayout layout, std::size_t item, const Position& at) {

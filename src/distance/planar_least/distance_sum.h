@@ -70,6 +70,7 @@ class DistanceSum {
 /// The least or greatest value over positions of S (best_position.h), `size`: the reach of all shapes. Throws
 /// Error(kUnsupported) where S is unbounded and F need not grow with the distance.
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size);
+/// Throws that Error.
 [[noreturn]] void refuse_without_end();
 
 }  // namespace findspace::distance

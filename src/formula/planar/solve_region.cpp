@@ -126,11 +126,11 @@ Optimum between(Optimum certain, const Optimum& possible) {
 
 bool has(const plane::Region& set, const exact::RealPoint& p) { return mark_of(set, plane::locate(set, p)) > 0; }
 
-/// Whether positions reach an end of the line: beyond it there are more.
-bool goes_on(const distance::PositionBounds& over, const BestQuery& query) {
+/// Whether a set reaches an end of the line, beyond which there are more positions.
+bool goes_on(const plane::Region& set, const BestQuery& query) {
   if (!query.line) return false;
   const auto ends = ends_of(*query.line);
-  return std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& p) { return has(over.possible, p); });
+  return std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& p) { return has(set, p); });
 }
 
 /// The sum is finite, or infinite everywhere.
@@ -138,11 +138,7 @@ Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, c
   const PreparedWorld& world = solver.prepared();
   const std::vector<SumTerm>& terms = query.objective.terms;
   const auto best = best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms));
-  if (best.value() && query.line) {
-    const auto ends = ends_of(*query.line);
-    if (std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& end) { return has(best.at, end); }))
-      distance::refuse_without_end();
-  }
+  if (best.value() && goes_on(best.at, query)) distance::refuse_without_end();
   return in_scene(best, world.step());
 }
 
@@ -150,7 +146,7 @@ Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, c
 Optimum best_of_bounded(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
   const Objective& objective = query.objective;
   const Sense sense = objective.negated ? opposite(query.sense) : query.sense;
-  return in_scene(best_position(solver.prepared(), objective.distance, over, sense, goes_on(over, query)),
+  return in_scene(best_position(solver.prepared(), objective.distance, over, sense, goes_on(over.possible, query)),
                   solver.world().step, objective.negated, unit_of(objective.distance, solver));
 }
 

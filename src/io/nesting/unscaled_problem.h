@@ -60,7 +60,8 @@ struct UnscaledProblem : StatedConditions {
   std::vector<std::string> notes;  // what the reader of the result should know
 
   /// Groups and what holds for all pairs become conditions of pairs; fixed parts are checked. Throws Error.
-  /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees.
+  /// On the decimal grid of its coordinates, six digits finer where parts turn by angles that are not of 90 degrees,
+  /// or fewer where conditions hold for large parts or holes overlap.
   /// With shapes beside polygons that grid has seven digits at most, unless the numbers have more.
   packing::Problem on_grid(const std::string& place) &&;
 };
