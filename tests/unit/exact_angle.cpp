@@ -34,6 +34,15 @@ TEST(Angle, OrderIsExactHoweverClose) {
   EXPECT_EQ(compare(odd + decimal("1e-20"), odd), 1);
 }
 
+TEST(Angle, ManyDegreesAreTheirRemainder) {
+  const char* contact = "16.260204708312";  // the next digits do not matter: the others differ by 1e-8 and more
+  EXPECT_EQ(compare(Angle::of_degrees(decimal("999999736.2602047205")), Angle::of_degrees(decimal(contact))), 1);
+  EXPECT_EQ(compare(Angle::of_degrees(decimal("-1000000063.7397952795")), Angle::of_degrees(decimal(contact))), 1);
+  EXPECT_EQ(compare(Angle::of_degrees(decimal("99999999999999736")), Angle::of_degrees(16)), 0);
+  EXPECT_NEAR(Angle::of_degrees(decimal("99999999999999736.25")).degrees(), 16.25, 1e-12);
+  EXPECT_NEAR((Angle{kThirty, {}} + decimal("36e30")).degrees(), 30, 1e-12);
+}
+
 TEST(Angle, PlacesNearZero) {
   EXPECT_LT(Angle::of_degrees(decimal("1e-30")).degrees(), 1);
   EXPECT_GT(Angle::of_degrees(decimal("-1e-30")).degrees(), 359);

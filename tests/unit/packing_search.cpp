@@ -34,6 +34,12 @@ Layout found(const Problem& problem, std::uint64_t seed, unsigned threads, doubl
   return *search_strip(problem, options, {}, stop);
 }
 
+TEST(Polygon, ManyDegreesAreTheirRemainder) {
+  const Polygon square = box(2'000'000, 2'000'000);
+  for (const std::int64_t by : {30, -30, 359})
+    EXPECT_EQ(rotated(square, Fraction(360 * power_of_ten(15) + by, 1), false).rings, rotated(square, by, false).rings);
+}
+
 TEST(DepthField, OfTwoSquares) {
   const SearchShape square = search_shape(Problem{}, box(2, 2));
   const DepthField field(no_fit_polygon(square, square, 0));

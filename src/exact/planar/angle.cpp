@@ -91,9 +91,14 @@ int compare_near(const ExactAngle& t, const Real& d) {
   throw Error(ErrorCode::kUnsupported, "two angles are too close to each other to be distinguished");
 }
 
-double rough(const Angle& a) { return wrapped(a.rotation.degrees() + std::fmod(a.more.to_double(), 360)); }
+double rough(const Angle& a) { return wrapped(a.rotation.degrees() + rounded_degrees(a.more)); }
 
 }  // namespace
+
+double rounded_degrees(const Real& degrees) {
+  const double d = degrees.to_double();
+  return std::abs(d) <= 360 ? d : centred(degrees).to_double();
+}
 
 ExactAngle ExactAngle::near(double degrees, int bits) {
   const double quarters = std::round(degrees / 90), rest = (degrees - 90 * quarters) * kDegree;

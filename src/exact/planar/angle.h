@@ -33,6 +33,9 @@ struct ExactAngle {
   RealPoint operator()(const RealPoint& p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
 };
 
+/// A number of degrees in double precision. Of more than a circle the remainder is rounded, not the number.
+double rounded_degrees(const Real& degrees);
+
 /// The rotations with a*cos + b*sin = c: none, one (a double root) or two. None as well where a = b = 0.
 std::vector<ExactAngle> rotations_where(const Real& a, const Real& b, const Real& c);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/planar/angle.h"
 #include "findspace/error.h"
 
 namespace findspace::io {
@@ -14,7 +15,7 @@ using exact::Real;
 Direction direction(const Real& degrees) {
   auto quarters = (degrees / Real(90)).integer();
   if (!quarters) {
-    double angle = degrees.to_double() * (std::numbers::pi / 180);
+    double angle = exact::rounded_degrees(degrees) * (std::numbers::pi / 180);
     return {Real::from_double(std::cos(angle)), Real::from_double(std::sin(angle))};
   }
   switch (static_cast<int>((*quarters % 4 + 4) % 4)) {

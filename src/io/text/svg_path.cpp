@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/planar/angle.h"
 #include "findspace/error.h"
 #include "io/text/units.h"
 
@@ -120,8 +121,9 @@ class PathReader {
     if (rx.sign() == 0 || ry.sign() == 0) return tell([&] { sink_.line_to(x_, y_); });
     if (compare(rx, ry) != 0) {
       if (from_x == x_ && from_y == y_) return;
-      const EllipseArc ellipse = ellipse_arc({from_x.to_double(), from_y.to_double(), rx.to_double(), ry.to_double(),
-                                              degrees.to_double(), large, sweep, x_.to_double(), y_.to_double()});
+      const EllipseArc ellipse =
+          ellipse_arc({from_x.to_double(), from_y.to_double(), rx.to_double(), ry.to_double(),
+                       exact::rounded_degrees(degrees), large, sweep, x_.to_double(), y_.to_double()});
       return tell([&] { sink_.ellipse_to(ellipse, x_, y_); });
     }
     tell([&] { sink_.arc_to(rx, large, sweep, x_, y_); });

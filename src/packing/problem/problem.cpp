@@ -104,8 +104,9 @@ LatticePoint quarter_turns(const LatticePoint& p, int quarters) {
 LatticePoint rotated(const LatticePoint& p, const Fraction& angle) {
   const int128 d = angle.denominator();
   if (is_quarter(angle)) return quarter_turns(p, int((angle.numerator() / 90 % 4 + 4) % 4));
+  const int128 rest = angle.numerator() % (360 * d);
   const long double radians =
-      static_cast<long double>(angle.numerator()) / static_cast<long double>(d) / 180 * std::numbers::pi_v<long double>;
+      static_cast<long double>(rest) / static_cast<long double>(d) / 180 * std::numbers::pi_v<long double>;
   const long double c = std::cos(radians), s = std::sin(radians), x = static_cast<long double>(p.x),
                     y = static_cast<long double>(p.y);
   return {int128(std::round(c * x - s * y)), int128(std::round(s * x + c * y))};
