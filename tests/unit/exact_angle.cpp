@@ -70,12 +70,37 @@ TEST(Angle, BetweenIsStrictlyBetween) {
       EXPECT_LT(way, whole);
     }
   }
-  // Closer than doubles tell: by about 1e-14 degrees.
-  const Real t = Real::ratio(1, int128(1) << 53), below = Real(1) + t * t;
-  const ExactAngle p = ExactAngle::near(33, 20), q = p + ExactAngle{(Real(1) - t * t) / below, (t + t) / below},
-                   m = between(p, q);
-  EXPECT_EQ((m + -p).sin.sign(), 1);
-  EXPECT_EQ((q + -m).sin.sign(), 1);
+}
+
+/// A turn by about 2^-bits, in radians.
+ExactAngle tiny(int bits) {
+  const Real t = Real::ratio(1, int128(1) << (bits + 1)), below = Real(1) + t * t;
+  return {(Real(1) - t * t) / below, (t + t) / below};
+}
+
+TEST(Angle, BetweenWhereDoublesTellNoWay) {
+  for (const int bits : {40, 52, 60, 100}) {
+    const ExactAngle p = ExactAngle::near(33, 20), q = p + tiny(bits), m = between(p, q);
+    EXPECT_EQ((m + -p).sin.sign(), 1);
+    EXPECT_EQ((q + -m).sin.sign(), 1);
+    EXPECT_NEAR((between(q, p) + -p).degrees(), 180, 30) << bits;  // the rest of the circle
+  }
+}
+
+TEST(Angle, TheWayToTheNextIsNotTheWholeCircle) {
+  for (const double place : {0.0, 33.0, 180.0, 359.0}) {
+    for (const int bits : {20, 52, 60, 100}) {
+      const ExactAngle start = ExactAngle::near(place, 20);
+      for (const ExactAngle& t : {start, start + tiny(bits), start + -tiny(bits)}) {
+        const Angle p{t, {}}, q{t + tiny(bits), {}}, r{q.rotation, Real(90)};
+        EXPECT_LT(way(p, q), 1e-4);
+        EXPECT_GT(way(q, p), 359.9);
+        EXPECT_NEAR(way(p, r), 90, 1e-4);
+        EXPECT_NEAR(way(r, p), 270, 1e-4);
+        EXPECT_EQ(way(q, q), 0);
+      }
+    }
+  }
 }
 
 }  // namespace exact_angle

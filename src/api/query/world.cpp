@@ -299,8 +299,8 @@ std::vector<Interval> World::angles(const Formula& formula, const Point& p, cons
     const formula::RotationSolver rotated(solver, {at, {}, centre});
     std::vector<Interval> out;
     for (const plane::RotationInterval& i : plane::intervals(rotated.maps(asked).feasible(asked))) {
-      const bool across = i.round || exact::compare(i.to, i.from) < 0;
-      out.push_back({i.from.degrees(), i.to.degrees() + (across ? 360 : 0), i.from_in, i.to_in});
+      const auto [from, to] = i.degrees();
+      out.push_back({from, to, i.from_in, i.to_in});
     }
     return out;
   });

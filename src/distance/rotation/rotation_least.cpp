@@ -57,9 +57,8 @@ RotationMap middles(const RotationMap& set) {
   RotationMap out = RotationMap::uniform(0);
   for (const RotationInterval& i : intervals(set)) {
     const bool single = !i.round && compare(i.from, i.to) == 0;
-    double to = i.to.degrees();
-    if (i.round || to < i.from.degrees()) to += 360;
-    const double middle = std::fmod((i.from.degrees() + to) / 2, 360);
+    const auto [from, to] = i.degrees();
+    const double middle = std::fmod((from + to) / 2, 360);
     out.at.push_back(single ? i.from : Angle{exact::ExactAngle::near(middle, 52), Real()});
   }
   std::sort(out.at.begin(), out.at.end(), [](const Angle& p, const Angle& q) { return compare(p, q) < 0; });

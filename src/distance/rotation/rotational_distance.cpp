@@ -20,12 +20,6 @@ namespace {
 using exact::kInfinity;
 const Real kHalfCircle(180);
 
-/// From one angle counter-clockwise to another, in (0, 360].
-double way(const Angle& from, const Angle& to) {
-  const double d = to.degrees() - from.degrees();
-  return d > 0 ? d : d + 360;
-}
-
 /// The distance of the angle, which carries `sign`, to the nearest one that does not (or lies at an end of those that
 /// do).
 double distance_out_of(const RotationMap& map, const Angle& at, Mark sign) {
@@ -46,8 +40,10 @@ class LevelArcs {
 
   RotationMap run() {
     out_.everywhere = Mark(-sign_);
-    for (std::size_t k = 0; k < base_.at.size(); ++k) {
-      if (base_.after[k] == sign_) arc(base_.at[k], base_.at[(k + 1) % base_.at.size()]);
+    const std::size_t n = base_.at.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Angle &from = base_.at[k], &to = base_.at[(k + 1) % n];
+      if (base_.after[k] == sign_) arc(from, to, n == 1 ? 360 : way(from, to));
     }
     std::sort(points_.begin(), points_.end(), [](const Point& p, const Point& q) { return compare(p.at, q.at) < 0; });
     for (const Point& p : points_) {
@@ -64,9 +60,9 @@ class LevelArcs {
     Mark after;
   };
 
-  void arc(const Angle& from, const Angle& to) {
+  void arc(const Angle& from, const Angle& to, double width) {
     const Angle first = from + t_, last = to - t_;
-    const int order = order_of(way(from, to) - 2 * t_.to_double(), first, last);
+    const int order = order_of(width - 2 * t_.to_double(), first, last);
     if (order < 0) return;
     points_.push_back({first, order > 0 ? sign_ : Mark(-sign_)});
     if (order > 0) points_.push_back({last, Mark(-sign_)});

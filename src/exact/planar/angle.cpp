@@ -3,6 +3,7 @@
 
 #include "exact/planar/angle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -138,10 +139,16 @@ int compare(const Angle& p, const Angle& q) {
   return compare_near(p.rotation + -q.rotation, q.more - p.more);
 }
 
+double way(const Angle& from, const Angle& to) {
+  const double d = to.degrees() - from.degrees();
+  const bool forward = std::abs(d) > kNear ? d > 0 : compare(to, from) >= 0;
+  return forward ? std::max(d, 0.0) : 360 + std::min(d, 0.0);
+}
+
 ExactAngle between(const ExactAngle& from, const ExactAngle& to) {
   const ExactAngle gap = to + -from;
   if (gap.sin.sign() == 0 && gap.cos.sign() > 0) return {-from.cos, -from.sin};
-  const double start = from.degrees(), width = wrapped(gap.degrees());
+  const double start = from.degrees(), width = Angle{gap, {}}.degrees();
   for (int bits = 4; bits <= 30 && width > kNear; bits += 2) {
     if (std::ldexp(1.0, -bits) / kDegree > width) continue;
     const ExactAngle middle = ExactAngle::near(wrapped(start + width / 2), bits);

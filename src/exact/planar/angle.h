@@ -52,6 +52,9 @@ struct Angle {
 
 /// By place in [0, 360): exact.
 int compare(const Angle& p, const Angle& q);
+/// Degrees counter-clockwise from one angle to another, in [0, 360]: 0 for equal ones. Rounded, but the least way is
+/// never taken for the whole circle, nor the other way round.
+double way(const Angle& from, const Angle& to);
 /// A turn of rational cosine and sine (where doubles find one) strictly between two different angles without degrees
 /// added, counter-clockwise from the first. Of two equal ones: somewhere on the rest of the circle.
 ExactAngle between(const ExactAngle& from, const ExactAngle& to);

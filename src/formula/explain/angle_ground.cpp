@@ -27,8 +27,8 @@ std::optional<RemainingPlace> angle_in(const RotationMap& set) {
   for (const plane::RotationInterval& i : all)
     if (!out.degrees && (i.from_in || i.to_in)) out.degrees = (i.from_in ? i.from : i.to).degrees();
   if (out.degrees) return out;
-  const double from = all[0].from.degrees(), to = all[0].to.degrees() + (all[0].round ? 360 : 0);
-  out.degrees = std::fmod(from + (to < from ? to + 360 - from : to - from) / 2, 360);
+  const auto [from, to] = all[0].degrees();
+  out.degrees = std::fmod((from + to) / 2, 360);
   return out;
 }
 

@@ -31,11 +31,6 @@ namespace {
 /// the value, none of within.outer a better one than the bound. All best angles are among `at`.
 RotationOptimum enclosed_best(const RotationMaps& maps, const Distance& d, const RotationBounds& within, Sense sense);
 
-double way_of(const plane::RotationInterval& i) {
-  const double d = i.to.degrees() - i.from.degrees();
-  return d < 0 ? d + 360 : d;
-}
-
 bool is_exact(const RotationBounds& set) {
   const RotationMap open = plane::overlay(std::array<const RotationMap*, 2>{&set.inner, &set.outer},
                                           [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
@@ -48,8 +43,8 @@ ValueRange values_over(const RotationMaps& maps, const Distance& wanted, const p
   const PreparedWorld& world = maps.world();
   const RealPoint& about = maps.about();
   const Distance d = moving_first(wanted, world.world().moving);
-  const double first = angles.from.degrees(), way = angles.round ? 360 : way_of(angles);
-  const Real from = Real::from_double(first), to = Real::from_double(first + way);
+  const auto [first, last] = angles.degrees();
+  const Real from = Real::from_double(first), to = Real::from_double(last);
   // The ends are known to rounding: a little of the circle about each stands for it.
   const Real about_an_end = Real::from_double(margin::kAboutAnEnd);
   const std::vector<Real> stops{from - about_an_end, from + about_an_end, to - about_an_end, to + about_an_end};
@@ -68,8 +63,9 @@ ValueRange values_over(const RotationMaps& maps, const Distance& wanted, const p
     if (taken) all.high = std::min(all.high, v.high);
   };
   const distance::PartOfLeg whole{0, Real(0), Real(1)};
-  join(better(over(0, 1).values(whole)), angles.from_in);
-  if (way > 0) join(better(over(2, 3).values(whole)), angles.to_in);
+  const bool one = first == last;  // no sign: as far as doubles tell
+  join(better(over(0, 1).values(whole)), angles.from_in || (one && angles.to_in));
+  if (!one) join(better(over(2, 3).values(whole)), angles.to_in);
   if (stops[1] < stops[2]) join(better(over(1, 2).extremum(sense)), true);
   return all;
 }

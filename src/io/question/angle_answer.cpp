@@ -40,9 +40,9 @@ void require_plane(const AskedScene& asked) {
 std::string angles_text(const std::vector<DegreeInterval>& angles) {
   std::string out;
   for (const DegreeInterval& i : angles) {
-    if (i.from == i.to)
+    if (i.single())
       out += fmt::format("  {} alone\n", shown(i.from));
-    else if (i.to - i.from >= 360 && i.from_in)
+    else if (i.whole())
       out += "  all\n";
     else
       out += fmt::format("  {}{}, {}{}\n", i.from_in ? "[" : "(", shown(i.from), shown(i.to), i.to_in ? "]" : ")");

@@ -80,10 +80,9 @@ class Dial {
   }
 
   void ends(const DegreeInterval& i) {
-    const bool whole = i.to - i.from >= 360 && i.from_in;
-    if (whole) return;
+    if (i.whole()) return;
     dot(i.from, i.from_in);
-    if (i.to != i.from && i.to - i.from < 360) dot(i.to, i.to_in);
+    if (!i.single() && !i.round) dot(i.to, i.to_in);
   }
 
   void line(std::size_t row, const std::string& text, bool bold = false) {
@@ -97,7 +96,7 @@ class Dial {
     for (std::size_t k = 0; k < angles_.size(); ++k) {
       if (k == kMostListed) return line(k + 1, fmt::format("and {} more", angles_.size() - k));
       const DegreeInterval& i = angles_[k];
-      if (i.from == i.to)
+      if (i.single())
         line(k + 1, fmt::format("{}° alone", shown(i.from)));
       else
         line(k + 1,

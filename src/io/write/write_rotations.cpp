@@ -12,9 +12,8 @@ namespace findspace::io {
 std::vector<DegreeInterval> degree_intervals(const plane::RotationMap& set) {
   std::vector<DegreeInterval> out;
   for (const plane::RotationInterval& i : plane::intervals(set)) {
-    DegreeInterval d{i.from.degrees(), i.to.degrees(), i.from_in, i.to_in};
-    if (i.round || compare(i.to, i.from) < 0) d.to += 360;
-    out.push_back(d);
+    const auto [from, to] = i.degrees();
+    out.push_back({from, to, i.from_in, i.to_in, i.round});
   }
   return out;
 }

@@ -16,6 +16,10 @@ namespace findspace::io {
 struct DegreeInterval {
   double from = 0, to = 0;  // from in [0, 360), to in [from, from + 360]
   bool from_in = false, to_in = false;
+  bool round = false;  // `from` and `to` are one angle, and all others lie between
+
+  bool single() const { return from == to && from_in; }
+  bool whole() const { return round && from_in; }
 };
 
 /// The whole circle is [0, 360), a circle without one angle (a, a + 360).

@@ -124,6 +124,11 @@ Mark mark_at(const RotationMap& map, const Angle& angle) {
   return map.before(k);
 }
 
+std::array<double, 2> RotationInterval::degrees() const {
+  const double first = from.degrees(), last = to.degrees() + (round || compare(to, from) < 0 ? 360 : 0);
+  return {first, std::clamp(last, first, first + 360)};
+}
+
 std::vector<RotationInterval> intervals(const RotationMap& set) {
   const std::size_t n = set.at.size();
   if (n == 0) {

@@ -8,6 +8,7 @@
 // Source: distances.md 7.2. Keywords: circular intervals, periodic set, angular interval.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -47,6 +48,9 @@ struct RotationInterval {
   exact::Angle from, to;
   bool from_in = false, to_in = false;
   bool round = false;  // from and to are one angle, and all others lie between
+
+  /// Both ends: `from` in [0, 360), `to` in [from, from + 360].
+  std::array<double, 2> degrees() const;
 };
 
 /// The maximal intervals of the angles with marks other than 0, by their place in [0, 360). The whole circle is [0, 0),
