@@ -50,6 +50,8 @@ struct Approx {
   }
   /// Square root; the part of the range below zero is ignored (the caller knows the exact value is not negative).
   friend Approx sqrt(const Approx& p) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    if (!(p.value + p.error < kInfinite)) return {0, kInfinite};  // NaN, of an unknown times 0, as well
     if (!(p.value > 0)) return {0, std::sqrt(std::max(0.0, p.value + p.error)) * kGrow};
     double v = std::sqrt(p.value);
     double below = p.value - p.error;

@@ -134,7 +134,13 @@ Point Geometry::crossing(std::uint32_t i, std::uint32_t j, int root) const {
   p.i = i;
   p.j = j;
   p.root = std::int8_t(root);
-  set_approx(p, approx_crossing(*this, p));
+  const ApproxPoint near = approx_crossing(*this, p);
+  if (near[0].error + near[1].error < kInfinity) {
+    set_approx(p, near);
+  } else {  // of centres that doubles do not tell apart
+    const RealPoint at = exact_crossing(*this, p);
+    set_approx(p, {from_real(at.x), from_real(at.y)});
+  }
   return p;
 }
 

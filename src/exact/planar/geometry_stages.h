@@ -20,7 +20,13 @@ inline Approx from_interval(Interval r) {
   return {v, std::max(r.hi - v, v - r.lo) * Approx::kGrow};
 }
 
-inline Approx from_real(const Real& r) { return from_interval(r.interval()); }
+/// The enclosure may be unbounded: that of a quotient whose divisor it does not tell from 0.
+inline Approx from_real(const Real& r) {
+  const Interval known = r.interval();
+  if (known.hi - known.lo < kInfinity) return from_interval(known);
+  const double v = r.to_double();
+  return {v, std::abs(v) * (4 * Approx::kUnit) + Approx::kTiny};
+}
 
 inline Approx from_int(int128 k) {
   if (std::int64_t n = std::int64_t(k); n == k && n <= (1ll << 53) && n >= -(1ll << 53)) return {double(n), 0};

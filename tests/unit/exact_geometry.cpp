@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include "exact/planar/geometry_signs.h"
+
+namespace findspace::exact {
+namespace exact_geometry {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// Two numbers that are nearer to each other than their doubles tell.
+const Real kIrrational = sqrt(Real(2)) + sqrt(Real(3)), kRational = Real::parse_decimal("3.1462643699419723419");
+
+void expect_near(const Approx& near, const Real& exact) {
+  EXPECT_LT(near.error, 1e-6);
+  EXPECT_TRUE(abs(Real::from_double(near.value) - exact) <= Real::from_double(near.error));
+}
+
+void expect_near(const Geometry& g, std::uint32_t point) {
+  const Point& p = g.points[point];
+  const RealPoint exact = g.exact(point);
+  expect_near({p.x, p.error}, exact.x);
+  expect_near({p.y, p.error}, exact.y);
+}
+
+TEST(Approx, TheRootOfTheUnknownIsUnknown) {
+  for (const Approx& p : {Approx{0, kInfinity}, {0, kNaN}, {4, kInfinity}, {4, kNaN}, {kNaN, kNaN}}) {
+    EXPECT_EQ(sqrt(p).error, kInfinity);
+    EXPECT_FALSE(sqrt(p).certain());
+  }
+  EXPECT_EQ(sqrt(Approx{4, 0}).value, 2);
+  EXPECT_EQ(sqrt(Approx{-1, 5}).error, 2 * Approx::kGrow);
+}
+
+TEST(Geometry, OfNumbersThatDoublesDoNotEnclose) {
+  const Real r = (kIrrational - Real::parse_decimal("3.14626436994197234")) / (kIrrational - kRational);
+  ASSERT_EQ(r.interval().hi, kInfinity);
+  EXPECT_NEAR(r.to_double(), 5.4, 0.1);
+  Geometry g;
+  const auto line = g.add_line(0, 1, 3), circle = g.add(SupportingCurve::circle_at(0, 0, r));
+  expect_near(g.supporting_curves[circle].z(), r);
+  const auto left = g.add_crossing(line, circle, -1), right = g.add_crossing(line, circle, 1);
+  expect_near(g, left);
+  expect_near(g, right);
+  EXPECT_NE(compare_x(g, left, right), 0);
+  expect_near(g, g.add_real_point(r, Real(1)));
+  expect_near(g, g.add_real_point(Real(1), r));
+}
+
+TEST(Geometry, CrossingsOfCirclesWithCentresThatDoublesDoNotTellApart) {
+  Geometry g;
+  g.add(SupportingCurve::circle_at(kIrrational, Real(0), Real(5)));
+  g.add(SupportingCurve::circle_at(kRational, Real(0), Real(5)));
+  ASSERT_EQ(meet(g, 0, 1).count, 2);
+  for (const int root : {-1, 1}) {
+    const auto p = g.add_crossing(0, 1, root);
+    expect_near(g, p);
+    EXPECT_NEAR(std::abs(g.points[p].y), 5, 1e-9);
+  }
+}
+
+}  // namespace exact_geometry
+}  // namespace findspace::exact
