@@ -65,10 +65,10 @@ inline Real crossing_discriminant(const SupportingCurve& line, const SupportingC
   return circle.w() * circle.w() * n2 - h * h;
 }
 
-/// The length of a line's normal: the sum of the two squares is off by at most 2 ulps, its root by at most 2.
+/// The length of a line's normal: off by at most 3 * 2^-53 of it, as below.
 inline Approx normal_length(const SupportingCurve& l) {
   double a = double(l.a), b = double(l.b), n = std::sqrt(a * a + b * b);
-  return {n, n * (3 * Approx::kUnit)};
+  return {n, n * (4 * Approx::kUnit)};
 }
 
 /// The length of the primitive vector (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2
@@ -95,17 +95,17 @@ inline bool fits(const std::optional<int128>& c) {
   return c && *c <= kMost && *c >= -kMost;
 }
 
-/// |a|, |b| < 2^53, so the doubles are exact. With u = 2^-53 the squared length is off by at most 2u (two roundings on
-/// each path), its root by 2u (half of that and its own rounding), the reciprocal by 3u and a product with it by 4u, of
-/// a rounded offset by 5u; 5u and 8u cover the terms of second order. An integer over a length below 2^54 does not
-/// underflow.
+/// |a|, |b| <= 2^62. With u = 2^-53 each is rounded by at most u, so the squared length is off by at most 4u (twice
+/// that, and two roundings on each path), its root by 3u (half of that and its own rounding), the reciprocal by 4u and
+/// a product with it, of a rounded normal or offset, by 6u; 7u and 8u cover the terms of second order. An integer over
+/// a length of 2^63 does not underflow.
 void set_line_filter(SupportingCurve& l);
 
-/// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 5u, the rounded
+/// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 7u, the rounded
 /// coordinates, the products and the sum by u each.
 inline Approx distance_through(const Approx& normal_x, const Approx& normal_y, std::int64_t x, std::int64_t y) {
   const double along_x = normal_x.value * double(x), along_y = normal_y.value * double(y);
-  return {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (9 * Approx::kUnit)};
+  return {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (11 * Approx::kUnit)};
 }
 
 }  // namespace findspace::exact

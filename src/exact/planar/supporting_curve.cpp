@@ -9,7 +9,7 @@ namespace findspace::exact {
 
 void set_line_filter(SupportingCurve& l) {
   const double a = double(l.a), b = double(l.b), over = 1 / std::sqrt(a * a + b * b), x = a * over, y = b * over;
-  const Approx normal_x{x, std::abs(x) * (5 * Approx::kUnit)}, normal_y{y, std::abs(y) * (5 * Approx::kUnit)};
+  const Approx normal_x{x, std::abs(x) * (7 * Approx::kUnit)}, normal_y{y, std::abs(y) * (7 * Approx::kUnit)};
   if (l.grid) {
     const std::int64_t narrow = std::int64_t(l.c);
     const double z = (narrow == l.c ? double(narrow) : double(l.c)) * over;

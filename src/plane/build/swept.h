@@ -28,7 +28,7 @@ struct Sight {
   Mark least() const { return std::min(inside, std::min(start, end)); }
 };
 
-/// The primitive integer vector of a direction other than (0, 0), if there is one below 2^53 (what line filters take).
+/// The primitive integer vector of a direction other than (0, 0), if there is one below 2^53.
 std::optional<GridPoint> primitive_direction(const RealVector& d);
 
 /// The window from p + from to p + to. The ends differ; their coordinates are rational. Throws Error(kOutOfRange) where
