@@ -66,6 +66,11 @@ Meeting<P> meeting(const LineForm<P>& f, const LineForm<P>& g) {
   return {f.h * g.ny - g.h * f.ny, f.nx * g.h - g.nx * f.h, f.nx * g.ny - f.ny * g.nx};
 }
 
+/// Of two lines that are parallel at every angle (w = 0): 0 wherever they are one, and perhaps elsewhere.
+inline exact::RotationPolynomial where_one(const Meeting<exact::RotationPolynomial>& m) {
+  return m.x.is_zero() ? m.y : m.x;
+}
+
 /// The lines in whose meeting point two curves can meet at a distance `level` from the origin.
 template <class P, class N>
 std::array<LineForm<P>, 2> corner_lines(const CurveForm<P, N>& c, const CurveForm<P, N>& d, const N& level) {

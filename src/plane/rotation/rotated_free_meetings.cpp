@@ -26,7 +26,7 @@ void MeetingFinder::corner(std::size_t i, std::size_t k) {
     const auto [f, g] =
         corner_lines(s_.exact_form(s_.alike(i), quarters), s_.exact_form(s_.alike(k), quarters), q.level);
     const auto m = plane::meeting(f, g);
-    return m.w.is_zero() ? exact::RotationPolynomial() : corner_polynomial(m, q.level);
+    return m.w.is_zero() ? where_one(m) : corner_polynomial(m, q.level);
   };
   const std::size_t first = s_.alike(i), second = s_.alike(k);
   Solved& solved = solved_[{std::min(first, second), std::max(first, second), s_.pairs().size()}];
@@ -59,7 +59,7 @@ void MeetingFinder::meeting(std::size_t i, std::size_t k, std::size_t m) {
         ordered(s_.exact_form(key[0], quarters), s_.exact_form(key[1], quarters), s_.exact_form(key[2], quarters));
     const auto [f, g] = meeting_lines(all);
     const auto at = plane::meeting(f, g);
-    return !all[0]->line && at.w.is_zero() ? exact::RotationPolynomial() : meeting_polynomial(*all[0], at);
+    return !all[0]->line && at.w.is_zero() ? where_one(at) : meeting_polynomial(*all[0], at);
   };
   Solved& solved = solved_[key];
   solved.look([&] { return meeting_places(s_.form(key[0]), s_.form(key[1]), s_.form(key[2]), span); });

@@ -123,7 +123,7 @@ void find_corner_on_way(FreeSector& sector, std::size_t i, std::size_t k) {
     const auto all = ordered(sector.exact_form(i, quarters), sector.exact_form(k, quarters), way);
     const auto [f, g] = meeting_lines(all);
     const auto at = plane::meeting(f, g);
-    return !all[0]->line && at.w.is_zero() ? exact::RotationPolynomial() : meeting_polynomial(*all[0], at);
+    return !all[0]->line && at.w.is_zero() ? where_one(at) : meeting_polynomial(*all[0], at);
   };
   for (const RootPlace& place : meeting_places(sector.form(i), sector.form(k), q.way->sector(sector.middle()), span)) {
     const double angle = sector.middle() + 2 * std::atan(place.u),
