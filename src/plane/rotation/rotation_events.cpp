@@ -19,6 +19,7 @@ struct RoughEdge {
   RoughPoint p, q, center;
   double radius = 0;
   bool arc = false;
+  double least = 0, most = 0;  // about: of the distances of its points from the centre of rotation
 };
 
 RoughEdge rough_edge(const RotatedEdge& e) {
@@ -26,7 +27,14 @@ RoughEdge rough_edge(const RotatedEdge& e) {
   if (e.arc) {
     r.center = rough(e.center);
     r.radius = rough(e.radius);
+    r.least = std::abs(length(r.center) - r.radius);
+    r.most = length(r.center) + r.radius;
+    return r;
   }
+  const RoughPoint d = r.q - r.p;
+  const double square = std::norm(d), part = square > 0 ? std::clamp(-dot(d, r.p) / square, 0.0, 1.0) : 0.0;
+  r.least = length(r.p + part * d);
+  r.most = std::max(length(r.p), length(r.q));
   return r;
 }
 
@@ -91,13 +99,14 @@ class EventCollector {
   /// A point v, rotated (or the edge rotated back), on an edge.
   void vertex_on_edge(const RealVector& v, const RotatedEdge& e, const RoughEdge& r, bool back) {
     const RoughPoint at = rough(v);
+    const double far = length(at);
+    if (far > r.most + tolerance_ || far < r.least - tolerance_) return;
     const auto plausible = [&](RoughPoint rotation) { return near(r, at * rotation, tolerance_); };
     if (!e.arc) {
       const RealVector n = left_normal(e.q - e.p);
       return add(plane::dot(n, v), plane::cross(v, n), plane::dot(n, e.p), back, plausible);
     }
     // |R v - z|^2 = r^2
-    if (std::abs(std::abs(at) - std::abs(r.center)) > r.radius + tolerance_) return;
     const RealVector& z = e.center;
     const Real two(2), c = plane::dot(v, v) + plane::dot(z, z) - e.radius * e.radius;
     add(two * plane::dot(z, v), two * plane::cross(v, z), c, back, plausible);
@@ -112,9 +121,11 @@ class EventCollector {
 
   void tangent(std::size_t i, std::size_t k) {
     const RotatedEdge &e = t_.edges[i], &f = f_.edges[k];
+    const RoughEdge &r = t_rough_[i], &s = f_rough_[k];
+    if (r.least > s.most + tolerance_ || s.least > r.most + tolerance_) return;
     if (e.arc && f.arc) return circles(i, k);
-    if (f.arc) return line_and_circle(e, t_rough_[i], f, f_rough_[k], true);
-    if (e.arc) return line_and_circle(f, f_rough_[k], e, t_rough_[i], false);
+    if (f.arc) return line_and_circle(e, r, f, s, true);
+    if (e.arc) return line_and_circle(f, s, e, r, false);
   }
 
   /// The circle, rotated (or the line rotated back: then `back`, and the circle stands still), touches the line.

@@ -4,7 +4,7 @@
 // The angles at which a rotating net of vertices, segments and arcs can change how it lies over one that stands still:
 // a vertex of one on an edge or a vertex of the other, a segment or arc tangent to an arc. Guarantee: all of them,
 // exact and ascending, each once; some may be contacts of lines and circles only beside the edges. Cost: a few floating
-// point operations a pair of edges, exact work for those that come near each other.
+// point operations a pair of edges, exact work for those at like distances from the centre.
 #pragma once
 
 #include <vector>
