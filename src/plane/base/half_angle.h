@@ -3,9 +3,9 @@
 //
 // Polynomials in u = tan(angle / 2), in doubles: what expressions in the cosine and sine of a turn become when
 // multiplied by (1 + u^2) often enough. They filter the angles at which moving curves meet in one point, roots of
-// degree up to 12, in a narrow sector around angle 0; turn_polynomial.h decides. Guarantee: for polynomials made with
-// at most 1e-12 of their size lost (some thousand roundings) no root lies outside the places. Keywords: Weierstrass
-// substitution, real roots.
+// degree up to 12, in a narrow sector around angle 0; rotation_polynomial.h decides. Guarantee: for polynomials made
+// with at most 1e-12 of their size lost (some thousand roundings) no root lies outside the places. Keywords:
+// Weierstrass substitution, real roots.
 #pragma once
 
 #include <array>

@@ -25,7 +25,7 @@ ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep 
   return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
 }
 
-/// Around the curve; of a part of a circle, around the whole circle or, if that is less, its ends and extreme points.
+/// Around the curve; of a part of a circle, around the whole circle.
 RoughBox box_of(const RoughCurve& c, double tolerance) {
   RoughPoint low = c.line ? c.p : c.center, high = low;
   const auto add = [&](RoughPoint p) {
