@@ -214,7 +214,8 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
     throw Error(ErrorCode::kUnsupported,
                 "a distance of shapes that rotate in time is minus infinity at an instant: it is not computed there");
   const double value = v->value.to_double() / factor_;
-  const double off = 2 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
+  // Two shapes; ends of an arc carry its bulge along: twice what they moved.
+  const double off = 4 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
   return ValueRange{value - off, value + off};
 }
 
