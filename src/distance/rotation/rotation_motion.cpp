@@ -43,7 +43,7 @@ std::int64_t refinement(double reach) {
 }
 
 /// gamma and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the places where a
-/// shape fits (eta, delta) may come and go at once.
+/// shape fits (eta, delta) may come and go at once. `most`: of the values found, and of the bound of a supremum.
 bool has_rate(Which which, double most) {
   if (which == Which::kEta2 || which == Which::kDelta2) return false;
   return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
@@ -231,9 +231,10 @@ std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sen
   const double certain = search.certain();
   search.refine();
   if (search.undefined() && !least) return std::nullopt;
-  const bool bounded = !search.undefined() && has_rate(which_, search.most());
   const double found = search.best() + search.rounding();
-  const double from_below = bounded ? std::min(search.best(), certain) - search.rounding() : -kNone;
+  double from_below = std::min(search.best(), certain) - search.rounding();
+  const double most = least ? search.most() : std::max(search.most(), -from_below);
+  if (search.undefined() || !has_rate(which_, most)) from_below = -kNone;
   return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
 }
 
