@@ -65,6 +65,8 @@ distance::OptimalValue least_of(const formula::LeastOf& found) {
 }
 
 RayObjective objective_of(const formula::SpaceSolver& solver, const AskedScene::Goal& goal) {
+  if (goal.objective.distance.mode != formula::Mode::kPlain)  // it jumps, and is undefined at some positions
+    throw Error(ErrorCode::kUnsupported, "in 3D a distance along a direction is no objective: " + goal.text);
   RayObjective out;
   const bool negated = goal.objective.negated;
   out.sign = negated ? -1 : 1;
