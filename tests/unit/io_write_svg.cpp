@@ -10,6 +10,7 @@
 
 #include "findspace/error.h"
 #include "findspace/scene.h"
+#include "io/draw/draw_layout.h"
 #include "io/read/read_file.h"
 #include "io/write/write_svg.h"
 #include "plane/build/build.h"
@@ -174,6 +175,18 @@ TEST(Svg, DistancesAreDimensionLines) {
   p.nearest.reset();
   p.dimensions.clear();
   for (const char* style : {"dimension", "dimension fails", "nearest"}) EXPECT_EQ(count(picture_svg(p), style), 0);
+}
+
+TEST(Svg, TicksOfWhatIsFarAwayEnd) {
+  for (const double x : {0.0, 1e12, -1e16}) {
+    const Frame frame = fit({{x, x}, {x + 0.001, x}}, 0.1, 0, 0);
+    EXPECT_TRUE(std::isfinite(frame.scale));
+    const double width = frame.world.high[0] - frame.world.low[0];
+    EXPECT_GT(width, 0);
+    const std::vector<double> marks = ticks(frame.world.low[0], frame.world.high[0], round_length(width / 8));
+    EXPECT_GE(marks.size(), 8u);
+    EXPECT_LE(marks.size(), 24u);
+  }
 }
 
 TEST(Svg, ShapesReadBack) {

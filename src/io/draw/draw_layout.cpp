@@ -21,9 +21,15 @@ void include(std::optional<Bounds>& bounds, const Bounds& added) {
   }
 }
 
+/// Of how far away it is, so much of the plane is shown at least, for doubles to tell pixels apart.
+constexpr double kNarrowest = 0x1p-43;
+
 Frame fit(const Bounds& bounds, double margin, double left, double top) {
   const double width = bounds.high[0] - bounds.low[0], height = bounds.high[1] - bounds.low[1];
-  const double size = std::max(width, height), padding = size > 0 ? size * margin : 1;
+  const double size = std::max(width, height);
+  const double away =
+      std::max({std::abs(bounds.low[0]), std::abs(bounds.high[0]), std::abs(bounds.low[1]), std::abs(bounds.high[1])});
+  const double padding = std::max(size > 0 ? size * margin : 1, away * kNarrowest);
   // A picture that is a line would have no height: it is given a sixth of its length.
   const double extra_x = std::max(padding, (size / 6 - width) / 2),
                extra_y = std::max(padding, (size / 6 - height) / 2);
