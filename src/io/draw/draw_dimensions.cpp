@@ -35,18 +35,22 @@ Place beside(const DimensionLine& line, const Frame& frame, double part, double 
   return {at[0] + side * away * (q[1] - p[1]) / length, at[1] - side * away * (q[0] - p[0]) / length};
 }
 
-double width_of(const DimensionLine& line) { return text_width(line.text, line.font); }
+/// A text by its middle.
+struct PlacedText {
+  Place at;
+  double width, font;
+};
 
-bool texts_meet(const Place& p, const DimensionLine& s, const Place& q, const DimensionLine& t) {
+bool meet(const PlacedText& s, const PlacedText& t) {
   const double height = std::max(s.font, t.font), apart = height / kFontSize;
-  return std::abs(p[0] - q[0]) < (width_of(s) + width_of(t)) / 2 + 6 * apart &&
-         std::abs(p[1] - q[1]) < height + 3 * apart;
+  return std::abs(s.at[0] - t.at[0]) < (s.width + t.width) / 2 + 6 * apart &&
+         std::abs(s.at[1] - t.at[1]) < height + 3 * apart;
 }
 
-bool in_frame(const Place& p, const DimensionLine& line, const Frame& frame) {
-  const double w = width_of(line) / 2, h = line.font / 2;
-  return p[0] - w >= frame.left && p[0] + w <= frame.left + frame.width() && p[1] - h >= frame.top &&
-         p[1] + h <= frame.top + frame.height();
+bool in_frame(const PlacedText& s, const Frame& frame) {
+  const double w = s.width / 2, h = s.font / 2;
+  return s.at[0] - w >= frame.left && s.at[0] + w <= frame.left + frame.width() && s.at[1] - h >= frame.top &&
+         s.at[1] + h <= frame.top + frame.height();
 }
 
 }  // namespace
@@ -65,22 +69,25 @@ std::vector<DimensionLine> without_repetition(std::vector<DimensionLine> all) {
 }
 
 std::vector<Place> text_places(const std::vector<DimensionLine>& all, const Frame& frame) {
-  std::vector<Place> out;
+  std::vector<PlacedText> placed;
+  const auto is_free = [&](const PlacedText& text) {
+    return in_frame(text, frame) &&
+           std::none_of(placed.begin(), placed.end(), [&](const PlacedText& other) { return meet(text, other); });
+  };
   for (const DimensionLine& line : all) {
-    const auto is_free = [&](const Place& p) {
-      for (std::size_t i = 0; i < out.size(); ++i) {
-        if (texts_meet(p, line, out[i], all[i])) return false;
-      }
-      return in_frame(p, line, frame);
-    };
-    Place at = beside(line, frame, 0.5, 1);
+    PlacedText text{{}, text_width(line.text, line.font), line.font};
+    bool free = false;
     for (const double part : {0.5, 0.3, 0.7, 0.1, 0.9}) {
       for (const double side : {1.0, -1.0}) {
-        if (!is_free(at)) at = beside(line, frame, part, side);
+        if (free) break;
+        text.at = beside(line, frame, part, side);
+        free = is_free(text);
       }
     }
-    out.push_back(at);
+    placed.push_back(text);
   }
+  std::vector<Place> out;
+  for (const PlacedText& text : placed) out.push_back(text.at);
   return out;
 }
 
