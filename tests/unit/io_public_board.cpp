@@ -79,6 +79,33 @@ TEST(PublicBoard, IsASceneThatAsks) {
   EXPECT_FALSE(Scene::json(R"({"findspace": 1, "shapes": {}})").board());
 }
 
+TEST(PublicBoard, PartsAreWantedAtAnglesAsItsAnswersCount) {
+  const Scene scene = Board::text(board("7 7")).scene({.move = {"U2"}, .place = true, .angles = {0, 90}});
+  for (const Number& degrees : {Number(90), Number(450), Number(-270)}) {
+    const Answer placed = scene.place({.near = {{.name = "U2", .at = {5, 5}, .degrees = degrees}}});
+    EXPECT_EQ(placed.placement()->placed().at(0).degrees, 90);
+  }
+  EXPECT_THROW(scene.place({.near = {{.name = "U2", .at = {5, 5}, .degrees = -90}}}), Error);
+  const Scene both = Board::text(board("7 7")).scene({.move = {"U2"}, .place = true, .angles = {90, -90}});
+  EXPECT_EQ(both.place({.near = {{.name = "U2", .at = {5, 5}, .degrees = 90}}}).placement()->placed().at(0).degrees,
+            90);
+}
+
+TEST(PublicBoard, PadsThatNoFormulaNamesAreDrawnAtAngles) {
+  const std::string file =
+      "(kicad_pcb (version 20211014)\n (layers (0 \"F.Cu\" signal))\n"
+      "(gr_rect (start 0 0) (end 10 10) (layer \"Edge.Cuts\"))\n"
+      "(footprint \"F\" (layer \"F.Cu\") (at 2 2)\n (fp_text reference \"U1\" (at 0 0))\n"
+      " (pad \"1\" smd rect (at 1 0) (size 0.5 0.5) (layers \"F.Cu\"))\n"
+      " (fp_rect (start -1 -1) (end 2 1) (layer \"F.CrtYd\")))\n)\n";
+  Scene::Question over_angles;
+  over_angles.free = Scene::Free::Kind::kAngle;
+  const Answer map =
+      Board::text(file).scene({.move = {"U1"}, .where = "inside(U1, board)"}).asking(over_angles).map({{{1, 5}}});
+  ASSERT_FALSE(map.intervals().empty());
+  EXPECT_NE(map.file(".svg").text.find("°"), std::string::npos);
+}
+
 TEST(PublicBoard, MistakesHaveAPlace) {
   const auto place_of = [](const auto& ask) -> std::string {
     try {

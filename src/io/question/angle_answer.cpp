@@ -94,8 +94,9 @@ std::string picture(const AskedScene& asked, const formula::World& world, const 
   add_scenery(asked, p, world, &formula);
   const auto stood = stations(world, about(asked), angles);
   for (const Station& w : stood) {
-    for (const NamedRegion& r : p.moving) {
-      p.rotated.push_back({fmt::format("{}°", shown(w.degrees)), &*w.world.shapes.at(r.name)});
+    for (const std::string& name : world.moving) {
+      if (asked.scene().groups.count(name) > 0) continue;  // its members are drawn
+      p.rotated.push_back({fmt::format("{}°", shown(w.degrees)), &*w.world.shapes.at(name)});
     }
   }
   return rotations_svg(picture_svg(p), angles);
