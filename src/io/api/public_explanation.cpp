@@ -128,7 +128,7 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
   plane::Rounding rounding;
   const std::vector<formula::SharedSolver> poses =
       formula::solvers_at(asked.solver()->world(), about, angles, rounding);
-  say_rotated(asked, rounding);
+  asked.note_rotated(rounding);
   const formula::Explanation found = formula::explain(poses, formula);
   std::optional<formula::PositionExplanation> here;
   if (at) here = formula::explain_at(*poses[0], formula, *at);

@@ -408,11 +408,13 @@ Scene Scene::rotated(const Number& degrees) const {
       kept->shapes = source.kept->shapes;
     } else {
       auto shapes = std::make_shared<io::KeptShapes>();
-      shapes->world = [before = data_, by] {
+      shapes->world = [before = data_, by](const io::AskedScene& asked) {
         const io::GridPosition& about = before->read.free.about;
         plane::Rounding rounding;
-        return formula::rotated_world(before->heard_by({}).solver()->world(),
-                                      {exact::Real(about[0]), exact::Real(about[1])}, by, rounding);
+        formula::World out = formula::rotated_world(before->heard_by(asked.listener()).solver()->world(),
+                                                    {exact::Real(about[0]), exact::Real(about[1])}, by, rounding);
+        asked.note_rotated(rounding);
+        return out;
       };
       kept->shapes = std::move(shapes);
     }

@@ -36,6 +36,12 @@ void AskedScene::note(const std::string& text) const {
   if (terms_.listener.note) terms_.listener.note(text);
 }
 
+void AskedScene::note_rotated(const plane::Rounding& rounding, std::string_view more) const {
+  if (rounding.points == 0) return;
+  note(fmt::format("{} rotated vertices were put on the grid, moved by at most {:.2g}{}{}{}", rounding.points,
+                   rounding.largest * scene_->grid.step_size(), unit().empty() ? "" : " ", unit(), more));
+}
+
 void AskedScene::stage(const std::string& text) const {
   if (terms_.listener.stage) terms_.listener.stage(text);
 }
@@ -175,8 +181,9 @@ AskedScene AskedScene::over_time() const {
 std::shared_ptr<const formula::Solver> AskedScene::solver() const {
   if (!terms_.kept) return std::make_shared<const formula::Solver>(world());
   const KeptShapes& shapes = *terms_.kept->shapes;
-  const std::shared_ptr<const formula::Solver>& all = shapes.planar.get(
-      [&] { return std::make_shared<const formula::Solver>(shapes.world ? shapes.world() : over_time().world()); });
+  const std::shared_ptr<const formula::Solver>& all = shapes.planar.get([&] {
+    return std::make_shared<const formula::Solver>(shapes.world ? shapes.world(*this) : over_time().world());
+  });
   if (!terms_.instant) return all;
   formula::World then = all->world();
   then.instant = terms_.instant;

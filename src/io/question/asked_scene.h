@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formula/language/parse.h"
@@ -18,6 +19,7 @@
 #include "formula/planar/solve.h"
 #include "io/question/kept_work.h"
 #include "io/scene/scene.h"
+#include "plane/build/transform.h"
 
 namespace findspace::io {
 
@@ -40,12 +42,16 @@ class AskedScene {
   bool in_space() const { return scene_->dimension == 3; }
   /// Where it was prepared, what it keeps; else null.
   const std::shared_ptr<const KeptWork>& kept() const { return terms_.kept; }
+  /// Who hears of it.
+  const findspace::Scene::Listener& listener() const { return terms_.listener; }
   bool at_instant() const { return terms_.instant.has_value(); }
   /// Over all its time.
   AskedScene over_time() const;
   const std::optional<exact::Real>& turned() const { return terms_.turned; }
   /// What the reader of the answer should know.
   void note(const std::string& text) const;
+  /// The same of a rotation; `more`: what comes after it.
+  void note_rotated(const plane::Rounding& rounding, std::string_view more = "") const;
   /// What is being done now.
   void stage(const std::string& text) const;
 

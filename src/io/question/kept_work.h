@@ -22,6 +22,8 @@
 
 namespace findspace::io {
 
+class AskedScene;
+
 /// A value that is made once; one that threw is tried again.
 template <class Value>
 class Kept {
@@ -42,7 +44,8 @@ struct KeptShapes {
   Kept<std::map<std::string, Shape>> shown{};  // as public ones
   Kept<std::shared_ptr<const formula::Solver>> planar{};
   Kept<std::shared_ptr<const formula::SpaceSolver>> solid{};
-  std::function<formula::World()> world{};  // how that of the plane is made, where another scene has most of it
+  /// How that of the plane is made, where another scene has most of it; who asks is told what is rounded.
+  std::function<formula::World(const AskedScene&)> world{};
 };
 
 /// The region of a formula in the plane.

@@ -25,8 +25,6 @@ Answer::Data map_of_space_line(AskedScene asked);
 /// The formula of a map over angles; throws where the scene asks for what is not computed over them.
 formula::Formula question_over_angles(const AskedScene& asked);
 
-/// Says how many vertices were put on the grid, and what that means for sectors.
-void say_rotated(const AskedScene& asked, const plane::Rounding& rounding, std::string_view sectors = "");
 /// As public values, times the step.
 std::vector<Interval> shown_intervals(const std::vector<plane::LineInterval>& all, const exact::Real& step);
 /// Of what is certain, and what is possible.

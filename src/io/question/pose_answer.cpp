@@ -173,18 +173,12 @@ struct PoseQuestion {
 
 }  // namespace
 
-void say_rotated(const AskedScene& asked, const plane::Rounding& rounding, std::string_view sectors) {
-  if (rounding.points == 0) return;
-  asked.note(fmt::format("{} rotated vertices were put on the grid, moved by at most {:.2g} {}{}", rounding.points,
-                         rounding.largest * asked.scene().grid.step_size(), asked.unit(), sectors));
-}
-
 Answer::Data map_of_poses(AskedScene given) {
   const auto q = std::make_shared<PoseQuestion>(std::move(given));
   q->asked.stage("solving");
   q->stack = planning::pose_stack(q->world, q->formula, q->about, q->asked.scene().free.angles);
   if (q->down) q->stack = as_seen(std::move(q->stack));
-  say_rotated(q->asked, rounding_of(q->stack), "; the sectors allow for it");
+  q->asked.note_rotated(rounding_of(q->stack), "; the sectors allow for it");
   bool empty = true, impossible = true;
   for (const PoseSlice& s : q->stack.slices) {
     empty = empty && plane::is_empty(s.region);

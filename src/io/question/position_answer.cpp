@@ -92,12 +92,6 @@ struct PlanarQuestion {
     plane::Rounding rounding;
     return draw(formula::rotated_world(solver->world(), rotated->about(), pose.degrees, rounding));
   }
-  void say_rounding() const {
-    const plane::Rounding& rounding = rotated->rounding();
-    if (rounding.points == 0) return;
-    asked.note(fmt::format("{} vertices of the rotated shape were put on the grid, moved by at most {:.2g} {}",
-                           rounding.points, rounding.largest * asked.scene().grid.step_size(), asked.unit()));
-  }
 };
 
 /// All shapes, or those that the formula needs. It does not move any more.
@@ -165,7 +159,7 @@ Answer::Data check_in_plane(AskedScene given, const PlanarPose& asked_pose, cons
   q->asked.stage("checking");
   if (q->rotated) {
     q->check = std::make_shared<const formula::Check>(q->rotated->check(q->formula));
-    q->say_rounding();
+    q->asked.note_rotated(q->rotated->rounding());
   } else {
     q->check = std::make_shared<const formula::Check>(q->solver->check(q->formula, q->at));
   }
@@ -235,7 +229,7 @@ Answer::Data measure_in_plane(AskedScene given, const PlanarPose& pose, const Wa
   q->asked.stage("measuring");
   std::vector<formula::DistanceAt> all =
       q->rotated ? q->rotated->measure(q->formula) : q->solver->measure(q->at, q->formula);
-  if (q->rotated) q->say_rounding();
+  if (q->rotated) q->asked.note_rotated(q->rotated->rounding());
   q->distances = std::make_shared<const std::vector<formula::DistanceAt>>(only(std::move(all), wanted.kinds));
   Answer::Data out;
   out.json = [q](const Telling&) { return measure_json(*q->distances, q->place(), q->asked.unit(), q->degrees()); };
