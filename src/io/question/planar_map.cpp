@@ -140,7 +140,7 @@ std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formu
     return out;
   };
   const std::shared_ptr<const KeptWork>& kept = asked.kept();
-  if (!kept) return std::make_shared<const KeptRegion>(make());
+  if (!kept || asked.at_instant()) return std::make_shared<const KeptRegion>(make());
   return {kept, &kept->region.get(make)};
 }
 

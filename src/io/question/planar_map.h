@@ -39,7 +39,8 @@ struct Applied {
 PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Solver> solver,
                      const formula::Formula& formula, const Applied& apply = {},
                      const formula::SolvedRegion* known = nullptr);
-/// The region of the scene's formula, on its line where it has one; kept where the scene is prepared.
+/// The region of the scene's formula, on its line where it has one; kept where the scene is prepared,
+/// but not of an instant.
 std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula);
 /// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
 /// made already.

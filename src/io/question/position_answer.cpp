@@ -124,18 +124,23 @@ WantedDistances wanted_distances(const std::vector<std::string>& words) {
 namespace {
 
 /// In the scene's unit, of a position in it.
-formula::TriedNearest nearest_in(const KeptRegion& region, const exact::RealPoint& at, const exact::Real& step) {
-  const auto near = region.region.data().answers().nearest({at.x / step, at.y / step});
-  if (!near && region.outer) return exact::Refusal("the region is known between bounds, and no position is certain");
-  if (!near) return std::optional<formula::NearestFeasible>();
-  return std::optional(formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)),
-                                                near->distance * step, near->attained});
+std::optional<formula::NearestFeasible> nearest_in(const Region& region, const exact::RealPoint& at,
+                                                   const exact::Real& step) {
+  const auto near = region.data().answers().nearest({at.x / step, at.y / step});
+  if (!near) return std::nullopt;
+  return formula::NearestFeasible{distance::coordinates(distance::times(step, near->at)), near->distance * step,
+                                  near->attained};
 }
 
-/// From the region where that is kept, else from what is near.
+/// From the region where that is kept or on a line, else from what is near.
 formula::TriedNearest nearest_of(const PlanarQuestion& q) {
-  if (!q.asked.kept() || q.asked.at_instant()) return q.solver->nearest_feasible(q.formula, q.at);
-  return nearest_in(*region_of(q.asked, q.formula), q.at, q.asked.step());
+  const bool line = q.asked.scene().free.kind == Free::Kind::kLine;
+  if (line || (q.asked.kept() && !q.asked.at_instant())) {
+    const auto region = region_of(q.asked, q.formula);
+    if (!region->outer) return nearest_in(region->region, q.at, q.asked.step());
+    if (line || q.rotated) return exact::Refusal("the region is known between bounds only");
+  }
+  return q.solver->nearest_feasible(q.formula, q.at);
 }
 
 /// A corner or an edge of the region that is near, or the place itself.
