@@ -120,6 +120,65 @@ TEST(PreparedScene, IsRotatedInThePlane) {
   EXPECT_THROW(Scene::json(kRooms).rotated(Number(30)), Error);
 }
 
+TEST(PreparedScene, SaysWhatItsRotationRounds) {
+  const Scene scene = Scene::json(kPlate).prepared();
+  const std::vector<std::string> notes = scene.rotated(Number(30)).check(at("6", "5")).notes();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].find("4 rotated vertices were put on the grid, moved by at most "), 0u);
+  EXPECT_TRUE(scene.rotated(Number(90)).check(at("6", "5")).notes().empty());
+}
+
+TEST(PreparedScene, WhatIsNearestBetweenBoundsIsNotKnown) {
+  const Scene plain = Scene::json(R"json({"findspace": 1, "shapes": {"bar": {"box": {"min": [-2, -0.5],
+      "max": [2, 0.5]}}, "disc": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "disc",
+      "motion": {"time": [0, 1], "bar": {"path": [[0, 0], [0, 0]], "angles": [0, 90]}},
+      "where": "clear(disc, bar)"})json");
+  for (const Scene& scene : {plain, plain.prepared()}) {
+    EXPECT_FALSE(scene.map().region()->inner.empty());
+    EXPECT_FALSE(scene.check(at("0", "0")).nearest());
+    EXPECT_EQ(scene.nearest(at("0", "0")).found(), Answer::Found::kUndecided);
+    EXPECT_EQ(scene.nearest(at("0", "0")).json(), plain.nearest(at("0", "0")).json());
+  }
+}
+
+TEST(PreparedScene, PositionsOfALineAreOnIt) {
+  const Scene plain = Scene::json(R"json({"findspace": 1, "shapes": {"block": {"box": {"min": [0, 0],
+      "max": [10, 10]}}, "peg": {"box": {"min": [0, 0], "max": [1, 1]}}}, "moving": "peg",
+      "where": "gap(peg, block) >= 1", "free": {"line": {"through": [0, 2], "direction": [1, 0]}}})json");
+  for (const Scene& scene : {plain, plain.prepared()}) {
+    EXPECT_EQ(scene.check(at("4", "2")).nearest()->at, (Place{-2, 2}));  // and not (4, -2)
+    EXPECT_EQ(scene.nearest(at("6", "2")).nearest()->at, (Place{11, 2}));
+    const RegionBounds region = *scene.map().region();
+    EXPECT_EQ(region.inner, region.outer);
+    EXPECT_TRUE(region.inner.contains(Point{-2, 2}));
+    EXPECT_FALSE(region.inner.contains(Point{-2, 3}));
+  }
+}
+
+TEST(PreparedScene, ABestValueBetweenBoundsLeavesAllFeasiblePositionsPossible) {
+  const char* const line = R"json(, "free": {"line": {"through": [0, 0], "direction": [1, 0]}})json";
+  for (const char* free : {"", line}) {
+    const Scene plain =
+        Scene::json(std::string(R"json({"findspace": 1, "shapes": {"a": {"disc": {"center": [0, 0], "radius": 1}},
+      "b": {"disc": {"center": [7, 0], "radius": 2}}, "room": {"box": {"min": [-9, -9], "max": [19, 9]}},
+      "peg": {"points": [[0, 0]]}}, "moving": "peg", "where": "inside(peg, room)",
+      "minimize": "gap(peg, a) + 3 * gap(peg, b)")json") +
+                    free + "}");
+    for (const Scene& scene : {plain, plain.prepared()}) {
+      const Answer map = scene.map();
+      ASSERT_FALSE(map.best()->exact);
+      const RegionBounds region = *map.region();
+      EXPECT_FALSE(region.inner.contains(Point{15, 0}));
+      EXPECT_TRUE(region.outer.contains(Point{15, 0}));
+      EXPECT_FALSE(region.outer.contains(Point{20, 0}));
+      if (*free == 0) continue;
+      ASSERT_EQ(map.possible().size(), 1u);
+      EXPECT_EQ(*map.possible()[0].from, -9);
+      EXPECT_EQ(*map.possible()[0].to, 19);
+    }
+  }
+}
+
 TEST(PreparedScene, RangesOverSomethingElse) {
   const Scene scene = Scene::json(R"json({"findspace": 1, "shapes": {"slot": {"box": {"min": [-5, -2], "max": [5, 2]}},
       "bar": {"box": {"min": [-1, -3], "max": [1, 3]}}}, "moving": "bar", "where": "inside(bar, slot)"})json")

@@ -39,6 +39,11 @@ struct PositionsQuestion {
   const distance::OptimalValue* extreme() const { return map.extreme ? &*map.extreme : nullptr; }
   /// The best value is known between bounds: where no position is shown, there may be one.
   bool open() const { return map.extreme && !map.extreme->proven(); }
+  /// A region that holds all positions asked for; null: it is the map's.
+  const plane::Region* possible_region() const {
+    if (map.outer) return &*map.outer;
+    return open() && map.feasible ? &*map.feasible : nullptr;
+  }
   /// Where that is so, and no position is shown.
   std::string open_text(const std::string& title) const {
     const auto bound = map.extreme->bound();
@@ -83,8 +88,12 @@ struct PositionsQuestion {
   Region shown(const plane::Region& region) const { return api::make_region(region, asked.scene().grid, asked.unit()); }
   RegionBounds bounds() const {
     if (known) return {known->region, known->outer ? *known->outer : known->region};
-    const Region inner = shown(map.region);
-    return {inner, map.outer ? shown(*map.outer) : inner};
+    const auto part = [&](const plane::Region& region) {
+      return shown(line() ? on_line(region, asked.scene().free) : region);
+    };
+    const Region inner = part(map.region);
+    const plane::Region* possible = possible_region();
+    return {inner, possible != nullptr ? part(*possible) : inner};
   }
 };
 
@@ -147,7 +156,8 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
   const std::string title = q->title(apply);
   if (q->line()) {
     q->intervals = intervals_on_line(q->map.region, q->asked.scene().free);
-    q->possible = q->map.outer ? intervals_on_line(*q->map.outer, q->asked.scene().free) : q->intervals;
+    const plane::Region* possible = q->possible_region();
+    q->possible = possible != nullptr ? intervals_on_line(*possible, q->asked.scene().free) : q->intervals;
     out.found = found_in(!q->intervals.empty(), q->open() || !q->possible.empty());
     tell_line(out, q, title);
   } else {

@@ -17,13 +17,13 @@
 namespace findspace::io {
 
 std::vector<plane::LineInterval> SpaceLineMap::certain() const {
-  const bool some = side == formula::Side::kExact || side == formula::Side::kInner;
+  const bool some = side == formula::Side::kExact || (side == formula::Side::kInner && !extreme);
   return some ? intervals : std::vector<plane::LineInterval>();
 }
 
 std::vector<plane::LineInterval> SpaceLineMap::possible() const {
-  const bool all = side == formula::Side::kExact || side == formula::Side::kOuter;
-  return all ? intervals : std::vector<plane::LineInterval>(1);  // the whole line
+  if (side == formula::Side::kExact) return intervals;
+  return side == formula::Side::kOuter ? feasible : std::vector<plane::LineInterval>(1);  // the whole line
 }
 
 SpaceLineMap space_line_map(const AskedScene& asked, const formula::SpaceSolver& solver,
@@ -35,7 +35,9 @@ SpaceLineMap space_line_map(const AskedScene& asked, const formula::SpaceSolver&
     line.direction[k] = exact::Real(free.direction[k]);
   }
   const formula::SpaceSolver::OnLine found = solver.feasible_on(formula, line);
-  SpaceLineMap map{plane::intervals(found.marks, exact::Real(1)), found.side, std::nullopt};
+  SpaceLineMap map;
+  map.feasible = map.intervals = plane::intervals(found.marks, exact::Real(1));
+  map.side = found.side;
   const auto goal = asked.goal();
   if (!goal) return map;
   formula::LineOptimum best =

@@ -18,8 +18,10 @@
 namespace findspace::io {
 
 struct SpaceLineMap {
-  std::vector<plane::LineInterval> intervals{};  // lengths from where the line goes through, in grid steps
-  formula::Side side = formula::Side::kExact;    // of the true set
+  /// Lengths from where the line goes through, in grid steps: where the formula holds, and the best of these where
+  /// there is an objective.
+  std::vector<plane::LineInterval> feasible{}, intervals{};
+  formula::Side side = formula::Side::kExact;  // on which `feasible` lies
   std::optional<distance::OptimalValue> extreme{};
 
   /// What certainly belongs, and what possibly does.
