@@ -75,7 +75,7 @@ struct MapLines {
   std::optional<Number> apart{};       // how far they are apart, a multiple of the grid's step
   Shape::Axis axis = Shape::Axis::kZ;  // along which they run
   bool axes = false;                   // along all three instead
-  Side side = Side::kNone;             // which cells
+  Side side = Side::kNone;             // which cells, of lines along one axis
 };
 
 /// What a map is asked for.

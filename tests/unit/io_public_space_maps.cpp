@@ -209,6 +209,39 @@ TEST(PublicSpaceMaps, OnLinesHaveBestPositions) {
   EXPECT_LT(*farthest.best()->value, 3.94);
 }
 
+/// The lengths at which a ball on a line is as near to a bent wall as said, which are found by search.
+Answer on_one_side(const std::string& where, const std::string& more) {
+  return Scene::json(R"json({"findspace": 1, "shapes": {"bent": {"union": [
+      {"box": {"min": [0, 0, 0], "max": [9, 9, 2]}}, {"box": {"min": [0, 0, 0], "max": [2, 9, 9]}}]},
+      "ball": {"ball": {"center": [5, 5, 5], "radius": 2}}}, "moving": "ball",
+      "free": {"line": {"through": [1, 4, 4], "direction": [1, 2, 1]}}, "where": ")json" +
+                     where + "\"" + more + "}")
+      .map();
+}
+
+TEST(PublicSpaceMaps, TheBestOfALineBetweenBoundsIsNoBound) {
+  const char* const least = R"json(, "minimize": "distance to [1, 4, 4]")json";
+  const Answer outer = on_one_side("protrusion(ball, bent) <= 3", least);
+  EXPECT_TRUE(outer.intervals().empty());
+  EXPECT_EQ(outer.possible().size(), 1u);
+  EXPECT_EQ(*outer.possible()[0].from, *on_one_side("protrusion(ball, bent) <= 3", "").possible()[0].from);
+  const Answer inner = on_one_side("protrusion(ball, bent) > 3", least);
+  EXPECT_TRUE(inner.best().has_value());
+  EXPECT_TRUE(inner.intervals().empty());
+  EXPECT_FALSE(inner.possible().at(0).from.has_value());  // the whole line
+}
+
+TEST(PublicSpaceMaps, RefuseCellsAboutLinesOfThreeAxes) {
+  const Scene slim = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0, 0],
+    "max": [1, 1, 100]}}, "B": {"box": {"min": [0, 0, 0], "max": [0.5, 0.5, 0.5]}}}, "moving": "B",
+    "where": "inside(B, A)"})json");
+  const MapLines lines{.count = 10, .axes = true, .side = MapLines::Side::kOuter};
+  EXPECT_EQ(code_of([&] { slim.map(on_lines(lines)); }), ErrorCode::kBadValue);
+  ShapeQuestion shape;
+  shape.lines = lines;
+  EXPECT_EQ(code_of([&] { slim.describe("A", shape); }), ErrorCode::kBadValue);
+}
+
 TEST(PublicSpaceMaps, RefuseLinesThatAreNone) {
   const auto refused = [](const Scene& scene, const MapLines& lines) {
     return code_of([&] { scene.map(on_lines(lines)); });

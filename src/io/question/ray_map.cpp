@@ -301,6 +301,7 @@ RayChoice ray_choice(const AskedScene& asked, const MapLines& lines, std::string
   const auto refuse = [&](const std::string& text) { throw Error(ErrorCode::kBadValue, text, asked.scene().file); };
   if (lines.apart ? lines.count != 0 : lines.count < 1 || lines.count > kMostLines)
     refuse(fmt::format("lines: their number, from 1 to {}, or how far they are apart", kMostLines));
+  if (lines.axes && lines.side != From::kNone) refuse("lines: cells are those of the lines of one axis, not of three");
   if (lines.apart) {
     const auto steps = steps_between(asked, *lines.apart);
     if (!steps && !before.empty())
