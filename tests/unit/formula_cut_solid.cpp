@@ -16,11 +16,14 @@ namespace formula_cut_solid {
 using exact::Real;
 using Kind = plane::Shape::Kind;
 
-plane::ShapePtr cube(std::int64_t half) {
+plane::ShapePtr block(const space::Point& low, const space::Point& high) {
   std::vector<space::Point> corners;
-  for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
   return space::hull(std::move(corners));
 }
+
+plane::ShapePtr cube(std::int64_t half) { return block({-half, -half, -half}, {half, half, half}); }
 
 plane::ShapePtr bowl() { return space::node(Kind::kDifference, {cube(20), space::ball({0, 0, 20}, 15)}); }
 
@@ -70,6 +73,52 @@ TEST(CutSolid, HasExactValuesAboutTheCentreOfAShell) {
   EXPECT_TRUE(far->proven);
   EXPECT_EQ(near->value, Real(4));
   EXPECT_EQ(far->value, Real(12));
+}
+
+/// B where it is drawn, and A.
+std::optional<distance::Answer> drawn(findspace::formula::Kind kind, const plane::ShapePtr& b,
+                                      const plane::ShapePtr& a) {
+  SpaceWorld all = world("B");
+  all.shapes["A"] = space_shape(*a);
+  all.shapes["B"] = space_shape(*b);
+  return SpaceSolver(all).value(named(kind), space::place(0, 0, 0));
+}
+
+/// What is taken away is closed: no wall stays where its parts touch, nor where it is flush with what it is taken from.
+TEST(CutSolid, KeepsNoWalls) {
+  using K = findspace::formula::Kind;
+  const auto bite = space::ball({20, 20, 20}, 6);
+  const auto pocket =
+      space::node(Kind::kUnion, {block({-10, -10, -10}, {10, 0, 10}), block({-10, 0, -10}, {0, 10, 10})});
+  const auto within = space::node(Kind::kDifference, {cube(20), bite, pocket});
+  EXPECT_EQ(drawn(K::kGamma1, block({-8, -5, -5}, {-2, 5, 5}), within)->value, Real(2));
+  const auto flush = space::node(Kind::kDifference, {cube(20), bite, block({-20, -10, -10}, {0, 10, 10})});
+  EXPECT_EQ(drawn(K::kGamma1, block({-30, -6, -6}, {-23, 6, 6}), flush)->value, Real(5));
+  const auto half = space::node(Kind::kDifference, {space::ball({0, 0, 0}, 10), block({-10, -10, -10}, {0, 10, 10})});
+  EXPECT_EQ(drawn(K::kGamma1, block({-30, -2, -2}, {-20, 3, 3}), half)->value, Real(20));
+  const auto oblique = space::node(Kind::kDifference,
+                                   {cube(20), bite, space::hull({{-20, -9, 0}, {-20, 9, 0}, {-20, 0, 9}, {-3, 1, 4}})});
+  EXPECT_EQ(drawn(K::kGamma1, block({-30, 0, 3}, {-21, 1, 4}), oblique)->value.sign(), 1);
+  EXPECT_NE(drawn(K::kGamma1, block({-30, 0, 3}, {-21, 1, 4}), oblique)->value, Real(1));
+}
+
+/// Nor in what a union leaves of space.
+TEST(CutSolid, IsGluedToAPlate) {
+  using K = findspace::formula::Kind;
+  const auto glued = space::node(Kind::kUnion, {bowl(), block({-30, -30, -30}, {30, 30, -20})});
+  const auto across = drawn(K::kEta1, block({-5, -5, -25}, {0, 0, -15}), glued);
+  ASSERT_TRUE(across);
+  EXPECT_EQ(across->value, Real(-5));
+}
+
+TEST(CutSolid, IsRefusedWhereARoundedPartIsFlush) {
+  plane::Shape grown;
+  grown.kind = Kind::kOffset;
+  grown.amount = Real(3);
+  grown.children = {block({-17, -7, -7}, {0, 7, 7})};
+  const auto rounded = std::make_shared<const plane::Shape>(grown);
+  EXPECT_FALSE(try_space_shape(*space::node(Kind::kDifference, {cube(20), rounded})));
+  EXPECT_TRUE(try_space_shape(*space::node(Kind::kDifference, {cube(18), rounded})));
 }
 
 TEST(CutSolid, HasSignsWhereItHasNoValue) {

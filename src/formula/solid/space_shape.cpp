@@ -81,7 +81,7 @@ Tried<SpaceShape> try_space_shape(const plane::Shape& shape) {
   out.refused = made.refusal().error.what();
   if (out.boxes) return out;
   const auto cut = cut_of(shape);
-  if (!cut) return cut.refusal().fault() ? cut.refusal() : made.refusal();
+  if (!cut) return cut.refusal();
   out.cut = *cut;
   return out;
 }

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "space/body/cell_parts.h"
+#include "space/polytope/polytope_sets.h"
+
 namespace findspace::space {
 
 using exact::Real;
@@ -156,10 +159,127 @@ Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts fl
   return std::move(a);
 }
 
-CsgSolid without_flat_parts(CsgSolid body) {
-  std::erase_if(body.parts, [](const CsgPart& part) { return !bulky(bounds(part)); });
-  return body;
+namespace {
+
+bool flat_sided(const BodyPart& set) { return set.core && set.radius.sign() == 0; }
+
+bool touch(const BodyPart& a, const BodyPart& b) { return holds_places(bounds(CsgPart{{a, b}, {}})); }
+
+/// Whether a face of the polytope and the other set may lie on each other.
+bool is_flush(const BodyPart& polytope, const BodyPart& other) {
+  const auto on = [&](const Plane& plane) {
+    if (!flat_sided(other)) return support(other, real(plane.normal)) == Real(-plane.offset);
+    const auto corners = other.vertices();
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Point& v) { return exact::dot(plane.normal, v) + plane.offset == 0; });
+  };
+  return touch(polytope, other) && std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on);
 }
+
+/// The normals of the flat faces.
+std::vector<RealVector> face_normals(const BodyPart& set) {
+  std::vector<RealVector> out;
+  if (set.core) {
+    for (const Plane& plane : set.core->planes()) out.push_back(real(plane.normal));
+  } else if (set.flat.size() > 2) {
+    out.push_back(cross(real(set.flat[1] - set.flat[0]), real(set.flat[2] - set.flat[0])));
+    out.push_back(negated(out[0]));
+  }
+  return out;
+}
+
+/// Whether a flat face of a round set that is taken away lies on a face of another set of the part.
+bool has_round_flush(const CsgPart& part) {
+  const auto flush = [&](const BodyPart& round) {
+    const auto on = [&](const RealVector& n) {
+      const Real at = support(round, n);
+      const auto ends_there = [&](const BodyPart& set) { return support(set, n) == at && touch(set, round); };
+      const auto starts_there = [&](const BodyPart& set) {
+        return support(set, negated(n)) == -at && touch(set, round);
+      };
+      return std::any_of(part.within.begin(), part.within.end(), ends_there) ||
+             std::any_of(part.without.begin(), part.without.end(), starts_there);
+    };
+    const std::vector<RealVector> normals = face_normals(round);
+    return round.radius.sign() > 0 && std::any_of(normals.begin(), normals.end(), on);
+  };
+  return std::any_of(part.without.begin(), part.without.end(), flush);
+}
+
+/// Whether polytopes that are taken away may leave something flat.
+bool has_flush(const CsgPart& part) {
+  const auto flush = [&](const BodyPart& taken) {
+    const auto with = [&](const BodyPart& other) { return is_flush(taken, other); };
+    const auto beside = [&](const BodyPart& other) { return &other != &taken && flat_sided(other) && with(other); };
+    return flat_sided(taken) && (std::any_of(part.within.begin(), part.within.end(), with) ||
+                                 std::any_of(part.without.begin(), part.without.end(), beside));
+  };
+  return std::any_of(part.without.begin(), part.without.end(), flush);
+}
+
+std::vector<Point> corners_of(const Point& low, const Point& high) {
+  std::vector<Point> out;
+  for (int i = 0; i < 8; ++i) out.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  return out;
+}
+
+Polytope box_about(const CsgPart& part) {
+  const Bounds3 box = bounds(part);
+  const auto low = [&](std::size_t k) { return static_cast<std::int64_t>(floor(box.low[k])); };
+  const auto high = [&](std::size_t k) { return static_cast<std::int64_t>(-floor(-box.high[k])); };
+  return Polytope::hull(corners_of({low(0), low(1), low(2)}, {high(0), high(1), high(2)}));
+}
+
+/// What the polytopes of the part leave, cell by cell, each with its round sets; nothing where cells do not come to lie
+/// on a grid.
+std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale) {
+  std::vector<Polytope> kept, taken;
+  CsgPart round;
+  for (const BodyPart& set : part.within) flat_sided(set) ? kept.push_back(*set.core) : round.within.push_back(set);
+  for (const BodyPart& set : part.without) flat_sided(set) ? taken.push_back(*set.core) : round.without.push_back(set);
+  if (kept.empty()) kept.push_back(box_about(part));
+  std::vector<ConvexRegion> cells = difference_cells(std::span(kept).first(1), taken);
+  for (const Polytope& other : std::span(kept).subspan(1)) {
+    for (ConvexRegion& cell : cells) {
+      for (const Plane& plane : other.planes()) cell.cut(HalfSpace(plane));
+    }
+  }
+  std::erase_if(cells, [](const ConvexRegion& cell) { return cell.dimension() < 3; });
+  ConvexParts made = parts_of_cells(cells);
+  if (made.rounded > 0) return std::nullopt;
+  CsgSolid out;
+  out.scale = scale;
+  out.parts.push_back(std::move(round));
+  out = at_scale(out, scale * made.scale);
+  const CsgPart rest = std::move(out.parts[0]);
+  out.parts.assign(made.parts.size(), rest);
+  for (std::size_t k = 0; k < made.parts.size(); ++k)
+    out.parts[k].within.push_back({std::move(made.parts[k]), {}, Real()});
+  return out;
+}
+
+/// Where cells need finer steps than those of the solid, they are taken if it may have such.
+Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
+  CsgSolid out{{}, body.containers, body.obstacles, body.scale};
+  for (const CsgPart& part : body.parts) {
+    if (has_round_flush(part))
+      return Refusal(
+          "a rounded shape that is taken away with a face flush with another is not computed: let it overlap");
+    std::optional<CsgSolid> cells = has_flush(part) ? cells_of(part, body.scale) : std::nullopt;
+    if (!cells || (!finer && cells->scale != body.scale)) cells = CsgSolid{{part}, {}, {}, body.scale};
+    const std::int64_t scale = std::lcm(out.scale, cells->scale);
+    if (scale != out.scale) out = at_scale(out, scale);
+    *cells = at_scale(*cells, scale);
+    for (CsgPart& cell : cells->parts) {
+      if (!keep(std::move(cell), FlatParts::kDropped, out.parts)) return too_many();
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Tried<CsgSolid> without_flat_places(const CsgSolid& body) { return cut_where_flush(body, true); }
 
 CsgSolid translated(const CsgSolid& body, const Point& by) {
   return changed(body, body.scale, [&](Body b) { return translated(std::move(b), by); });
@@ -170,17 +290,14 @@ CsgSolid mirrored(const CsgSolid& body) {
 }
 
 Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point& high) {
-  std::vector<Point> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
   CsgSolid out;
   out.scale = body.scale;
-  out.parts.push_back({{part_of(corners, Real())}, {}});
+  out.parts.push_back({{part_of(corners_of(low, high), Real())}, {}});
   if (auto left = less(std::move(out.parts), body.parts, FlatParts::kDropped))
     out.parts = *std::move(left);
   else
     return left.refusal();
-  return out;
+  return cut_where_flush(out, false);
 }
 
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {

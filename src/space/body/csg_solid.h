@@ -46,10 +46,13 @@ enum class FlatParts { kDropped, kKept };
 exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
 /// The first less the second; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
-CsgSolid without_flat_parts(CsgSolid body);
+/// The closure of the interior: where polytopes that are taken away touch each other, or are flush with a face of what
+/// they are taken from, they are cut out as cells. Refuses rounded polytopes that do so. Still left are an edge or a
+/// corner that lies on a round face of what is taken away, and what is flush where cells do not come to lie on a grid.
+exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
-/// What the solid leaves of a box; without containers. More than 10,000 parts are refused.
+/// What the solid leaves of a box; without containers, in the same steps. More than 10,000 parts are refused.
 exact::Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point& high);
 /// The same set in finer steps; `scale` is a multiple of its own.
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale);

@@ -138,7 +138,7 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
 /// As distances see it.
 Tried<CsgSolid> bulk_of(Tried<CsgSolid> made) {
   if (!made) return made;
-  return without_flat_parts(*std::move(made));
+  return without_flat_places(*made);
 }
 
 Tried<CsgSolid> node(const plane::Shape& shape) {
@@ -148,7 +148,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid);
+      return bulk_of(clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid));
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
