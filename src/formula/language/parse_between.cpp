@@ -14,7 +14,7 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
 /// The two lists of a rule: their names, and what is in them.
 struct RuleLists {
   std::string names[2];
-  std::vector<std::string> moving[2], standing[2];  // members
+  std::vector<std::string> moving[2], standing[2];  // members; those that stand only where each moves on its own
   bool stands[2] = {false, false};                  // whether others are in it
 };
 
@@ -30,7 +30,7 @@ RuleLists lists_of(const Context& context, std::string first, std::string second
     for (const std::string& member : members)
       if (is_among(context.moving, member))
         out.moving[k].push_back(member);
-      else if (is_among(context.shapes, member))
+      else if (context.independent && is_among(context.shapes, member))
         out.standing[k].push_back(member);
     out.stands[k] = is_among(context.shapes, name) && !is_among(context.moving, name);
   }

@@ -229,11 +229,11 @@ class SceneMaker {
   }
 
   void add_lists() {
-    std::vector<ShapePtr> keep_outs, here;
+    std::vector<ShapePtr> here;
     for (const KeepOut& k : board_.keep_outs) {
       if (!k.part.empty() && movers_.count(board_.find(k.part)) > 0) continue;
-      keep_outs.push_back(named(k.area, k.name));
-      if (k.sides.meet(sides_)) here.push_back(keep_outs.back());
+      keep_outs_.push_back(named(k.area, k.name));
+      if (k.sides.meet(sides_)) here.push_back(keep_outs_.back());
     }
     std::vector<ShapePtr> others = fixed([&](const Part& p) { return p.courtyard.meet(sides_); });
     scene_.all_shapes.emplace();
@@ -246,8 +246,7 @@ class SceneMaker {
     add_parts("front", [](const Part& p) { return p.mounted.front; });
     add_parts("back", [](const Part& p) { return p.mounted.back; });
     add_parts("fixed", [&](const Part& p) { return is_fixed(p); });
-    keep_outs_ = keep_outs;
-    add_list("keepouts", std::move(keep_outs));
+    add_list("keepouts", movers_.empty() ? keep_outs_ : std::move(here));
     std::vector<ShapePtr> holes;
     for (const Hole& hole : board_.holes)
       if (hole.part.empty() || movers_.count(board_.find(hole.part)) == 0) holes.push_back(hole.shape);

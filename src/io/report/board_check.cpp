@@ -53,6 +53,7 @@ struct StandingPart {
 /// A drilled hole or a keep-out; `part` owns it, or is empty.
 struct OwnedArea {
   std::string part;
+  Sides sides;
   plane::Region region;
   plane::PieceBox box;
 };
@@ -80,12 +81,14 @@ class BoardRules {
   BoardRules(Scene scene, const std::string& place) : scene_(std::move(scene)), board_(*scene_.board) {
     rules_ = {scene_.where.empty() ? own_rules(board_) : scene_.where.text, place, 1, 1};
     build_bodies();
+    build_lists();
+    read_rules();
     build_named();
   }
 
   std::vector<Broken> run() const {
     std::vector<std::optional<formula::Check>> checks(bodies_.size());
-    plane::parallel_for(bodies_.size(), [&](std::size_t k) { checks[k] = check(bodies_[k]); });
+    plane::parallel_for(bodies_.size(), [&](std::size_t k) { checks[k] = check(bodies_[k], rules_of_[k]); });
     std::vector<Broken> out;
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       if (!checks[k]->holds) out.push_back({&bodies_[k], *std::move(checks[k])});
@@ -101,14 +104,13 @@ class BoardRules {
  private:
   std::vector<const StandingPart*> members(const std::string& list, const StandingPart& self) const {
     std::vector<const StandingPart*> out;
-    const auto group = scene_.groups.find(list);
-    for (const StandingPart& b : bodies_) {
-      if (&b == &self) continue;
-      const bool in = list == "others"
-                          ? b.part->courtyard.meet(self.part->courtyard)
-                          : std::find(group->second.begin(), group->second.end(), b.part->name) != group->second.end();
-      if (in) out.push_back(&b);
+    if (list != "others") {
+      for (const std::size_t k : lists_.at(list))
+        if (&bodies_[k] != &self) out.push_back(&bodies_[k]);
+      return out;
     }
+    for (const StandingPart& b : bodies_)
+      if (&b != &self && b.part->courtyard.meet(self.part->courtyard)) out.push_back(&b);
     return out;
   }
 
@@ -129,14 +131,35 @@ class BoardRules {
     }
   }
 
-  /// The shapes of which the rules speak that are not lists of parts.
+  void build_lists() {
+    for (const auto& [list, names] : scene_.groups) {
+      std::set<std::size_t> members;
+      for (const std::string& name : names)
+        if (const auto part = by_name_.find(name); part != by_name_.end()) members.insert(part->second);
+      lists_[list].assign(members.begin(), members.end());
+    }
+  }
+
+  /// The rules as each part reads them; without parts they are read all the same.
+  void read_rules() {
+    if (bodies_.empty()) {
+      formula::Context context = context_of(scene_);
+      context.moving = {kSelf};
+      read_formula(rules_, context);
+    }
+    rules_of_.resize(bodies_.size());
+    plane::parallel_for(bodies_.size(),
+                        [&](std::size_t k) { rules_of_[k] = read_formula(rules_, context(bodies_[k], {})); });
+  }
+
+  /// The shapes of which the rules speak, of whatever part, that are not lists of parts.
   void build_named() {
-    if (bodies_.empty()) return;
-    const formula::Formula formula = read_formula(rules_, context(bodies_.front(), {}));
-    if (formula.shapes().count(kHoles) > 0) build_holes();
-    if (formula.shapes().count(kKeepOuts) > 0) build_keep_outs();
+    std::set<std::string> names;
+    for (const formula::Formula& rules : rules_of_) names.merge(rules.shapes());
+    if (names.count(kHoles) > 0) build_holes();
+    if (names.count(kKeepOuts) > 0) build_keep_outs();
     std::vector<plane::ShapePtr> shapes;
-    for (const std::string& name : formula.shapes())
+    for (const std::string& name : names)
       if (const plane::ShapePtr shape = scene_.find(name); shape && !is_parts(name)) shapes.push_back(shape);
     std::vector<plane::Region> built = regions_of(scene_, shapes, notes_);
     for (std::size_t k = 0; k < built.size(); ++k) named_.emplace(shapes[k]->name, std::move(built[k]));
@@ -152,7 +175,7 @@ class BoardRules {
       if (!box) continue;
       const std::string name =
           fmt::format("hole at {} {}", shown((box->x0 + box->x1) / 2 * step), shown((box->y0 + box->y1) / 2 * step));
-      add_owned(kHoles, name, {board_.holes[k].part, std::move(built[k]), *box});
+      add_owned(kHoles, own_name(name), {board_.holes[k].part, {true, true}, std::move(built[k]), *box});
     }
   }
 
@@ -163,15 +186,35 @@ class BoardRules {
     for (std::size_t k = 0; k < built.size(); ++k) {
       const KeepOut& area = board_.keep_outs[k];
       const auto box = plane::extent(built[k]);
-      const bool taken = by_name_.count(area.name) > 0;
       if (box)
-        add_owned(kKeepOuts, taken ? "keep-out " + area.name : area.name, {area.part, std::move(built[k]), *box});
+        add_owned(kKeepOuts, is_known_by_name(area) ? area.name : own_name("keep-out " + area.name),
+                  {area.part, area.sides, std::move(built[k]), *box});
     }
+  }
+
+  /// Whether rules mean this keep-out by its name, and not a part, a list or a word.
+  bool is_known_by_name(const KeepOut& area) const {
+    if (area.name == kSelf || by_name_.count(area.name) > 0 || is_parts(area.name)) return false;
+    const plane::ShapePtr known = scene_.find(area.name);
+    return known && known->collection && known->children.size() == 1 && known->children[0]->name == area.name;
+  }
+
+  bool is_own_keep_out(const std::string& name, const Part& part) const {
+    return std::any_of(board_.keep_outs.begin(), board_.keep_outs.end(),
+                       [&](const KeepOut& k) { return k.name == name && k.part == part.name && is_known_by_name(k); });
+  }
+
+  /// The name, with a number where something else has it.
+  std::string own_name(const std::string& name) const {
+    std::string out = name;
+    const auto taken = [&] { return owned_.count(out) > 0 || by_name_.count(out) > 0 || scene_.groups.count(out) > 0; };
+    for (int k = 2; taken(); ++k) out = fmt::format("{} ({})", name, k);
+    return out;
   }
 
   void add_owned(const std::string& list, const std::string& name, OwnedArea area) {
     owned_lists_[list].push_back(name);
-    owned_.insert_or_assign(name, std::move(area));
+    owned_.emplace(name, std::move(area));
   }
 
   /// A list whose members are bodies: not `holes` or the copper of a net.
@@ -194,6 +237,7 @@ class BoardRules {
     context.empty.insert(context.empty.end(), empty.begin(), empty.end());
     for (auto& [list, names] : context.groups)
       std::replace(names.begin(), names.end(), self.part->name, std::string(kSelf));
+    context.groups.try_emplace(self.part->name, std::vector<std::string>{kSelf});  // a shape is a group of itself
     return context;
   }
 
@@ -218,12 +262,14 @@ class BoardRules {
       else if (const auto list = owned_lists_.find(name); list != owned_lists_.end())
         for (const std::string& member : list->second) {
           const OwnedArea& area = owned_.at(member);
-          if (area.part != self.part->name && is_near(area.box, atom.level, self)) out.insert(member);
+          if (area.part != self.part->name && area.sides.meet(self.part->courtyard) &&
+              is_near(area.box, atom.level, self))
+            out.insert(member);
         }
-      else if (!is_parts(name))
-        out.insert(name);
-      else
+      else if (is_parts(name))
         for (const StandingPart* other : members(name, self)) add(*other);
+      else if (!is_own_keep_out(name, *self.part))
+        out.insert(name);
     }
     return out;
   }
@@ -256,9 +302,9 @@ class BoardRules {
     return out;
   }
 
-  formula::Check check(const StandingPart& self) const {
+  /// `named`: the rules as the part reads them.
+  formula::Check check(const StandingPart& self, const formula::Formula& named) const {
     std::set<std::string> empty;
-    const formula::Formula named = read_formula(rules_, context(self, {}));
     for (const std::string& name : named.shapes())
       if (is_parts(name) && members(name, self).empty()) empty.insert(name);
     const formula::Formula all = empty.empty() ? named : read_formula(rules_, context(self, empty));
@@ -304,7 +350,9 @@ class BoardRules {
   std::vector<std::string> notes_;
   FormulaText rules_;
   std::vector<StandingPart> bodies_;
-  std::map<std::string, std::size_t> by_name_;  // of bodies
+  std::map<std::string, std::size_t> by_name_;             // of bodies
+  std::map<std::string, std::vector<std::size_t>> lists_;  // of bodies, in their order
+  std::vector<formula::Formula> rules_of_;                 // of the bodies
   std::map<std::string, plane::Region> named_;
   std::map<std::string, OwnedArea> owned_;                       // by the names that results have
   std::map<std::string, std::vector<std::string>> owned_lists_;  // of `holes` and `keepouts`
@@ -363,6 +411,7 @@ std::string picture_of(const BoardRules& board, const std::vector<Broken>& broke
   std::set<const StandingPart*> bad;
   for (const auto& [name, region] : board.named())
     if (name == "board") p.fixed.push_back({"", &region});
+  std::set<std::pair<std::string, std::string>> drawn;  // from which part to which
   for (const Broken& b : broken) {
     bad.insert(b.body);
     p.placed.push_back({b.body->part->name, &b.body->region});
@@ -370,7 +419,9 @@ std::string picture_of(const BoardRules& board, const std::vector<Broken>& broke
       const auto& d = a.distance;
       if (a.holds || !d.answer || d.answer->witness.size() != 2) continue;
       // Of a pair that both break the rule the distance is drawn once.
-      if (const std::string& other = a.atom.distance.second[0]; other < b.body->part->name && on.find(other)) continue;
+      const std::string &self = b.body->part->name, &other = a.atom.distance.second[0];
+      if (drawn.count({other, self}) > 0) continue;
+      drawn.emplace(self, other);
       p.dimensions.push_back({spot(d.answer->witness[0].at), spot(d.answer->witness[1].at),
                               fmt::format("{:.3g}", *d.value()), true, kSmall});
     }

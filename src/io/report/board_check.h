@@ -4,8 +4,8 @@
 // The rule check of a whole board: a formula holds for every part where it stands. In it `self` is the part and
 // `others` are the parts that share a side of the board with it; without a formula no body may leave the board or
 // overlap another. Guarantee: as of a check at a position; parts that are farther away by their boxes than a rule asks
-// are not looked at. Cost: n log n boxes, and a distance for each pair that is near. Keywords: design rule check, DRC,
-// courtyard overlap, clearance matrix.
+// are not looked at. Cost: two boxes for each pair, and a distance for each that is near. Keywords: design rule check,
+// DRC, courtyard overlap, clearance matrix.
 #pragma once
 
 #include <cstddef>
