@@ -25,8 +25,9 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 double volume_on_lines(const Triangles& a, const Triangles& b, int n) {
   const RayBody body(a), other(b);
-  const RayGrid grid = ray_grid(body.low - other.high, body.high - other.low, 2, n);
-  RaySummarizer summarizer(grid);
+  const Point low = body.low - other.high, high = body.high - other.low;
+  const RayGrid grid = ray_grid(low, high, 2, n);
+  RaySummarizer summarizer(grid, low, high);
   each_row(PairRays(a, b, grid), [&](int j, RayRow&& row) { summarizer.add(j, row); });
   return summarizer.finish().volume;
 }

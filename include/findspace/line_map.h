@@ -35,9 +35,9 @@ struct LineMap {
   std::vector<Line> lines;                     // none: no line meets the region
   bool exact = true;                           // else ends are found by a search, off by at most 2^-30 of the sizes
   bool unbounded = false;                      // the region goes on for ever
-  double volume = 0;                           // about: cells times lengths
+  double volume = 0;                           // about: cells times lengths, as far as the window about the shapes
   std::size_t components = 0;                  // about: intervals of neighbouring lines that overlap are one
-  std::optional<SpaceRegion::Bounds3> bounds;  // of what the lines meet
+  std::optional<SpaceRegion::Bounds3> bounds;  // of what the lines meet in that window
 };
 
 /// The volume of a region of space, between bounds that hold but for the rounding of a sum; infinity where it is

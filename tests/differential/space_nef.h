@@ -22,8 +22,9 @@ inline void compare(const Triangles& a, const Triangles& b, int places) {
 /// The volume on n x n lines along z, to 1e-4 of it; no wall of the sum is parallel to them.
 inline void compare_volume(const Triangles& a, const Triangles& b, int n) {
   const RayBody body(a), other(b);
-  const RayGrid grid = ray_grid(body.low - other.high, body.high - other.low, 2, n);
-  RaySummarizer summarizer(grid);
+  const Point low = body.low - other.high, high = body.high - other.low;
+  const RayGrid grid = ray_grid(low, high, 2, n);
+  RaySummarizer summarizer(grid, low, high);
   each_row(PairRays(a, b, grid), [&](int j, RayRow&& row) { summarizer.add(j, row); });
   const double exact = volume(difference(a, b));
   EXPECT_NEAR(summarizer.finish().volume, exact, 1e-4 * exact);

@@ -78,7 +78,7 @@ TEST(RayExtreme, OfABallOnLines) {
   const space::RayGrid grid{2, 1, -4, -4, 1, 1, 9, 9};
   const space::PieceRays ball({space::ball_piece({}, Real(3))}, 1, grid);
   const auto extreme = [&](const space::RayAim& aim) {
-    space::RayExtreme out(aim);
+    space::RayExtreme out(aim, {-4, -4, -4}, {4, 4, 4});
     for (int j = 0; j < grid.nv; ++j) out.add(grid, j, ball.row(j));
     return *out.found();
   };
@@ -88,7 +88,7 @@ TEST(RayExtreme, OfABallOnLines) {
   EXPECT_EQ(extreme({0, true, {}}).at[0], 3);  // a line that touches
   EXPECT_EQ(extreme({-1, false, {0, 0, 7}}).value, 4);
   EXPECT_EQ(extreme({-1, false, {1, 1, 1}}).value, 0);
-  space::RayExtreme none({0, true, {}});
+  space::RayExtreme none({0, true, {}}, {}, {});
   EXPECT_FALSE(none.found());
 }
 

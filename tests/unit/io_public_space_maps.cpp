@@ -199,6 +199,36 @@ TEST(PublicSpaceMaps, OnLinesHoldCellsAboutThem) {
             Found::kUndecided);
 }
 
+Scene box_scene(const std::string& where, const std::string& more = "") {
+  return Scene::json(R"json({"findspace": 1, "shapes": {"room": {"box": {"min": [0, 0, 0], "max": [6, 6, 6]}},
+    "crate": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}, "moving": "crate", "where": ")json" +
+                     where + "\"" + more + "}");
+}
+
+TEST(PublicSpaceMaps, OuterCellsHoldARegionWhoseLevelIsNearerThanACell) {
+  // Moved by the radius of a cell the level is below what the depth has far away: every line lies in the set.
+  const MapQuestion question = on_lines({.count = 20, .side = MapLines::Side::kOuter});
+  const Answer answer = box_scene("depth(crate, room) > 0").map(question);
+  EXPECT_EQ(answer.found(), Found::kUndecided);
+  EXPECT_GT(answer.on_lines()->volume, 343);
+  EXPECT_NE(answer.text().find("volume at most"), std::string::npos);
+  const Answer lowest = box_scene("depth(crate, room) > 0", R"(, "minimize": "z")").map(question);
+  EXPECT_LT(lowest.best()->lower, -1);
+  const World world = box_scene("depth(crate, room) > 0").world();
+  const VolumeBounds volume = world.volume("depth(crate, room) > 0", {20});
+  EXPECT_LE(volume.lower, 343);
+  EXPECT_GE(volume.upper, 343);
+}
+
+TEST(PublicSpaceMaps, OnLinesCutWhatHasNoEndAtTheWindow) {
+  const Answer answer = box_scene("clear(crate, room)").map(on_lines({.count = 8}));
+  const LineMap map = *answer.on_lines();
+  EXPECT_TRUE(map.unbounded);
+  EXPECT_LT(map.bounds->low[2], -1);
+  EXPECT_GT(map.bounds->high[2], 6);
+  EXPECT_NE(answer.json().find("\"points\": 0"), std::string::npos);
+}
+
 TEST(PublicSpaceMaps, OnLinesHaveBestPositions) {
   const Answer answer =
       round_scene("inside(ball, room) and clear(ball, post)", R"(, "maximize": "z")").map(on_lines({.count = 9}));

@@ -59,7 +59,7 @@ Position3 scaled(const std::array<double, 3>& p, double step) { return {p[0] * s
 
 /// In the unit, cubed.
 double volume_on(const AskedOnLines& asked, const formula::Formula& formula, const space::RayGrid& grid) {
-  space::RaySummarizer summarizer(grid);
+  space::RaySummarizer summarizer(grid, asked.question.window.low, asked.question.window.high);
   const formula::RegionOnLines source = asked.on(formula, grid);
   space::each_row(*source.rays, [&](int j, space::RayRow&& row) { summarizer.add(j, row); });
   return summarizer.finish().volume * asked.step * asked.step * asked.step;
@@ -67,8 +67,8 @@ double volume_on(const AskedOnLines& asked, const formula::Formula& formula, con
 
 }  // namespace
 
-LineMap api::line_map(const space::RaySource& rays, double step) {
-  space::RaySummarizer summarizer(rays.grid());
+LineMap api::line_map(const space::RaySource& rays, const formula::RayWindow& window, double step) {
+  space::RaySummarizer summarizer(rays.grid(), window.low, window.high);
   LineMap out;
   space::each_row(rays, [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
@@ -85,7 +85,7 @@ LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
     const AskedOnLines asked(*data_, formula);
     const formula::RegionOnLines source = asked.on(asked.question.levels.formula, asked.grid(lines));
-    LineMap out = api::line_map(*source.rays, asked.step);
+    LineMap out = api::line_map(*source.rays, asked.question.window, asked.step);
     out.exact = formula::both(asked.question.levels.side, source.side) == formula::Side::kExact;
     out.unbounded = asked.question.unbounded;
     return out;

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Rows of lines cast, by all threads and processes, and added up.
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,14 +20,9 @@ void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const 
   const space::Approx3 low = exact::approx(set.low), high = exact::approx(set.high);
   const double from[3] = {low.x, low.y, low.z}, to[3] = {high.x, high.y, high.z};
   space::each_interval(grid, j, row, [&](space::RayInterval r) {
-    if (!std::isfinite(r.from)) {
-      r.from = std::min(from[r.axis], r.to);
-      r.from_in = true;
-    }
-    if (!std::isfinite(r.to)) {
-      r.to = std::max(to[r.axis], r.from);
-      r.to_in = true;
-    }
+    r.from_in = r.from_in || !std::isfinite(r.from);
+    r.to_in = r.to_in || !std::isfinite(r.to);
+    space::cut_at(from[r.axis], to[r.axis], r.from, r.to);
     out.push_back(r);
   });
 }
@@ -36,7 +30,7 @@ void keep_intervals(const RaySet& set, const space::RayGrid& grid, int j, const 
 /// Where positions on the lines are sought, their rows are handed on whole.
 void cast_rows(const RaySet& set, const space::RaySource& rays, space::RaySummarizer& summarizer, RayLines* lines,
                Cast& out) {
-  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
+  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}), set.low, set.high);
   space::each_row(rays, [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);
     if (lines != nullptr) lines->add(j, row);
@@ -69,7 +63,7 @@ Cast cast_lines(const RaySet& set, double step, bool written) {
   RowTeam* const team = row_team();
   Cast out;
   out.grid = set.lines.grid(set.low, set.high);
-  space::RaySummarizer summarizer(out.grid);
+  space::RaySummarizer summarizer(out.grid, set.low, set.high);
   RayLines lines(out.grid, step);
   formula::RegionOnLines source = set.source(out.grid);
   out.on_lines = formula::both(set.on_lines, source.side);
@@ -96,7 +90,7 @@ Cast cast_axes(const RaySet& set, double step, bool written) {
   const space::RayLattice lattice = set.lines.lattice(set.low, set.high);
   out.grid = lattice.grid(2);
   RayLines lines(out.grid, step);
-  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}));
+  space::RayExtreme extreme(set.aim.value_or(space::RayAim{}), set.low, set.high);
   std::array<int, 3> rows{};
   out.on_lines = set.on_lines;
   space::RayAxes axes = space::ray_axes(

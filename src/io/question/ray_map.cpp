@@ -190,7 +190,7 @@ std::string RaysQuestion::slices() const {
 
 LineMap RaysQuestion::lines() const {
   const formula::RegionOnLines source = set.source(cast->grid);
-  LineMap out = api::line_map(*source.rays, step());
+  LineMap out = api::line_map(*source.rays, {set.low, set.high}, step());
   out.exact = cast->on_lines == formula::Side::kExact;
   out.unbounded = set.unbounded;
   return out;

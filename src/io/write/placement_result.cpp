@@ -24,7 +24,7 @@ std::string positions_text(const planning::SpacePositions& positions, const plan
   if (positions.boxes) return space_json(*positions.boxes, summarize(*positions.boxes, problem.step), problem.step, "");
   const formula::RayWindow box = positions.window();
   const space::RayGrid grid = space::ray_grid(box.low, box.high, 2, problem.lines);
-  space::RaySummarizer summarizer(grid);
+  space::RaySummarizer summarizer(grid, box.low, box.high);
   RayLines lines(grid, step);
   space::each_row(*positions.lines(grid), [&](int j, space::RayRow&& row) {
     summarizer.add(j, row);

@@ -8,6 +8,16 @@
 #include "space/rays/ray_intervals.h"
 
 namespace findspace::space {
+namespace {
+
+std::array<double, 3> coordinates(const Point& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+}
+
+}  // namespace
+
+RayExtreme::RayExtreme(const RayAim& aim, const Point& low, const Point& high)
+    : aim_(aim), low_(coordinates(low)), high_(coordinates(high)) {}
 
 void RayExtreme::take(const std::array<double, 3>& at, bool in) {
   double value = 0;
@@ -31,14 +41,12 @@ void RayExtreme::add(const RayGrid& grid, int j, const RayRow& row) {
       take(at, (near > found.from || found.from_in) && (near < found.to || found.to_in));
       return;
     }
-    if (std::isfinite(found.from)) {
-      at[found.axis] = found.from;
-      take(at, found.from_in);
-    }
-    if (std::isfinite(found.to)) {
-      at[found.axis] = found.to;
-      take(at, found.to_in);
-    }
+    double from = found.from, to = found.to;
+    cut_at(low_[found.axis], high_[found.axis], from, to);
+    at[found.axis] = from;
+    take(at, found.from_in);
+    at[found.axis] = to;
+    take(at, found.to_in);
   });
 }
 

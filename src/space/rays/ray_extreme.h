@@ -22,8 +22,9 @@ struct RayAim {
 
 class RayExtreme {
  public:
-  explicit RayExtreme(const RayAim& aim) : aim_(aim) {}
-  /// Rows of grids of any axis. Signs of at most 0 belong to the region; of intervals without end only the end counts.
+  /// Of a coordinate, intervals without end are cut at the box (grid steps).
+  RayExtreme(const RayAim& aim, const Point& low, const Point& high);
+  /// Rows of grids of any axis. Signs of at most 0 belong to the region.
   void add(const RayGrid& grid, int j, const RayRow& row);
 
   struct Found {
@@ -38,6 +39,7 @@ class RayExtreme {
   void take(const std::array<double, 3>& at, bool in);
 
   RayAim aim_;
+  std::array<double, 3> low_, high_;
   std::optional<Found> found_;
 };
 

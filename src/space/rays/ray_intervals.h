@@ -5,7 +5,9 @@
 // in or out; single places have from = to. Guarantee: places to the rounding of a double, in grid steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "space/rays/ray_map.h"
@@ -19,6 +21,12 @@ struct RayInterval {
   double from = 0, to = 0;
   bool from_in = false, to_in = false;
 };
+
+/// An end that is infinite goes to the box from `low` to `high`, or to the other end where that is beyond it.
+inline void cut_at(double low, double high, double& from, double& to) {
+  if (!std::isfinite(from)) from = std::min(low, to);
+  if (!std::isfinite(to)) to = std::max(high, from);
+}
 
 template <class Visit>
 void each_interval(const RayGrid& grid, int j, const RayRow& row, const Visit& visit) {

@@ -3,9 +3,17 @@
 #include "space/rays/ray_summary.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
+#include "space/rays/ray_intervals.h"
+
 namespace findspace::space {
+
+RaySummarizer::RaySummarizer(const RayGrid& grid, const Point& low, const Point& high)
+    : grid_(grid),
+      low_(static_cast<double>(component(low, grid.axis) * grid.parts)),
+      high_(static_cast<double>(component(high, grid.axis) * grid.parts)) {}
 
 int RaySummarizer::find(int k) {
   while (root_[k] != k) k = root_[k] = root_[root_[k]];
@@ -37,9 +45,11 @@ void RaySummarizer::take(Interval interval, int i, int j) {
   const int u = (grid_.axis + 1) % 3, v = (grid_.axis + 2) % 3;
   part.low[u] = part.high[u] = static_cast<double>(grid_.u_at(i)) / parts;
   part.low[v] = part.high[v] = static_cast<double>(grid_.v_at(j)) / parts;
-  part.low[grid_.axis] = interval.from / parts;
-  part.high[grid_.axis] = interval.to / parts;
-  part.longest = interval.to - interval.from;
+  double from = interval.from, to = interval.to;
+  cut_at(low_, high_, from, to);
+  part.low[grid_.axis] = from / parts;
+  part.high[grid_.axis] = to / parts;
+  part.longest = to - from;
   part.volume = part.longest * cell;
   part.sample = part.low;
   part.sample[grid_.axis] = (part.low[grid_.axis] + part.high[grid_.axis]) / 2;
@@ -47,18 +57,19 @@ void RaySummarizer::take(Interval interval, int i, int j) {
   parts_.push_back({part, summary_.intervals});
   root_.push_back(interval.component);
   const auto join_with = [&](const std::vector<Interval>& line) {
-    for (const Interval& other : line) {
-      if (other.from <= interval.to && interval.from <= other.to) join(other.component, interval.component);
-    }
+    auto other =
+        std::partition_point(line.begin(), line.end(), [&](const Interval& o) { return o.to < interval.from; });
+    for (; other != line.end() && other->from <= interval.to; ++other) join(other->component, interval.component);
   };
   if (i > 0) join_with(now_[i - 1]);
   if (!before_.empty()) join_with(before_[i]);
   now_[i].push_back(interval);
   ++summary_.intervals;
-  summary_.points += part.longest <= 0;
+  summary_.points += interval.to <= interval.from;
 }
 
 RowIntervals intervals_of(const RayRow& row) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   RowIntervals out;
   const auto put = [&](int line, double from, double to) {
     out.lines.push_back(line);
@@ -67,17 +78,17 @@ RowIntervals intervals_of(const RayRow& row) {
   };
   for (int i = 0; i < static_cast<int>(row.before.size()); ++i) {
     bool in = row.before[i] <= 0;
-    double from = 0;
+    double from = -kInfinite;
     for (int e = row.first[i]; e < row.first[i + 1]; ++e) {
       const RayEvent& event = row.events[e];
       out.radius = std::max(out.radius, event.at.radius);
-      if (in && e == row.first[i]) from = event.at.value;  // from below all events
       const bool here = event.here <= 0, after = event.after <= 0;
       if (in && !(here && after)) put(i, from, event.at.value);
       if (!in && here && !after) put(i, event.at.value, event.at.value);
       if (after && !(in && here)) from = event.at.value;
       in = after;
     }
+    if (in) put(i, from, kInfinite);
   }
   return out;
 }

@@ -31,8 +31,8 @@ struct RaySummary {
   std::int64_t lines = 0, intervals = 0, points = 0;  // points: intervals of length 0
 };
 
-/// The intervals of the region on the lines of a row, from line to line; signs of at most 0 belong to it. Intervals
-/// without end are cut at their last event.
+/// The intervals of the region on the lines of a row, from line to line; signs of at most 0 belong to it. Where one has
+/// no end, that is infinite.
 struct RowIntervals {
   std::vector<std::int32_t> lines;
   std::vector<double> from, to;
@@ -42,7 +42,8 @@ RowIntervals intervals_of(const RayRow& row);
 
 class RaySummarizer {
  public:
-  explicit RaySummarizer(const RayGrid& grid) : grid_(grid) {}
+  /// Intervals without end are cut at the box (grid steps).
+  RaySummarizer(const RayGrid& grid, const Point& low, const Point& high);
   /// Rows in order.
   void add(int j, const RayRow& row) { add(j, intervals_of(row)); }
   void add(int j, const RowIntervals& row);
@@ -65,6 +66,7 @@ class RaySummarizer {
   };
 
   RayGrid grid_;
+  double low_, high_;  // the box along the lines, in parts of a grid step
   RaySummary summary_;
   std::vector<std::vector<Interval>> before_, now_;  // of each line of the row before and of this one
   std::vector<Part> parts_;                          // those that the two rows meet
