@@ -229,6 +229,17 @@ TEST(PublicSpaceMaps, OnLinesCutWhatHasNoEndAtTheWindow) {
   EXPECT_NE(answer.json().find("\"points\": 0"), std::string::npos);
 }
 
+TEST(PublicSpaceMaps, ComponentsOfASearchAreNotCertified) {
+  // Two sets that the plane x = 0 parts by less than what a search can tell.
+  const Answer answer = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"union": [
+    {"ball": {"center": [1.5, 0, 0], "radius": 2}}, {"ball": {"center": [-1.5, 0, 0], "radius": 2}}]},
+    "B": {"ball": {"center": [0, 0, 0], "radius": 0.5}}}, "moving": "B",
+    "where": "gamma1(B, A) <= -2.0000000001"})json")
+                            .map(on_lines({.apart = "3.000002", .axes = true}));
+  EXPECT_NE(answer.json().find("\"on_lines\": \"outer\""), std::string::npos);
+  EXPECT_EQ(answer.json().find("\"certified\": true"), std::string::npos);
+}
+
 TEST(PublicSpaceMaps, OnLinesHaveBestPositions) {
   const Answer answer =
       round_scene("inside(ball, room) and clear(ball, post)", R"(, "maximize": "z")").map(on_lines({.count = 9}));

@@ -108,6 +108,9 @@ Cast cast_axes(const RaySet& set, double step, bool written) {
         if (set.objective) keep_intervals(set, grid, j, row, out.intervals);
       });
   out.summary = std::move(axes.summary);
+  // What the lines hold beyond the region may join what is apart in it.
+  if (out.on_lines != formula::Side::kExact && out.on_lines != formula::Side::kInner)
+    for (space::RayComponent& component : out.summary.components) component.certified = false;
   out.extreme = extreme.found();
   out.surface = std::move(axes.surface);
   out.lines = std::move(lines).text();
