@@ -10,6 +10,7 @@
 
 #include "formula/language/certain_cells.h"
 #include "formula/language/evaluate.h"
+#include "formula/solid/side.h"
 
 namespace findspace::formula {
 namespace formula_certain_cells {
@@ -74,6 +75,18 @@ TEST(CertainCells, HoldAsFarAsDistancesAllow) {
   }
   EXPECT_GT(narrow, holds / 4);  // they say something
   EXPECT_GT(not_wide, 2000);
+}
+
+/// Signs that a search leaves at 0 near a level count on the safe side.
+TEST(CertainCells, KeepTheirSideUnderASearch) {
+  std::mt19937 random(5);
+  for (int k = 0; k < 2000; ++k) {
+    const Formula formula = random_formula(random, 3);
+    const auto side = [](const Formula& f) { return side_of_search(f, std::vector<bool>(f.sign_maps().size(), true)); };
+    const Side wide = side(widened(formula, Real(1))), tight = side(narrowed(formula, Real(1)));
+    EXPECT_TRUE(wide == Side::kExact || wide == Side::kOuter);
+    EXPECT_TRUE(tight == Side::kExact || tight == Side::kInner);
+  }
 }
 
 }  // namespace formula_certain_cells

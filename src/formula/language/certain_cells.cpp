@@ -23,19 +23,18 @@ Formula band(const Atom& atom, Relation below, Relation above, const Real& by, b
 Formula moved(const Atom& atom, const Real& by, bool wider) {
   if (atom.distance.mode != Mode::kPlain || atom.distance.prefix != Extremum::kNone)
     throw Error(ErrorCode::kUnsupported, written(atom.distance) + " is not known to change slowly: no certain cells");
+  if (by.sign() == 0) return Formula(atom);
   const Real up = wider ? by : -by;
   switch (atom.relation) {
     case Relation::kLess:
     case Relation::kLessEqual:
-      return Formula(compare(atom.distance, atom.relation, atom.level + up));
+      return Formula(compare(atom.distance, wider ? Relation::kLessEqual : Relation::kLess, atom.level + up));
     case Relation::kGreater:
     case Relation::kGreaterEqual:
-      return Formula(compare(atom.distance, atom.relation, atom.level - up));
+      return Formula(compare(atom.distance, wider ? Relation::kGreaterEqual : Relation::kGreater, atom.level - up));
     case Relation::kEqual:
-      if (by.sign() == 0) return Formula(atom);
       return wider ? band(atom, Relation::kGreaterEqual, Relation::kLessEqual, by, true) : constant(false);
     default:
-      if (by.sign() == 0) return Formula(atom);
       return wider ? constant(true) : band(atom, Relation::kLess, Relation::kGreater, by, false);
   }
 }

@@ -4,8 +4,9 @@
 // What samples say for certain about the places around them: a T-distance is 1-Lipschitz
 // (distances.md 3.7). If `widened(f, w)` does not hold at q, f holds nowhere within w of q; if `narrowed(f, w)` holds
 // at q, f holds everywhere within w of q. So cells of radius w about the places where one or the other holds are an
-// outer and an inner bound of the region. Guarantee: exact, for formulas over plain T-distances. Keywords: Lipschitz
-// bound, conservative rasterisation, inner and outer approximation.
+// outer and an inner bound of the region. Unless w is 0, the one holds at its levels and the other does not. So signs
+// that a search leaves at 0 near a level (side.h) err to the same side. Guarantee: exact, for formulas over plain
+// T-distances. Keywords: Lipschitz bound, conservative rasterisation, inner and outer approximation.
 #pragma once
 
 #include "formula/language/formula.h"

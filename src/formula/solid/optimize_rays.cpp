@@ -210,7 +210,7 @@ distance::OptimalValue best_over_region(const RayBest& found, distance::Sense se
   }
   const double radius = lines.cell_radius.to_double() * margin::kUpward;
   std::optional<exact::Real> bound;
-  if (lines.cells == Side::kOuter && std::isfinite(found.bound))
+  if (lines.cells == Side::kOuter && both(lines.cells, lines.on_lines) == Side::kOuter && std::isfinite(found.bound))
     bound = real(out.maximum() ? found.bound + radius : found.bound - radius);
   const bool certain =
       lines.cells != Side::kOuter && (lines.on_lines == Side::kExact || lines.on_lines == Side::kInner);

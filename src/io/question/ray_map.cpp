@@ -49,6 +49,7 @@ struct RaysQuestion {
 
   double step() const { return asked.step().to_double(); }
   void ask(const formula::Formula& where, const RayChoice& choice);
+  formula::Side side() const;
   std::string text() const;
   void json(const Sink& sink) const;
   Surface surface() const;
@@ -113,12 +114,17 @@ void RaysQuestion::ask(const formula::Formula& where, const RayChoice& choice) {
   if (question.one_position) asked.note("the minimisers have no map on lines: one of them is given");
 }
 
+/// Of the cells about the lines, as asked where the lines themselves do not err to the other side.
+formula::Side RaysQuestion::side() const {
+  return formula::both(set.side, cast->on_lines) == set.side ? set.side : formula::Side::kNone;
+}
+
 std::string RaysQuestion::text() const {
   const space::RaySummary& summary = cast->summary;
   const std::string& title = set.title;
   std::string out;
   if (summary.empty && !set.unbounded) {
-    out = set.side == formula::Side::kOuter
+    out = side() == formula::Side::kOuter
               ? title + ": proven empty\n"
               : title + ": no line meets the region (smaller parts may lie between the lines)\n";
   } else {
@@ -131,9 +137,9 @@ std::string RaysQuestion::text() const {
     else
       out += fmt::format(
           "  volume {} {:.9g}{}, {} component{} by {}\n",
-          set.side == formula::Side::kInner   ? "at least"
-          : set.side == formula::Side::kOuter ? "at most"
-                                              : "about",
+          side() == formula::Side::kInner   ? "at least"
+          : side() == formula::Side::kOuter ? "at most"
+                                            : "about",
           summary.volume * step() * step() * step(), asked.unit().empty() ? "" : " " + asked.unit() + "³",
           summary.components.size(), summary.components.size() == 1 ? "" : "s",
           set.lines.axes ? fmt::format("crossing lines ({} certified)", certified) : "overlap of neighbouring lines");
@@ -148,7 +154,7 @@ void RaysQuestion::json(const Sink& sink) const {
                       set.lines.axes,
                       set.unbounded,
                       formula::name(cast->on_lines),
-                      formula::name(set.side),
+                      formula::name(side()),
                       set.somewhere,
                       optimum};
   rays_json(cast->summary, cast->grid, step(), text, sink);
@@ -198,7 +204,7 @@ LineMap RaysQuestion::lines() const {
 
 Answer::Found RaysQuestion::found() const {
   const bool some = !cast->summary.empty || set.unbounded;
-  if (!some && set.side == formula::Side::kOuter) return Answer::Found::kNo;
+  if (!some && side() == formula::Side::kOuter) return Answer::Found::kNo;
   const bool certain =
       set.somewhere || (some && set.side != formula::Side::kOuter &&
                         (cast->on_lines == formula::Side::kExact || cast->on_lines == formula::Side::kInner));
