@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "space/rays/piece_rays.h"
 #include "space/rays/ray_axes.h"
@@ -105,6 +106,42 @@ RayAxes slanted_plates(const std::vector<std::int64_t>& at) {
   return ray_axes(
       lattice, [&](int axis) { return std::make_unique<PieceRays>(pieces, 10, lattice.grid(axis)); },
       [](std::int8_t sign) { return sign <= 0; });
+}
+
+/// A cube, 9 steps wide but that its face at the end of one axis lies in a plane of the lattice for the lines of one
+/// axis, and just before it for the others.
+RayAxes disputed(std::size_t face, int lines) {
+  const RayLattice lattice = ray_lattice({0, 0, 0}, {10, 10, 10}, 10);
+  const auto source = [&](int axis) {
+    std::vector<HalfSpace> planes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      RealVector normal;
+      normal[k] = Real(1);
+      planes.emplace_back(normal, Real(k != face ? -9000 : axis == lines ? -9500 : -9499));
+      planes.emplace_back(negated(normal), Real(0));
+    }
+    return std::make_unique<PieceRays>(std::vector{polytope_piece(std::move(planes), {0, 0, 0}, {9500, 9500, 9500})},
+                                       1000, lattice.grid(axis));
+  };
+  return ray_axes(lattice, source, [](std::int8_t sign) { return sign <= 0; });
+}
+
+TEST(RayAxes, LinesOfThreeAxesMayDiffer) {
+  for (std::size_t face = 0; face < 3; ++face) {
+    for (int lines = 0; lines < 3; ++lines) {  // edges are cut off, by at most half a step squared
+      const RayAxes r = disputed(face, lines);
+      EXPECT_EQ(r.summary.components.size(), 1U) << face << lines;
+      EXPECT_NEAR(r.summary.volume, 9 * 9 * 9.5, 20) << face << lines;
+      std::map<std::array<int, 2>, int> sides;
+      for (const auto& f : r.surface.faces) {
+        for (std::size_t k = 0; k < 3; ++k) ++sides[{f[k], f[(k + 1) % 3]}];
+      }
+      for (const auto& [side, times] : sides) {
+        const auto back = sides.find({side[1], side[0]});
+        ASSERT_TRUE(back != sides.end() && back->second == times);
+      }
+    }
+  }
 }
 
 TEST(RayAxes, SplintersGoWithWhatIsNear) {

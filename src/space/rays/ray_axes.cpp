@@ -133,7 +133,7 @@ void add_surface(const RaySurface& surface, Connector& sets, std::vector<Part>& 
   for (const auto& face : surface.faces) {
     const auto corner = [&](std::size_t k) { return surface.vertices[static_cast<std::size_t>(face[k])]; };
     const auto a = corner(0), b = corner(1), c = corner(2);
-    const int number = sets.near().find(sets.at(surface.inside[static_cast<std::size_t>(face[0])]));
+    const int number = sets.near().find(*sets.at(surface.inside[static_cast<std::size_t>(face[0])]));
     parts[static_cast<std::size_t>(number)].surface +=
         (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
         6;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,8 +59,8 @@ class Connector {
  public:
   Connector(const RayLattice& lattice, std::array<Lines, 3>& lines);
 
-  /// The number of the stretch along z that holds a lattice point of the region.
-  int at(const std::array<int, 3>& p) const;
+  /// The number of the stretch along x that holds a lattice point; nothing where none does.
+  std::optional<int> at(const std::array<int, 3>& p) const;
 
   /// In this order.
   void cross();

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/rays/ray_surface.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <unordered_map>
 
@@ -79,7 +77,10 @@ class Marching {
         now = inside(row.events[e++].after);
       }
       c[axis] = k + 1;
-      if (axis == 2) inside_[number(c)] = here;
+      if (axis == 0)
+        inside_[number(c)] = here;
+      else  // maps that a search tells differ within their error
+        here = inside_[number(c)];
       if (here != before) add_vertex(c, axis, change, here);
       before = here;
     }
@@ -103,9 +104,7 @@ class Marching {
   int vertex(const Index& low, int a, int b) const {
     const int axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2, high = a | b;
     const Index c{low[0] + (high & 1), low[1] + (high >> 1 & 1), low[2] + (high >> 2)};
-    const auto found = vertex_.find(number(c) * 3 + axis);
-    if (found == vertex_.end()) throw Error(ErrorCode::kGeometry, "the ray maps of the three axes disagree");
-    return found->second;
+    return vertex_.at(number(c) * 3 + axis);
   }
 
   void cube(const Index& low) {

@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The surface of a region given on rays: marching cubes on the lattice of three ray maps, one along each axis, whose
-// corners are inside or outside exactly and whose vertices are the ends of intervals on the lattice lines: points of
-// the true frontier. Guarantee: closed (every side of a face is run through once each way), outward; what is thinner
-// than the lattice and meets no corner is missed. A region that goes on beyond the lattice is cut there, half a step
-// outside. Cost: a bit a corner, and the faces. Source: Lorensen and Cline 1987; tri-dexel: Benouamer and Michelucci
-// 1997; ambiguous faces part the inside, which makes neighbours agree. Keywords: isosurface, polygonisation, watertight
-// mesh.
+// corners are inside or outside as the lines along x say, and whose vertices are the ends of intervals on the lattice
+// lines: points of the true frontier. Guarantee: closed (every side of a face is run through once each way), outward;
+// what is thinner than the lattice and meets no corner is missed. A region that goes on beyond the lattice is cut
+// there, half a step outside. Cost: a bit a corner, and the faces. Source: Lorensen and Cline 1987; tri-dexel:
+// Benouamer and Michelucci 1997; ambiguous faces part the inside, which makes neighbours agree. Keywords: isosurface,
+// polygonisation, watertight mesh.
 #pragma once
 
 #include <array>
