@@ -9,8 +9,9 @@
 // next to contact. Inside unions minus the value is a lower bound of the true depth (docs/phi.md). Shapes of the plane
 // that are not unions of polygons and discs go by curves: the value is `gap`, the true depth inside. Cost: building
 // takes one surface for each pair of convex parts; a value takes a filter over their facets. Errors: kUnsupported for
-// shapes of space that are not unions of convex parts, kGeometry for those that are not bodies. Source: Stoyan et al.,
-// docs/phi.md. Keywords: phi-function, signed distance, no-fit polygon, penetration depth, gradient.
+// shapes of space that are not unions of convex parts, kGeometry for those that are not bodies, kBadValue for positions
+// more than 2^500 grid steps away. Source: Stoyan et al., docs/phi.md. Keywords: phi-function, signed distance, no-fit
+// polygon, penetration depth, gradient.
 #pragma once
 
 #include <memory>

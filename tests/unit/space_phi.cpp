@@ -12,6 +12,7 @@
 
 #include "space/phi/depth_grid.h"
 #include "space/phi/phi_union.h"
+#include "space/phi/planar_phi_union.h"
 #include "space/polytope/closed_forms.h"
 #include "space/polytope/convex_polygon.h"
 
@@ -83,6 +84,28 @@ TEST(PhiFunction, ExactAtDecimals) {
   EXPECT_EQ(corner.max_form, 4);
   EXPECT_EQ(corner.distance, 5);
   EXPECT_EQ(phi_at(phi, {tenth, tenth, -tenth}).active.size(), 3u);
+}
+
+TEST(PhiFunction, HoldsNextToContactAndFarAway) {
+  const PhiFunction phi(box(-1, -1, -1, 0, 0, 0), box(0, 0, 0, 1, 1, 1));
+  const Real near = Real::parse_decimal("1e-170"), far = Real::parse_decimal("1e140");
+  EXPECT_DOUBLE_EQ(phi_at(phi, {near, Real(), Real()}).distance, 1e-170);
+  EXPECT_DOUBLE_EQ(phi_at(phi, {far, Real(), Real()}).distance, 1e140);
+  EXPECT_THROW(phi_at(phi, {far * far, Real(), Real()}), Error);
+}
+
+TEST(PlanarPhiUnion, HoldsNextToContactAndFarAway) {
+  const std::vector<Point2> unit{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, before{{-1, -1}, {0, -1}, {0, 0}, {-1, 0}};
+  const std::vector<PlanarPart> a{{ConvexPolygon::hull(before), {}}}, b{{ConvexPolygon::hull(unit), {}}};
+  const PlanarPhiUnion phi(a, b);
+  const Real near = Real::parse_decimal("1e-170"), far = Real::parse_decimal("1e140");
+  EXPECT_DOUBLE_EQ(phi.at({near, Real()}).at.distance, 1e-170);
+  EXPECT_DOUBLE_EQ(phi.at({far, Real()}).at.distance, 1e140);
+  EXPECT_THROW(phi.at({far * far, Real()}), Error);
+  const std::vector<PlanarPart> disc{{ConvexPolygon::point({0, 0}), Real(1)}};
+  const PlanarPhiUnion discs(disc, disc);
+  EXPECT_DOUBLE_EQ(discs.at({Real(2) + near * near, Real()}).at.distance, 0);  // less than any double
+  EXPECT_DOUBLE_EQ(discs.at({Real(2) + near, Real()}).at.distance, 1e-170);
 }
 
 TEST(DepthGrid, GivesTheSameBits) {

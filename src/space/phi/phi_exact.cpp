@@ -62,7 +62,7 @@ PhiAt phi_at(const PhiFunction& phi, const RealVector& u) {
   result.state = s < 0 ? State::kOverlap : s > 0 ? State::kApart : State::kContact;
   result.max_form = s == 0 ? 0 : top.value.to_double() / std::sqrt(top.square.to_double());
   result.gradient = phi.unit_normal(result.active[0]);
-  if (s > 0) result.distance = std::sqrt(squared_distance(phi, u).to_double());
+  if (s > 0) result.distance = root(squared_distance(phi, u));
   return result;
 }
 

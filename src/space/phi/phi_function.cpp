@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "exact/margins/rounding.h"
+#include "space/phi/phi_level.h"
 #include "space/phi/plane_scan.h"
 
 namespace findspace::space {
@@ -17,12 +18,6 @@ namespace {
 
 Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-
-void check_finite(const Vector& u) {
-  if (!std::isfinite(u.x) || !std::isfinite(u.y) || !std::isfinite(u.z)) {
-    throw Error(ErrorCode::kBadValue, "a position must be finite");
-  }
-}
 
 }  // namespace
 
@@ -52,7 +47,7 @@ double PhiFunction::error_bound(const Vector& u) const {
 }
 
 double PhiFunction::max_form(const Vector& u) const {
-  check_finite(u);
+  check_position({u.x, u.y, u.z});
   return highest_plane(blocks_, u).value;
 }
 
@@ -150,7 +145,7 @@ Vector PhiFunction::normalised_gradient(const Vector& u) const {
 double PhiFunction::depth(const Vector& u) const { return std::max(0.0, -max_form(u)); }
 
 Vector PhiFunction::penetration_depth(const Vector& u) const {
-  check_finite(u);
+  check_position({u.x, u.y, u.z});
   const Highest top = highest_plane(blocks_, u);
   return std::max(0.0, -top.value) * unit_normals_[top.plane];
 }

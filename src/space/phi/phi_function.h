@@ -5,12 +5,12 @@
 //   max form      max_i f_i(u) / |n_i| over the facets f_i = n_i . u + d_i of A - B; piecewise linear and convex;
 //   normalised    the same where it is <= 0, the Euclidean distance of A and B + u where it is > 0.
 // Both are negative where the interiors meet, 0 in contact, positive apart; inside, minus the value is the exact
-// penetration depth (the least translation that ends the overlap). Positions are in grid steps, as finite doubles,
-// which are taken as the exact dyadic numbers they are. Guarantee: sign() and active() are exact. Values carry the
-// roundings of a few double operations: the absolute error of the max form is at most `error_bound(u)`; the normalised
-// form outside is within 2^-40 of the size of the bodies. Cost: one pass over the facets, eight at a time; for many
-// queries against one pair see depth_grid.h. Source: phi.md 2. Keywords: penetration depth, signed distance, GJK,
-// EPA, separating axis.
+// penetration depth (the least translation that ends the overlap). Positions are in grid steps, as doubles of
+// at most 2^500, which are taken as the exact dyadic numbers they are. Guarantee: sign() and active() are exact. Values
+// carry the roundings of a few double operations: the absolute error of the max form is at most `error_bound(u)`; the
+// normalised form outside is within 2^-40 of the size of the bodies. Cost: one pass over the facets, eight at a time;
+// for many queries against one pair see depth_grid.h. Source: phi.md 2. Keywords: penetration depth, signed distance,
+// GJK, EPA, separating axis.
 #pragma once
 
 #include <span>
@@ -50,7 +50,7 @@ class PhiFunction {
   }
   std::span<const PlaneBlock> blocks() const { return blocks_; }
 
-  /// The two forms. NaN or infinite positions are refused with Error(kBadValue).
+  /// The two forms. Other positions are refused with Error(kBadValue).
   double max_form(const Vector& u) const;
   double normalised(const Vector& u) const;
 

@@ -18,6 +18,7 @@
 
 #include "exact/number/real.h"
 #include "space/phi/phi_function.h"
+#include "space/phi/phi_level.h"
 
 namespace findspace::space {
 
@@ -61,7 +62,10 @@ PairAt<Vec> at_distance(const exact::Real& square, const exact::Real& radius, co
   PairAt<Vec> at;
   at.state = state_of(rest.sign());
   // d - R = (d^2 - R^2) / (d + R), without cancellation.
-  at.phi = at.normalised = rest.to_double() / (std::sqrt(square.to_double()) + radius.to_double());
+  const double over = rest.to_double();
+  at.phi = at.normalised = std::isnormal(over) || at.state == State::kContact
+                               ? over / (root(square) + radius.to_double())
+                               : (rest / (sqrt(square) + radius)).to_double();
   at.gradient = at.normalised_gradient = gradient;
   return at;
 }

@@ -77,7 +77,7 @@ Gap gap(const PlanarPair& pair, const RealPoint& u) {
 }
 
 Away<Vector2> away(const Gap& g) {
-  const double length = std::sqrt(g.square.to_double());
+  const double length = root(g.square);
   if (length == 0) return {0, {1, 0}};
   return {length, {g.way.x.to_double() / length, g.way.y.to_double() / length}};
 }
@@ -131,10 +131,12 @@ PlanarPhiUnion::PlanarPhiUnion(std::span<const PlanarPart> a, std::span<const Pl
       })) {}
 
 PlanarPhiUnion::At PlanarPhiUnion::at(const RealPoint& u) const {
+  check_position({u.x.to_double(), u.y.to_double()});
   return least_at<Vector2>(pairs_, [&](const PlanarPair& pair) { return value_at(pair, u); });
 }
 
 int PlanarPhiUnion::compare_distance(const RealPoint& u, const Real& rho) const {
+  check_position({u.x.to_double(), u.y.to_double()});
   return least_sign(pairs_, [&](const PlanarPair& pair) {
     const int side = pair.phi ? top_of(*pair.phi, u).level.value.sign() : 1;
     return compare_to(rho, pair.radius, side, [&] { return gap(pair, u).square; });
