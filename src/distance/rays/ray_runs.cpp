@@ -47,7 +47,7 @@ int RayRuns::sign(const Section& line, const Real& at) const {
   return found->lowest ? -1 : compare(Real(found->sign) * abs(found->t), level_);
 }
 
-RayPosition RayRuns::position(const Real& at) const {
+RayPosition RayRuns::position(const Real& at, int number, int i, int j) const {
   RayPosition out;
   out.value = at.to_double();
   constexpr auto kSmall = exact::int128(1) << 62;
@@ -58,15 +58,17 @@ RayPosition RayRuns::position(const Real& at) const {
   }
   out.radius = margin::kFewRoundings * std::abs(out.value);
   out.roots = this;
+  out.patch = number;
+  out.i = i;
+  out.j = j;
   const std::lock_guard lock(guard_);
-  out.patch = static_cast<int>(places_.size());
-  places_.push_back(at);
+  places_.insert_or_assign({number, i, j}, at);
   return out;
 }
 
-Real RayRuns::root(int patch, int, int, int) const {
+Real RayRuns::root(int patch, int, int i, int j) const {
   const std::lock_guard lock(guard_);
-  return places_[static_cast<std::size_t>(patch)];
+  return places_.at({patch, i, j});
 }
 
 exact::Tried<RayRow> RayRuns::try_row(int j) const {
@@ -99,7 +101,8 @@ exact::Tried<RayRow> RayRuns::try_row(int j) const {
       const std::size_t k = backwards ? count - 1 - n : n;
       const int before_it = backwards ? after[k + 1] : after[k], after_it = backwards ? after[k] : after[k + 1];
       if (before_it == here[k] && here[k] == after_it) continue;
-      out.events.push_back({position(backwards ? -stops[k] : stops[k]), static_cast<std::int8_t>(here[k]),
+      const int number = static_cast<int>(out.events.size()) - out.first.back();
+      out.events.push_back({position(backwards ? -stops[k] : stops[k], number, i, j), static_cast<std::int8_t>(here[k]),
                             static_cast<std::int8_t>(after_it)});
     }
     out.first.push_back(static_cast<int>(out.events.size()));

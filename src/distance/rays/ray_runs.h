@@ -8,8 +8,9 @@
 // on a line. Keywords: directional penetration depth, run-length morphology.
 #pragma once
 
-#include <deque>
+#include <array>
 #include <functional>
+#include <map>
 #include <mutex>
 
 #include "plane/query/section.h"
@@ -36,7 +37,8 @@ class RayRuns : public space::RaySource, private space::RayRoots {
  private:
   plane::Section section(const space::RayRow& row, int i) const;
   int sign(const plane::Section& line, const exact::Real& at) const;
-  space::RayPosition position(const exact::Real& at) const;
+  /// Of event `number` of line (i, j).
+  space::RayPosition position(const exact::Real& at, int number, int i, int j) const;
   exact::Real root(int patch, int which, int i, int j) const override;
 
   Rows zero_;
@@ -45,7 +47,7 @@ class RayRuns : public space::RaySource, private space::RayRoots {
   exact::Real level_;
   space::RayGrid grid_;
   mutable std::mutex guard_;
-  mutable std::deque<exact::Real> places_;  // those that are not small fractions
+  mutable std::map<std::array<int, 3>, exact::Real> places_;  // those that are not small fractions, by their names
 };
 
 }  // namespace findspace::distance
