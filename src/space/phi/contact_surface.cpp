@@ -92,7 +92,7 @@ ContactSurface::ContactSurface(const Polytope& a, const Polytope& b) {
     GaussOverlay(a, b, made).run();
     return made;
   };
-  if (a.vertex_count() * b.vertex_count() < kLeastStored)
+  if (std::int64_t(a.vertex_count()) * b.vertex_count() < kLeastStored)
     *this = make();
   else
     *this = plane::stored<ContactSurface>(

@@ -39,7 +39,7 @@ struct RayGrid {
 };
 
 /// About n lines each way in the middle of cells that cover the box (grid steps), on a grid fine enough that the cells
-/// are even to a millionth, and a margin of one cell about it. Throws Error(kBadValue) unless 1 <= n <= 2^14.
+/// are even to a millionth. Throws Error(kBadValue) unless 1 <= n <= 2^14.
 RayGrid ray_grid(const Point& low, const Point& high, int axis, int n);
 
 /// Lines `step` grid steps apart each way, in the middle of cells from `low` on that cover the box. Throws
