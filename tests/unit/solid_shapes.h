@@ -4,6 +4,7 @@
 // Shape trees of solids for tests.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -29,6 +30,19 @@ inline plane::ShapePtr hull(std::vector<Point> points) {
   Solid solid;
   solid.mesh.vertices = std::move(points);
   return primitive(std::move(solid));
+}
+
+/// Turned inside out where it is hollow.
+inline void add_box(Mesh& mesh, const Point& low, const Point& high, bool hollow = false) {
+  const int base = static_cast<int>(mesh.vertices.size());
+  for (int i = 0; i < 8; ++i)
+    mesh.vertices.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  for (std::vector<int> f :
+       {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    for (int& v : f) v += base;
+    if (hollow) std::reverse(f.begin(), f.end());
+    mesh.faces.push_back(f);
+  }
 }
 
 inline plane::ShapePtr node(plane::Shape::Kind kind, std::vector<plane::ShapePtr> children, const Point& by = {}) {

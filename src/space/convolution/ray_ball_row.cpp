@@ -59,7 +59,7 @@ bool BallRow::add_hits(int patch, int column) {
       if (weight == 0) continue;
       jump = k == 1 ? -weight : weight;
     }
-    hits_.push_back({at.value, at.error, column, patch, static_cast<std::int8_t>(k), static_cast<std::int8_t>(jump)});
+    hits_.push_back({at.value, at.error, column, patch, static_cast<std::int8_t>(k), jump});
   }
   return true;
 }

@@ -36,7 +36,8 @@ class BallRow {
   struct Hit {
     double at, error;
     int column, patch;
-    std::int8_t which, jump;
+    std::int8_t which;
+    std::int32_t jump;
   };
 
   void collect();

@@ -59,7 +59,7 @@ void faces_with_vertices(const RayBody& of_faces, const std::vector<Approx3>& un
       if (index == 0) return;
       RayFacet facet;
       for (int k = 0; k < 3; ++k) facet.corner[k] = of_faces.corner(f, k) + of_vertices.points[vertex.point];
-      facet.weight = static_cast<std::int8_t>(index);
+      facet.weight = index;
       out.push_back(facet);
     });
   });
@@ -87,7 +87,7 @@ void edge_with_edge(const RayBody& a, const RayEdge& e, const RayBody& c, const 
   facet.corner = {p + q, p + q + u, p + q + u + v, p + q + v};
   if (sense < 0) std::swap(facet.corner[1], facet.corner[3]);
   facet.corners = 4;
-  facet.weight = static_cast<std::int8_t>(e.bend * g.bend);
+  facet.weight = e.bend * g.bend;
   out.push_back(facet);
 }
 

@@ -34,7 +34,7 @@ namespace findspace::space {
 struct RayFacet {
   std::array<Point, 4> corner;  // a convex circuit, counter-clockwise about the outward normal; three or four
   std::int8_t corners = 3;
-  std::int8_t weight = 1;
+  std::int32_t weight = 1;
 
   Point along() const { return corner[1] - corner[0]; }
   Point across() const { return corner[corners - 1] - corner[0]; }

@@ -17,8 +17,7 @@ namespace {
 RowHit exact_hit(RowHits& row, int column, int sheet, const Fraction& z, int jump, bool touch) {
   const double at = exact::to_double(z);
   row.exacts.push_back(z);
-  return {at,    margin::kRoundings8 * (std::fabs(at) + 1), column,
-          sheet, static_cast<int>(row.exacts.size()) - 1,   static_cast<std::int8_t>(jump),
+  return {at,   margin::kRoundings8 * (std::fabs(at) + 1), column, sheet, static_cast<int>(row.exacts.size()) - 1, jump,
           touch};
 }
 

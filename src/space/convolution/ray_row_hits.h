@@ -17,9 +17,9 @@ namespace findspace::space {
 struct RowHit {
   double at, error;
   int column, sheet;
-  int exact = -1;  // its place in RowHits::exacts: of dirty lines, and of steep facets
-  std::int8_t jump = 0;
-  bool touch = false;  // the line meets the facet at its edge, or runs in it
+  int exact = -1;              // its place in RowHits::exacts: of dirty lines, and of steep facets
+  std::int32_t jump : 31 = 0;  // with the next one in four bytes: there are many hits
+  bool touch : 1 = false;      // the line meets the facet at its edge, or runs in it
 };
 
 /// Where a facet's section runs.

@@ -42,7 +42,7 @@ Sheet make_sheet(const RayFacet& facet) {
   const Approx3 a = exact::approx(facet.along()), b = exact::approx(facet.across());
   const Component z = component(a.x, b.y, a.y, b.x);
   const int up = std::fabs(z.value) > 2 * z.error ? (z.value > 0 ? 1 : -1) : exact::sign(facet.normal().z);
-  s.jump = static_cast<std::int8_t>(-up * facet.weight);
+  s.jump = -up * facet.weight;
   if (std::fabs(z.value) <= 2 * z.error) {
     s.slack = 2 * margin::kCoarseHeight;  // vertical or nearly: exactly where needed
     return s;

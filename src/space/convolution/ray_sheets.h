@@ -23,7 +23,7 @@ struct Sheet {
   std::int64_t low = 0, high = 0;   // in y
   double slope_x = 0, slope_y = 0;  // of z
   double slack = 0;                 // bound of the error of height() at lines that meet it
-  std::int8_t jump = 0;             // of the winding number upward; 0: parallel to the lines
+  std::int32_t jump = 0;            // of the winding number upward; 0: parallel to the lines
 
   double height(std::int64_t x, std::int64_t y) const {
     const Point& p = facet.corner[0];
