@@ -9,6 +9,7 @@
 
 #include "distance/solid/solid_pair.h"
 #include "distance/surface/surface_pair.h"
+#include "unit/solid_shapes.h"
 #include "unit/space_bodies.h"
 #include "unit/space_bumps.h"
 
@@ -150,6 +151,22 @@ TEST(Within, Surfaces) {
     EXPECT_EQ(surface_pair(convex, a).within(Which::kGamma1, {0, 0, 0}).lo, -exact::kInfinity);
     EXPECT_EQ(surface_pair(a, convex).within(Which::kGamma1, {0, 0, 0}).lo, -exact::kInfinity);
   }
+}
+
+/// Of one mesh the first shell lies outside the other mesh, the second within it.
+TEST(Within, ShellsOfAMesh) {
+  space::Mesh mesh;
+  space::add_box(mesh, {5000, 5000, 5000}, {5020, 5020, 5020});
+  space::add_box(mesh, {-10, -10, -10}, {10, 10, 10});
+  const auto surfaced_mesh = [](const space::Mesh& of) {
+    auto set = std::make_shared<space::SurfaceSet>();
+    set->add({space::RaySolid{triangles(of), {}, {}}}, 1);
+    return Surfaced{set, nullptr, false, nullptr};
+  };
+  const Surfaced shells = surfaced_mesh(mesh), rough = surfaced_mesh(space::knobbly_ball(4, 1000, 3));
+  EXPECT_EQ(surface_pair(shells, rough).within(Which::kGamma1, {0, 0, 0}).lo, -exact::kInfinity);
+  EXPECT_EQ(surface_pair(rough, shells).within(Which::kGamma1, {0, 0, 0}).lo, -exact::kInfinity);
+  EXPECT_GT(surface_pair(shells, rough).within(Which::kGamma1, {5000, 0, 0}).lo, 2000);
 }
 
 }  // namespace distance_within

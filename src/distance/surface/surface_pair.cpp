@@ -44,7 +44,8 @@ SurfaceSide::SurfaceSide(Surfaced b, Surfaced a) : b_(std::move(b)), a_(std::mov
 }
 
 SurfaceSide::Field::Field(const space::SurfaceSet& set) : field(set, {}) {
-  for (const auto& sheet : set.sheets()) pieces.push_back(exact::approx(sheet->body.points[0]));
+  for (const auto& sheet : set.sheets())
+    for (const int f : sheet->body.first_face) pieces.push_back(exact::approx(sheet->body.corner(f, 0)));
   for (const auto& ball : set.balls()) pieces.push_back(exact::approx(ball.center));
 }
 

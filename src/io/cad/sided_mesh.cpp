@@ -198,12 +198,7 @@ class SideProof {
  public:
   SideProof(const NearMesh& near, const Sheet& from, const Sheet& to, bool outside)
       : near_(near), from_(from), to_(to), outside_(outside) {
-    std::vector<bool> seen(std::size_t(to.body.pieces));
-    for (std::size_t f = 0; f < to.body.faces.size(); ++f) {
-      const auto piece = std::size_t(to.body.piece[f]);
-      if (!seen[piece]) pieces_.push_back(to.body.corner(int(f), 0));
-      seen[piece] = true;
-    }
+    for (const int f : to.body.first_face) pieces_.push_back(to.body.corner(f, 0));
   }
 
   bool holds() const {

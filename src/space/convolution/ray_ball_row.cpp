@@ -147,18 +147,19 @@ bool BallRow::emit_certain(int column, RayRow& row) {
 int BallRow::inside(int column, double z) const {
   const std::int64_t x = rays_.grid_.u_at(column), y = rays_.grid_.v_at(j_);
   int sum = rays_.complement_ ? 1 : 0;
-  for (int f = 0; f < static_cast<int>(rays_.body_.faces.size()); ++f) {
+  const GridBox above{{x, y, static_cast<std::int64_t>(std::floor(z)) - 1}, {x, y, rays_.body_.high.z}};
+  rays_.distance_->tree().any_meeting(above, [&](int f) {
     const Point &a = rays_.body_.corner(f, 0), &b = rays_.body_.corner(f, 1), &c = rays_.body_.corner(f, 2);
     const Wide3& n = rays_.body_.normals[f];
     const int look = exact::sign(n.z);
     if (look == 0 || exact::sign_turn_displaced(a, b, x, y) != look || exact::sign_turn_displaced(b, c, x, y) != look ||
-        exact::sign_turn_displaced(c, a, x, y) != look) {
-      continue;
-    }
+        exact::sign_turn_displaced(c, a, x, y) != look)
+      return false;
     const int128 top = n.x * (a.x - x) + n.y * (a.y - y);
     const exact::Fraction height{n.z > 0 ? top : -top, n.z > 0 ? n.z : -n.z};
     if (static_cast<double>(a.z) + exact::to_double(height) > z) sum += look;
-  }
+    return false;
+  });
   return sum;
 }
 

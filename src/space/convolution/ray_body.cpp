@@ -153,6 +153,7 @@ void number_pieces(RayBody& body) {
   for (std::size_t f = 0; f < body.faces.size(); ++f) {
     if (body.piece[f] >= 0) continue;
     body.piece[f] = body.pieces;
+    body.first_face.push_back(static_cast<int>(f));
     stack.push_back(static_cast<int>(f));
     while (!stack.empty()) {
       const int g = stack.back();

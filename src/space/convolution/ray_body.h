@@ -67,9 +67,10 @@ struct RayBody {
   std::vector<RayCorner> corners;
   std::vector<int> piece;  // of each face: faces joined by edges have the same number, from 0
   int pieces = 0;
+  std::vector<int> first_face;  // of each piece
   Point low, high;
 
-  /// Refused (kGeometry) where the triangles are not a closed surface that lies about a solid.
+  /// Refused where the triangles are not a closed surface that lies about a solid (kGeometry) or lie too far out.
   static exact::Tried<RayBody> of(Triangles surface);
   /// The same; the error instead of the refusal.
   explicit RayBody(Triangles surface) : RayBody(of(std::move(surface)).or_throw()) {}

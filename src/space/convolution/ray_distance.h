@@ -24,6 +24,9 @@ class SurfaceDistance {
     return close.empty() ? 1 : compare_exactly(x, y, exactly(), close);
   }
 
+  /// Of the body's faces.
+  const BoxTree& tree() const { return tree_; }
+
  private:
   /// True if some triangle is certainly nearer; else `close` are those that may be as near.
   bool certainly_nearer(std::int64_t x, std::int64_t y, double z, double error, std::vector<int>& close) const;

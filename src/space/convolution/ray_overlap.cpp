@@ -66,14 +66,6 @@ struct Probe {
 
 Point sum_of_corners(const RayBody& body, int f) { return body.corner(f, 0) + body.corner(f, 1) + body.corner(f, 2); }
 
-std::vector<int> first_faces(const RayBody& body) {
-  std::vector<int> first(body.pieces, -1);
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    if (first[body.piece[f]] < 0) first[body.piece[f]] = static_cast<int>(f);
-  }
-  return first;
-}
-
 }  // namespace
 
 RayPlace ray_place(std::int64_t x, std::int64_t y, const Fraction& z) {
@@ -104,10 +96,10 @@ bool RayOverlap::pieces_inside(const RayPlace& p) const {
   const RayPlace triple =
       ray_place(3 * p.whole.x, 3 * p.whole.y, {(p.by.denominator * p.whole.z + p.by.numerator) * 3, p.by.denominator});
   const Probe in_b{b_, b_tree_, triple.whole, true, triple.by}, in_a{a_, a_tree_, {}, false, triple.by};
-  for (const int f : first_faces(a_)) {
+  for (const int f : a_.first_face) {
     if (in_b.inside({sum_of_corners(a_, f), false}, false)) return true;
   }
-  for (const int g : first_faces(b_)) {
+  for (const int g : b_.first_face) {
     if (in_a.inside({sum_of_corners(b_, g) + triple.whole, true}, a_inside_out_)) return true;
   }
   return false;

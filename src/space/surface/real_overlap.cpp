@@ -25,19 +25,6 @@ RealVector middle_of(const RayBody& body, int f) {
   return scaled(Real::ratio(1, 3), sum);
 }
 
-/// Calls visit(face) for the first face of each piece; stops where it returns true, and says so.
-template <class Visit>
-bool any_piece(const RayBody& body, Visit visit) {
-  std::vector<bool> seen(static_cast<std::size_t>(body.pieces));
-  for (std::size_t f = 0; f < body.faces.size(); ++f) {
-    const std::size_t piece = static_cast<std::size_t>(body.piece[f]);
-    if (seen[piece]) continue;
-    seen[piece] = true;
-    if (visit(static_cast<int>(f))) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 RealOverlap::RealOverlap(const SurfaceSet::Sheet& a, const SurfaceSet::Sheet& b, bool a_inside_out) : a_(a), b_(b) {
@@ -76,8 +63,10 @@ bool RealOverlap::pieces_inside(const RealVector& p) const {
     return side_of(sheet.body, sheet.tree, x, rounded(x));
   };
   const SurfaceSide in_a = inside_out_ ? SurfaceSide::kOutside : SurfaceSide::kInside;
-  return any_piece(a_.body, [&](int f) { return side(b_, minus(middle_of(a_.body, f), p)) == SurfaceSide::kInside; }) ||
-         any_piece(b_.body, [&](int g) { return side(a_, plus(middle_of(b_.body, g), p)) == in_a; });
+  const auto a_in_b = [&](int f) { return side(b_, minus(middle_of(a_.body, f), p)) == SurfaceSide::kInside; };
+  const auto b_in_a = [&](int g) { return side(a_, plus(middle_of(b_.body, g), p)) == in_a; };
+  const std::vector<int>&of_a = a_.body.first_face, &of_b = b_.body.first_face;
+  return std::any_of(of_a.begin(), of_a.end(), a_in_b) || std::any_of(of_b.begin(), of_b.end(), b_in_a);
 }
 
 }  // namespace findspace::space
