@@ -7,9 +7,12 @@
 #include <cmath>
 #include <vector>
 
+#include "distance/rotation/motion_maps.h"
+#include "distance/rotation/rated_gap.h"
 #include "distance/rotation/rotation_motion.h"
 #include "distance_shapes.h"
 #include "plane/query/topology.h"
+#include "plane/walk/unite.h"
 
 namespace findspace::distance {
 namespace distance_rotation_motion {
@@ -30,6 +33,74 @@ TEST(RotatingMotion, ABoundAboveZeroOfTheGreatestEta1IsNone) {
   const auto v = f.extremum({}, Sense::kMaximum);
   ASSERT_TRUE(v);
   EXPECT_EQ(v->high, INFINITY);
+}
+
+/// The square of half side 2 in a square room whose half side is `half`, in walls of 20.
+Region room(std::int64_t half) {
+  constexpr std::int64_t kWall = 20'000'000;
+  return polygon({{-kWall, -kWall}, {kWall, -kWall}, {kWall, kWall}, {-kWall, kWall}},
+                 {{{-half, -half}, {-half, half}, {half, half}, {half, -half}}});
+}
+const Region kSquare = box(-2'000'000, -2'000'000, 2'000'000, 2'000'000);
+
+/// No instant that is looked at is that of angle 0, the only one at which the square is free: elsewhere it has to leave
+/// the walls altogether.
+TEST(RotatingMotion, ASquareFitsItsRoomAtOneInstant) {
+  const RotatingMotion gap(kSquare, room(2'000'000), Which::kGamma1, turning(-7, 10));
+  const auto most = gap.extremum({}, Sense::kMaximum);
+  ASSERT_TRUE(most);
+  EXPECT_GE(most->high, 0);
+  EXPECT_LE(most->low, 0);
+  const RotatingMotion depth(kSquare, room(2'000'000), Which::kPenetration, turning(-7, 10));
+  EXPECT_EQ(depth.extremum({}, Sense::kMinimum)->low, 0);
+  const auto maps = [](Which which, Sense sense) {
+    return motion_maps(kSquare, room(2'000'000), which, turning(-7, 10), sense, Real());
+  };
+  EXPECT_GE(sign_at(maps(Which::kGamma1, Sense::kMaximum).high, at(0, 0)), 0);
+  EXPECT_LE(sign_at(maps(Which::kPenetration, Sense::kMinimum).low, at(0, 0)), 0);
+}
+
+/// At 52 degrees a corner passes the wall at 3 steps, and the search that is content with 10,000 stops. At 90 degrees
+/// two opposite corners are a step longer than the room: there the shape has to leave the walls altogether.
+TEST(RotatingMotion, TheLeastGapMayLieFarBelowWhatIsLookedAt) {
+  constexpr double kEnough = 10'000, kDepth = 20e6;
+  const Region walls = room(2'800'000),
+               tight = polygon({{2'800'001, 0}, {-1'723'850, 2'206'428}, {-2'800'000, 0}, {-342'020, -939'693}});
+  const RotatingMotion gap(tight, walls, Which::kGamma1, turning(22, 102)),
+      depth(tight, walls, Which::kPenetration, turning(22, 102));
+  const auto least = gap.extremum({}, Sense::kMinimum, kEnough), most = depth.extremum({}, Sense::kMaximum, kEnough);
+  ASSERT_TRUE(least && most);
+  EXPECT_LE(gap.instant({}, 0, Real::ratio(17, 20))->high, -kDepth);
+  EXPECT_GE(least->high, 0);  // it is not found
+  EXPECT_LE(least->low, -kDepth);
+  EXPECT_GE(most->high, kDepth);
+}
+
+TEST(RotatingMotion, TheDepthOfConvexShapesKeepsToItsRate) {
+  // Half sides 2 in a square of half side 20: least deep with its sides along.
+  const RotatingMotion gap(kSquare, box(-20'000'000, -20'000'000, 20'000'000, 20'000'000), Which::kGamma1,
+                           turning(-7, 10));
+  const auto most = gap.extremum({}, Sense::kMaximum);
+  ASSERT_TRUE(most);
+  EXPECT_NEAR(most->low, -22e6, 1);
+  EXPECT_NEAR(most->high, -22e6, 1);
+}
+
+TEST(RatedGap, ConvexSets) {
+  const Region disc = plane::region_of_disc(0, 0, 5), square = box(0, 0, 4, 4), beside = box(4, 0, 8, 4),
+               apart = box(9, 0, 12, 4), slab = box(-9, -1, 9, 1);
+  const auto joined = [](const Region& a, const Region& b) { return plane::unite(std::array{&a, &b}); };
+  EXPECT_TRUE(is_convex(disc));
+  EXPECT_TRUE(is_convex(square));
+  EXPECT_TRUE(is_convex(joined(square, beside)));
+  EXPECT_TRUE(is_convex(polygon({{0, 0}, {2, 0}, {4, 0}, {0, 3}})));  // a vertex on a side
+  EXPECT_TRUE(is_convex(plane::intersect(std::array{&disc, &slab})));
+  EXPECT_FALSE(is_convex(joined(disc, slab)));
+  EXPECT_FALSE(is_convex(joined(square, apart)));
+  EXPECT_FALSE(is_convex(polygon({{0, 0}, {4, 0}, {4, 4}, {2, 1}})));
+  EXPECT_FALSE(is_convex(polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 3}}})));
+  EXPECT_FALSE(is_convex(plane::complement(disc)));
+  EXPECT_FALSE(is_convex(plane::region_of_chain(ring({{0, 0}, {4, 0}}))));
 }
 
 }  // namespace distance_rotation_motion

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "distance/planar_features/boundary_features.h"
+#include "distance/rotation/rated_gap.h"
 #include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 #include "plane/build/swept.h"
@@ -55,24 +56,47 @@ SignMap over_way(const SignMap& m, const RotatingPiece& piece, Sense sense) {
 /// Rounded up.
 Real slightly_above(double r) { return r > 0 ? Real::from_double(r * margin::kUpward + margin::kUpwardSteps) : Real(); }
 
-BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, const RotatingPiece& piece,
-                            const RotationSenses& senses, const Real& level) {
+/// The signs of functions <= and >= f - level, for all pairs that are off by at most `off`.
+class SignBounds {
+ public:
+  SignBounds(const ShapePair& pair, Which which, bool convex) : pair_(pair), which_(which), gap_(pair, convex) {}
+  SignMap lower(const Real& level, const Real& off) const { return bound(level, off, true); }
+  SignMap upper(const Real& level, const Real& off) const { return bound(level, off, false); }
+
+ private:
+  SignMap bound(const Real& level, const Real& off, bool low) const {
+    if (which_ == Which::kGamma1) return low ? gap_.lower(level, off) : gap_.upper(level, off);
+    if (which_ != Which::kPenetration) return pair_.distance(which_)->sign_map(low ? level + off : level - off);
+    // max(0, -gamma1)
+    if (level.sign() < 0) return SignMap::uniform(1);
+    const Mark floor = level.sign() == 0 ? 0 : -1;
+    return plane::remark(low ? gap_.upper(-level, off) : gap_.lower(-level, off),
+                         [floor](Mark k) { return std::max(floor, Mark(-k)); });
+  }
+
+  const ShapePair& pair_;
+  Which which_;
+  RatedGap gap_;
+};
+
+BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, bool convex,
+                            const RotatingPiece& piece, const RotationSenses& senses, const Real& level) {
   plane::Rounding rounding;
   const ShapePair pair(rotated(b, {0, 0}, piece.moving, 1, rounding), rotated(a, {0, 0}, piece.fixed, 1, rounding));
-  const TDistancePointer f = pair.distance(which);
+  const SignBounds f(pair, which, convex);
   const bool least = senses.pieces == Sense::kMinimum;
   // Two shapes, each off by the rounding (ends of an arc carry its bulge along: twice that).
   const double off = 4 * rounding.largest;
   // Over the turns of the piece the least value is not above that in the middle, the greatest not below.
   const Real chosen = slightly_above(off + piece.in_time),
              all = slightly_above(off + piece.in_time + piece.over_rotations);
-  SignMap low = over_way(f->sign_map(level + (least ? all : chosen)), piece, senses.low),
-          high = over_way(f->sign_map(level - (least ? chosen : all)), piece, senses.high);
+  SignMap low = over_way(f.lower(level, least ? all : chosen), piece, senses.low),
+          high = over_way(f.upper(level, least ? chosen : all), piece, senses.high);
   if (piece.in_time == 0 || senses.low != senses.high) return {std::move(low), std::move(high)};
   // The instant in the middle bounds better from one side: inf f is not above it, sup f not below.
   const Real still = slightly_above(off);
   const RealPoint middle = between(piece.way[0], piece.way[1], Real::ratio(1, 2));
-  const SignMap instant = plane::moved(f->sign_map(least ? level - still : level + still), {-middle.x, -middle.y});
+  const SignMap instant = plane::moved(least ? f.upper(level, still) : f.lower(level, still), {-middle.x, -middle.y});
   SignMap& worse = least ? high : low;
   worse = plane::overlay(std::array<const CellComplex*, 2>{&worse, &instant}, [least](std::span<const Mark> m) {
     return least ? std::min(m[0], m[1]) : std::max(m[0], m[1]);
@@ -89,9 +113,11 @@ int pieces_of_leg(const RotatingPose& p, const RotatingPose& q) {
 
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
                         std::span<const RotatingPiece> pieces, const RotationSenses& senses, const Real& level) {
+  const bool gap = which == Which::kGamma1 || which == Which::kPenetration,
+             convex = gap && is_convex(b) && is_convex(a);
   std::vector<BoundedMaps> all(pieces.size());
   plane::parallel_for(all.size(),
-                      [&](std::size_t k) { all[k] = bounds_of_piece(b, a, which, pieces[k], senses, level); });
+                      [&](std::size_t k) { all[k] = bounds_of_piece(b, a, which, convex, pieces[k], senses, level); });
   auto joined = [&](SignMap BoundedMaps::*side) {
     std::vector<const CellComplex*> maps;
     for (const BoundedMaps& m : all) maps.push_back(&(m.*side));

@@ -7,8 +7,9 @@
 // is exact:
 //     low  = sign of a function <= the extremum minus the level,   high = sign of one >= it.
 // Guarantee: certified, low <= true sign <= high everywhere; for distances that change no faster than their shapes
-// (gamma, mu, hausdorff, d, h, diameter, penetration). Cost: two sign maps and sweeps for each piece, one overlay of
-// all. Source: distances.md 3.7, 7.3. Keywords: interval bound, conservative, inner and outer approximation.
+// (gamma2, mu, hausdorff, d, h, diameter), and gamma1 and penetration, by rated_gap.h where they do not. Cost: two sign
+// maps and sweeps for each piece, one overlay of all. Source: distances.md 3.7, 7.3. Keywords: interval bound,
+// conservative, inner and outer approximation.
 #pragma once
 
 #include <array>

@@ -11,12 +11,14 @@
 #include <utility>
 
 #include "distance/planar_features/boundary_features.h"
+#include "distance/rotation/rated_gap.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
 #include "findspace/error.h"
 #include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 
@@ -42,12 +44,16 @@ std::int64_t refinement(double reach) {
   return factor;
 }
 
-/// gamma and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the places where a
-/// shape fits (eta, delta) may come and go at once. `most`: of the values found, and of the bound of a supremum.
+/// gamma (rated_gap.h) and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the
+/// places where a shape fits (eta, delta) may come and go at once. `most`: of the values found, and of the bound of a
+/// supremum.
 bool has_rate(Which which, double most) {
   if (which == Which::kEta2 || which == Which::kDelta2) return false;
   return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
 }
+
+/// max(0, -gap)
+ValueRange penetration(const ValueRange& gap) { return {std::max(0.0, -gap.high), std::max(0.0, -gap.low)}; }
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -55,14 +61,15 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 struct Sample {
   std::size_t leg;
   double s, f;
+  double rated;  // not above f: what bounds it beside
 };
 
 /// Looks for the least f at instants of the motion: first evenly, then where it may be least (Piyavskii 1972), then
 /// beside the best one.
 class LeastSearch {
  public:
-  LeastSearch(const RotatingMotion& motion, const RealPoint& p, Sense sense)
-      : motion_(motion), p_(p), sign_(sense == Sense::kMinimum ? 1 : -1) {}
+  LeastSearch(const RotatingMotion& motion, const RealPoint& p, bool least)
+      : motion_(motion), p_(p), sign_(least ? 1 : -1) {}
 
   void look_evenly(std::size_t legs) {
     constexpr int kFirst = 8;
@@ -128,12 +135,13 @@ class LeastSearch {
   };
 
   Sample look(std::size_t leg, double s) {
-    const auto v = motion_.instant(p_, leg, Real::from_double(s));
+    const auto v = motion_.look(p_, leg, Real::from_double(s));
     undefined_ |= !v;
-    if (!v) return {leg, s, kNone};
-    rounding_ = std::max(rounding_, v->off());
-    most_ = std::max(most_, v->middle());
-    return {leg, s, sign_ * v->middle()};
+    if (!v) return {leg, s, kNone, kNone};
+    rounding_ = std::max(rounding_, v->off);
+    most_ = std::max(most_, v->f);
+    if (sign_ > 0) return {leg, s, v->most(), v->most()};
+    return {leg, s, -v->f, -v->rated};
   }
 
   void keep_better(const Sample& k) {
@@ -144,9 +152,9 @@ class LeastSearch {
     const double drop = motion_.rate(a.leg) * (b.s - a.s);
     // Where f is undefined nothing is known of it beside: the other end bounds it.
     const double low = std::isinf(a.f) && std::isinf(b.f) ? kNone
-                       : std::isinf(a.f)                  ? b.f - drop
-                       : std::isinf(b.f)                  ? a.f - drop
-                                                          : (a.f + b.f - drop) / 2;
+                       : std::isinf(a.f)                  ? b.rated - drop
+                       : std::isinf(b.f)                  ? a.rated - drop
+                                                          : (a.rated + b.rated - drop) / 2;
     gaps_.push({a, b, low});
     keep_better(a);
     keep_better(b);
@@ -167,7 +175,7 @@ class LeastSearch {
   const RealPoint& p_;
   double sign_;
   plane::Subdivision<Gap> gaps_;  // the lowest first
-  Sample best_{0, 0, kNone};
+  Sample best_{0, 0, kNone, kNone};
   double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
   bool undefined_ = false;
 };
@@ -183,7 +191,12 @@ double reach(const plane::Region& r) {
 
 RotatingMotion::RotatingMotion(const plane::Region& b, const plane::Region& a, Which which,
                                std::vector<RotatingPose> poses)
-    : b_reach_(reach(b)), a_reach_(reach(a)), which_(which), poses_(std::move(poses)) {
+    : b_reach_(reach(b)),
+      a_reach_(reach(a)),
+      which_(which == Which::kPenetration ? Which::kGamma1 : which),
+      negated_(which == Which::kPenetration),
+      convex_(which_ == Which::kGamma1 && is_convex(b) && is_convex(a)),
+      poses_(std::move(poses)) {
   const std::int64_t factor = refinement(std::max(b_reach_, a_reach_));
   b_ = plane::scaled(b, factor);
   a_ = plane::scaled(a, factor);
@@ -198,7 +211,7 @@ double RotatingMotion::rate(std::size_t leg) const {
                           std::abs(near_value(q.fixed - p.fixed)) * a_reach_);
 }
 
-std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
+std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std::size_t leg, const Real& s) const {
   const RotatingPose& from = poses_[leg];
   const RotatingPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
   plane::Rounding rounding;
@@ -207,8 +220,8 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
   };
   const ShapePair pair(rotated(b_, between(from.moving, to.moving, s)), rotated(a_, between(from.fixed, to.fixed, s)));
   const Real f = Real::from_double(factor_);
-  const auto v = pair.distance(which_)->value(
-      {f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))});
+  const RealPoint at{f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))};
+  const auto v = pair.distance(which_)->value(at);
   if (!v) return std::nullopt;
   if (v->minus_infinity)
     throw Error(ErrorCode::kUnsupported,
@@ -216,14 +229,27 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
   const double value = v->value.to_double() / factor_;
   // Two shapes; ends of an arc carry its bulge along: twice what they moved.
   const double off = 4 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
-  return ValueRange{value - off, value + off};
+  const bool rated = value >= 0 || rated_below_zero();
+  return Look{value, rated ? value : RatedGap(pair, false).value(at) / factor_, off};
+}
+
+std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
+  const auto v = look(p, leg, s);
+  if (!v) return std::nullopt;
+  const ValueRange range{v->f - v->off, v->most() + v->off};
+  return negated_ ? penetration(range) : range;
 }
 
 std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sense, double enough,
                                                    Effort effort) const {
   if (poses_.size() == 1) return instant(p, 0, Real(0));
-  const bool least = sense == Sense::kMinimum;
-  LeastSearch search(*this, p, sense);
+  const auto v = plain_extremum(p, (sense == Sense::kMinimum) != negated_, enough, effort);
+  return v && negated_ ? penetration(*v) : v;
+}
+
+std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, bool least, double enough,
+                                                         Effort effort) const {
+  LeastSearch search(*this, p, least);
   search.look_evenly(poses_.size() - 1);
   if (search.undefined() && !least) return std::nullopt;
   search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
@@ -235,7 +261,13 @@ std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sen
   double from_below = std::min(search.best(), certain) - search.rounding();
   const double most = least ? search.most() : std::max(search.most(), -from_below);
   if (search.undefined() || !has_rate(which_, most)) from_below = -kNone;
+  if (least && from_below < 0 && !rated_below_zero()) from_below = std::min(from_below, least_gap());
   return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
+}
+
+double RotatingMotion::least_gap() const {
+  if (!plane::is_bounded(a_)) return -kNone;
+  return -(b_reach_ + a_reach_) * margin::kUpward - margin::kUpwardSteps;
 }
 
 }  // namespace findspace::distance

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "exact/margins/formula.h"
+#include "exact/margins/rounding.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
@@ -68,16 +69,27 @@ std::vector<Piece> looked_through(std::size_t legs, int most, const Look& look) 
   return done;
 }
 
-/// `least_only`: the value is a lower bound of the distance, which is not above 0 where the value is not.
+/// `least_only`: the value is a lower bound of the distance, which is not above 0 where the value is not. Of a
+/// penetration the signs are those of the gap.
 Look by_value(const RotatingMotion& f, const RealPoint& p, double level, bool least_only) {
   return [&f, &p, level, least_only](Piece& piece) {
-    const auto v = f.instant(p, piece.leg, Real::from_double(piece.from + (piece.to - piece.from) / 2));
+    const auto v = f.look(p, piece.leg, Real::from_double(piece.from + (piece.to - piece.from) / 2));
     if (!v) return;
-    const double tolerance = f.rate(piece.leg) * (piece.to - piece.from) / 2;
-    const double at_most = least_only ? 0 : level;
-    if (v->low - tolerance > level) piece.low = 1;
-    if (v->high + tolerance < at_most) piece.high = -1;
+    const double off = f.rate(piece.leg) * (piece.to - piece.from) / 2 * margin::kUpward + v->off;
+    const double at_least = f.rated_below_zero() ? level : std::max(level, 0.0), at_most = least_only ? 0 : level;
+    if (v->rated - off > at_least) piece.low = 1;
+    if (v->rated + off < at_most) piece.high = -1;
   };
+}
+
+/// From the signs of a gap minus -level those of the penetration, max(0, -gap), minus the level.
+void turn_to_penetration(std::vector<Piece>& pieces, const Real& level) {
+  const Mark floor = Mark(-level.sign());
+  for (Piece& piece : pieces) {
+    const Mark low = piece.low;
+    piece.low = std::max(floor, Mark(-piece.high));
+    piece.high = std::max(floor, Mark(-low));
+  }
 }
 
 Look by_circles(const distance::RotationInTime& f, const Real& level) {
@@ -144,12 +156,14 @@ std::array<Section, 2> signs_of_turning(const PreparedWorld& world, const SignMa
   const bool least_only = second || (first && wanted.level.sign() > 0);
   const RotatingMotion f(world.shape(r.names.first), world.shape(r.names.second), which,
                          rotation_poses(world, r, false));
-  const double level = (wanted.level / world.step()).to_double();
+  const bool penetration = which == Which::kPenetration;
+  const double steps = (wanted.level / world.step()).to_double(), level = penetration ? -steps : steps;
   std::vector<Piece> pieces =
       looked_through(times.size() - 1, least_only ? kMostLooks / 4 : kMostLooks, by_value(f, p, level, least_only));
   if (second) {
     for (Piece& piece : pieces) piece.high = 1;
   }
+  if (penetration) turn_to_penetration(pieces, wanted.level);
   return {line_of(pieces, times, true), line_of(pieces, times, false)};
 }
 
