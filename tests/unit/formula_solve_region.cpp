@@ -117,6 +117,10 @@ TEST_F(SolveRegion, SumsAlongALineThatGoesOn) {
   const PlanarLine axis{{0, 0}, {1, 0}};
   EXPECT_THROW(best("gap(B, A) - 2 * gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis), Error);
   EXPECT_THROW(best("gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMaximum, axis), Error);
+  // Far away the values tend to a limit, and bounds cannot tell where the least one is.
+  const PlanarLine above{{0, 50}, {1, 0}};
+  EXPECT_THROW(best("gap(B, C) - gap(B, A)", "gap(B, A) >= 5", Sense::kMinimum, above), Error);
+  EXPECT_NEAR(best("gap(B, C) - gap(B, A)", "inside(B, W)", Sense::kMinimum, above).value()->to_double(), -1400, 2);
   // At (495, 0): 5 from A, 795 from C.
   EXPECT_NEAR(best("2 * gap(B, A) + gap(B, C)", "gap(B, A) >= 5", Sense::kMinimum, axis).value()->to_double(), 805,
               1e-2);

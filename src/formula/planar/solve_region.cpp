@@ -4,6 +4,7 @@
 #include "formula/planar/solve_region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -133,12 +134,24 @@ bool goes_on(const plane::Region& set, const BestQuery& query) {
   return std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& p) { return has(set, p); });
 }
 
+/// Whether there may be a best position at an end of the line, as near as it is known where they are.
+bool may_go_on(const distance::Extremum& best, const BestQuery& query) {
+  if (!query.line) return false;
+  const auto ends = ends_of(*query.line);
+  return std::any_of(best.at.vertices.begin(), best.at.vertices.end(), [&](const auto& v) {
+    const exact::RealPoint at = best.at.geometry.exact(v.point);
+    return std::any_of(ends.begin(), ends.end(), [&](const exact::RealPoint& end) {
+      return std::hypot((end.x - at.x).to_double(), (end.y - at.y).to_double()) <= best.within;
+    });
+  });
+}
+
 /// The sum is finite, or infinite everywhere.
 Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, const Solver& solver) {
   const PreparedWorld& world = solver.prepared();
   const std::vector<SumTerm>& terms = query.objective.terms;
   const auto best = best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms));
-  if (best.value() && goes_on(best.at, query)) distance::refuse_without_end();
+  if (best.value() && may_go_on(best, query)) distance::refuse_without_end();
   return in_scene(best, world.step());
 }
 
