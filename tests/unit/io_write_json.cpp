@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/write/write_json.h"
+#include "io/write/write_summary.h"
 #include "plane_topology_sets.h"
 
 namespace findspace::io {
@@ -105,6 +106,17 @@ TEST(Json, Intervals) {
             json::parse(R"([{"from": 0, "to": 3, "from_in": true, "to_in": true}])"));
   EXPECT_EQ(text(Region::uniform(0)), json::parse(R"({"empty": true, "intervals": []})"));
   EXPECT_EQ(text(Region::uniform(1))["intervals"][0]["from"], nullptr);
+}
+
+/// Another end may have the value that an open end has: an enclosed one does not tell.
+TEST(OptimumText, SaysNotAttainedWhereThatIsKnown) {
+  distance::OptimalValue best;
+  best.set_exact(Real(3), distance::Way::kAngles);
+  EXPECT_NE(optimum_text(best, "").find(", not attained: these are the positions on the closure"), std::string::npos);
+  best.set_enclosed(Real(3), Real(2), distance::Way::kAngles);
+  EXPECT_NE(optimum_text(best, "").find(", perhaps not attained"), std::string::npos);
+  best.attained = true;
+  EXPECT_EQ(optimum_text(best, "").find("attained"), std::string::npos);
 }
 
 }  // namespace io_write_json

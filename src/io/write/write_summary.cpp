@@ -67,10 +67,9 @@ std::string optimum_text(const distance::OptimalValue& best, std::string_view un
                           size_text(bound->to_double(), unit))
       : best.proven() ? ""
                       : ", and others may be better";
-  const bool near = best.answer->side == distance::Side::kNone;
-  const char* taken = best.attained ? ""
-                      : near        ? ", perhaps not attained"
-                                    : ", not attained: these are the positions on the closure";
+  const char* taken = best.attained   ? ""
+                      : best.proven() ? ", not attained: these are the positions on the closure"
+                                      : ", perhaps not attained";
   return fmt::format("{} {}{}{}\n", name, size_text(value->to_double(), unit), beyond, taken);
 }
 
