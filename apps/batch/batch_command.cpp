@@ -7,10 +7,13 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -20,6 +23,7 @@
 #include "batch/job_workers.h"
 #include "common/commands.h"
 #include "common/run_limits.h"
+#include "findspace/error.h"
 #include "findspace/team.h"
 #include "findspace/text.h"
 
@@ -149,16 +153,33 @@ class Batch {
   Clock::time_point begun_ = Clock::now(), looked_ = begun_;
 };
 
+/// Of a team: where one process cannot begin, none does. All have begun before the first can have finished.
+std::unique_ptr<Batch> begun(const Options& options, Reporter& reporter) {
+  std::unique_ptr<Batch> batch;
+  std::optional<Error> fault;
+  try {
+    batch = std::make_unique<Batch>(options, reporter);
+  } catch (const Error& e) {
+    fault = e;
+  }
+  if (options.team != nullptr) {
+    const std::array<double, 1> cost{fault ? 0.0 : 1.0};
+    const std::string first = options.team->best_of(cost, fault ? fault->what() : "");
+    if (!fault && !first.empty()) fault.emplace(ErrorCode::kFile, "another process cannot begin: " + first);
+  }
+  if (fault) throw *fault;
+  return batch;
+}
+
 }  // namespace
 
 Outcome run_batch(const Options& options, Reporter& reporter) {
   if (options.outputs.size() != 1) throw Error(ErrorCode::kUsage, "batch writes one file: -o RESULTS.jsonl");
   signal(SIGPIPE, SIG_IGN);  // a worker that has ended is noticed by its pipe
   say_at_the_end("what is answered is kept: the same command goes on from there");
-  Batch batch(options, reporter);
-  if (options.team != nullptr) options.team->meet();  // before the first can have finished
-  batch.run();
-  return batch.finish();
+  const std::unique_ptr<Batch> batch = begun(options, reporter);
+  batch->run();
+  return batch->finish();
 }
 
 }  // namespace findspace::app

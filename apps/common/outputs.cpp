@@ -10,11 +10,14 @@
 #include <system_error>
 
 #include "findspace/error.h"
+#include "findspace/team.h"
 #include "findspace/text.h"
 
 namespace findspace::app {
 
-void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+namespace {
+
+void check_own_outputs(const Options& options, const std::vector<std::string>& formats) {
   for (const auto& path : options.outputs) {
     const auto is_it = [&](const std::string& word) {
       std::error_code none;  // where one of them is not there, they are not the same
@@ -26,6 +29,13 @@ void check_outputs(const Options& options, const std::vector<std::string>& forma
     throw Error(ErrorCode::kUsage,
                 fmt::format("-o {}: the ending must be one of {}", path.string(), fmt::join(formats, " ")));
   }
+}
+
+}  // namespace
+
+void check_outputs(const Options& options, const std::vector<std::string>& formats) {
+  if (options.team == nullptr) return check_own_outputs(options, formats);
+  options.team->shared_text([&] { return check_own_outputs(options, formats), std::string(); });
 }
 
 void write_outputs(const Options& options, const Writers& writers, const Streams& streams) {

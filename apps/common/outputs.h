@@ -18,7 +18,8 @@ using Writers = std::map<std::string, std::function<std::string()>>;
 /// The same for results that are too long for memory.
 using Streams = std::map<std::string, std::function<void(const TextSink&)>>;
 
-/// Throws Error(kUsage) where an output has an ending that is not among the formats, or is the input itself.
+/// Throws Error(kUsage) where an output has an ending that is not among the formats, or is the input itself. Of a team
+/// all call it, and all throw what the leader finds: only that one has outputs.
 void check_outputs(const Options& options, const std::vector<std::string>& formats);
 
 /// Makes all texts first, then writes them: a failure leaves no file.

@@ -4,9 +4,10 @@
 // Processes that answer one question together, over whatever carries their messages; the program findspace-mpi has MPI.
 // All run the same program and ask the same questions in the same order. Number 0 leads: it reads files for all, and
 // the answers of the others are empty. Of a map of space on lines the leader takes rows from the others, which give
-// them until it has called finish(). A packing is searched by all (PackSearch::peers). Guarantee: answers have the same
-// bytes for any number of processes. Cost: on lines the leader's own work is what hands rows on in order. Source:
-// docs/batch.md. Keywords: MPI, distributed memory, master and worker, cluster.
+// them until it asks for the next map or shape, shares a text or calls finish(). A packing is searched by all
+// (PackSearch::peers). Guarantee: answers have the same bytes for any number of processes. Cost: on lines the leader's
+// own work is what hands rows on in order. Source: docs/batch.md. Keywords: MPI, distributed memory, master and worker,
+// cluster.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +52,8 @@ class Team : public PackPeers {
 
   /// Whether this process does.
   bool leads() const { return number() == 0; }
-  /// What makes a text, called by the leader alone; all get the text, or the Error. All call it.
+  /// What makes a text, called by the leader alone; all get the text, or the Error. All call it. Error(kLimit) for
+  /// another process whose leader has called finish().
   std::string shared_text(const std::function<std::string()>& make);
   /// At the end, of all processes, whether questions failed or not: the leader lets the others go.
   void finish();

@@ -35,7 +35,7 @@ def alone(folder, *arguments):
 
 def ranks(count, folder, *arguments, program=RANKED):
     return subprocess.run([MPIRUN, "-n", str(count), program, *arguments], cwd=folder, capture_output=True, text=True,
-                          env=ENVIRONMENT)
+                          env=ENVIRONMENT, timeout=300)
 
 
 class Ranks(unittest.TestCase):
@@ -74,6 +74,19 @@ class Ranks(unittest.TestCase):
                     self.assertEqual(bytes_, expected)
             self.assertEqual(alone(self.path, "map", scene, *options, "-o", "n.json").stdout, expected[0])
             self.assertEqual((self.path / "n.json").read_bytes(), expected[1])
+
+    def test_the_same_bytes_at_orientations(self):
+        scene = {"findspace": 1, "shapes": {"tetra": {"polytope": [[0, 0, 0], [5, 1, 0], [1, 4, 1], [1, 1, 4]]},
+                                            "rod": {"box": {"min": [0, 0, 0], "max": [3, 0.5, 0.5]}}},
+                 "moving": "rod", "free": {"pose": {"angles": [0, 90, 45]}}, "where": "0 <= gap(rod, tetra) <= 1"}
+        (self.path / "pose.json").write_text(json.dumps(scene))
+        for options in (["--resolution", "48"], ["--resolution", "24", "--axes"]):
+            first = alone(self.path, "map", "pose.json", *options, "--json", "-o", "one.json")
+            self.assertEqual(first.returncode, 0, first.stderr)
+            for count in (2, 3):
+                run = ranks(count, self.path, "map", "pose.json", *options, "--json", "-o", "n.json")
+                self.assertEqual((run.returncode, run.stdout), (0, first.stdout), run.stderr)
+                self.assertEqual((self.path / "n.json").read_bytes(), (self.path / "one.json").read_bytes())
 
     def test_inner_and_outer_and_least(self):
         (self.path / "round.json").write_text(json.dumps(ROUND))
@@ -188,6 +201,31 @@ class Ranks(unittest.TestCase):
         run = ranks(3, self.path, "map", "none.json", "--resolution", "64")
         self.assertEqual(run.returncode, 3)
         self.assertEqual(run.stderr.count("no such file"), 1)
+
+    def test_an_error_of_one_rank_ends_all(self):
+        (self.path / "round.json").write_text(json.dumps(ROUND))
+        (self.path / "strip.json").write_text(HIDE.read_text())
+        crate = str(EXAMPLES / "packing" / "crate.json")
+        for status, says, command in (
+                (2, "the ending must be one of", ["map", "round.json", "--resolution", "64", "-o", "r.txt"]),
+                (2, "this is the input itself", ["map", "round.json", "--resolution", "64", "-o", "round.json"]),
+                (2, "the ending must be one of", ["pack", "strip.json", "--work", "2", "-o", "x.stl"]),
+                (3, "no/layout.json", ["pack", "strip.json", "--work", "2", "--threads", "1", "-o", "no/layout.json"]),
+                (3, "no/layout.json", ["pack", crate, "--work", "8", "-q", "-o", "no/layout.json"]),
+                (3, "no/map.json", ["map", "round.json", "--resolution", "24", "-o", "no/map.json"])):
+            run = ranks(2, self.path, *command)
+            self.assertEqual((run.returncode, run.stderr.count(says)), (status, 1), run.stderr)
+
+    def test_a_batch_that_one_rank_cannot_begin(self):
+        self.questions(4)
+        for name in ("here", "there"):
+            (self.path / name).mkdir()
+        for first, second in (("here", "there"), ("there", "here")):
+            (self.path / "here" / "results").mkdir(exist_ok=True)
+            command = [RANKED, "batch", self.path / "jobs.jsonl", "-o", "results/r.jsonl"]
+            run = subprocess.run([MPIRUN, "-n", "1", "-wdir", self.path / first, *command, ":", "-n", "1", "-wdir", self.path / second,
+                                  *command], capture_output=True, text=True, env=ENVIRONMENT, timeout=300)
+            self.assertEqual((run.returncode, run.stderr.count("results/r.jsonl.parts")), (3, 1), run.stderr)
 
     def test_the_plain_program_under_mpirun(self):
         run = ranks(2, self.path, "map", str(EXAMPLES / "peg.json"), program=PLAIN)

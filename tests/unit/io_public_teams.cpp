@@ -83,8 +83,9 @@ class ThreadTeam : public Team {
   std::size_t number_;
 };
 
-/// What each of them answers; the leader's is that of all.
-std::vector<std::string> answers(std::size_t processes, const std::string& path, std::size_t& sent) {
+/// What each of them answers to ask(path), where only the leader has the file; its answer is that of all.
+template <class Ask>
+std::vector<std::string> answers(std::size_t processes, const std::string& path, std::size_t& sent, const Ask& ask) {
   Hall hall(processes);
   std::vector<std::string> out(processes);
   std::vector<std::thread> threads;
@@ -94,11 +95,7 @@ std::vector<std::string> answers(std::size_t processes, const std::string& path,
       {
         const TeamScope scope(&team);
         try {
-          const Scene scene = Scene::file(k == 0 ? path : path + " is read by the leader");
-          MapQuestion question;
-          question.lines = MapLines{24};
-          const Answer answer = scene.map(question);
-          out[k] = answer.json() + answer.file(".obj").text;
+          out[k] = ask(k == 0 ? path : path + " is read by the leader");
         } catch (const Error& e) {
           out[k] = e.what();
         }
@@ -110,26 +107,67 @@ std::vector<std::string> answers(std::size_t processes, const std::string& path,
   return out;
 }
 
+constexpr const char* kRock = R"json({"findspace": 1, "shapes": {"rock": {"polytope": [[0, 0, 0], [9, 0, 0], [0, 9, 0],
+    [0, 0, 9]]}, "ball": {"ball": {"center": [0, 0, 0], "radius": 2}}}, "moving": "ball",
+    "where": "clear(ball, rock) and gap(ball, rock) <= 1"})json";
+
+MapQuestion on_lines() {
+  MapQuestion out;
+  out.lines = MapLines{24};
+  return out;
+}
+
 TEST(PublicTeam, AnswersAsOneProcessDoes) {
   const Folder folder;
   const std::string path = (folder.path / "scene.json").string();
-  write_files({{path, R"json({"findspace": 1, "shapes": {"rock": {"polytope": [[0, 0, 0], [9, 0, 0], [0, 9, 0],
-    [0, 0, 9]]}, "ball": {"ball": {"center": [0, 0, 0], "radius": 2}}}, "moving": "ball",
-    "where": "clear(ball, rock) and gap(ball, rock) <= 1"})json"}});
+  write_files({{path, kRock}});
+  const auto ask = [](const std::string& file) {
+    const Answer answer = Scene::file(file).map(on_lines());
+    return answer.json() + answer.file(".obj").text;
+  };
   std::size_t sent = 0;
-  const std::string alone = answers(1, path, sent)[0];
+  const std::string alone = answers(1, path, sent, ask)[0];
   EXPECT_NE(alone.find("\"lines\""), std::string::npos);
   EXPECT_EQ(sent, 0u);
   for (const std::size_t processes : {2, 3}) {
-    const std::vector<std::string> found = answers(processes, path, sent);
+    const std::vector<std::string> found = answers(processes, path, sent, ask);
     EXPECT_EQ(found[0], alone);
     EXPECT_GE(sent, 4 * (processes - 1));  // each asks for rows, and is let go
     EXPECT_EQ(found[1].find("\"lines\""), std::string::npos);
   }
   fs::remove(path);
-  const std::vector<std::string> missing = answers(2, path, sent);
+  const std::vector<std::string> missing = answers(2, path, sent, ask);
   EXPECT_NE(missing[0].find(path + ": "), std::string::npos) << missing[0];
   EXPECT_EQ(missing[1], missing[0]);  // the leader's, with its path
+}
+
+TEST(PublicTeam, AnswersOneQuestionAfterAnother) {
+  const Folder folder;
+  const std::string path = (folder.path / "scene.json").string();
+  write_files({{path, kRock}});
+  const auto ask = [](const std::string& file) {
+    const Scene scene = Scene::file(file);
+    const Answer first = scene.map(on_lines()), turned = scene.rotated(Rotation::read("1,1,1:120")).map(on_lines());
+    const Answer again = Scene::file(file).map(on_lines());  // read meanwhile
+    return first.file(".obj").text + turned.json() + turned.file(".obj").text + again.json();
+  };
+  std::size_t sent = 0;
+  const std::string alone = answers(1, path, sent, ask)[0];
+  for (const std::size_t processes : {2, 3}) EXPECT_EQ(answers(processes, path, sent, ask)[0], alone);
+}
+
+TEST(PublicTeam, ALeaderMayEndFirst) {
+  const Folder folder;
+  const std::string path = (folder.path / "scene.json").string();
+  write_files({{path, kRock}});
+  std::size_t sent = 0;
+  const std::vector<std::string> found = answers(2, path, sent, [&](const std::string& file) {
+    Scene::file(file).map(on_lines());
+    if (file == path) throw Error(ErrorCode::kFile, "the leader cannot write");
+    return Scene::file(file).map(on_lines()).json();
+  });
+  EXPECT_NE(found[0].find("cannot write"), std::string::npos);
+  EXPECT_NE(found[1].find("has ended"), std::string::npos) << found[1];
 }
 
 TEST(ResultStore, KeepsResults) {

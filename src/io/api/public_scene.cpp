@@ -26,6 +26,7 @@
 #include "io/question/shape_answer.h"
 #include "io/question/space_map.h"
 #include "io/question/space_shapes.h"
+#include "io/team/row_team.h"
 #include "io/text/read_text.h"
 #include "packing/problem/fraction.h"
 
@@ -249,6 +250,7 @@ Answer::Data in_space(const io::AskedScene& scene, const MapQuestion& question) 
 
 Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& question) {
   using Kind = Scene::Free::Kind;
+  io::begin_question();
   const Kind free = data->free.kind;
   const bool solid = data->read.dimension == 3;
   if (free != Kind::kPosition && !question.apply.empty())
@@ -529,6 +531,7 @@ Answer Scene::map(const MapQuestion& question) const& { return map_of(data_, que
 Answer Scene::map(const MapQuestion& question) && { return map_of(std::move(data_), question); }
 
 Answer Scene::describe(const std::string& shape, const ShapeQuestion& question) const {
+  io::begin_question();
   if (question.lines && dimension() == 2) throw Error(ErrorCode::kBadValue, "lines are for shapes of space", name());
   const Shape made = this->shape(shape);
   return asked(data_, std::nullopt, [&](io::AskedScene scene) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <thread>
@@ -45,6 +46,15 @@ std::optional<Shown> searched(const Options& options, const PackSearch<Shown>& h
       stop = true;
     }
   };
+  std::exception_ptr thrown;
+  const auto hear = [&](const auto& tell) {  // what it throws ends the search of all processes
+    if (!thrown) try {
+        tell();
+      } catch (...) {
+        thrown = std::current_exception();
+        stop = true;
+      }
+  };
   const auto found = [&](const Layout& layout) {
     Shown result = shown(layout);
     result.seconds = seconds;
@@ -55,15 +65,16 @@ std::optional<Shown> searched(const Options& options, const PackSearch<Shown>& h
   packing::SearchEventsOf<Layout> events;
   events.better = [&](const Layout& layout, const PackProgress& state) {
     seconds = state.seconds;
-    if (how.better) how.better(found(layout), state);
+    if (how.better) hear([&] { how.better(found(layout), state); });
     look();
   };
   events.progress = [&](const PackProgress& state) {
-    if (how.progress) how.progress(state);
+    if (how.progress) hear([&] { how.progress(state); });
     look();
   };
   std::optional<Layout> best;
   plane::with_threads(options.threads, [&] { best = search(asked, events, packing::StopWish(stop, options.cancel)); });
+  if (thrown) std::rethrow_exception(thrown);
   if (!met) look();
   if (!best) return std::nullopt;
   Shown result = found(*best);

@@ -21,6 +21,8 @@ Team::Team() : data_(std::make_unique<Data>(*this)) {}
 Team::~Team() = default;
 
 std::string Team::shared_text(const std::function<std::string()>& make) {
+  if (data_->rows.is_released()) throw Error(ErrorCode::kLimit, "the process that leads has ended");
+  data_->rows.end();
   std::string text, place, fault;  // the code of the leader's Error
   if (leads()) try {
       text = make();

@@ -68,7 +68,7 @@ Cast cast_lines(const RaySet& set, double step, bool written) {
   formula::RegionOnLines source = set.source(out.grid);
   out.on_lines = formula::both(set.on_lines, source.side);
   if (set.aim || set.objective) {
-    if (team != nullptr) source.rays = team->shared(std::move(source.rays));
+    if (team != nullptr) source.rays = team->shared(std::move(source.rays), team->question());
     cast_rows(set, *source.rays, summarizer, written ? &lines : nullptr, out);
   } else {
     const auto take = [&](int j, RowDigest&& digest) {

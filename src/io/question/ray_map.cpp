@@ -213,9 +213,9 @@ Answer::Found RaysQuestion::found() const {
 
 /// The set with rows that all processes of the team make.
 void share(RaySet& set, RowTeam& team) {
-  set.source = [&team, source = set.source](const space::RayGrid& grid) {
+  set.source = [&team, question = team.question(), source = set.source](const space::RayGrid& grid) {
     formula::RegionOnLines region = source(grid);
-    region.rays = team.shared(std::move(region.rays));
+    region.rays = team.shared(std::move(region.rays), question);
     return region;
   };
 }

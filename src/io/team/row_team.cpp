@@ -10,6 +10,7 @@
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -19,21 +20,43 @@
 
 namespace findspace::io {
 
-/// Rows `begin` to `begin + count - 1` of the source on a grid; count 0: there are no more.
+namespace {
+
+/// Numbers as bytes of a message, and back.
+template <class Numbers>
+std::string bytes_of(const Numbers& numbers) {
+  return {reinterpret_cast<const char*>(&numbers), sizeof numbers};
+}
+template <class Numbers>
+Numbers numbers_of(std::string_view bytes) {
+  Numbers out{};
+  std::memcpy(&out, bytes.data(), std::min(sizeof out, bytes.size()));
+  return out;
+}
+
+}  // namespace
+
+/// Rows `begin` to `begin + count - 1` of the source on a grid; count 0: there are no more of the question, nor of
+/// those before it.
 struct RowTeam::Request {
   /// What is made of rows: themselves, or digests without or with texts.
   enum Kind : std::int64_t { kWholeRows, kDigests, kWrittenDigests };
-  std::int64_t axis, parts, u, v, du, dv, nu, nv, begin, count, kind;
+  static constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();  // questions
+  std::int64_t question, run, axis, parts, u, v, du, dv, nu, nv, begin, count, kind;
 
+  static Request last_of(std::int64_t question) {
+    Request out{};
+    out.question = question;
+    return out;
+  }
   space::RayGrid grid() const {
     return {static_cast<int>(axis), parts, u, v, du, dv, static_cast<int>(nu), static_cast<int>(nv)};
   }
-  std::string bytes() const { return {reinterpret_cast<const char*>(this), sizeof *this}; }
-  static Request of(std::string_view bytes) {
-    Request out{};
-    std::memcpy(&out, bytes.data(), std::min(sizeof out, bytes.size()));
-    return out;
-  }
+};
+
+/// What stands before rows: an answer to a run that has failed is passed over.
+struct RowTeam::Reply {
+  std::int64_t run, begin;
 };
 
 /// A source that was made for the leader.
@@ -109,7 +132,7 @@ class SharedBlocks {
   };
 
   SharedBlocks(RowTeam& rows, const space::RayGrid& grid, Way way)
-      : team_(rows), peers_(rows.team_), grid_(grid), way_(std::move(way)) {
+      : team_(rows), peers_(rows.team_), run_(++rows.runs_), grid_(grid), way_(std::move(way)) {
     rows_ = std::clamp(grid.nv / (processes() * kBlocksAProcess), 1, kMostRows);
     blocks_ = (grid.nv + rows_ - 1) / rows_;
   }
@@ -130,6 +153,7 @@ class SharedBlocks {
 
   RowTeam& team_;
   Team& peers_;
+  std::int64_t run_;
   const space::RayGrid& grid_;
   Way way_;
   int rows_ = 1, blocks_ = 0, next_ = 0, taken_ = 0;
@@ -153,30 +177,35 @@ typename SharedBlocks<Item>::Items SharedBlocks<Item>::own_items(int block) {
 
 template <class Item>
 void SharedBlocks<Item>::give() {
-  while (!team_.waiting_.empty() && may_begin()) {
+  std::vector<std::size_t>& waiting = team_.waiting_[team_.question_];
+  while (!waiting.empty() && may_begin()) {
     const space::RayGrid& g = grid_;
-    const Request request{g.axis,          g.parts,         g.u,      g.v, g.du, g.dv, g.nu, g.nv,
-                          begin_of(next_), count_of(next_), way_.kind};
-    peers_.send(team_.waiting_.back(), kBlock, request.bytes());
-    team_.waiting_.pop_back();
+    const Request request{team_.question_, run_,     g.axis, g.parts, g.u, g.v, g.du, g.dv, g.nu, g.nv, begin_of(next_),
+                          count_of(next_), way_.kind};
+    peers_.send(waiting.back(), kBlock, bytes_of(request));
+    waiting.pop_back();
     ++next_;
   }
 }
 
 template <class Item>
 void SharedBlocks<Item>::understand(const Team::Message& message) {
-  if (message.kind == kAsk) return team_.waiting_.push_back(message.from);
-  if (message.kind == kBye) return void(++team_.ended_);
   const std::string_view bytes = message.bytes;
-  std::int64_t begin = 0;
-  std::memcpy(&begin, bytes.data(), sizeof begin);
+  if (message.kind == kAsk) {
+    const auto question = numbers_of<std::int64_t>(bytes);
+    if (question >= team_.question_) team_.waiting_[question].push_back(message.from);
+    return;
+  }
+  if (message.kind == kBye) return void(++team_.ended_);
+  const auto [run, begin] = numbers_of<RowTeam::Reply>(bytes);
+  if (run != run_) return;
   const int block = static_cast<int>(begin) / rows_;
   if (message.kind == kFailed) {  // here it fails as well, with its message
     made_.emplace(block, own_items(block));
     return;
   }
   const Spent spent(CLOCK_THREAD_CPUTIME_ID, team_.account_.taking);
-  made_.emplace(block, way_.read(static_cast<int>(begin), count_of(block), bytes.substr(sizeof begin)));
+  made_.emplace(block, way_.read(static_cast<int>(begin), count_of(block), bytes.substr(sizeof(RowTeam::Reply))));
 }
 
 template <class Item>
@@ -214,15 +243,16 @@ void SharedBlocks<Item>::run() {
 
 namespace {
 
-/// Rows of a source that all processes make.
+/// Rows of a source that all processes make, and of a question that has ended the leader alone.
 class SharedRows : public space::RaySource {
  public:
-  SharedRows(RowTeam& team, const Team& peers, space::RaySourcePointer own)
-      : team_(team), peers_(peers), own_(std::move(own)), reader_(*own_) {}
+  SharedRows(RowTeam& team, const Team& peers, std::function<bool()> is_open, space::RaySourcePointer own)
+      : team_(team), peers_(peers), is_open_(std::move(is_open)), own_(std::move(own)), reader_(*own_) {}
   const space::RayGrid& grid() const override { return own_->grid(); }
   exact::Tried<space::RayRow> try_row(int j) const override { return own_->try_row(j); }
   bool searched() const override { return own_->searched(); }
   void each_row(const std::function<void(int, space::RayRow&&)>& take) const override {
+    if (!is_open_()) return own_->each_row(take);
     using Blocks = SharedBlocks<space::RayRow>;
     const auto make = [&](int begin, int count) { return rows_of(peers_, *own_, begin, count); };
     const auto read = [&](int begin, int count, std::string_view bytes) {
@@ -236,6 +266,7 @@ class SharedRows : public space::RaySource {
  private:
   RowTeam& team_;
   const Team& peers_;
+  std::function<bool()> is_open_;
   space::RaySourcePointer own_;
   mutable space::RowReader reader_;
 };
@@ -245,9 +276,24 @@ class SharedRows : public space::RaySource {
 RowTeam::RowTeam(Team& team) : team_(team) {}
 RowTeam::~RowTeam() = default;
 
-space::RaySourcePointer RowTeam::shared(space::RaySourcePointer rows) {
+void RowTeam::begin() {
+  end();
+  ++question_;
+  account_ = {};
+}
+
+void RowTeam::end() {
+  if (!leads() || ended_question_ == question_) return;
+  ended_question_ = question_;
+  waiting_.erase(question_);
+  for (std::size_t other = 1; other < team_.count(); ++other)
+    team_.send(other, kBlock, bytes_of(Request::last_of(question_)));
+}
+
+space::RaySourcePointer RowTeam::shared(space::RaySourcePointer rows, std::int64_t question) {
   if (team_.count() == 1 || rows->grid().oblique) return rows;
-  return std::make_unique<SharedRows>(*this, team_, std::move(rows));
+  return std::make_unique<SharedRows>(
+      *this, team_, [this, question] { return is_open(question); }, std::move(rows));
 }
 
 std::string RowTeam::account() const {
@@ -260,7 +306,8 @@ std::string RowTeam::account() const {
 
 void RowTeam::each_digest(const space::RaySource& own, const RowDigester& digester, bool written,
                           const std::function<void(int, RowDigest&&)>& take) {
-  if (team_.count() == 1 || own.grid().oblique) return io::each_digest(own, digester, written, take);
+  if (team_.count() == 1 || own.grid().oblique || !is_open(question_))
+    return io::each_digest(own, digester, written, take);
   const RowDigester moving_on = with_progress(team_, digester);
   const auto make = [&](int begin, int count) { return digests_of(own, moving_on, written, begin, count); };
   const auto read = [](int, int count, std::string_view bytes) {
@@ -295,42 +342,48 @@ std::string RowTeam::answer(const Request& request, const RowDigester& digester)
 }
 
 void RowTeam::serve_block(const Source& source, const RowDigester& digester, const Request& request) {
-  const std::int64_t begin = request.begin;
-  std::string bytes(reinterpret_cast<const char*>(&begin), sizeof begin);
+  std::string bytes = bytes_of(Reply{request.run, request.begin});
   MessageKind kind = kRows;
   try {
     make_source(source, request.grid());
     bytes += answer(request, digester);
   } catch (const std::exception&) {
-    bytes.resize(sizeof begin);
+    bytes.resize(sizeof(Reply));
     kind = kFailed;
   }
   team_.send(0, kind, std::move(bytes));
 }
 
+void RowTeam::ask() { team_.send(0, kAsk, bytes_of(question_)); }
+
 void RowTeam::serve(const Source& source, const space::RayGrid& first, const RowDigester& digester) {
+  if (released_) return;
   made_ = std::make_unique<Made>();
-  for (int k = 0; k < kInHand; ++k) team_.send(0, kAsk, {});
+  for (int k = 0; k < kInHand; ++k) ask();
   try {
     make_source(source, first);
   } catch (const std::exception&) {  // the leader says so
   }
   while (true) {
-    const Request request = Request::of(team_.receive(true)->bytes);
-    if (request.count == 0) break;
-    serve_block(source, digester, request);
-    team_.send(0, kAsk, {});
+    const auto request = numbers_of<Request>(team_.receive(true)->bytes);
+    if (request.count > 0) {
+      serve_block(source, digester, request);
+      ask();
+    } else if (request.question >= question_) {
+      released_ = request.question == Request::kAll;
+      break;
+    }
   }
-  released_ = true;
   made_.reset();
 }
 
 void RowTeam::finish() {
   if (!leads()) {
-    if (!released_) team_.receive(true);
+    while (!released_) released_ = numbers_of<Request>(team_.receive(true)->bytes).question == Request::kAll;
     return team_.send(0, kBye, {});
   }
-  for (std::size_t other = 1; other < team_.count(); ++other) team_.send(other, kBlock, Request{}.bytes());
+  for (std::size_t other = 1; other < team_.count(); ++other)
+    team_.send(other, kBlock, bytes_of(Request::last_of(Request::kAll)));
   while (ended_ + 1 < team_.count())
     if (team_.receive(true)->kind == kBye) ++ended_;  // some ask for blocks, too
 }
