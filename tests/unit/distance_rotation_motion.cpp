@@ -86,6 +86,20 @@ TEST(RotatingMotion, TheDepthOfConvexShapesKeepsToItsRate) {
   EXPECT_NEAR(most->high, -22e6, 1);
 }
 
+/// A segment is nowhere deep in itself: what lies deep is its points in B.
+TEST(RatedGap, ASegmentDeepInB) {
+  const ShapePair pair(box(-10, -10, 10, 10), plane::region_of_chain(ring({{-30, 0}, {30, 0}})));
+  const RatedGap gap(pair, false);
+  const plane::SignMap high = gap.upper(Real(-4), Real(1));
+  EXPECT_EQ(sign_at(high, at(0, 0)), -1);
+  EXPECT_EQ(sign_at(high, at(0, 4)), -1);
+  EXPECT_EQ(sign_at(high, at(0, 5)), 0);
+  EXPECT_EQ(sign_at(high, at(0, 6)), 1);
+  EXPECT_EQ(sign_at(gap.lower(Real(-4), Real(1)), at(0, 11)), 1);
+  EXPECT_EQ(sign_at(gap.lower(Real(-4), Real(1)), at(0, 10)), -1);
+  EXPECT_EQ(gap.value(at(0, 6)), -4);
+}
+
 TEST(RatedGap, ConvexSets) {
   const Region disc = plane::region_of_disc(0, 0, 5), square = box(0, 0, 4, 4), beside = box(4, 0, 8, 4),
                apart = box(9, 0, 12, 4), slab = box(-9, -1, 9, 1);

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <span>
 #include <utility>
 
-#include "distance/planar/derived.h"
 #include "distance/planar/hausdorff.h"
 #include "plane/build/hull.h"
 #include "plane/complex/overlay.h"
+#include "plane/offset/level.h"
 #include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 
 namespace findspace::distance {
 
@@ -26,19 +27,23 @@ bool is_convex(const Region& r) {
   if (!plane::is_regular(r) || !plane::is_bounded(r)) return false;
   const auto hull = plane::try_hull(r);
   if (!hull) return false;  // it has sides that no segment of r has
-  const std::array<const Region*, 2> beside{&*hull, &r};
-  return plane::is_empty(plane::subtract(beside));
+  const std::array<const Region*, 2> both{&*hull, &r};
+  return plane::is_empty(plane::subtract(both));
 }
 
-/// -v: how deep a single point lies.
-TDistancePointer RatedGap::depth() const {
-  const Region &b = pair_.moving(), &a = pair_.fixed();
-  const auto beside = [](const Region& s) { return plane::closure(plane::complement(s)); };
-  TDistancePointer of_b = std::make_shared<DirectedHausdorff>(b, beside(a));
-  if (plane::is_regular(a) || !plane::is_bounded(a)) return of_b;
-  // Parts of A without inside lie deep in B.
-  return greater(std::move(of_b), reflected(std::make_shared<DirectedHausdorff>(a, beside(b))));
+namespace {
+
+Region beside(const Region& s) { return plane::closure(plane::complement(s)); }
+
+/// The closure of what lies deeper in s.
+Region deep_in(const Region& s, const Real& depth) {
+  return plane::closure(plane::remark(plane::distance_map(beside(s), depth), [](Mark k) { return Mark(k > 0); }));
 }
+
+/// Parts of A without inside are no deeper than 0 in themselves, but deep in B.
+bool asks_for_points_of(const Region& a) { return !plane::is_regular(a) && plane::is_bounded(a); }
+
+}  // namespace
 
 SignMap RatedGap::lower(const Real& level, const Real& off) const {
   const TDistancePointer gap = pair_.distance(Which::kGamma1);
@@ -50,12 +55,23 @@ SignMap RatedGap::lower(const Real& level, const Real& off) const {
 SignMap RatedGap::upper(const Real& level, const Real& off) const {
   const Real least = level - off;
   if (convex_ || off.sign() == 0 || least.sign() >= 0) return pair_.distance(Which::kGamma1)->sign_map(least);
-  return plane::negated(depth()->sign_map(-least));
+  // v is below `least` where B reaches what lies deeper in A.
+  const Region &b = pair_.moving(), &a = pair_.fixed();
+  SignMap of_b = plane::contact_map(deep_in(a, -least), b);
+  if (!asks_for_points_of(a)) return of_b;
+  const SignMap of_a = plane::contact_map(a, deep_in(b, -least));
+  return plane::overlay(std::array{&std::as_const(of_b), &of_a},
+                        [](std::span<const Mark> m) { return std::min(m[0], m[1]); });
 }
 
 double RatedGap::value(const RealPoint& p) const {
-  const auto deep = depth()->value(p);
-  return deep && !deep->minus_infinity ? std::min(0.0, -outward(deep->bounds()).lower) : 0.0;
+  const Region &b = pair_.moving(), &a = pair_.fixed();
+  const auto deepest = [](const Region& s, const Region& in, const RealPoint& at) {
+    const auto v = DirectedHausdorff(s, beside(in)).value(at);
+    return v && !v->minus_infinity ? std::max(0.0, outward(v->bounds()).lower) : 0.0;
+  };
+  const double of_b = deepest(b, a, p);
+  return -(asks_for_points_of(a) ? std::max(of_b, deepest(a, b, {-p.x, -p.y})) : of_b);
 }
 
 }  // namespace findspace::distance

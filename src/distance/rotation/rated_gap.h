@@ -5,7 +5,7 @@
 // where B is free come and go. The least signed distance v of a point of B to A does not: v is gamma1 where gamma1 is
 // not negative, and negative but no less where it is. Of two convex shapes gamma1 itself changes no faster.
 // Guarantee: the bounds hold for all pairs whose points are off by at most `off` from those of the pair. Cost: a sign
-// map or a value of gamma1, or of mu against the complement of A. Source: distances.md 2.3, 3.3, 3.7. Keywords:
+// map or value of gamma1, or of B and what lies deep in A. Source: distances.md 2.3, 3.3, 3.7. Keywords:
 // penetration depth, Lipschitz bound.
 #pragma once
 
@@ -28,8 +28,6 @@ class RatedGap {
   double value(const exact::RealPoint& p) const;
 
  private:
-  TDistancePointer depth() const;
-
   const ShapePair& pair_;
   bool convex_;
 };
