@@ -171,6 +171,16 @@ void number_pieces(RayBody& body) {
 
 }  // namespace
 
+bool in_ray_range(const Point& p, std::int64_t factor) {
+  const std::int64_t most = exact::kRayLimit / factor;
+  const auto in = [&](std::int64_t c) { return -most <= c && c <= most; };
+  return in(p.x) && in(p.y) && in(p.z);
+}
+
+exact::Refusal beyond_ray_range() {
+  return exact::Refusal("a coordinate exceeds 2^38 grid steps, the limit of ray maps");
+}
+
 std::optional<exact::Refusal> RayBody::measure_faces() {
   if (faces.empty()) return fault("a body without faces");
   for (const auto& [a, b, c] : faces) {
@@ -186,10 +196,7 @@ std::optional<exact::Refusal> RayBody::measure_faces() {
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
   }
-  for (const std::int64_t c : {low.x, low.y, low.z, high.x, high.y, high.z}) {
-    if (c > exact::kRayLimit || c < -exact::kRayLimit)
-      throw Error(ErrorCode::kOutOfRange, "a coordinate exceeds 2^38 grid steps, the limit of ray maps");
-  }
+  if (!in_ray_range(low) || !in_ray_range(high)) return beyond_ray_range();
   return std::nullopt;
 }
 

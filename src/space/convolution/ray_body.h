@@ -20,6 +20,11 @@
 
 namespace findspace::space {
 
+/// Whether the point, taken times a factor, is no farther out than ray_sign.h allows.
+bool in_ray_range(const Point& p, std::int64_t factor = 1);
+/// Of points that are not.
+exact::Refusal beyond_ray_range();
+
 struct Triangles {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> faces;

@@ -14,11 +14,8 @@ namespace {
 
 Triangles prepared(const Triangles& t, const RayGrid& grid) {
   for (const Point& p : t.points) {
-    for (const std::int64_t c : {p.x, p.y, p.z}) {
-      if (c > exact::kRayLimit / grid.parts || c < -exact::kRayLimit / grid.parts) {
-        throw Error(ErrorCode::kOutOfRange, "a coordinate times the parts of the ray grid exceeds 2^38");
-      }
-    }
+    if (!in_ray_range(p, grid.parts))
+      throw Error(ErrorCode::kOutOfRange, "a coordinate times the parts of the ray grid exceeds 2^38");
   }
   return with_axis(scaled(t, grid.parts), grid.axis);
 }

@@ -127,7 +127,11 @@ Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape) {
     case Kind::kRegularize:
       return all;
     case Kind::kTranslate:
-      for (RaySolid& s : all) s = moved(std::move(s), {shape.points[0].x, shape.points[0].y, shape.lift});
+      for (RaySolid& s : all) {
+        s = moved(std::move(s), {shape.points[0].x, shape.points[0].y, shape.lift});
+        for (const Point& p : s.surface.points)
+          if (!in_ray_range(p)) return beyond_ray_range().at(shape.place);
+      }
       return all;
     case Kind::kMirror:
       for (RaySolid& s : all) s = mirrored(std::move(s));

@@ -37,7 +37,8 @@ std::shared_ptr<const RaySheet> sheet_of(const RaySolid& solid);
 /// A surface, of one piece without holes, with no edge bent inward.
 bool is_convex(const RaySolid& solid);
 
-/// Refuses other nodes with kUnsupported, and surfaces that cross themselves or are not closed with kGeometry.
+/// Refuses other nodes and what lies too far out with kUnsupported, surfaces that cross themselves or are not closed
+/// with kGeometry.
 exact::Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape);
 /// The same; throws the error of a refusal.
 std::vector<RaySolid> ray_solids(const plane::Shape& shape);

@@ -10,18 +10,8 @@ namespace findspace::space {
 
 using exact::Real;
 
-namespace {
-
-bool in_range(const Point& p, std::int64_t factor) {
-  const std::int64_t most = exact::kRayLimit / factor;
-  const auto in = [&](std::int64_t c) { return -most <= c && c <= most; };
-  return in(p.x) && in(p.y) && in(p.z);
-}
-
-}  // namespace
-
 bool SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
-  const auto near = [&](const Point& p) { return in_range(p, scale); };
+  const auto near = [&](const Point& p) { return in_ray_range(p, scale); };
   for (const RaySolid& s : solids) {
     if (!std::all_of(s.surface.points.begin(), s.surface.points.end(), near) || (s.ball() && !near(s.center)))
       return false;
@@ -35,7 +25,7 @@ bool SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
 
 bool SurfaceSet::add(const Body& body, std::int64_t scale) {
   if (body.outside) return false;
-  const auto near = [&](const Point& p) { return in_range(p, scale / body.scale); };
+  const auto near = [&](const Point& p) { return in_ray_range(p, scale / body.scale); };
   for (const BodyPart& part : body.parts) {
     if (!near(part.center) || !std::all_of(part.vertices().begin(), part.vertices().end(), near)) return false;
   }
