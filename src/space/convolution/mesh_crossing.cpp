@@ -30,32 +30,19 @@ SharedCorners shared_corners(const RayBody& body, int f, int g) {
   return out;
 }
 
-/// Whether the boxes of a segment and of a triangle are apart.
-bool apart(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
-  const auto along = [&](std::int64_t Point::*axis) {
-    const std::int64_t least = std::min({a.*axis, b.*axis, c.*axis}), most = std::max({a.*axis, b.*axis, c.*axis});
-    return std::max(p.*axis, q.*axis) < least || std::min(p.*axis, q.*axis) > most;
+/// Whether face f, from its corner k in the plane of face g, lies on one side of that plane.
+bool beside(const RayBody& body, int f, int k, int g) {
+  const auto side = [&](int corner) {
+    return exact::sign_volume(body.corner(g, 0), body.corner(g, 1), body.corner(g, 2), body.corner(f, corner % 3));
   };
-  return along(&Point::x) || along(&Point::y) || along(&Point::z);
-}
-
-/// Whether the side of face f that is opposite to its corner k passes through face g, inside both. It ends at no corner
-/// of g.
-bool pierces(const RayBody& body, int f, int k, int g) {
-  const Point &p = body.corner(f, (k + 1) % 3), &q = body.corner(f, (k + 2) % 3);
-  const Point &a = body.corner(g, 0), &b = body.corner(g, 1), &c = body.corner(g, 2);
-  if (apart(p, q, a, b, c)) return false;
-  if (exact::sign_volume(a, b, c, p) * exact::sign_volume(a, b, c, q) >= 0) return false;
-  const int s = exact::sign_volume(p, q, a, b);
-  return s != 0 && exact::sign_volume(p, q, b, c) == s && exact::sign_volume(p, q, c, a) == s;
+  return side(k + 1) * side(k + 2) > 0;
 }
 
 bool cross(const RayBody& body, int f, int g) {
   const SharedCorners shared = shared_corners(body, f, g);
-  if (shared.count == 0) return faces_overlap(body, f, body, g, RayPlace{{}, {0, 1}});
-  // Around a common corner edges and angles are those of one solid. Only what passes through counts: the side opposite
-  // to a single one.
-  return shared.count == 1 && (pierces(body, f, shared.in_f, g) || pierces(body, g, shared.in_g, f));
+  if (shared.count > 1) return false;  // the faces about an edge were put in order
+  if (shared.count == 1 && (beside(body, f, shared.in_f, g) || beside(body, g, shared.in_g, f))) return false;
+  return faces_overlap(body, f, body, g, RayPlace{{}, {0, 1}});
 }
 
 /// Two nodes of the tree, or one twice: the pairs of faces below them.
