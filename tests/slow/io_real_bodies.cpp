@@ -61,7 +61,7 @@ std::vector<RealBody> read_all() {
       RealBody body{file.filename().string(), triangles(mesh), convex_parts(mesh)};
       const space::RaySheet surface(body.surface);
       // Parts whose vertices had to be rounded are no exact oracle.
-      if (!crossing_faces(surface) && body.parts.rounded == 0) bodies.push_back(std::move(body));
+      if (!self_contact(surface).crossing && body.parts.rounded == 0) bodies.push_back(std::move(body));
     } catch (const Error& e) {
       // Some files are not closed as they stand, or lists of convex parts that overlap.
       EXPECT_EQ(e.code(), ErrorCode::kGeometry) << e.what();

@@ -4,8 +4,10 @@
 // Distances to a mesh of thousands of triangles that its surface tells: no convex parts are made for them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "formula/solid/solve_space.h"
 #include "space/mesh/mesh.h"
@@ -15,6 +17,17 @@ namespace findspace::formula {
 namespace formula_large_mesh {
 
 using exact::Real;
+
+plane::Shape mesh_shape(space::Mesh mesh) {
+  clean(mesh, 1);
+  space::Solid solid;
+  solid.form = space::Solid::Form::kMesh;
+  solid.mesh = std::move(mesh);
+  plane::Shape shape;
+  shape.name = "A";
+  shape.solid = std::make_shared<const space::Solid>(std::move(solid));
+  return shape;
+}
 
 /// A ring about the z axis: the radius of its middle is 1000, that of its tube 400.
 plane::Shape ring(int around, int across) {
@@ -30,14 +43,7 @@ plane::Shape ring(int around, int across) {
       mesh.faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
     }
   }
-  clean(mesh, 1);
-  space::Solid solid;
-  solid.form = space::Solid::Form::kMesh;
-  solid.mesh = std::move(mesh);
-  plane::Shape shape;
-  shape.name = "A";
-  shape.solid = std::make_shared<const space::Solid>(std::move(solid));
-  return shape;
+  return mesh_shape(std::move(mesh));
 }
 
 SpaceWorld world(const plane::Shape& a, std::int64_t half) {
@@ -87,6 +93,47 @@ TEST(LargeMesh, NeedsNoParts) {
   EXPECT_FALSE(solver.value(named(Kind::kDelta2), far));
   EXPECT_EQ(value(Kind::kMu, far, true), sqrt(Real(3200) * Real(3200)));
   EXPECT_FALSE(solver.world().shapes.at("A").body.made());
+}
+
+/// Two slanted boxes as one mesh, the wall of the one in that of the other; `n` x `n` faces to a side.
+plane::Shape rooms(int n) {
+  space::Mesh mesh;
+  const auto add = [&](const space::Point& low, std::int64_t size) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int k = 0; k < 2 * n * n; ++k) {
+        const int first = static_cast<int>(mesh.vertices.size());
+        for (const auto [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          const std::int64_t across[3] = {k < n * n ? 0 : size, (k % n + u) * size / n, (k / n % n + v) * size / n};
+          space::Point p = low;
+          (axis == 0 ? p.x : axis == 1 ? p.y : p.z) += across[0];
+          (axis == 0 ? p.y : axis == 1 ? p.z : p.x) += across[1];
+          (axis == 0 ? p.z : axis == 1 ? p.x : p.y) += across[2];
+          mesh.vertices.push_back({p.x + p.y, p.y, p.z});
+        }
+        mesh.faces.push_back({first, first + 1, first + 2, first + 3});
+        if (k < n * n) std::reverse(mesh.faces.back().begin(), mesh.faces.back().end());
+      }
+    }
+  };
+  add({0, 0, 0}, 120);
+  add({120, 40, 40}, 60);
+  return mesh_shape(std::move(mesh));
+}
+
+/// By its surface as by the parts of the same mesh with fewer faces.
+TEST(LargeMesh, WallsWithinAreNoFrontier) {
+  const SpaceSolver few(world(rooms(1), 10)), many(world(rooms(4), 10));
+  ASSERT_FALSE(few.world().shapes.at("A").surfaces);
+  ASSERT_TRUE(many.world().shapes.at("A").surfaces);
+  for (const Kind kind : {Kind::kEta1, Kind::kGamma1, Kind::kD1}) {
+    for (const auto& p : {space::place(190, 70, 70), space::place(240, 70, 70), space::place(190, 70, 35),
+                          space::place(130, 60, 130)}) {
+      const auto expected = few.value(named(kind), p), found = many.value(named(kind), p);
+      ASSERT_TRUE(expected && found);
+      EXPECT_EQ(found->value, expected->value);
+    }
+  }
+  EXPECT_EQ(many.value(named(Kind::kEta1), space::place(190, 70, 70))->value, Real(-20));
 }
 
 /// More than convex parts are made of.

@@ -197,6 +197,17 @@ TEST(ContainerShape, AUnionLacksCells) {
   EXPECT_EQ(walls.cells[0].open, (OpenSides{{{false, true}, {false, true}, {true, true}}}));
 }
 
+TEST(ContainerShape, AMeshGoesOnAcrossAWallWithin) {
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  add_box(solid.mesh, {0, 0, 0}, {2, 1, 1}, true);
+  add_box(solid.mesh, {0, 1, 0}, {1, 2, 1}, true);
+  space::clean(solid.mesh, 1);
+  const SolidProblem one = in_one(shape_of(std::move(solid)), {box("brick", 1, 1, 2, 1)});
+  EXPECT_FALSE(outside(one, {0, 0, 0}));
+  EXPECT_TRUE(outside(one, {1, 0, 0}));
+}
+
 /// The walls of a box are 1 thick.
 plane::Shape room_in(std::int64_t side) {
   plane::Shape room = united({box_from({0, 0, 0}, {side, side, side})}, plane::Shape::Kind::kOffset);

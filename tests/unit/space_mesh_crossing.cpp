@@ -6,24 +6,12 @@
 
 #include "space/convolution/mesh_crossing.h"
 #include "space/mesh/mesh.h"
-#include "unit/space_bodies.h"
+#include "unit/solid_shapes.h"
 
 namespace findspace::space {
 namespace space_mesh_crossing {
 
-void add_box(Mesh& mesh, const Point& low, const Point& high, bool hollow = false) {
-  const int base = static_cast<int>(mesh.vertices.size());
-  for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  for (std::vector<int> f :
-       {std::vector{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-    for (int& v : f) v += base;
-    if (hollow) std::reverse(f.begin(), f.end());
-    mesh.faces.push_back(f);
-  }
-}
-
-bool crosses(const Mesh& mesh) { return crossing_faces(RaySheet(triangles(mesh))).has_value(); }
+bool crosses(const Mesh& mesh) { return self_contact(RaySheet(triangles(mesh))).crossing.has_value(); }
 
 Mesh two(const Point& low, const Point& high, bool hollow = false) {
   Mesh mesh;
@@ -64,6 +52,55 @@ TEST(MeshCrossing, OneSurfaceTwistedThroughItself) {
   EXPECT_FALSE(crosses(mesh));  // a tent with a ceiling
   mesh.vertices[4] = {30, 3, 2};
   EXPECT_TRUE(crosses(mesh));
+}
+
+TEST(MeshCrossing, ThroughACommonCorner) {
+  // A part turned inside out: two sheets cross on a line that starts at a corner of both, and one of them passes
+  // through the floor from there to a corner of that.
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1, 2}, {1, 0, -2}};
+  mesh.faces = {{4, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0}, {1, 0, 2}, {5, 3, 2}, {5, 2, 0}, {5, 0, 3}};
+  EXPECT_TRUE(crosses(mesh));
+}
+
+bool has_inner_walls(const Mesh& mesh) { return self_contact(RaySheet(triangles(mesh))).inner_walls; }
+
+TEST(MeshCrossing, WallsWithin) {
+  EXPECT_TRUE(has_inner_walls(two({10, 2, 2}, {20, 8, 8})));
+  EXPECT_TRUE(has_inner_walls(two({10, 5, 5}, {20, 15, 15})));
+  EXPECT_TRUE(has_inner_walls(two({10, 0, 0}, {20, 10, 10})));
+  EXPECT_FALSE(has_inner_walls(two({11, 2, 2}, {20, 8, 8})));
+  EXPECT_FALSE(has_inner_walls(two({10, 10, 3}, {20, 20, 7})));
+  EXPECT_FALSE(has_inner_walls(two({10, 10, 10}, {20, 20, 20})));
+  EXPECT_FALSE(has_inner_walls(two({2, 2, 2}, {8, 8, 8}, true)));
+}
+
+/// Two cubes on the same corners of their wall, whose triangles are the same or those of the other diagonal.
+Triangles two_cubes(bool same_triangles) {
+  Triangles t;
+  for (int i = 0; i < 12; ++i) t.points.push_back({i % 3 * 10, i / 3 % 2 * 10, i / 6 * 10});
+  using Ring = std::array<int, 4>;
+  const auto add = [&](const Ring& r, int at) {
+    t.faces.push_back({r[0] + at, r[1] + at, r[2] + at});
+    t.faces.push_back({r[0] + at, r[2] + at, r[3] + at});
+  };
+  for (const int at : {0, 1}) {
+    for (const Ring& r : {Ring{0, 3, 4, 1}, {6, 7, 10, 9}, {0, 1, 7, 6}, {3, 9, 10, 4}, {1, 4, 10, 7}}) add(r, at);
+    add(at == 0 || same_triangles ? Ring{0, 6, 9, 3} : Ring{6, 9, 3, 0}, at);
+  }
+  return t;
+}
+
+TEST(MeshCrossing, TwoCubesOfOneWall) {
+  for (const bool same : {true, false}) {
+    const auto made = RayBody::of(two_cubes(same));
+    ASSERT_TRUE(made) << made.refusal().error.what();
+    EXPECT_EQ(made->pieces, 2);
+    EXPECT_EQ(made->euler(), 2);
+    const SelfContact contact = self_contact(RaySheet(*made));
+    EXPECT_FALSE(contact.crossing);
+    EXPECT_TRUE(contact.inner_walls);
+  }
 }
 
 TEST(MeshCrossing, AFoldIsRefusedWithItsPlace) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Surfaces that are hard on ray maps: a vertex of many ridges.
+// Surfaces that ray maps take only in part: with walls inside the set, beyond 2^38 steps; and a vertex of many ridges.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,12 +9,61 @@
 
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
+#include "space/convolution/ray_solids.h"
+#include "space/shape/shape_rays.h"
 #include "unit/solid_shapes.h"
 
 namespace findspace::space {
 namespace space_ray_solids {
 
 using exact::Real;
+using Kind = plane::Shape::Kind;
+
+plane::ShapePtr mesh_shape(Mesh mesh) {
+  Solid solid;
+  solid.form = Solid::Form::kMesh;
+  solid.mesh = std::move(mesh);
+  return primitive(std::move(solid));
+}
+
+/// A large box and a smaller one, the wall of the one in that of the other, as one mesh.
+plane::ShapePtr two_rooms() {
+  Mesh mesh;
+  add_box(mesh, {0, 0, 0}, {12, 12, 12});
+  add_box(mesh, {12, 3, 3}, {21, 9, 9});
+  return mesh_shape(std::move(mesh));
+}
+
+TEST(RaySolids, WallsWithinAreKnown) {
+  const plane::ShapePtr rooms = two_rooms();
+  EXPECT_TRUE(ray_solids(*rooms)[0].inner_walls);
+  EXPECT_TRUE(ray_solids(*node(Kind::kMirror, {node(Kind::kTranslate, {rooms}, {1, 2, 3})}))[0].inner_walls);
+  Mesh apart;
+  add_box(apart, {0, 0, 0}, {12, 12, 12});
+  add_box(apart, {13, 3, 3}, {21, 9, 9});
+  EXPECT_FALSE(ray_solids(*mesh_shape(std::move(apart)))[0].inner_walls);
+}
+
+TEST(RaySolids, WhatIsShrunkGoesOnAcrossWallsWithin) {
+  plane::Shape shrunk = *node(Kind::kOffset, {two_rooms()});
+  shrunk.amount = Real(-1);
+  const RaySourcePointer rays = shape_rays(shrunk, {.axis = 0, .u = 5, .v = 5, .nu = 1, .nv = 1});
+  const RayRow row = rays->row(0);
+  for (const int x : {1, 11, 12, 13, 20}) EXPECT_LE(sign_at(row, 0, Real(x)), 0) << x;
+  for (const int x : {0, 21}) EXPECT_EQ(sign_at(row, 0, Real(x)), 1) << x;
+}
+
+TEST(RaySolids, WhatLiesTooFarOutIsRefused) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 39;
+  Mesh far;
+  add_box(far, {kFar, 0, 0}, {kFar + 10, 10, 10});
+  const auto there = try_ray_solids(*mesh_shape(std::move(far)));
+  ASSERT_FALSE(there);
+  EXPECT_FALSE(there.refusal().fault());
+  const auto moved_there = try_ray_solids(*node(Kind::kTranslate, {two_rooms()}, {kFar, 0, 0}));
+  ASSERT_FALSE(moved_there);
+  EXPECT_FALSE(moved_there.refusal().fault());
+}
 
 /// A floor of pleats that meet in the origin, on a round block, and a ceiling over it.
 Triangles pleated(int ridges) {

@@ -116,7 +116,7 @@ bool SurfaceSide::too_large() const {
 TriedAnswer SurfaceSide::fit(const RealVector& p) const {
   if (too_large()) return std::nullopt;
   if (by_outlines()) return of_outlines(Which::kEta1, p);
-  if (!gaps_ || !a_.surface->one_sheet()) return untold();
+  if (!gaps_ || !a_.surface->one_frontier()) return untold();
   std::optional<Answer> gap;
   const auto found = relation(p, gap);
   if (!found) return untold();
@@ -136,16 +136,16 @@ TriedAnswer SurfaceSide::protrusion(const RealVector& p, Depth /*depth*/) const 
   if (!found) return untold();
   if (*found == Relation::kInside) return gap;
   Answer out = protrusion_out(p);
-  // Whether it lies inside a union of several, and how deep, is not known.
+  // Whether it lies inside a union of several, or across walls within, and how deep, is not known.
   const bool is_known =
-      a_.surface->one_sheet() || *found == Relation::kApart || out.value > Real::from_double(out.error);
+      a_.surface->one_frontier() || *found == Relation::kApart || out.value > Real::from_double(out.error);
   if (!is_known) return untold();
   return std::optional(std::move(out));
 }
 
 TriedAnswer SurfaceSide::clearance(const RealVector& p) const {
   if (by_outlines()) return PairSide::clearance(p);
-  if (!a_.surface || !a_.surface->one_sheet()) return untold();
+  if (!a_.surface || !a_.surface->one_frontier()) return untold();
   std::optional<Answer> gap;
   const auto found = relation(p, gap);
   if (!found) return untold();
@@ -222,6 +222,7 @@ TriedAnswer SurfaceSide::depth(const RealVector& p) const {
 
 TriedAnswer SurfaceSide::to_fit(bool farthest, const RealVector& p) const {
   TriedAnswer out = not_touching();
+  if (!a_.surface || !a_.surface->one_frontier()) return out;
   if (const auto* ball = only_ball(b_)) {
     out = of_ball(*ball, a_, TouchSide::kInside, farthest, p);
   } else if (decided_by_contacts(b_, a_)) {

@@ -52,7 +52,7 @@ std::unique_ptr<RaySource> gap(const RaySolid& b, const RaySolid& a, const Real&
 /// The sign of eta1(b + p, a) - level, where surfaces answer it.
 std::unique_ptr<RaySource> containment(const RaySolid& b, const RaySolid& a, const Real& level, bool many,
                                        const RayGrid& grid) {
-  if (a.ball()) return nullptr;
+  if (a.ball() || a.inner_walls) return nullptr;
   if (!b.ball()) {
     if (level.sign() == 0) return std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement);
     if (level.sign() > 0 || !many) return nullptr;

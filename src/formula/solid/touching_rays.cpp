@@ -67,7 +67,7 @@ exact::Tried<Source> touching_rays(Which which, const TouchingSolid& b, const To
   // A meets B + p where -B meets -A + p; A lies in B + p where -A + p lies in -B.
   const bool back = depth ? of_a < of_b : cover;
   const TouchingSolid &fixed = back ? b : a, &moving = back ? a : b;
-  if (space::is_convex(fixed.solids[0])) return nullptr;
+  if (space::is_convex(fixed.solids[0]) || (!depth && fixed.solids[0].inner_walls)) return nullptr;
   const TouchSide side = depth ? TouchSide::kOutside : TouchSide::kInside;
   if (std::min(of_a, of_b) >= space::kManyFaces && !space::is_convex(moving.solids[0]))
     return contact_rays(which, b.solids[0], a.solids[0], level, grid);

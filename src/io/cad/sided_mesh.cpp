@@ -272,12 +272,14 @@ Tried<SidedMesh> sided_mesh(const NearMesh& near, bool outside) {
       return Refusal("its coordinates have too many grid steps for the proof");
   const auto sound = [](const Triangles& surface) {
     Tried<RayBody> body = RayBody::of(surface);
-    return body && !space::crossing_faces(Sheet(*std::move(body)));
+    if (!body) return false;
+    const space::SelfContact contact = space::self_contact(Sheet(*std::move(body)));
+    return !contact.crossing && !contact.inner_walls;
   };
-  if (!sound(near.surface)) return Refusal("the mesh near the solid crosses itself");
+  if (!sound(near.surface)) return Refusal("the mesh near the solid meets itself");
   Tried<SidedMesh> out = Sides(near, outside).moved();
   if (!out) return out;
-  if (!sound(out->surface)) return Refusal("the mesh on that side crosses itself");
+  if (!sound(out->surface)) return Refusal("the mesh on that side meets itself");
   const Sheet from(near.surface), to(out->surface);
   if (!SideProof(near, from, to, outside).holds()) return Refusal("that the mesh is on that side could not be proved");
   return out;

@@ -74,7 +74,7 @@ SolidForm flat_form(const plane::Shape& shape, space::Body body) {
   SolidForm form;
   form.body = std::move(body);
   auto surfaces = space::try_ray_solids(shape);
-  if (surfaces && surfaces->size() == 1)
+  if (surfaces && surfaces->size() == 1 && !(*surfaces)[0].inner_walls)
     form.surface = *std::move(surfaces);
   else if (!surfaces && surfaces.refusal().fault())
     throw surfaces.refusal().error;

@@ -90,9 +90,14 @@ class MeetingPairs {
 using FacePair = std::pair<int, int>;
 constexpr FacePair kNoFaces{std::numeric_limits<int>::max(), 0};
 
-/// The least of the pairs below that cross.
-FacePair least_crossing(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
-  FacePair least = kNoFaces;
+struct Found {
+  FacePair least_crossing = kNoFaces;
+  bool inner_walls = false;
+};
+
+/// Of the pairs below.
+Found find(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
+  Found found;
   std::vector<NodePair> stack{of};
   while (!stack.empty()) {
     const NodePair top = stack.back();
@@ -103,15 +108,17 @@ FacePair least_crossing(const RayBody& body, const MeetingPairs& pairs, const No
       continue;
     }
     pairs.each(top, [&](const FacePair& faces) {
-      if (faces < least && cross(body, faces.first, faces.second)) least = faces;
+      const auto [f, g] = faces;
+      if (faces < found.least_crossing && cross(body, f, g)) found.least_crossing = faces;
+      found.inner_walls = found.inner_walls || faces_back_to_back(body, f, g);
     });
   }
-  return least;
+  return found;
 }
 
 }  // namespace
 
-std::optional<std::array<int, 2>> crossing_faces(const RaySheet& sheet) {
+SelfContact self_contact(const RaySheet& sheet) {
   const RayBody& body = sheet.body;
   const MeetingPairs pairs(sheet.tree);
   std::vector<NodePair> parted{{0, 0}}, next;
@@ -125,12 +132,17 @@ std::optional<std::array<int, 2>> crossing_faces(const RaySheet& sheet) {
     }
     parted.swap(next);
   }
-  std::vector<FacePair> least(parted.size());
+  std::vector<Found> found(parted.size());
   plane::at_once(parted.size(), body.faces.size(), kFacesAtOnce,
-                 [&](std::size_t k) { least[k] = least_crossing(body, pairs, parted[k]); });
-  const FacePair first = *std::min_element(least.begin(), least.end());
-  if (first == kNoFaces) return std::nullopt;
-  return std::array<int, 2>{first.first, first.second};
+                 [&](std::size_t k) { found[k] = find(body, pairs, parted[k]); });
+  SelfContact out;
+  FacePair first = kNoFaces;
+  for (const Found& part : found) {
+    first = std::min(first, part.least_crossing);
+    out.inner_walls = out.inner_walls || part.inner_walls;
+  }
+  if (first != kNoFaces) out.crossing = {first.first, first.second};
+  return out;
 }
 
 }  // namespace findspace::space

@@ -32,16 +32,17 @@ using Fault = std::optional<exact::Refusal>;
 
 Fault fault(const std::string& what) { return exact::Refusal(Error(ErrorCode::kGeometry, what)); }
 
-/// Whether, turning clockwise about the line a b from the half-plane of p, that of q is met before that of r.
+/// Whether, turning clockwise about the line a b from the half-plane of p, that of q is met before that of r; the
+/// half-plane of p itself is met last, after a whole turn.
 bool before_clockwise(const Point& a, const Point& b, const Point& p, const Point& q, const Point& r) {
+  const auto look = [&](const Point& x) { return exact::lexicographic_sign(exact::cross(b - a, x - a)); };
   // Turning positively about b - a leads from x to y by less than half a turn iff the volume a, b, x, y is positive.
-  const int pq = exact::sign_volume(a, b, p, q), pr = exact::sign_volume(a, b, p, r);
-  const int qr = exact::sign_volume(a, b, q, r);
-  const auto half = [](int s) {
-    return s < 0 ? 0 : s == 0 ? 1 : 2;
-  };  // clockwise by less than, exactly, more than half
-  if (half(pq) != half(pr)) return half(pq) < half(pr);
-  return qr < 0;
+  const auto turns = [&](const Point& x) {  // less than half, half, more than half, a whole one
+    const int s = exact::sign_volume(a, b, p, x);
+    return s < 0 ? 0 : s > 0 ? 2 : look(x) == look(p) ? 3 : 1;
+  };
+  const int of_q = turns(q), of_r = turns(r);
+  return of_q != of_r ? of_q < of_r : exact::sign_volume(a, b, q, r) < 0;
 }
 
 /// "... (0, 0, 0) (1, 0, 0)": of an edge.

@@ -58,5 +58,7 @@ class RayOverlap {
 
 /// Whether the triangles f of A and g of B + p show an overlap (1 to 4 above).
 bool faces_overlap(const RayBody& a, int f, const RayBody& b, int g, const RayPlace& p);
+/// Whether the triangles f and g of a body overlap in one plane, the body on both its sides.
+bool faces_back_to_back(const RayBody& body, int f, int g);
 
 }  // namespace findspace::space

@@ -72,15 +72,16 @@ Tried<RaySolid> simple(const Solid& solid) {
   if (!made) return made.refusal();
   auto sheet = std::make_shared<const RaySheet>(*std::move(made));
   const bool convex = bends_outward(sheet->body) && is_convex(solid.mesh);
-  const auto crossing = convex ? std::nullopt : crossing_faces(*sheet);
-  if (!crossing) return RaySolid{std::move(surface), {}, {}, std::move(sheet)};
+  const SelfContact contact = convex ? SelfContact{} : self_contact(*sheet);
+  if (!contact.crossing) return RaySolid{std::move(surface), {}, {}, std::move(sheet), contact.inner_walls};
   const RayBody& body = sheet->body;
   const auto text = [&](int f) {
     const std::array<Point, 3> corners{body.corner(f, 0), body.corner(f, 1), body.corner(f, 2)};
     return places_text(corners, surface.step);
   };
   return Refusal(Error(ErrorCode::kGeometry, "the mesh crosses itself, so what lies inside is not clear: triangle " +
-                                                 text((*crossing)[0]) + " and triangle " + text((*crossing)[1])));
+                                                 text((*contact.crossing)[0]) + " and triangle " +
+                                                 text((*contact.crossing)[1])));
 }
 
 Tried<RaySolid> primitive(const Solid& solid) {
@@ -143,10 +144,12 @@ Tried<std::vector<RaySolid>> try_ray_solids(const plane::Shape& shape) {
 }
 
 RaySolid moved(RaySolid solid, const Point& by) {
-  return {moved(std::move(solid.surface), by), solid.center + by, solid.radius};
+  return {moved(std::move(solid.surface), by), solid.center + by, solid.radius, nullptr, solid.inner_walls};
 }
 
-RaySolid mirrored(RaySolid solid) { return {scaled(std::move(solid.surface), -1), -solid.center, solid.radius}; }
+RaySolid mirrored(RaySolid solid) {
+  return {scaled(std::move(solid.surface), -1), -solid.center, solid.radius, nullptr, solid.inner_walls};
+}
 
 std::shared_ptr<const RaySheet> sheet_of(const RaySolid& solid) {
   return solid.sheet ? solid.sheet : std::make_shared<const RaySheet>(solid.surface);

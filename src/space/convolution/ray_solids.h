@@ -21,6 +21,7 @@ struct RaySolid {
   exact::Real radius{};  // of a ball, in grid steps
   /// Of the surface, where it was made to see that it is simple; null where something has been done to the surface.
   std::shared_ptr<const RaySheet> sheet{};
+  bool inner_walls = false;  // faces lie on each other, the solid on both sides: they are no frontier of it
   bool ball() const { return surface.faces.empty(); }
 };
 

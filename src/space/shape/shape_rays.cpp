@@ -93,21 +93,6 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
   return mapped_rays(std::move(rays), [=](int s) { return s == 0 ? frontier : s < 0 ? inside : -inside; });
 }
 
-/// Solids by their surfaces, without convex parts; null where they have none.
-RaySourcePointer surface_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
-  const Solid::Form form = solid_of(shape)->form;
-  if (form != Solid::Form::kMesh && form != Solid::Form::kPrism) return nullptr;
-  exact::Tried<std::vector<RaySolid>> solids = try_ray_solids(shape);
-  if (!solids) return nullptr;  // a surface that meets itself in edges or faces may still have convex parts
-  const Triangles surface = moved(scaled(std::move((*solids)[0].surface), placing.factor), placing.by);
-  const int sign = wanted.by.sign(), frontier = wanted.interior() ? 1 : -1;
-  const auto with_frontier = [=](int s) { return s == 0 ? frontier : s; };
-  if (sign == 0) return mapped_rays(std::make_unique<PairRays>(surface, wanted.grid), with_frontier);
-  auto rays = std::make_unique<BallRays>(surface, abs(wanted.by), wanted.grid,
-                                         sign > 0 ? BallRays::Side::kSolid : BallRays::Side::kComplement);
-  return mapped_rays(std::move(rays), with_frontier);
-}
-
 RaySourcePointer union_rays(std::vector<RaySourcePointer> sources) {
   return combined_rays(std::move(sources), [](Signs s) { return *std::min_element(s.begin(), s.end()); });
 }
@@ -129,6 +114,35 @@ RaySourcePointer csg_rays(const CsgSolid& cut, const Placing& placing, const Wan
     parts.push_back(greatest_rays(std::move(sets)));
   }
   return parts.empty() ? constant_rays(wanted.grid, 1) : union_rays(std::move(parts));
+}
+
+/// What is left of a solid, shrunk by -`wanted.by`, by its convex parts.
+RaySourcePointer shrunk_rays(const plane::Shape& solid, const Placing& placing, const Wanted& wanted) {
+  plane::Shape offset;
+  offset.kind = Kind::kOffset;
+  offset.place = solid.place;
+  offset.children = {std::make_shared<const plane::Shape>(solid)};
+  offset.amount = wanted.by;
+  return csg_rays(cut_erosion(offset).or_throw(), placing, {wanted.grid, Real(), wanted.topology});
+}
+
+/// Solids by their surfaces, without convex parts; null where they have none. Walls within would count as frontier.
+RaySourcePointer surface_rays(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
+  const Solid::Form form = solid_of(shape)->form;
+  if (form != Solid::Form::kMesh && form != Solid::Form::kPrism) return nullptr;
+  exact::Tried<std::vector<RaySolid>> solids = try_ray_solids(shape);
+  if (!solids) return nullptr;  // a surface that meets itself in edges or faces may still have convex parts
+  const int sign = wanted.by.sign(), frontier = wanted.interior() ? 1 : -1;
+  if ((*solids)[0].inner_walls && sign <= 0) {
+    if (wanted.interior()) refuse(shape, "the interior of a mesh with walls within is not computed on lines");
+    if (sign < 0) return shrunk_rays(shape, placing, wanted);
+  }
+  const Triangles surface = moved(scaled(std::move((*solids)[0].surface), placing.factor), placing.by);
+  const auto with_frontier = [=](int s) { return s == 0 ? frontier : s; };
+  if (sign == 0) return mapped_rays(std::make_unique<PairRays>(surface, wanted.grid), with_frontier);
+  auto rays = std::make_unique<BallRays>(surface, abs(wanted.by), wanted.grid,
+                                         sign > 0 ? BallRays::Side::kSolid : BallRays::Side::kComplement);
+  return mapped_rays(std::move(rays), with_frontier);
 }
 
 /// Whether growing (or shrinking) the parts of the tree one by one gives the grown (shrunk) set.

@@ -53,7 +53,7 @@ class SurfaceGaps {
   SurfaceGap gap(const RealVector& p, const Near& near) const;
 
   enum class Relation { kApart, kInside, kOther };
-  /// Apart: the interiors do not meet. Inside: B + p lies in A, which is one sheet.
+  /// Apart: the interiors do not meet. Inside: B + p lies in A, of which one sheet is the frontier.
   Relation relation(const RealVector& p) const;
 
  private:

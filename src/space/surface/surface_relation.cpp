@@ -62,7 +62,7 @@ Relation SurfaceGaps::relation(const RealVector& p) const {
     return true;
   };
   for (const Relation wanted : {Relation::kApart, Relation::kInside}) {
-    if (wanted == Relation::kInside && !a_->one_sheet()) break;
+    if (wanted == Relation::kInside && !a_->one_frontier()) break;
     if (!no_balls && balls != wanted) continue;
     if (none_meets(wanted == Relation::kInside)) return wanted;
   }
@@ -89,7 +89,7 @@ Relation SurfaceGaps::with_balls(const RealVector& p) const {
     const RealVector center = plus(real(ball.center), p);
     for (const auto& sheet : a_->sheets()) {
       const Relation next = ball_relation(center, ball.radius, *sheet);
-      const bool fits = next == Relation::kApart || (next == Relation::kInside && a_->one_sheet());
+      const bool fits = next == Relation::kApart || (next == Relation::kInside && a_->one_frontier());
       if (!fits || (!first && next != all)) return Relation::kOther;
       all = next;
       first = false;

@@ -15,6 +15,7 @@ bool SurfaceSet::add(const std::vector<RaySolid>& solids, std::int64_t scale) {
   for (const RaySolid& s : solids) {
     if (!std::all_of(s.surface.points.begin(), s.surface.points.end(), near) || (s.ball() && !near(s.center)))
       return false;
+    inner_walls_ = inner_walls_ || s.inner_walls;
     if (s.ball())
       balls_.push_back({{s.center.x * scale, s.center.y * scale, s.center.z * scale}, s.radius * Real(scale)});
     else

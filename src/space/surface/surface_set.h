@@ -32,14 +32,16 @@ class SurfaceSet {
 
   const std::vector<std::shared_ptr<const Sheet>>& sheets() const { return sheets_; }
   const std::vector<Ball>& balls() const { return balls_; }
-  /// Its frontier is that of the set.
   bool one_sheet() const { return sheets_.size() == 1 && balls_.empty(); }
+  /// One sheet, and all of it is frontier of the set.
+  bool one_frontier() const { return one_sheet() && !inner_walls_; }
   /// The convex hull; null where there are balls. `scale` of the coordinates.
   std::shared_ptr<const Body> hull(std::int64_t scale) const;
 
  private:
   std::vector<std::shared_ptr<const Sheet>> sheets_;
   std::vector<Ball> balls_;
+  bool inner_walls_ = false;
 };
 
 /// Whether any edge of a solid bends inwards, or there is more than one solid.
