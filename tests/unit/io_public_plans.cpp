@@ -114,6 +114,24 @@ TEST(PublicPlacement, InSpace) {
   EXPECT_NE(found.json().find("\"copy\": 2"), std::string::npos);
 }
 
+TEST(PublicPlacement, RegionsInSpaceSayHowTheyAreKnown) {
+  const auto placed = [](const std::string& a, const std::string& b, const std::string& each) {
+    PlaceQuestion question;
+    question.lines = 8;
+    const std::string shapes = R"({"findspace": 1, "shapes": {"A": )" + a + R"(, "B": )" + b + "}, ";
+    return Scene::json(shapes + R"("place": {"shapes": ["B"], "each": ")" + each + "\"}}").place(question).json();
+  };
+  const std::string two = R"({"union": [{"polytope": [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]]},
+                                        {"polytope": [[0, 0, 0], [-9, 0, 0], [0, -9, 0], [0, 0, -9]]}]})";
+  const std::string cube = R"({"box": {"min": [0, 0, 0], "max": [1, 1, 1]}})";
+  const std::string by_search = placed(two, cube, "protrusion(self, A) <= 1");
+  EXPECT_NE(by_search.find(R"("on_lines": "outer")"), std::string::npos);
+  const std::string prism = R"({"prism": {"polygon": [[0, 0], [7, 1], [2, 6]], "z": [0, 3]}})";
+  const std::string fit = placed(prism, prism, "inside(self, A)");
+  EXPECT_NE(fit.find(R"("empty": false)"), std::string::npos);  // a point that no line meets
+  EXPECT_NE(fit.find(R"("on_lines": "exact")"), std::string::npos);
+}
+
 std::string place_of_error(const Demands& demands) {
   try {
     place(parts(), demands);

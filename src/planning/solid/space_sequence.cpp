@@ -102,7 +102,7 @@ SpaceBest best_in(const SpacePositions& positions, const SpaceGoals& goals, cons
   }
   if (positions.none) return {};
   const formula::RayWindow box = positions.window();
-  const LinesAsked lines{[&](const space::RayGrid& grid) { return positions.lines(grid); }, box.low, box.high,
+  const LinesAsked lines{[&](const space::RayGrid& grid) { return positions.lines(grid).rays; }, box.low, box.high,
                          problem.lines};
   return best_on_lines(lines, goals);
 }
@@ -159,8 +159,8 @@ formula::RayWindow SpacePositions::window() const {
   return {corner(flat->low, Real()), corner(flat->high, Real(1))};
 }
 
-space::RaySourcePointer SpacePositions::lines(const space::RayGrid& grid) const {
-  return flat ? flat->rays(grid) : formula::ray_region(*rays, *formula, grid).rays;
+formula::RegionOnLines SpacePositions::lines(const space::RayGrid& grid) const {
+  return flat ? formula::RegionOnLines{flat->rays(grid)} : formula::ray_region(*rays, *formula, grid);
 }
 
 SpacePlacement place_in_space(const SpaceProblem& problem, const Limit& limit) {

@@ -29,8 +29,8 @@ struct SpacePositions {
   bool on_lines() const { return !boxes && !flat; }
   /// A box that holds what is bounded of them, in grid steps. Not for boxes.
   formula::RayWindow window() const;
-  /// At most 0 in the set. Not for boxes.
-  space::RaySourcePointer lines(const space::RayGrid& grid) const;
+  /// At most 0 in the set, and how the lines stand to it. Not for boxes.
+  formula::RegionOnLines lines(const space::RayGrid& grid) const;
 };
 
 struct SpaceStep {
