@@ -275,11 +275,12 @@ def faults(exe, case, scope):
     status, got, said = call(exe, case, case["run"])
     if "exit" in want:
         yield from refusal_faults(want, status, said)
-        return
+        if not want.keys() - {"exit", "says"}:
+            return
     if got is None:
         yield nothing_said(status, said)
         return
-    if status not in ((0, 1, 4) if "encloses" in want else (0, 1)):
+    if "exit" not in want and status not in ((0, 1, 4) if "encloses" in want else (0, 1)):
         yield f"exit status {status}: {said.strip()[:200]}"
     yield from region_faults(exe, case, got, want.get("region", {}))
     for name, value in scope.wanted(want.get("distances", {})).items():
