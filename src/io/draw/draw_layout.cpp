@@ -21,8 +21,7 @@ void include(std::optional<Bounds>& bounds, const Bounds& added) {
   }
 }
 
-/// Of how far away it is, so much of the plane is shown at least, for doubles to tell pixels apart.
-constexpr double kNarrowest = 0x1p-43;
+constexpr double kNarrowest = 0x1p-43;  // no sign: of how far away it is, shown at least: doubles tell pixels apart
 
 Frame fit(const Bounds& bounds, double margin, double left, double top) {
   const double width = bounds.high[0] - bounds.low[0], height = bounds.high[1] - bounds.low[1];
