@@ -100,6 +100,24 @@ TEST(RatedGap, ASegmentDeepInB) {
   EXPECT_NEAR(gap.value(at(0, 6)), -4, 1e-9);
 }
 
+/// Across its slot the bar cannot leave the walls, which go on without end; what is higher than the slot never can.
+TEST(RotatingMotion, AGapMayBeMinusInfinity) {
+  const Region walls = plane::closure(plane::complement(box(-5000, -500, 5000, 500)));
+  const RotatingMotion bar(box(-2000, -400, 2000, 400), walls, Which::kGamma1, turning(0, 90));
+  EXPECT_NEAR(bar.instant({}, 0, Real(0))->low, 100, 1e-6);
+  EXPECT_EQ(bar.instant({}, 0, Real(1))->high, -INFINITY);
+  EXPECT_EQ(bar.extremum({}, Sense::kMinimum)->high, -INFINITY);
+  const auto most = bar.extremum({}, Sense::kMaximum);
+  ASSERT_TRUE(most);
+  EXPECT_NEAR(most->low, 100, 1);
+  EXPECT_GE(most->high, 100);
+  const RotatingMotion high(box(-2000, -4000, 2000, 4000), walls, Which::kGamma1, turning(0, 90));
+  const auto none = high.extremum({}, Sense::kMaximum);
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->low, -INFINITY);
+  EXPECT_LT(none->high, -1000);
+}
+
 TEST(RatedGap, ConvexSets) {
   const Region disc = plane::region_of_disc(0, 0, 5), square = box(0, 0, 4, 4), beside = box(4, 0, 8, 4),
                apart = box(9, 0, 12, 4), slab = box(-9, -1, 9, 1);

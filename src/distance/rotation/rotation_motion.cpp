@@ -14,7 +14,6 @@
 #include "distance/rotation/rated_gap.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
-#include "findspace/error.h"
 #include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
@@ -151,10 +150,10 @@ class LeastSearch {
   void add(const Sample& a, const Sample& b) {
     const double drop = motion_.rate(a.leg) * (b.s - a.s);
     // Where f is undefined nothing is known of it beside: the other end bounds it.
-    const double low = std::isinf(a.f) && std::isinf(b.f) ? kNone
-                       : std::isinf(a.f)                  ? b.rated - drop
-                       : std::isinf(b.f)                  ? a.rated - drop
-                                                          : (a.rated + b.rated - drop) / 2;
+    const double low = std::isinf(a.rated) && std::isinf(b.rated) ? kNone
+                       : std::isinf(a.rated)                      ? b.rated - drop
+                       : std::isinf(b.rated)                      ? a.rated - drop
+                                                                  : (a.rated + b.rated - drop) / 2;
     gaps_.push({a, b, low});
     keep_better(a);
     keep_better(b);
@@ -223,12 +222,9 @@ std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std
   const RealPoint at{f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))};
   const auto v = pair.distance(which_)->value(at);
   if (!v) return std::nullopt;
-  if (v->minus_infinity)
-    throw Error(ErrorCode::kUnsupported,
-                "a distance of shapes that rotate in time is minus infinity at an instant: it is not computed there");
-  const double value = v->value.to_double() / factor_;
+  const double found = v->value.to_double() / factor_, value = v->minus_infinity ? -kNone : found;
   // Two shapes; ends of an arc carry its bulge along: twice what they moved.
-  const double off = 4 * rounding.largest / factor_ + std::abs(value) * margin::kFewRoundings;
+  const double off = 4 * rounding.largest / factor_ + std::abs(found) * margin::kFewRoundings;
   const bool rated = value >= 0 || rated_below_zero();
   return Look{value, rated ? value : RatedGap(pair, false).value(at) / factor_, off};
 }
@@ -253,7 +249,8 @@ std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, boo
   search.look_evenly(poses_.size() - 1);
   if (search.undefined() && !least) return std::nullopt;
   search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
-  if (std::isinf(search.best())) return std::nullopt;
+  if (search.best() == -kNone) return ValueRange{-kNone, -kNone};
+  if (search.best() == kNone && search.undefined()) return std::nullopt;
   const double certain = search.certain();
   search.refine();
   if (search.undefined() && !least) return std::nullopt;

@@ -52,7 +52,7 @@ class RotatingMotion {
   /// Closed shapes. `poses`: at the way points, straight and even between.
   RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses);
 
-  /// At part `s` (0 to 1) of leg `k`; nothing where undefined. Throws Error(kUnsupported) for minus infinity.
+  /// At part `s` (0 to 1) of leg `k`; nothing where undefined; from -infinity where f is.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// The same in numbers that may be off by `off`; of a penetration those of the gap.
   struct Look {

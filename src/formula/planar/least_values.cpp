@@ -47,7 +47,9 @@ DiscRange disc_range(const PreparedWorld& world, const Roles& r) {
     refuse(r.wanted, "has no best position of shapes that rotate in time: the places where a shape fits come and go");
   return [f = rotation_motion(world, r, false), sense](const RealPoint& p, double radius) {
     const auto v = f.extremum(p, sense, radius / 4);
-    return v ? ValueRange{v->low - radius, v->high + radius} : ValueRange{kInfinity, kInfinity};
+    if (!v) return ValueRange{kInfinity, kInfinity};
+    if (radius > 0 && v->low == v->high && std::isinf(v->low)) return ValueRange{-kInfinity, kInfinity};  // here alone
+    return ValueRange{v->low - radius, v->high + radius};
   };
 }
 
