@@ -10,10 +10,10 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <thread>
 
@@ -156,18 +156,20 @@ class Batch {
 /// Of a team: where one process cannot begin, none does. All have begun before the first can have finished.
 std::unique_ptr<Batch> begun(const Options& options, Reporter& reporter) {
   std::unique_ptr<Batch> batch;
-  std::optional<Error> fault;
+  std::exception_ptr thrown;
+  std::string fault;
   try {
     batch = std::make_unique<Batch>(options, reporter);
-  } catch (const Error& e) {
-    fault = e;
+  } catch (const std::exception& e) {
+    thrown = std::current_exception();
+    fault = e.what();
   }
   if (options.team != nullptr) {
-    const std::array<double, 1> cost{fault ? 0.0 : 1.0};
-    const std::string first = options.team->best_of(cost, fault ? fault->what() : "");
-    if (!fault && !first.empty()) fault.emplace(ErrorCode::kFile, "another process cannot begin: " + first);
+    const std::array<double, 1> cost{thrown ? 0.0 : 1.0};
+    const std::string first = options.team->best_of(cost, fault);
+    if (!thrown && !first.empty()) throw Error(ErrorCode::kFile, "another process cannot begin: " + first);
   }
-  if (fault) throw *fault;
+  if (thrown) std::rethrow_exception(thrown);
   return batch;
 }
 

@@ -104,6 +104,8 @@ TEST(BoardRules, APartIsAGroupOfItself) {
   EXPECT_EQ(broken(one, "between(U1, U2) >= 5mm"), (Said{"U1: between(self, U2) >= 5", "U2: between(self, U1) >= 5"}));
   EXPECT_EQ(broken(one, "between(U1, smd) >= 5mm"), (Said{"U1: between(self, U2) >= 5", "U2: between(self, U1) >= 5"}));
   EXPECT_EQ(broken(one, "between(U1, U1) >= 5mm"), Said{});
+  EXPECT_EQ(broken(one, "between(U1, smd) <= 1mm").size(), 2u);  // not itself is near enough
+  EXPECT_EQ(broken(one, "between(U1, smd) <= 5mm"), Said{});
 }
 
 TEST(BoardRules, HolesAtOnePlaceAllCount) {

@@ -26,6 +26,7 @@ struct PositionsQuestion {
   PlanarMap map{};
   std::shared_ptr<const KeptRegion> known{};  // what the map is, where a prepared scene keeps it
   Kept<plane::Summary> summarized{};
+  Kept<plane::Region> closed{};  // where the best may be, if no position has it
   std::vector<plane::LineInterval> intervals{}, possible{};
 
   explicit PositionsQuestion(AskedScene given) : asked(std::move(given)) {}
@@ -42,7 +43,9 @@ struct PositionsQuestion {
   /// A region that holds all positions asked for; null: it is the map's.
   const plane::Region* possible_region() const {
     if (map.outer) return &*map.outer;
-    return open() && map.feasible ? &*map.feasible : nullptr;
+    if (!open() || !map.feasible) return nullptr;
+    // A best value that no position has: the positions shown may lie beside those that are feasible.
+    return map.extreme->attained ? &*map.feasible : &closed.get([&] { return plane::closure(*map.feasible); });
   }
   /// Where that is so, and no position is shown.
   std::string open_text(const std::string& title) const {

@@ -111,6 +111,9 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
   PlanarMap map;
   if (goal) {
     map = best_map(asked, *again, std::move(found), *goal);
+    if (!map.extreme->proven() && !apply.operation.empty())
+      throw Error(ErrorCode::kUnsupported, apply.before + "apply: only bounds of the best value are known",
+                  asked.scene().file);
   } else {
     map.region = std::move(found.region);
     if (found.outer) map.outer = plane::in_order(*std::move(found.outer));
@@ -128,13 +131,14 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
   return map;
 }
 
-std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula) {
+std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula,
+                                            const std::shared_ptr<const formula::Solver>& solver) {
   const auto make = [&] {
     const auto shown = [&](plane::Region region) {
       if (asked.scene().free.kind == Free::Kind::kLine) region = on_line(region, asked.scene().free);
       return api::make_region(std::move(region), asked.scene().grid, asked.unit());
     };
-    formula::SolvedRegion found = formula::solve_region(*asked.solver_of(formula, false), formula);
+    formula::SolvedRegion found = formula::solve_region(solver ? *solver : *asked.solver_of(formula, false), formula);
     KeptRegion out{shown(std::move(found.region)), std::nullopt, found.compared};
     if (found.outer) out.outer = shown(*std::move(found.outer));
     return out;

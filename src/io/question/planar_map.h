@@ -40,8 +40,9 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
                      const formula::Formula& formula, const Applied& apply = {},
                      const formula::SolvedRegion* known = nullptr);
 /// The region of the scene's formula, on its line where it has one; kept where the scene is prepared,
-/// but not of an instant.
-std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula);
+/// but not of an instant. `solver`: where there is one already.
+std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula,
+                                            const std::shared_ptr<const formula::Solver>& solver = nullptr);
 /// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
 /// made already.
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 
 #include "exact/margins/boards.h"
@@ -88,7 +89,7 @@ class BoardRules {
 
   std::vector<Broken> run() const {
     std::vector<std::optional<formula::Check>> checks(bodies_.size());
-    plane::parallel_for(bodies_.size(), [&](std::size_t k) { checks[k] = check(bodies_[k], rules_of_[k]); });
+    plane::parallel_for(bodies_.size(), [&](std::size_t k) { checks[k] = check(bodies_[k]); });
     std::vector<Broken> out;
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       if (!checks[k]->holds) out.push_back({&bodies_[k], *std::move(checks[k])});
@@ -147,19 +148,21 @@ class BoardRules {
       context.moving = {kSelf};
       read_formula(rules_, context);
     }
-    rules_of_.resize(bodies_.size());
-    plane::parallel_for(bodies_.size(),
-                        [&](std::size_t k) { rules_of_[k] = read_formula(rules_, context(bodies_[k], {})); });
+    std::mutex guard;
+    plane::parallel_for(bodies_.size(), [&](std::size_t k) {
+      std::set<std::string> names = read_formula(rules_, context(bodies_[k], {})).shapes();
+      std::erase_if(names, [&](const std::string& name) { return by_name_.count(name) > 0; });
+      const std::lock_guard held(guard);
+      names_.merge(names);
+    });
   }
 
-  /// The shapes of which the rules speak, of whatever part, that are not lists of parts.
+  /// The shapes of which the rules speak, of whatever part, but for parts and lists of them.
   void build_named() {
-    std::set<std::string> names;
-    for (const formula::Formula& rules : rules_of_) names.merge(rules.shapes());
-    if (names.count(kHoles) > 0) build_holes();
-    if (names.count(kKeepOuts) > 0) build_keep_outs();
+    if (names_.count(kHoles) > 0) build_holes();
+    if (names_.count(kKeepOuts) > 0) build_keep_outs();
     std::vector<plane::ShapePtr> shapes;
-    for (const std::string& name : names)
+    for (const std::string& name : names_)
       if (const plane::ShapePtr shape = scene_.find(name); shape && !is_parts(name)) shapes.push_back(shape);
     std::vector<plane::Region> built = regions_of(scene_, shapes, notes_);
     for (std::size_t k = 0; k < built.size(); ++k) named_.emplace(shapes[k]->name, std::move(built[k]));
@@ -287,9 +290,10 @@ class BoardRules {
       for (formula::Node& operand : out.operands) operand = by_pairs(operand, formula, self, atoms);
       return out;
     }
-    const formula::Atom& atom = formula.atoms()[node.atom];
+    formula::Atom atom = formula.atoms()[node.atom];
     // A part is neither too near to itself nor too far from itself.
     if (is_gap(atom) && atom.distance.second == std::vector<std::string>{self.part->name}) return {Op::kTrue, 0, {}};
+    if (is_gap(atom)) std::erase(atom.distance.second, self.part->name);
     if (!is_of_pairs(atom)) return add(atom);
     out = {Op::kAnd, 0, {}};
     for (const std::string& other : others(atom, self)) {
@@ -302,8 +306,8 @@ class BoardRules {
     return out;
   }
 
-  /// `named`: the rules as the part reads them.
-  formula::Check check(const StandingPart& self, const formula::Formula& named) const {
+  formula::Check check(const StandingPart& self) const {
+    const formula::Formula named = read_formula(rules_, context(self, {}));  // as the part reads them
     std::set<std::string> empty;
     for (const std::string& name : named.shapes())
       if (is_parts(name) && members(name, self).empty()) empty.insert(name);
@@ -352,7 +356,7 @@ class BoardRules {
   std::vector<StandingPart> bodies_;
   std::map<std::string, std::size_t> by_name_;             // of bodies
   std::map<std::string, std::vector<std::size_t>> lists_;  // of bodies, in their order
-  std::vector<formula::Formula> rules_of_;                 // of the bodies
+  std::set<std::string> names_;                            // that the rules name, of whatever part
   std::map<std::string, plane::Region> named_;
   std::map<std::string, OwnedArea> owned_;                       // by the names that results have
   std::map<std::string, std::vector<std::string>> owned_lists_;  // of `holes` and `keepouts`

@@ -384,6 +384,7 @@ void RowTeam::finish() {
   }
   for (std::size_t other = 1; other < team_.count(); ++other)
     team_.send(other, kBlock, bytes_of(Request::last_of(Request::kAll)));
+  ended_question_ = question_;  // what is asked now the leader answers alone
   while (ended_ + 1 < team_.count())
     if (team_.receive(true)->kind == kBye) ++ended_;  // some ask for blocks, too
 }
