@@ -76,6 +76,26 @@ TEST(RotatingMotion, TheLeastGapMayLieFarBelowWhatIsLookedAt) {
   EXPECT_GE(most->high, kDepth);
 }
 
+/// Both turn alike, so the square fits the room exactly; rounded it need not.
+TEST(RotatingMotion, AnExactFitOfShapesThatTurnAlike) {
+  const RotatingMotion gap(kSquare, room(2'000'000), Which::kGamma1, {{{}, Real(), Real()}, {{}, Real(90), Real(90)}});
+  for (const int tenth : {1, 3, 6, 8}) {
+    const auto v = gap.instant(at(955'000, 0), 0, Real::ratio(tenth, 10));
+    ASSERT_TRUE(v);
+    EXPECT_LE(v->low, -955'000);
+    EXPECT_GE(v->high, -955'001);
+  }
+}
+
+TEST(RotatingMotion, AGapOfShapesThatDoNotTurnKeepsToItsRate) {
+  const RotatingMotion gap(kSquare, room(2'500'000), Which::kGamma1,
+                           {{{}, Real(90), Real()}, {at(1'000'000, 0), Real(90), Real()}});
+  const auto least = gap.extremum({}, Sense::kMinimum);
+  ASSERT_TRUE(least);
+  EXPECT_NEAR(least->low, -500'000, 10);
+  EXPECT_NEAR(least->high, -500'000, 10);
+}
+
 TEST(RotatingMotion, TheDepthOfConvexShapesKeepsToItsRate) {
   // Half sides 2 in a square of half side 20: least deep with its sides along.
   const RotatingMotion gap(kSquare, box(-20'000'000, -20'000'000, 20'000'000, 20'000'000), Which::kGamma1,

@@ -40,6 +40,11 @@ Region deep_in(const Region& s, const Real& depth) {
   return plane::closure(plane::remark(plane::distance_map(beside(s), depth), [](Mark k) { return Mark(k > 0); }));
 }
 
+/// What is no farther from s.
+Region grown(const Region& s, const Real& by) {
+  return plane::remark(plane::distance_map(s, by), [](Mark k) { return Mark(k <= 0); });
+}
+
 /// Parts of A without inside are no deeper than 0 in themselves, but deep in B.
 bool asks_for_points_of(const Region& a) { return !plane::is_regular(a) && plane::is_bounded(a); }
 
@@ -72,6 +77,21 @@ double RatedGap::value(const RealPoint& p) const {
   };
   const double of_b = deepest(b, a, p);
   return -(asks_for_points_of(a) ? std::max(of_b, deepest(a, b, {-p.x, -p.y})) : of_b);
+}
+
+ValueRange RatedGap::depth(const RealPoint& p, const Real& off) const {
+  const Region &b = pair_.moving(), &a = pair_.fixed();
+  const auto gap = [&](const Region& moving, const Region& fixed) {
+    const auto v = ShapePair(moving, fixed).distance(Which::kGamma1)->value(p);
+    if (!v) return ValueRange{0, 0};  // nothing is in the way
+    if (v->minus_infinity) return ValueRange{-exact::kInfinity, -exact::kInfinity};
+    const auto bounds = outward(v->bounds());
+    return ValueRange{std::min(0.0, bounds.lower), std::min(0.0, bounds.upper)};
+  };
+  // A place where all such pairs are free is one at a distance of `off`; where one is free B reaches nothing deeper.
+  double high = gap(b, deep_in(a, off)).high;
+  if (asks_for_points_of(a)) high = std::min(high, gap(deep_in(b, off), a).high);
+  return {gap(b, grown(a, off)).low, high};
 }
 
 }  // namespace findspace::distance

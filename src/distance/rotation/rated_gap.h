@@ -2,14 +2,15 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The gap of shapes that turn, between bounds that change no faster than the shapes do. Below 0 gamma1 jumps, as places
-// where B is free come and go. The least signed distance v of a point of B to A does not: v is gamma1 where gamma1 is
-// not negative, and negative but no less where it is. Of two convex shapes gamma1 itself changes no faster.
+// where B is free come and go. The least signed distance v of a point of B to A does not. It is gamma1 where that
+// is not negative; elsewhere it is negative, but no less. Of two convex shapes gamma1 itself changes no faster.
 // Guarantee: the bounds hold for all pairs whose points are off by at most `off` from those of the pair. Cost: a sign
 // map or value of gamma1, or of B and what lies deep in A. Source: distances.md 2.3, 3.3, 3.7. Keywords:
 // penetration depth, Lipschitz bound.
 #pragma once
 
 #include "distance/planar/shape_pair.h"
+#include "distance/planar_least/best_position.h"
 
 namespace findspace::distance {
 
@@ -26,6 +27,9 @@ class RatedGap {
   plane::SignMap upper(const exact::Real& level, const exact::Real& off) const;
   /// At least v at p, and at most 0, where gamma1 is negative.
   double value(const exact::RealPoint& p) const;
+  /// Of a negative gamma1 at p, for all pairs whose points are off by at most `off`: rounded shapes may lack a place to
+  /// be free, or have one that is none.
+  ValueRange depth(const exact::RealPoint& p, const exact::Real& off) const;
 
  private:
   const ShapePair& pair_;

@@ -51,6 +51,11 @@ bool has_rate(Which which, double most) {
   return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
 }
 
+bool none_turns(const std::vector<RotatingPose>& poses) {
+  return std::all_of(poses.begin(), poses.end(),
+                     [&](const RotatingPose& p) { return p.moving == poses[0].moving && p.fixed == poses[0].fixed; });
+}
+
 /// max(0, -gap)
 ValueRange penetration(const ValueRange& gap) { return {std::max(0.0, -gap.high), std::max(0.0, -gap.low)}; }
 
@@ -122,6 +127,8 @@ class LeastSearch {
 
   bool undefined() const { return undefined_; }  // at an instant that was looked at
   double best() const { return best_.f; }
+  std::size_t best_leg() const { return best_.leg; }
+  double best_part() const { return best_.s; }
   double certain() const { return gaps_.best().low; }  // f is nowhere less, if it keeps to its rate
   double rounding() const { return rounding_; }
   double most() const { return most_; }  // of the plain f
@@ -139,7 +146,7 @@ class LeastSearch {
     if (!v) return {leg, s, kNone, kNone};
     rounding_ = std::max(rounding_, v->off);
     most_ = std::max(most_, v->f);
-    if (sign_ > 0) return {leg, s, v->most(), v->most()};
+    if (sign_ > 0) return {leg, s, v->f, v->f};
     return {leg, s, -v->f, -v->rated};
   }
 
@@ -194,12 +201,14 @@ RotatingMotion::RotatingMotion(const plane::Region& b, const plane::Region& a, W
       a_reach_(reach(a)),
       which_(which == Which::kPenetration ? Which::kGamma1 : which),
       negated_(which == Which::kPenetration),
-      convex_(which_ == Which::kGamma1 && is_convex(b) && is_convex(a)),
+      keeps_rate_(which_ == Which::kGamma1 && is_convex(b) && is_convex(a)),
       poses_(std::move(poses)) {
   const std::int64_t factor = refinement(std::max(b_reach_, a_reach_));
   b_ = plane::scaled(b, factor);
   a_ = plane::scaled(a, factor);
   factor_ = double(factor);
+  if (which_ == Which::kGamma1 && !keeps_rate_ && none_turns(poses_))
+    keeps_rate_ = standing({}, 0, Real(0)).rounding == 0;
 }
 
 double RotatingMotion::rate(std::size_t leg) const {
@@ -210,30 +219,46 @@ double RotatingMotion::rate(std::size_t leg) const {
                           std::abs(near_value(q.fixed - p.fixed)) * a_reach_);
 }
 
-std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std::size_t leg, const Real& s) const {
+RotatingMotion::Standing RotatingMotion::standing(const RealPoint& p, std::size_t leg, const Real& s) const {
   const RotatingPose& from = poses_[leg];
   const RotatingPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
   plane::Rounding rounding;
   auto rotated = [&](const plane::Region& r, const Real& degrees) {
     return plane::rotated(r, {0, 0}, degrees, 1 / factor_, rounding);
   };
-  const ShapePair pair(rotated(b_, between(from.moving, to.moving, s)), rotated(a_, between(from.fixed, to.fixed, s)));
+  const plane::Region b = rotated(b_, between(from.moving, to.moving, s)),
+                      a = rotated(a_, between(from.fixed, to.fixed, s));
   const Real f = Real::from_double(factor_);
   const RealPoint at{f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))};
-  const auto v = pair.distance(which_)->value(at);
+  // Two shapes; ends of an arc carry its bulge along: twice what they moved.
+  return {ShapePair(b, a), at, 4 * rounding.largest};
+}
+
+std::optional<RotatingMotion::Look> RotatingMotion::look(const Standing& standing) const {
+  const auto v = standing.pair.distance(which_)->value(standing.at);
   if (!v) return std::nullopt;
   const double found = v->value.to_double() / factor_, value = v->minus_infinity ? -kNone : found;
-  // Two shapes; ends of an arc carry its bulge along: twice what they moved.
-  const double off = 4 * rounding.largest / factor_ + std::abs(found) * margin::kFewRoundings;
+  const double off = standing.rounding / factor_ + std::abs(found) * margin::kFewRoundings;
   const bool rated = value >= 0 || rated_below_zero();
-  return Look{value, rated ? value : RatedGap(pair, false).value(at) / factor_, off};
+  return Look{value, rated ? value : RatedGap(standing.pair, false).value(standing.at) / factor_, off};
+}
+
+std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std::size_t leg, const Real& s) const {
+  return look(standing(p, leg, s));
+}
+
+std::optional<ValueRange> RotatingMotion::plain_instant(const RealPoint& p, std::size_t leg, const Real& s) const {
+  const Standing here = standing(p, leg, s);
+  const auto v = look(here);
+  if (!v) return std::nullopt;
+  if (v->f >= 0 || rated_below_zero() || here.rounding == 0) return ValueRange{v->f - v->off, v->f + v->off};
+  const ValueRange depth = RatedGap(here.pair, false).depth(here.at, Real::from_double(here.rounding));
+  return ValueRange{depth.low / factor_ - v->off, std::min(depth.high / factor_, v->rated) + v->off};
 }
 
 std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
-  const auto v = look(p, leg, s);
-  if (!v) return std::nullopt;
-  const ValueRange range{v->f - v->off, v->most() + v->off};
-  return negated_ ? penetration(range) : range;
+  const auto v = plain_instant(p, leg, s);
+  return v && negated_ ? penetration(*v) : v;
 }
 
 std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sense, double enough,
@@ -249,21 +274,25 @@ std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, boo
   search.look_evenly(poses_.size() - 1);
   if (search.undefined() && !least) return std::nullopt;
   search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
-  if (search.best() == -kNone) return ValueRange{-kNone, -kNone};
+  const auto at_best = [&] { return *plain_instant(p, search.best_leg(), Real::from_double(search.best_part())); };
+  if (search.best() == -kNone) return ValueRange{-kNone, at_best().high};
   if (search.best() == kNone && search.undefined()) return std::nullopt;
   const double certain = search.certain();
   search.refine();
   if (search.undefined() && !least) return std::nullopt;
-  const double found = search.best() + search.rounding();
+  double found = search.best() + search.rounding();
   double from_below = std::min(search.best(), certain) - search.rounding();
   const double most = least ? search.most() : std::max(search.most(), -from_below);
   if (search.undefined() || !has_rate(which_, most)) from_below = -kNone;
-  if (least && from_below < 0 && !rated_below_zero()) from_below = std::min(from_below, least_gap());
+  if (!rated_below_zero() && search.best() != kNone) {
+    found = least ? at_best().high : -at_best().low;
+    if (least && from_below < 0) from_below = std::min(from_below, least_gap());
+  }
   return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
 }
 
 double RotatingMotion::least_gap() const {
-  if (!plane::is_bounded(a_)) return -kNone;
+  if (!plane::is_bounded(a_) || !plane::is_bounded(b_)) return -kNone;
   return -(b_reach_ + a_reach_) * margin::kUpward - margin::kUpwardSteps;
 }
 

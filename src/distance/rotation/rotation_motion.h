@@ -9,11 +9,10 @@
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
 // found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2,
 // and eta1, delta1 where they are positive: those have no such rate. Nor has a gap below 0 (a penetration above) but
-// between convex shapes: the greatest one is bounded by rated_gap.h, the least one by discs about both shapes. Not
-// exact; of such a gap only the sign is certain at an instant, as rounded shapes may lack a place to be free. Cost: up
-// to 400 pairs of rotated shapes (a fine search: 4000 of few edges), and 60 for the refinement. Source: distances.md
-// 7.3; Piyavskii 1972, Shubert 1972. Keywords: rotating obstacle, Lipschitz optimisation, continuous collision
-// detection.
+// between convex shapes, or where none turns. There rated_gap.h bounds the greatest gap over time and the one at an
+// instant, and discs about both shapes the least one. Not exact. Cost: up to 400 pairs of rotated shapes (a fine
+// search: 4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
+// Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>
@@ -54,15 +53,13 @@ class RotatingMotion {
 
   /// At part `s` (0 to 1) of leg `k`; nothing where undefined; from -infinity where f is.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
-  /// The same in numbers that may be off by `off`; of a penetration those of the gap.
+  /// Of the rounded shapes, in numbers that may be off by `off`; of a penetration those of the gap.
   struct Look {
     double f, rated, off;  // rated: what changes at the rate; f, but in place of a gap below 0 that of rated_gap.h
-    /// Shapes that overlap by no more than their vertices were rounded may touch.
-    double most() const { return rated + off >= 0 ? rated : f; }
   };
   std::optional<Look> look(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// `rated` is f where it is negative as well.
-  bool rated_below_zero() const { return which_ != Which::kGamma1 || convex_; }
+  bool rated_below_zero() const { return which_ != Which::kGamma1 || keeps_rate_; }
   /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known. A
   /// supremum is undefined where f is at some instant that was looked at.
   enum class Effort { kCoarse, kFine };
@@ -73,6 +70,16 @@ class RotatingMotion {
   double rate(std::size_t leg) const;
 
  private:
+  /// Both shapes as they stand at an instant.
+  struct Standing {
+    ShapePair pair;
+    exact::RealPoint at;
+    double rounding;  // by how much a point of either is off, in steps of the fine grid
+  };
+  Standing standing(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
+  std::optional<Look> look(const Standing& standing) const;
+  /// Of a penetration that of the gap.
+  std::optional<ValueRange> plain_instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// The least or the greatest value; of a penetration that of the gap.
   std::optional<ValueRange> plain_extremum(const exact::RealPoint& p, bool least, double enough, Effort effort) const;
   /// No gap is less, as both shapes lie in discs.
@@ -80,9 +87,9 @@ class RotatingMotion {
 
   plane::Region b_, a_;  // on the fine grid
   double b_reach_, a_reach_, factor_;
-  Which which_;   // kGamma1 for a penetration
-  bool negated_;  // a penetration: max(0, -gamma1)
-  bool convex_;   // known of a gap: both shapes are
+  Which which_;      // kGamma1 for a penetration
+  bool negated_;     // a penetration: max(0, -gamma1)
+  bool keeps_rate_;  // known of a gap: below 0 too, as both shapes are convex, or as none turns or is rounded
   std::vector<RotatingPose> poses_;
 };
 

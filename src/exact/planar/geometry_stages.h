@@ -96,9 +96,9 @@ inline bool fits(const std::optional<int128>& c) {
 }
 
 /// |a|, |b| <= 2^62. With u = 2^-53 each is rounded by at most u, so the squared length is off by at most 4u (twice
-/// that, and two roundings on each path), its root by 3u (half of that and its own rounding), the reciprocal by 4u and
-/// a product with it, of a rounded normal or offset, by 6u; 7u and 8u cover the terms of second order. An integer over
-/// a length of 2^63 does not underflow.
+/// that, and two roundings on each path). Its root is off by 3u (half of that and its own rounding), the reciprocal by
+/// 4u, and a product with it, of a rounded normal or offset, by 6u; 7u and 8u cover the terms of second order. An
+/// integer over a length of 2^63 does not underflow.
 void set_line_filter(SupportingCurve& l);
 
 /// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 7u, the rounded

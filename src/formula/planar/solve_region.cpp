@@ -151,7 +151,7 @@ Optimum best_sum(const distance::PositionBounds& over, const BestQuery& query, c
   const PreparedWorld& world = solver.prepared();
   const std::vector<SumTerm>& terms = query.objective.terms;
   const auto best = best_position(distance_sum(world, terms), over, query.sense, reach_of(world, terms));
-  if (best.value() && may_go_on(best, query)) distance::refuse_without_end();
+  if (best.value() && goes_on(over.possible, query) && may_go_on(best, query)) distance::refuse_without_end();
   return in_scene(best, world.step());
 }
 

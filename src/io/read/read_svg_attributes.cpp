@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/planar/angle.h"
 #include "findspace/error.h"
 #include "io/text/units.h"
 
@@ -39,7 +40,7 @@ std::vector<Real> numbers(std::string_view text) {
 }
 
 Affine skew(const Real& degrees, bool x) {
-  Real tangent = Real::from_double(std::tan(degrees.to_double() * (std::numbers::pi / 180)));
+  Real tangent = Real::from_double(std::tan(exact::rounded_degrees(degrees) * (std::numbers::pi / 180)));
   return x ? Affine::matrix(1, 0, tangent, 1, 0, 0) : Affine::matrix(1, tangent, 0, 1, 0, 0);
 }
 
