@@ -10,7 +10,6 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "exact/planar/angle.h"
 #include "findspace/error.h"
 
 namespace findspace::io {
@@ -280,8 +279,7 @@ class HatchDrawer {
     if (!elliptical) a.frame.u = {r, Real(0)};
     const Real ratio = elliptical ? r : Real(1);
     a.frame.v = {-a.frame.u.y * ratio, a.frame.u.x * ratio};
-    const auto radians = [&](int code) { return exact::rounded_degrees(number(code)) * (pi / 180); };
-    const double from = radians(50), to = radians(51);
+    const double from = number(50).to_double() * (pi / 180), to = number(51).to_double() * (pi / 180);
     const int way = count(73) == 0 ? -1 : 1;
     a.first = from * way;
     a.sweep = turn(from, to);
