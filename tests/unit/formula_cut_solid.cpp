@@ -111,14 +111,26 @@ TEST(CutSolid, IsGluedToAPlate) {
   EXPECT_EQ(across->value, Real(-5));
 }
 
-TEST(CutSolid, IsRefusedWhereARoundedPartIsFlush) {
+/// What its parts alone say is refused, as they hold a wall; whether another fits is known by what it is cut out of.
+TEST(CutSolid, SaysWhatFitsWhereARoundedPartIsFlush) {
+  using K = findspace::formula::Kind;
   plane::Shape grown;
   grown.kind = Kind::kOffset;
   grown.amount = Real(3);
   grown.children = {block({-17, -7, -7}, {0, 7, 7})};
   const auto rounded = std::make_shared<const plane::Shape>(grown);
-  EXPECT_FALSE(try_space_shape(*space::node(Kind::kDifference, {cube(20), rounded})));
-  EXPECT_TRUE(try_space_shape(*space::node(Kind::kDifference, {cube(18), rounded})));
+  const auto flush = space::node(Kind::kDifference, {cube(20), rounded});
+  const auto open = space::node(Kind::kDifference, {cube(18), rounded});
+  const auto lower = block({-10, -5, -18}, {0, 5, -12});
+  EXPECT_EQ(drawn(K::kEta1, lower, flush)->value, Real(-2));
+  EXPECT_EQ(drawn(K::kMu, lower, flush)->value, Real(-2));
+  EXPECT_TRUE(drawn(K::kEta2, lower, flush));
+  const auto outside = block({-30, -2, -2}, {-25, 2, 2});
+  EXPECT_THROW(drawn(K::kGamma1, outside, flush), Error);
+  EXPECT_THROW(drawn(K::kGamma2, outside, flush), Error);
+  EXPECT_THROW(drawn(K::kMu, outside, flush), Error);
+  EXPECT_THROW(drawn(K::kEta1, flush, cube(30)), Error);
+  EXPECT_TRUE(drawn(K::kGamma1, outside, open));
 }
 
 TEST(CutSolid, HasSignsWhereItHasNoValue) {

@@ -36,6 +36,10 @@ CsgSide::CsgSide(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> 
   for (const Body& body : a_->obstacles) obstacles_.push_back(solid_pair(b_, std::make_shared<const Body>(body)));
 }
 
+Refusal left_walls() {
+  return Refusal("not computed where a rounded shape that is taken away is flush with another: let them overlap");
+}
+
 /// How B + p fits, by each container and obstacle alone: the worst of them, which is no more than what it is by all
 /// together; nothing where one container is too small.
 TriedAnswer CsgSide::worst_fit(const RealVector& p) const {
@@ -119,12 +123,14 @@ TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
 TriedAnswer CsgSide::protrusion(const RealVector& p, Depth /*depth*/) const {
   TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
   // B that fits nowhere protrudes everywhere.
-  if (worst && (!*worst || (*worst)->value.sign() > 0)) return std::optional(protrusion_out(p));
-  return worst;
+  if (!worst || (*worst && (*worst)->value.sign() <= 0)) return worst;
+  if (a_->walls) return left_walls();
+  return std::optional(protrusion_out(p));
 }
 
 /// The gap and B's own width.
 double CsgSide::protrudes_at_most(const RealVector& p) const {
+  if (a_->walls) return exact::kInfinity;
   return apart(p).value.to_double() + distance::diameter(*b_).to_double();
 }
 
@@ -135,6 +141,7 @@ TriedAnswer CsgSide::clearance(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::gap(const RealVector& p, Depth depth) const {
+  if (a_->walls) return left_walls();
   Gap found = gap_at(p);
   if (found.depth > 0 && depth == Depth::kValue) return overlapping(p);
   return std::optional(std::move(found.value));
@@ -170,7 +177,7 @@ TriedBetween CsgSide::nearly_fits(const RealVector& p, double level) const {
 std::optional<TriedBetween> CsgSide::nearly(Which which, double level, const RealVector& p) const {
   const bool fit = which == Which::kEta1, out = which == Which::kMu;
   if ((fit || (out && level <= 0)) && containers_.empty()) return nearly_in_union(p, level);
-  if (out && level > 0) return nearly_protrudes(p, level);
+  if (out && level > 0) return a_->walls ? TriedBetween(left_walls()) : nearly_protrudes(p, level);
   if (fit && level > 0) return nearly_fits(p, level);
   return std::nullopt;
 }
@@ -224,6 +231,7 @@ class CsgBackSide : public PairSide {
 
 /// In a union that is told up to 0.
 TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
+  if (side_->a_->walls) return left_walls();
   const Body& b = *side_->b_;
   const RealVector by = space::negated(p);  // of B
   std::vector<ConvexDistance> beyond;
@@ -295,6 +303,7 @@ Refusal not_fitting() {
 }  // namespace
 
 TriedAnswer CsgBackSide::fit(const RealVector& p) const {
+  if (side_->a_->walls) return left_walls();
   const auto outer = nearest_in(fits().holding, p);
   if (!outer) return std::nullopt;
   if (!side_->b_->convex()) return not_fitting();
@@ -308,6 +317,7 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
 }
 
 TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
+  if (side_->a_->walls) return left_walls();
   const space::Bounds3 box = space::meeting(bounds(*side_->a_), bounds(*side_->b_));
   const auto farthest = [&](const std::vector<space::HalfSpace>& planes) -> std::optional<Real> {
     space::ConvexRegion region(box.low, box.high);

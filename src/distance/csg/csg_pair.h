@@ -13,7 +13,8 @@
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (boundary_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
-// refused. Threads: safe. Keywords: bowl, spherical cavity, dome, lens, containment.
+// refused; so is what walls in parts of A (CsgSolid::walls) may change. Threads: safe. Keywords: bowl, spherical
+// cavity, dome, lens, containment.
 #pragma once
 
 #include <memory>
@@ -29,6 +30,9 @@
 #include "space/body/csg_solid.h"
 
 namespace findspace::distance {
+
+/// Why: its parts may hold walls.
+exact::Refusal left_walls();
 
 /// "B in A": a provider of pair_distances.h.
 class CsgSide : public PairSide {

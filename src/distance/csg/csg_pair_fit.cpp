@@ -87,6 +87,7 @@ CsgSide::TriedAmong CsgSide::made_among() const {
   }
   auto left = left_in_box(*a_, Point{low[0], low[1], low[2]}, Point{high[0], high[1], high[2]});
   if (!left) return left.refusal();
+  if (left->walls) return left_walls();
   out->left = std::make_unique<const CsgSide>(b_, std::make_shared<const space::CsgSolid>(*std::move(left)));
   return std::shared_ptr<const Among>(std::move(out));
 }

@@ -107,6 +107,7 @@ CsgSide::Gap CsgSide::gap_at(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::reach(const RealVector& p) const {
+  if (a_->walls) return left_walls();
   std::optional<Answer> best;
   for (const BodyPart& s : b_->parts) {
     for (const space::Point& v : s.vertices()) {

@@ -32,6 +32,7 @@ template <class Change>
 CsgSolid changed(const CsgSolid& body, std::int64_t scale, Change&& change) {
   CsgSolid out;
   out.scale = scale;
+  out.walls = body.walls;
   const auto set = [&](const BodyPart& part) { return change(one(part, body.scale)).parts[0]; };
   for (const CsgPart& part : body.parts) {
     CsgPart& made = out.parts.emplace_back();
@@ -119,6 +120,7 @@ CsgSolid united(const CsgSolid& first, const CsgSolid& second) {
   a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
   a.containers.clear();
   a.obstacles.clear();
+  a.walls = a.walls || b.walls;
   return std::move(a);
 }
 
@@ -127,6 +129,7 @@ Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts 
   const auto [a, b] = together(first, second);
   CsgSolid out;
   out.scale = a.scale;
+  out.walls = a.walls || b.walls;
   for (const CsgPart& x : a.parts) {
     for (const CsgPart& y : b.parts) {
       CsgPart part = x;
@@ -260,11 +263,9 @@ std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale) {
 
 /// Where cells need finer steps than those of the solid, they are taken if it may have such.
 Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
-  CsgSolid out{{}, body.containers, body.obstacles, body.scale};
+  CsgSolid out{{}, body.containers, body.obstacles, body.scale, body.walls};
   for (const CsgPart& part : body.parts) {
-    if (has_round_flush(part))
-      return Refusal(
-          "a rounded shape that is taken away with a face flush with another is not computed: let it overlap");
+    out.walls = out.walls || has_round_flush(part);
     std::optional<CsgSolid> cells = has_flush(part) ? cells_of(part, body.scale) : std::nullopt;
     if (!cells || (!finer && cells->scale != body.scale)) cells = CsgSolid{{part}, {}, {}, body.scale};
     const std::int64_t scale = std::lcm(out.scale, cells->scale);

@@ -28,6 +28,7 @@ struct CsgSolid {
   std::vector<CsgPart> parts;
   std::vector<Body> containers, obstacles;
   std::int64_t scale = 1;  // coordinates and radii are in steps / scale
+  bool walls = false;      // `parts` may hold flat walls besides; the second form has none
 };
 
 /// Refuses as try_body() nodes that have neither form or hold nothing round, and more than 10,000 parts.
@@ -47,8 +48,9 @@ exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, Fla
 /// The first less the second; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
 /// The closure of the interior: where polytopes that are taken away touch each other, or are flush with a face of what
-/// they are taken from, they are cut out as cells. Refuses rounded polytopes that do so. Still left are an edge or a
-/// corner that lies on a round face of what is taken away, and what is flush where cells do not come to lie on a grid.
+/// they are taken from, they are cut out as cells. Where rounded ones do so, `walls` is set. Still left are an edge or
+/// a corner that lies on a round face of what is taken away, and what is flush where cells do not come to lie on a
+/// grid.
 exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
