@@ -111,14 +111,19 @@ TEST(CutSolid, IsGluedToAPlate) {
   EXPECT_EQ(across->value, Real(-5));
 }
 
+/// By so many steps, or shrunk.
+plane::ShapePtr grown(const plane::ShapePtr& shape, std::int64_t by) {
+  plane::Shape out;
+  out.kind = Kind::kOffset;
+  out.amount = Real(by);
+  out.children = {shape};
+  return std::make_shared<const plane::Shape>(out);
+}
+
 /// What its parts alone say is refused, as they hold a wall; whether another fits is known by what it is cut out of.
 TEST(CutSolid, SaysWhatFitsWhereARoundedPartIsFlush) {
   using K = findspace::formula::Kind;
-  plane::Shape grown;
-  grown.kind = Kind::kOffset;
-  grown.amount = Real(3);
-  grown.children = {block({-17, -7, -7}, {0, 7, 7})};
-  const auto rounded = std::make_shared<const plane::Shape>(grown);
+  const auto rounded = grown(block({-17, -7, -7}, {0, 7, 7}), 3);
   const auto flush = space::node(Kind::kDifference, {cube(20), rounded});
   const auto open = space::node(Kind::kDifference, {cube(18), rounded});
   const auto lower = block({-10, -5, -18}, {0, 5, -12});
@@ -131,6 +136,38 @@ TEST(CutSolid, SaysWhatFitsWhereARoundedPartIsFlush) {
   EXPECT_THROW(drawn(K::kMu, outside, flush), Error);
   EXPECT_THROW(drawn(K::kEta1, flush, cube(30)), Error);
   EXPECT_TRUE(drawn(K::kGamma1, outside, open));
+}
+
+/// Two steps are flush only where the step between them is taken away, too.
+TEST(CutSolid, IsAShrunkStaircase) {
+  std::vector<plane::ShapePtr> steps;
+  for (std::int64_t k = 0; k < 6; ++k)
+    steps.push_back(block({2 * k, 0, -10}, {2 * k + (k < 5 ? 2 : 9), 10, 2 * k + 2}));
+  const auto shrunk = grown(space::node(Kind::kUnion, steps), -1);
+  EXPECT_EQ(drawn(findspace::formula::Kind::kGamma1, block({8, 2, -20}, {10, 8, -11}), shrunk)->value, Real(2));
+}
+
+/// Both cylinders are one between the ends.
+TEST(CutSolid, HasNoValueWhereRoundFacesAreFlush) {
+  using K = findspace::formula::Kind;
+  const auto capsule = [](std::int64_t from, std::int64_t to, std::int64_t radius) {
+    return space::node(Kind::kHull, {space::ball({from, 0, 0}, radius), space::ball({to, 0, 0}, radius)});
+  };
+  const auto near = block({6, -2, 5}, {8, 2, 6});
+  EXPECT_THROW(drawn(K::kGamma1, near, space::node(Kind::kDifference, {capsule(0, 10, 2), capsule(4, 20, 2)})), Error);
+  EXPECT_TRUE(drawn(K::kGamma1, near, space::node(Kind::kDifference, {capsule(0, 10, 2), capsule(4, 20, 3)})));
+  EXPECT_THROW(drawn(K::kGamma1, near, space::node(Kind::kDifference, {capsule(0, 10, 2), space::ball({0, 0, 0}, 2)})),
+               Error);
+  EXPECT_TRUE(drawn(K::kGamma1, near, space::node(Kind::kDifference, {capsule(0, 10, 2), capsule(10, 20, 2)})));
+  EXPECT_TRUE(drawn(K::kGamma1, near, space::node(Kind::kDifference, {capsule(0, 4, 2), capsule(8, 20, 2)})));
+}
+
+/// Cells would need steps so fine that a ball far away had no place among them.
+TEST(CutSolid, KeepsItsStepsWhereABallIsFarAway) {
+  constexpr std::int64_t kFar = 1000000000, kHalf = 1000000;
+  const auto dish = space::ball({0, 0, kFar}, kFar);
+  const auto cut = space::hull({{-kHalf, -9, -500}, {-kHalf, 9, -500}, {-kHalf, 0, -491}, {-3, 1, -496}});
+  EXPECT_NO_THROW(try_space_shape(*space::node(Kind::kDifference, {cube(kHalf), dish, cut})));
 }
 
 TEST(CutSolid, HasSignsWhereItHasNoValue) {

@@ -5,9 +5,12 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "space/body/cell_parts.h"
+#include "space/body/open_union.h"
+#include "space/polytope/convex_region.h"
 #include "space/polytope/polytope_sets.h"
 
 namespace findspace::space {
@@ -59,6 +62,14 @@ bool bulky(const Bounds3& box) {
 /// Whether it may hold a place.
 bool holds_places(const Bounds3& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
+}
+
+Bounds3 in_both(Bounds3 a, const Bounds3& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    a.low[k] = std::max(a.low[k], b.low[k]);
+    a.high[k] = std::min(a.high[k], b.high[k]);
+  }
+  return a;
 }
 
 Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
@@ -191,22 +202,129 @@ std::vector<RealVector> face_normals(const BodyPart& set) {
   return out;
 }
 
+/// The box about the places of the set that are farthest along n.
+Bounds3 face_box(const BodyPart& set, const RealVector& n) {
+  const RealVector out = scaled(set.radius / sqrt(dot(n, n)), n);
+  std::optional<Bounds3> box;
+  const auto corners = set.vertices();
+  Real top = dot(n, real(corners[0]));
+  for (const Point& v : corners) top = std::max(top, dot(n, real(v)));
+  for (const Point& v : corners) {
+    if (dot(n, real(v)) < top) continue;
+    const RealVector at = plus(real(v), out);
+    if (!box) box = Bounds3{at, at};
+    for (std::size_t k = 0; k < 3; ++k) {
+      box->low[k] = std::min(box->low[k], at[k]);
+      box->high[k] = std::max(box->high[k], at[k]);
+    }
+  }
+  return *box;
+}
+
+/// Whether the interior of the set holds the box.
+bool covers(const BodyPart& set, const Bounds3& box) {
+  const std::vector<HalfSpace> planes = set.planes();
+  for (int i = 0; i < 8; ++i) {
+    RealVector at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = (i >> k & 1) != 0 ? box.high[k] : box.low[k];
+    const auto beneath = [&](const HalfSpace& h) { return h.value(at).sign() < 0; };
+    if (!set.point() && std::all_of(planes.begin(), planes.end(), beneath)) continue;
+    const RealVector off = minus(at, set.point() ? real(set.center) : *nearest_in(planes, at));
+    if (dot(off, off) >= set.radius * set.radius) return false;
+  }
+  return true;
+}
+
+/// Whether the faces of both sets, farthest along their normals, share a place of the part that no third set that is
+/// taken away covers.
+bool share(const CsgPart& part, const BodyPart& a, const RealVector& of_a, const BodyPart& b, const RealVector& of_b) {
+  const Bounds3 box = in_both(in_both(face_box(a, of_a), face_box(b, of_b)), bounds(part));
+  return holds_places(box) && std::none_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) {
+           return &set != &a && &set != &b && covers(set, box);
+         });
+}
+
 /// Whether a flat face of a round set that is taken away lies on a face of another set of the part.
-bool has_round_flush(const CsgPart& part) {
-  const auto flush = [&](const BodyPart& round) {
-    const auto on = [&](const RealVector& n) {
-      const Real at = support(round, n);
-      const auto ends_there = [&](const BodyPart& set) { return support(set, n) == at && touch(set, round); };
-      const auto starts_there = [&](const BodyPart& set) {
-        return support(set, negated(n)) == -at && touch(set, round);
-      };
-      return std::any_of(part.within.begin(), part.within.end(), ends_there) ||
-             std::any_of(part.without.begin(), part.without.end(), starts_there);
+bool has_flush_face(const CsgPart& part, const BodyPart& round) {
+  const auto on = [&](const RealVector& n) {
+    const Real at = support(round, n);
+    const RealVector back = negated(n);
+    const auto ends_there = [&](const BodyPart& set) { return support(set, n) == at && share(part, round, n, set, n); };
+    const auto starts_there = [&](const BodyPart& set) {
+      return support(set, back) == -at && share(part, round, n, set, back);
     };
-    const std::vector<RealVector> normals = face_normals(round);
-    return round.radius.sign() > 0 && std::any_of(normals.begin(), normals.end(), on);
+    return std::any_of(part.within.begin(), part.within.end(), ends_there) ||
+           std::any_of(part.without.begin(), part.without.end(), starts_there);
   };
-  return std::any_of(part.without.begin(), part.without.end(), flush);
+  const std::vector<RealVector> normals = face_normals(round);
+  return std::any_of(normals.begin(), normals.end(), on);
+}
+
+using Edge = std::array<Point, 2>;
+
+/// Of the core; none of a point.
+std::vector<Edge> core_edges(const BodyPart& set) {
+  std::vector<Edge> out;
+  const auto corners = set.vertices();
+  if (set.core) {
+    for (const auto& h : set.core->half_edges()) {
+      if (h.origin < h.target)
+        out.push_back({corners[static_cast<std::size_t>(h.origin)], corners[static_cast<std::size_t>(h.target)]});
+    }
+    return out;
+  }
+  for (std::size_t k = 1; k < corners.size(); ++k) out.push_back({corners[k - 1], corners[k]});
+  if (corners.size() > 2) out.push_back({corners.back(), corners[0]});
+  return out;
+}
+
+/// Whether more than a point is common to both edges.
+bool run_together(const Edge& a, const Edge& b) {
+  const RealVector along = real(a[1] - a[0]), from = real(b[0] - a[0]), to = real(b[1] - a[0]);
+  if (!is_zero(cross(along, from)) || !is_zero(cross(along, to))) return false;
+  const Real s = dot(along, from), t = dot(along, to);
+  return std::max(s, t).sign() > 0 && std::min(s, t) < dot(along, along);
+}
+
+/// The directions in which no place of the core of a is beyond p, nor one of b beyond q; those across an edge, if any.
+ConvexRegion common_normals(const BodyPart& a, const Point& p, const BodyPart& b, const Point& q, const Edge* edge) {
+  const Real one(1);
+  ConvexRegion out({-one, -one, -one}, {one, one, one});
+  const auto cut = [&](const Point& from, const Point& to) {
+    if (from != to) out.cut(HalfSpace(real(to - from), Real()));
+  };
+  for (const Point& v : a.vertices()) cut(p, v);
+  for (const Point& v : b.vertices()) cut(q, v);
+  if (edge) {
+    cut((*edge)[0], (*edge)[1]);
+    cut((*edge)[1], (*edge)[0]);
+  }
+  return out;
+}
+
+/// Whether the sets have a piece of a sphere or of a cylinder in common: of one radius about one corner or edge.
+bool same_rounding(const BodyPart& a, const BodyPart& b) {
+  if (a.radius != b.radius || !touch(a, b)) return false;
+  for (const Point& p : a.vertices()) {
+    for (const Point& q : b.vertices()) {
+      if (p == q && common_normals(a, p, b, q, nullptr).dimension() == 3) return true;
+    }
+  }
+  const auto edges = core_edges(a), others = core_edges(b);
+  return std::any_of(edges.begin(), edges.end(), [&](const Edge& e) {
+    return std::any_of(others.begin(), others.end(), [&](const Edge& o) {
+      return run_together(e, o) && common_normals(a, e[0], b, o[0], &e).dimension() == 2;
+    });
+  });
+}
+
+/// Whether the surface of a round set that is taken away may lie on that of another set of the part.
+bool has_round_flush(const CsgPart& part) {
+  return std::any_of(part.without.begin(), part.without.end(), [&](const BodyPart& round) {
+    if (round.radius.sign() == 0) return false;
+    return has_flush_face(part, round) || std::any_of(part.within.begin(), part.within.end(),
+                                                      [&](const BodyPart& set) { return same_rounding(round, set); });
+  });
 }
 
 /// Whether polytopes that are taken away may leave something flat.
@@ -233,9 +351,24 @@ Polytope box_about(const CsgPart& part) {
   return Polytope::hull(corners_of({low(0), low(1), low(2)}, {high(0), high(1), high(2)}));
 }
 
+/// By how much all coordinates, and those of boxes about parts, may be multiplied.
+std::int64_t most_finer(const CsgSolid& body) {
+  Real far(1);
+  const auto extend = [&](const Bounds3& box) {
+    for (std::size_t k = 0; k < 3; ++k) far = std::max({far, abs(box.low[k]), abs(box.high[k])});
+  };
+  for (const CsgPart& part : body.parts) {
+    for (const BodyPart& set : part.within) extend(bounds(one(set)));
+    for (const BodyPart& set : part.without) extend(bounds(one(set)));
+  }
+  for (const Body& container : body.containers) extend(bounds(container));
+  for (const Body& obstacle : body.obstacles) extend(bounds(obstacle));
+  return static_cast<std::int64_t>(floor(Real(kCoordinateLimit) / (far + Real(1))));
+}
+
 /// What the polytopes of the part leave, cell by cell, each with its round sets; nothing where cells do not come to lie
-/// on a grid.
-std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale) {
+/// on a grid that is at most `most` times finer.
+std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale, std::int64_t most) {
   std::vector<Polytope> kept, taken;
   CsgPart round;
   for (const BodyPart& set : part.within) flat_sided(set) ? kept.push_back(*set.core) : round.within.push_back(set);
@@ -249,7 +382,7 @@ std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale) {
   }
   std::erase_if(cells, [](const ConvexRegion& cell) { return cell.dimension() < 3; });
   ConvexParts made = parts_of_cells(cells);
-  if (made.rounded > 0) return std::nullopt;
+  if (made.rounded > 0 || made.scale > most) return std::nullopt;
   CsgSolid out;
   out.scale = scale;
   out.parts.push_back(std::move(round));
@@ -264,10 +397,12 @@ std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale) {
 /// Where cells need finer steps than those of the solid, they are taken if it may have such.
 Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
   CsgSolid out{{}, body.containers, body.obstacles, body.scale, body.walls};
+  const std::int64_t most = finer ? most_finer(body) : 1;
   for (const CsgPart& part : body.parts) {
     out.walls = out.walls || has_round_flush(part);
-    std::optional<CsgSolid> cells = has_flush(part) ? cells_of(part, body.scale) : std::nullopt;
-    if (!cells || (!finer && cells->scale != body.scale)) cells = CsgSolid{{part}, {}, {}, body.scale};
+    std::optional<CsgSolid> cells = has_flush(part) ? cells_of(part, body.scale, most) : std::nullopt;
+    const std::int64_t had = out.scale / body.scale, more = cells ? cells->scale / body.scale : 1;
+    if (!cells || exact::int128(had) / std::gcd(had, more) * more > most) cells = CsgSolid{{part}, {}, {}, body.scale};
     const std::int64_t scale = std::lcm(out.scale, cells->scale);
     if (scale != out.scale) out = at_scale(out, scale);
     *cells = at_scale(*cells, scale);
@@ -308,13 +443,7 @@ CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {
 
 Bounds3 bounds(const CsgPart& part) {
   Bounds3 box = bounds(one(part.within[0]));
-  for (const BodyPart& p : part.within) {
-    const Bounds3 next = bounds(one(p));
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::max(box.low[k], next.low[k]);
-      box.high[k] = std::min(box.high[k], next.high[k]);
-    }
-  }
+  for (const BodyPart& p : part.within) box = in_both(std::move(box), bounds(one(p)));
   return box;
 }
 
