@@ -151,5 +151,13 @@ TEST(ContactSurface, OfAPolytopeAndAPointIsClosed) {
   EXPECT_EQ(moving.facet_count(), p.facet_count());
 }
 
+TEST(RoundedPhi, RefusesPositionsWhoseSquaresAreNoDoubles) {
+  const BodyPart small{{}, {}, Real(1)};
+  const RoundedPhi phi(std::span(&small, 1), std::span(&small, 1));
+  EXPECT_NO_THROW(phi.at(real(Vector{0x1p400, 0, 0})));
+  EXPECT_THROW(phi.at(real(Vector{1e160, 0, 0})), Error);
+  EXPECT_THROW(phi.compare_distance(real(Vector{0, -1e160, 0}), Real()), Error);
+}
+
 }  // namespace space_rounded_phi
 }  // namespace findspace::space

@@ -4,6 +4,8 @@
 
 #include <findspace/error.h>
 
+#include "space/phi/phi_level.h"
+
 namespace findspace::space {
 namespace {
 
@@ -45,6 +47,11 @@ PhiFunction function_of(const BodyPart& p, const BodyPart& q) {
   return PhiFunction(*p.core, *q.core);
 }
 
+void check_reach(const RealVector& u) {
+  const Vector near = rounded(u);
+  check_position({near.x, near.y, near.z});
+}
+
 }  // namespace
 
 RoundedPhi::RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b)
@@ -58,10 +65,12 @@ RoundedPhi::RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b)
       })) {}
 
 RoundedPhi::At RoundedPhi::at(const RealVector& u) const {
+  check_reach(u);
   return least_at<Vector>(pairs_, [&](const RoundedPair& pair) { return value_at(pair, u); });
 }
 
 int RoundedPhi::compare_distance(const RealVector& u, const Real& rho) const {
+  check_reach(u);
   return least_sign(pairs_, [&](const RoundedPair& pair) {
     const int side = pair.phi ? sign_at(*pair.phi, u) : 1;
     return compare_to(rho, pair.radius, side, [&] { return squared_gap(pair, u); });

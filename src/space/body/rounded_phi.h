@@ -6,9 +6,9 @@
 //   R = 0   the max form of the two polytopes (phi_function.h);
 //   R > 0   the normalised one: the distance of the cores less R outside, the max form of the cores less R inside.
 // `normalised` is normalised in both cases. Guarantee: state, active facets and compare_distance() are exact at every
-// real position; values have a relative error of 2^-50, also next to contact. Inside, minus the value of a union is a
-// lower bound of the true depth (docs/phi.md). Cost: pairs times the cost of a pair. Keywords: ball, sphere, rounded
-// box, phi-function of composed objects.
+// real position up to 2^500 steps away (Error(kBadValue) beyond); values have a relative error of 2^-50, also next to
+// contact. Inside, minus the value of a union is a lower bound of the true depth (docs/phi.md). Cost: pairs times the
+// cost of a pair. Keywords: ball, sphere, rounded box, phi-function of composed objects.
 #pragma once
 
 #include <optional>

@@ -7,9 +7,10 @@
 //   R > 0   the normalised one: the distance of the cores less R outside, the max form of the cores less R inside. So
 //           two discs give |u| - R, a rectangle and a disc the piecewise form (6) of the source.
 // `normalised` is normalised in both cases. Guarantee: state, active edges and compare_distance() are exact at every
-// real position; values have a relative error of 2^-50, also next to contact. Inside, minus the value of a union is a
-// lower bound of the true depth (docs/phi.md). Cost: a filter over the edges of every pair, then exact arithmetic for
-// the few that compete. Keywords: phi-function, no-fit polygon, signed distance, non-convex.
+// real position up to 2^500 steps away (Error(kBadValue) beyond); values have a relative error of 2^-50, also next to
+// contact. Inside, minus the value of a union is a lower bound of the true depth (docs/phi.md). Cost: a filter over the
+// edges of every pair, then exact arithmetic for the few that compete. Keywords: phi-function, no-fit polygon, signed
+// distance, non-convex.
 #pragma once
 
 #include <span>
