@@ -134,7 +134,8 @@ RaySourcePointer surface_rays(const plane::Shape& shape, const Placing& placing,
   if (!solids) return nullptr;  // a surface that meets itself in edges or faces may still have convex parts
   const int sign = wanted.by.sign(), frontier = wanted.interior() ? 1 : -1;
   if ((*solids)[0].inner_walls && sign <= 0) {
-    if (wanted.interior()) refuse(shape, "the interior of a mesh with walls within is not computed on lines");
+    if (wanted.interior())
+      refuse(shape, "neither the interior nor the boundary of a mesh with walls within is computed on lines");
     if (sign < 0) return shrunk_rays(shape, placing, wanted);
   }
   const Triangles surface = moved(scaled(std::move((*solids)[0].surface), placing.factor), placing.by);
