@@ -187,7 +187,7 @@ bool is_flush(const BodyPart& polytope, const BodyPart& other) {
     return std::any_of(corners.begin(), corners.end(),
                        [&](const Point& v) { return exact::dot(plane.normal, v) + plane.offset == 0; });
   };
-  return touch(polytope, other) && std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on);
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
 }
 
 /// The normals of the flat faces.

@@ -47,10 +47,10 @@ enum class FlatParts { kDropped, kKept };
 exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
 /// The first less the second; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
-/// The closure of the interior: where polytopes that are taken away touch each other, or are flush with a face of what
-/// they are taken from, they are cut out as cells. Where rounded ones do so, `walls` is set. Still left are an edge or
-/// a corner that lies on a round face of what is taken away, and what is flush where cells do not come to lie on a
-/// grid.
+/// The closure of the interior. Polytopes that are taken away are cut out as cells where they touch each other or are
+/// flush with a face of what they are taken from. Where round surfaces do so `walls` is set. Still left are an edge or
+/// a corner on a round face of what is taken away, and lines and points in which only faces of several sets meet. So is
+/// what is flush where cells do not come to lie on a grid.
 exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);

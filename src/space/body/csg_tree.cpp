@@ -136,9 +136,9 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
 }
 
 /// As distances see it.
-Tried<CsgSolid> bulk_of(Tried<CsgSolid> made) {
-  if (!made) return made;
-  return without_flat_places(*made);
+Tried<CsgSolid> bulk_of(Tried<CsgSolid> made, const plane::Shape& shape) {
+  if (made) made = without_flat_places(*made);
+  return made ? std::move(made) : made.refusal().at(shape.place);
 }
 
 Tried<CsgSolid> node(const plane::Shape& shape) {
@@ -148,7 +148,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return bulk_of(clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid));
+      return bulk_of(clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid), shape);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -157,9 +157,9 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
     case Kind::kMirror:
       return displaced(try_csg_solid(*children[0]), shape);
     case Kind::kMinkowskiDifference:
-      return bulk_of(cut_erosion(shape));
+      return bulk_of(cut_erosion(shape), shape);
     case Kind::kOffset:
-      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape));
+      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape), shape);
       break;
     default:
       break;
