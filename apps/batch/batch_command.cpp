@@ -7,10 +7,8 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -21,6 +19,7 @@
 #include "batch/job_journal.h"
 #include "batch/job_list.h"
 #include "batch/job_workers.h"
+#include "common/begin_together.h"
 #include "common/commands.h"
 #include "common/run_limits.h"
 #include "findspace/error.h"
@@ -153,33 +152,14 @@ class Batch {
   Clock::time_point begun_ = Clock::now(), looked_ = begun_;
 };
 
-/// Of a team: where one process cannot begin, none does. All have begun before the first can have finished.
-std::unique_ptr<Batch> begun(const Options& options, Reporter& reporter) {
-  std::unique_ptr<Batch> batch;
-  std::exception_ptr thrown;
-  std::string fault;
-  try {
-    batch = std::make_unique<Batch>(options, reporter);
-  } catch (const std::exception& e) {
-    thrown = std::current_exception();
-    fault = e.what();
-  }
-  if (options.team != nullptr) {
-    const std::array<double, 1> cost{thrown ? 0.0 : 1.0};
-    const std::string first = options.team->best_of(cost, fault);
-    if (!thrown && !first.empty()) throw Error(ErrorCode::kFile, "another process cannot begin: " + first);
-  }
-  if (thrown) std::rethrow_exception(thrown);
-  return batch;
-}
-
 }  // namespace
 
 Outcome run_batch(const Options& options, Reporter& reporter) {
   if (options.outputs.size() != 1) throw Error(ErrorCode::kUsage, "batch writes one file: -o RESULTS.jsonl");
   signal(SIGPIPE, SIG_IGN);  // a worker that has ended is noticed by its pipe
   say_at_the_end("what is answered is kept: the same command goes on from there");
-  const std::unique_ptr<Batch> batch = begun(options, reporter);
+  std::unique_ptr<Batch> batch;
+  begin_together(options, [&] { batch = std::make_unique<Batch>(options, reporter); });
   batch->run();
   return batch->finish();
 }

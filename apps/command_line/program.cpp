@@ -21,6 +21,7 @@
 #include "command_line/command_line.h"
 #include "command_line/option_checks.h"
 #include "command_line/verbs.h"
+#include "common/begin_together.h"
 #include "common/outputs.h"
 #include "common/run_limits.h"
 
@@ -51,9 +52,13 @@ void finish_dump(const StageFiles& dump, Reporter& reporter) {
 Outcome run(const VerbEntry& verb, const Options& options, Reporter& reporter) {
   check_outputs(options, endings_of(verb.name));  // before anything is read
   const ThreadScope threads(options.threads);
-  const auto dump = open_dump();
   const TeamScope team(options.team);
-  const auto store = open_store(verb, options);
+  std::unique_ptr<StageFiles> dump;
+  std::unique_ptr<StoreScope> store;
+  begin_together(options, [&] {
+    dump = open_dump();
+    store = open_store(verb, options);
+  });
   Outcome outcome = verb.run(options, reporter);
   if (dump) finish_dump(*dump, reporter);
   return outcome;

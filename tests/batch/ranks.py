@@ -227,6 +227,17 @@ class Ranks(unittest.TestCase):
                                   *command], capture_output=True, text=True, env=ENVIRONMENT, timeout=300)
             self.assertEqual((run.returncode, run.stderr.count("results/r.jsonl.parts")), (3, 1), run.stderr)
 
+    def test_a_store_that_one_rank_cannot_open(self):
+        for name in ("here", "there"):
+            (self.path / name).mkdir()
+        (self.path / "there" / "store").write_text("no folder")
+        command = [RANKED, "map", EXAMPLES / "peg.json", "--store", "store"]
+        for first, second in (("here", "there"), ("there", "here")):
+            run = subprocess.run([MPIRUN, "-n", "1", "-wdir", self.path / first, *command, ":", "-n", "1", "-wdir", self.path / second,
+                                  *command], capture_output=True, text=True, env=ENVIRONMENT, timeout=300)
+            self.assertNotEqual(run.returncode, 0)
+            self.assertIn("store", run.stderr)
+
     def test_the_plain_program_under_mpirun(self):
         run = ranks(2, self.path, "map", str(EXAMPLES / "peg.json"), program=PLAIN)
         self.assertEqual(run.returncode, 2)
