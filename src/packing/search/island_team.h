@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Islands that search side by side, and the limits of a search. After rounds of the same work they meet, and those that
-// are behind go on from the best layout. Islands of other processes take part where there are some. Guarantee: without
-// a limit of time the result depends on the seed and the number of islands only. Keywords: island model, parallel
-// search.
+// are far behind go on from the best layout. Those that are near it keep their own, which may lead to a better one;
+// when exploration is over all take the best. Islands of other processes take part where there are some. Guarantee:
+// without a limit of time the result depends on the seed and the number of islands only. Keywords: island model,
+// parallel search.
 #pragma once
 
 #include <algorithm>
@@ -94,7 +95,7 @@ class IslandTeam {
   }
 
   /// All islands work up to the same amount; time and a wish to stop end it anywhere. The best layout, which those that
-  /// are behind go on from.
+  /// are far behind go on from.
   const Found& round(std::uint64_t until, const SearchLimits& limits) {
     plane::parallel_for(islands_.size(), [&](std::size_t k) {
       IslandOf<Kit>& island = *islands_[k];
@@ -103,8 +104,9 @@ class IslandTeam {
     const auto shorter = [](const auto& a, const auto& b) { return a->best().length < b->best().length; };
     best_ = (*std::min_element(islands_.begin(), islands_.end(), shorter))->best();
     if (peers_ != nullptr) exchange();
+    const double apart = limits.progress(double(until)) < Kit::kExploration ? Kit::kApart : 0;
     for (const auto& island : islands_)
-      if (island->best().length > best_.length) island->adopt(best_);
+      if (island->best().length > (1 + apart) * best_.length) island->adopt(best_);
     return best_;
   }
 

@@ -3,7 +3,7 @@
 //
 // The search for a short strip, or for few containers, on several islands. Containers are a strip with walls (rooms.h).
 // Where they cannot hold all parts, it first seeks a more valuable choice of parts, for half of the work. After rounds
-// of the same work the islands meet, and those that are behind go on from the best layout. Every better layout is
+// of the same work the islands meet, and those far behind go on from the best layout. Every better layout is
 // proved and given away at once. A layout to start with that is not feasible is separated first, or given up.
 // Guarantee: layouts given are feasible, exactly; what is not in them is left out with a reason. With a limit of work
 // alone the result depends on the seed and the number of islands only; a limit of time only ends the search. Other

@@ -20,6 +20,7 @@ struct SolidKit {
 
   static constexpr double kMostShrink = 0.016;  // of the height
   static constexpr double kExploration = 0.8;   // of the whole search
+  static constexpr double kApart = 0;           // islands that explore all go on from the best
   static constexpr Changes kChanges{0, 0, 1};   // the others came out two per cent higher
 
   static std::size_t part_of(const SolidTable& table, const SolidPose& pose) {
