@@ -21,7 +21,6 @@ class MpiTeam : public Team {
 
   std::size_t number() const override { return static_cast<std::size_t>(rank_); }
   std::size_t count() const override { return static_cast<std::size_t>(count_); }
-  void meet() override { MPI_Barrier(ranks_); }
   void broadcast(std::string& bytes, std::size_t from) override;
   bool any(bool own) override;
   std::string best_of(std::span<const double> cost, std::string own) override;

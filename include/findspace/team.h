@@ -30,8 +30,6 @@ class Team : public PackPeers {
 
   /// How many processes there are.
   virtual std::size_t count() const = 0;
-  /// Returns when all have come here.
-  virtual void meet() = 0;
   /// Gives the bytes of one process to all; all call it.
   virtual void broadcast(std::string& bytes, std::size_t from) = 0;
   /// A message from one process to another.

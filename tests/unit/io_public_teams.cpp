@@ -44,7 +44,7 @@ class ThreadTeam : public Team {
   ThreadTeam(Hall& hall, std::size_t number) : hall_(hall), number_(number) {}
   std::size_t number() const override { return number_; }
   std::size_t count() const override { return hall_.boxes.size(); }
-  void meet() override {
+  void meet() {
     std::unique_lock lock(hall_.guard);
     const std::size_t meeting = hall_.meetings;
     if (++hall_.here == count()) {

@@ -11,7 +11,7 @@
 #include "distance/planar/hausdorff.h"
 #include "plane/build/hull.h"
 #include "plane/complex/overlay.h"
-#include "plane/offset/level.h"
+#include "plane/offset/plain_sum.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
@@ -37,12 +37,7 @@ Region beside(const Region& s) { return plane::closure(plane::complement(s)); }
 
 /// The closure of what lies deeper in s.
 Region deep_in(const Region& s, const Real& depth) {
-  return plane::closure(plane::remark(plane::distance_map(beside(s), depth), [](Mark k) { return Mark(k > 0); }));
-}
-
-/// What is no farther from s.
-Region grown(const Region& s, const Real& by) {
-  return plane::remark(plane::distance_map(s, by), [](Mark k) { return Mark(k <= 0); });
+  return plane::closure(plane::plain_offset(plane::interior(s), -depth));
 }
 
 /// Parts of A without inside are no deeper than 0 in themselves, but deep in B.
@@ -91,7 +86,7 @@ ValueRange RatedGap::depth(const RealPoint& p, const Real& off) const {
   // A place where all such pairs are free is one at a distance of `off`; where one is free B reaches nothing deeper.
   double high = gap(b, deep_in(a, off)).high;
   if (asks_for_points_of(a)) high = std::min(high, gap(deep_in(b, off), a).high);
-  return {gap(b, grown(a, off)).low, high};
+  return {gap(b, plane::plain_offset(a, off)).low, high};
 }
 
 }  // namespace findspace::distance

@@ -8,11 +8,11 @@
 //     |speed of b - a| + (rotating rate of B, A in radians) * (greatest distance of B, A from its origin),
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
 // found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2,
-// and eta1, delta1 where they are positive: those have no such rate. Nor has a gap below 0 (a penetration above) but
-// between convex shapes, or where none turns. There rated_gap.h bounds the greatest gap over time and the one at an
-// instant, and discs about both shapes the least one. Not exact. Cost: up to 400 pairs of rotated shapes (a fine
-// search: 4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
-// Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
+// and eta1, delta1 where they are positive: those have no such rate. Nor has a gap below 0 (a penetration above),
+// except between convex shapes or where none turns: rated_gap.h bounds the greatest over time and the one at an
+// instant, discs about both shapes the least. Not exact. Cost: up to 400 pairs of rotated shapes (a fine search: 4000
+// of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords: rotating
+// obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>

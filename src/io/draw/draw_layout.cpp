@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/margins/rounding.h"
+
 namespace findspace::io {
 
 using plane::Bounds;
@@ -21,14 +23,13 @@ void include(std::optional<Bounds>& bounds, const Bounds& added) {
   }
 }
 
-constexpr double kNarrowest = 0x1p-43;  // no sign: of how far away it is, shown at least: doubles tell pixels apart
-
 Frame fit(const Bounds& bounds, double margin, double left, double top) {
   const double width = bounds.high[0] - bounds.low[0], height = bounds.high[1] - bounds.low[1];
   const double size = std::max(width, height);
   const double away =
       std::max({std::abs(bounds.low[0]), std::abs(bounds.high[0]), std::abs(bounds.low[1]), std::abs(bounds.high[1])});
-  const double padding = std::max(size > 0 ? size * margin : 1, away * kNarrowest);
+  // Far away as much is shown as doubles need to tell ticks apart.
+  const double padding = std::max(size > 0 ? size * margin : 1, away * margin::kRoundings512);
   // A picture that is a line would have no height: it is given a sixth of its length.
   const double extra_x = std::max(padding, (size / 6 - width) / 2),
                extra_y = std::max(padding, (size / 6 - height) / 2);
