@@ -58,7 +58,7 @@ Answer::Data described_in_plane(const AskedScene& asked, const std::string& name
   asked.stage(fmt::format("shape {}", name));
   const Shape::Rounded moved = shape.rotated_points();
   if (moved.points > 0) asked.note(rotated_note(asked.scene(), name, moved.points, moved.largest));
-  const Region set = shape.region();
+  const Region& set = shape.region();
   Answer::Data out;
   out.found = set.empty() ? Answer::Found::kNo : Answer::Found::kYes;
   out.text = [set, name](const Telling&) { return set.text(name); };
