@@ -18,7 +18,7 @@ Session rotated(const Session& session, const Options& options, const Rotation& 
   Scene out = scene.rotated(rotation);
   for (std::size_t k = scene.notes().size(); k < out.notes().size(); ++k)
     session.reporter().note(fmt::format("{}: {}", called, out.notes()[k]));
-  return Session(options, session.reporter(), std::move(out));
+  return Session(options, session.reporter(), out);
 }
 
 std::string text_of(Outcome outcome) {
