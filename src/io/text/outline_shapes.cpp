@@ -96,7 +96,8 @@ std::vector<Contour> outlines_near(const Drawing& drawing, const ReadContext& co
   for (const Chain& chain : drawing.chains) {
     if (!chain.closed) continue;
     Contour outline = expanded(chain, context, plane::CurveSide::kNear, none);
-    outlines.push_back(outline.size() < 2 ? chain.edges : std::move(outline));
+    if (outline.size() < 2) outline = chain.edges;
+    outlines.push_back(std::move(outline));
   }
   for (const Disc& disc : drawing.discs)
     outlines.push_back(plane::circle_ring(disc.center, std::max<std::int64_t>(1, std::int64_t(round(disc.radius)))));
