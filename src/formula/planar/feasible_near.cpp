@@ -83,7 +83,7 @@ class Near {
  private:
   struct Mover {
     plane::SharedRegion shape;
-    std::optional<PieceBox> box;
+    std::optional<PieceBox> box;  // none of an unbounded one
   };
   using Names = std::vector<std::string>;
 
@@ -198,7 +198,7 @@ class Near {
 
   Mover made(const Names& names) const {
     plane::SharedRegion shape = world_.shape(names);
-    auto box = plane::extent(shape);
+    const auto box = plane::is_bounded(shape) ? plane::extent(shape) : std::nullopt;
     return {std::move(shape), box};
   }
 
