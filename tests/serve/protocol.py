@@ -168,6 +168,28 @@ class Answers(unittest.TestCase):
         found = ask("place", scene=crates, near=[{"shape": "piano", "at": [0, 0, 20]}])["positions"]
         self.assertEqual(found[0], {"shape": "piano", "at": [0, 0, 20]})
 
+    def placed_near(self, place, near):
+        unit, room = {"box": {"min": [0, 0], "max": [1, 1]}}, {"box": {"min": [0, 0], "max": [20, 20]}}
+        bar = {"box": {"min": [0, 0], "max": [4, 1]}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "copies.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"findspace": 1, "shapes": {"unit": unit, "bar": bar, "room": room}, "place": place}, file)
+            return [(p["copy"], p["at"], p.get("angle", 0)) for p in ask("place", scene=path, near=near)["positions"]]
+
+    def test_copies_near_what_stands(self):
+        # One copy stands at its second angle: the others look at their own ones.
+        bars = {"shapes": ["bar"], "count": 3, "angles": [0, 90], "each": "inside(self, room)",
+                "pairs": "clear(self, other)", "minimize": ["-x", "y"]}
+        self.assertEqual(self.placed_near(bars, [{"shape": "bar", "copy": 1, "at": [8, 0], "angle": 90}]),
+                         [(1, [8, 0], 90), (2, [20, 0], 90), (3, [20, 4], 90)])
+        # The first copy comes before the second, and the third after it, whichever stands first.
+        units = {"shapes": ["unit"], "count": 3, "each": "inside(self, room)",
+                 "pairs": "clear(self, other) and not (0 < gap(self, other, toward=(1, 0)) < 2)",
+                 "minimize": ["y", "distance to [6, 0]"]}
+        self.assertEqual(self.placed_near(units, [{"shape": "unit", "copy": 2, "at": [4, 0]}]),
+                         [(2, [4, 0], 0), (1, [5, 0], 0), (3, [6, 0], 0)])
+
     def test_copies_and_texts(self):
         answers, status = serve([
             {"id": 1, "method": "copy", "params": {"as": "mine"}},

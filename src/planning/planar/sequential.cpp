@@ -59,11 +59,23 @@ class Sequence {
   struct Left {
     Region region;
     std::vector<char> minded;  // by body: it stands, and the region knows
+    std::size_t body;
   };
+
+  /// Whether each copy that stands is an earlier one of both bodies, or a later one of both.
+  bool has_conditions_of(std::size_t before, std::size_t body) const {
+    const auto& bodies = problem_.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (b == before || !poses_[b] || bodies[b].name != bodies[body].name) continue;
+      if ((bodies[b].copy < bodies[before].copy) != (bodies[b].copy < bodies[body].copy)) return false;
+    }
+    return true;
+  }
 
   Region region(std::size_t body, std::size_t angle) {
     if (problem_.bodies[body].copy == 0) return what_is_left(body, angle, nullptr).region;
-    auto& known = left_[{problem_.bodies[body].name, angle}];
+    auto& known = left_[problem_.bodies[body].variants[angle]];
+    if (known && !has_conditions_of(known->body, body)) known.reset();
     known = std::make_unique<Left>(what_is_left(body, angle, known.get()));
     return known->region;
   }
@@ -71,7 +83,7 @@ class Sequence {
   Left what_is_left(std::size_t body, std::size_t angle, const Left* known) const {
     Poses poses = poses_;
     poses[body] = Pose{angle, {}};
-    Left out{known ? known->region : own_region(body, poses), {}};
+    Left out{known ? known->region : own_region(body, poses), {}, body};
     for (const auto& p : poses_) out.minded.push_back(p.has_value());
     if (plane::is_empty(out.region)) return out;
     const auto where = plane::is_bounded(out.region) ? plane::extent(out.region) : std::nullopt;
@@ -103,7 +115,7 @@ class Sequence {
   const Problem& problem_;
   std::vector<std::vector<std::size_t>> bodies_;  // by condition
   Poses& poses_;
-  std::map<std::pair<std::string, std::size_t>, std::unique_ptr<Left>> left_;  // of copies, by name and angle
+  std::map<std::vector<std::string>, std::unique_ptr<Left>> left_;  // of copies, by their shapes at an angle
 };
 
 }  // namespace
