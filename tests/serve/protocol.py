@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import jsonschema
@@ -189,6 +190,28 @@ class Answers(unittest.TestCase):
                  "minimize": ["y", "distance to [6, 0]"]}
         self.assertEqual(self.placed_near(units, [{"shape": "unit", "copy": 2, "at": [4, 0]}]),
                          [(2, [4, 0], 0), (1, [5, 0], 0), (3, [6, 0], 0)])
+
+    def test_a_placement_that_is_stopped_is_no_proof(self):
+        # Two rings of three: the positions of the second are found again for every shape of the first that is placed.
+        shapes, clear = {}, []
+        for ring in "AD":
+            shapes[ring + "1"] = {"polygon": [[0, 0], [2, 0], [1, 2]]}
+            shapes[ring + "2"] = {"box": {"min": [0, 0], "max": [2, 1]}}
+            shapes[ring + "3"] = {"box": {"min": [0, 0], "max": [1, 2]}}
+            clear += [f"clear({ring}{i}, {ring}{j})" for i, j in ((1, 2), (1, 3), (2, 3))]
+        place = {"shapes": list(shapes), "method": "simultaneous", "each": "inside(self, C)", "constraints": clear,
+                 "minimize": ["x"]}
+        shapes["C"] = {"box": {"min": [0, 0], "max": [4, 4]}}
+        scene = json.dumps({"findspace": 1, "shapes": shapes, "place": place})
+
+        def status(*limit):
+            return subprocess.run([PROGRAM, "place", "-", "--json", "--threads", "1", *limit], input=scene,
+                                  capture_output=True, text=True).returncode
+        began = time.monotonic()
+        self.assertEqual(status(), 0)
+        whole = time.monotonic() - began
+        for part in range(10, 18):
+            self.assertIn(status("--time-limit", f"{whole * part / 20:.4f}"), (0, 4))
 
     def test_copies_and_texts(self):
         answers, status = serve([

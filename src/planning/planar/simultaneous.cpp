@@ -44,7 +44,10 @@ class Simultaneous {
     std::vector<std::vector<AtAngle>> left = out.positions;
     for (std::size_t b = 0; b < fixed.size(); ++b) {
       if (b > 0) left = projections(fixed);
-      if (!possible(left)) return out;  // only where something is undecided
+      if (!possible(left)) {  // only where something is undecided
+        out.unproven = unproven_;
+        return out;
+      }
       Chosen chosen = choose(relations_, b, left[b], fixed);
       fixed[b] = chosen.pose ? chosen.pose : any(left[b]);
     }

@@ -22,6 +22,8 @@ namespace {
 
 using Boxes = std::vector<IntervalBox>;
 
+constexpr const char* kStopped = "the time limit came before all choices were looked at";
+
 /// The difference of two positions lies in one of the boxes; the origin is number 0, body b number b + 1.
 struct Choice {
   std::size_t first = 0, second = 0;
@@ -142,13 +144,19 @@ void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, cons
                   const Limit& limit, SpaceSimultaneous& out) {
   std::vector<Boxes> left = found;
   SpacePoses poses(found.size());
+  bool stopped = false;
   for (std::size_t b = 0; b < found.size(); ++b) {
     const SpaceBest best =
         best_on_boxes(BoxComplex::of_boxes(left[b]).checked().or_throw(), space_goals(problem, b), problem.step);
-    if (!best.at) return;
+    if (!best.at) {
+      if (stopped) out.unproven = kStopped;
+      return;
+    }
     poses[b] = SpacePose{0, *best.at};
     choices[b].boxes = {point_box(*best.at)};
-    left = TogetherSearch(choices, found.size(), limit).run();
+    TogetherSearch search(choices, found.size(), limit);
+    left = search.run();
+    stopped = stopped || search.stopped();
   }
   out.witness = poses;
 }
@@ -162,7 +170,7 @@ SpaceSimultaneous place_together_in_space(const SpaceProblem& problem, const Lim
   const std::vector<Boxes> found = search.run();
   SpaceSimultaneous out;
   out.witness.resize(problem.bodies.size());
-  if (search.stopped()) out.unproven = "the time limit came before all choices were looked at";
+  if (search.stopped()) out.unproven = kStopped;
   for (const Boxes& boxes : found)
     out.positions.push_back(BoxComplex::of_boxes(boxes).checked().or_throw().simplified());
   if (std::none_of(found.begin(), found.end(), [](const Boxes& b) { return b.empty(); }))
