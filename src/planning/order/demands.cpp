@@ -93,7 +93,17 @@ class DemandMaker {
 
   using FormulaPointer = std::shared_ptr<const formula::Formula>;
   static FormulaPointer read(const Unread<formula::Formula>& text, const formula::Context& context) {
-    return std::make_shared<const formula::Formula>(text.read(context));
+    const formula::Formula formula = text.read(context);
+    std::vector<formula::Atom> atoms = formula.atoms();
+    for (formula::Atom& atom : atoms) put_mover_first(atom.distance, context);
+    return std::make_shared<const formula::Formula>(formula.root(), std::move(atoms));
+  }
+
+  /// One way of a direction is that of `self`, or else that of the placed shape that is named first.
+  static void put_mover_first(formula::Distance& d, const formula::Context& context) {
+    if (d.mode != formula::Mode::kToward) return;
+    const std::string self = kSelf;
+    d = moving_first(moving_first(d, {&self, 1}), context.moving);
   }
 
   void add_each() {
@@ -170,7 +180,11 @@ class DemandMaker {
   void add_objectives() {
     formula::Context context = named_context();
     context.moving.push_back(kSelf);
-    for (const Unread<formula::Goal>& text : asked_.minimize) demands_.goals.push_back(text.read(context));
+    for (const Unread<formula::Goal>& text : asked_.minimize) {
+      formula::Goal goal = text.read(context);
+      if (goal.objective) put_mover_first(goal.objective->distance, context);
+      demands_.goals.push_back(std::move(goal));
+    }
   }
 
   const Asked& asked_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "formula/language/text.h"
 #include "planning/order/relations.h"
 #include "space/box/box_operations.h"
 
@@ -72,6 +73,14 @@ plane::ShapePtr moved(const plane::ShapePtr& shape, const std::string& name, con
   out.points = {plane::GridPoint{whole->x, whole->y}};
   out.lift = whole->z;
   return std::make_shared<const plane::Shape>(std::move(out));
+}
+
+/// One way of a shape that stands is the other way of the one that moves.
+void go_back(formula::Distance& d) {
+  if (d.mode != formula::Mode::kToward) return;
+  std::vector<std::string> numbers;
+  for (Real& c : d.vector) numbers.push_back(formula::number_text(c = -c));
+  d.vector_text = fmt::format("({})", fmt::join(numbers, ", "));
 }
 
 }  // namespace
@@ -141,7 +150,10 @@ Node SpaceStage::bound_node(const Node& node, const Condition& condition, std::v
   Atom atom = condition.formula->atoms()[node.atom];
   atom.distance.first = names(atom.distance.first, condition.roles);
   atom.distance.second = names(atom.distance.second, condition.roles);
-  if (moves(atom.distance.first) || moves(atom.distance.second)) {
+  const bool first = moves(atom.distance.first);
+  if (first || moves(atom.distance.second)) {
+    const Names& named = condition.formula->atoms()[node.atom].distance.first;
+    if (!first && condition.roles.count(named.at(0)) != 0) go_back(atom.distance);
     out.atom = atoms.size();
     atoms.push_back(std::move(atom));
     return out;
