@@ -370,6 +370,23 @@ TEST(Parse, ARuleBetweenListsKeepsItsNames) {
   EXPECT_EQ(one.atoms()[0].distance.first, (std::vector<std::string>{"R1", "R2"}));
   EXPECT_EQ(written(one), "between(tht, smd) >= 0.2");
   EXPECT_EQ(parse_formula(written(one), board), one);
+  const Formula itself = parse_formula("between(smd, smd) > 1", board);
+  ASSERT_EQ(itself.atoms().size(), 1u);
+  EXPECT_EQ(written(itself), "between(smd, smd) > 1");
+  Context both = board;  // each list has a shape that moves and one that stands
+  both.groups["tht"] = {"R2", "J1"};
+  both.groups["smd"] = {"R1", "C1"};
+  const Formula two = parse_formula("between(smd, tht) >= 0.2", both);
+  ASSERT_EQ(two.atoms().size(), 2u);
+  EXPECT_EQ(two.root().op, Node::Op::kAnd);
+  EXPECT_EQ(two.atoms()[0].distance.first, std::vector<std::string>{"R1"});
+  EXPECT_EQ(two.atoms()[0].distance.second, std::vector<std::string>{"tht"});
+  EXPECT_EQ(two.atoms()[1].distance.first, std::vector<std::string>{"R2"});
+  EXPECT_EQ(two.atoms()[1].distance.second, std::vector<std::string>{"smd"});
+  EXPECT_EQ(written(two), "between(R1, tht) >= 0.2 and between(R2, smd) >= 0.2");
+  EXPECT_EQ(parse_formula(written(two), both), two);
+  EXPECT_EQ(parse_formula("between(smd, tht) < 0.2", both).root().op, Node::Op::kOr);
+  EXPECT_THROW(parse_formula("between(smd, tht) = 0.2", both), Error);
   board.independent = true;
   board.body_of = {{"R1", 0}, {"R2", 1}};
   const Formula pairs = parse_formula("between(tht, smd) >= 0.2", board);

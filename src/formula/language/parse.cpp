@@ -95,7 +95,8 @@ class Grammar {
     if (terms.empty()) return Node{Op::kTrue, 0, {}};
     const bool all = relation == Relation::kGreater || relation == Relation::kGreaterEqual;
     if (terms.size() > 1 && !all && relation != Relation::kLess && relation != Relation::kLessEqual)
-      cursor_.fail(ErrorCode::kUnsupported, terms.front().span, "'between' takes < <= >= > in a placement");
+      cursor_.fail(ErrorCode::kUnsupported, terms.front().span,
+                   "'between' takes < <= >= > where it stands for several gaps");
     Node out{all ? Op::kAnd : Op::kOr, 0, {}};
     for (Term& term : terms) out.operands.push_back(add(comparison(std::move(term), relation, number)));
     return terms.size() == 1 ? Node(out.operands.front()) : out;

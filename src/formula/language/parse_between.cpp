@@ -37,17 +37,20 @@ RuleLists lists_of(const Context& context, std::string first, std::string second
   return out;
 }
 
-/// Where all that moves has one position: the gap of it to the others, in the words of the rule.
-Distance of_all(const RuleLists& lists) {
-  Distance out;
-  out.lists = {lists.names[0], lists.names[1]};
-  const auto add = [](std::vector<std::string>& names, const std::string& name) {
-    if (!is_among(names, name)) names.push_back(name);
-  };
+/// Where all that moves has one position: the gap of what moves in each list to the other one, in the words of the
+/// rule.
+std::vector<Distance> of_all(const RuleLists& lists) {
+  std::vector<Distance> out;
   for (std::size_t k = 0; k < 2; ++k) {
-    for (const std::string& mover : lists.moving[k]) add(out.first, mover);
-    if (!lists.moving[k].empty() && lists.stands[1 - k]) add(out.second, lists.names[1 - k]);
+    if (lists.moving[k].empty() || !lists.stands[1 - k]) continue;
+    if (!out.empty() && lists.names[0] == lists.names[1]) continue;
+    out.emplace_back();
+    out.back().first = lists.moving[k];
+    out.back().second = {lists.names[1 - k]};
+    out.back().lists = {lists.names[0], lists.names[1]};
   }
+  if (out.size() == 1) return out;
+  for (Distance& d : out) d.lists = {d.first.size() == 1 ? d.first[0] : d.lists[&d - out.data()], d.second[0]};
   return out;
 }
 
@@ -93,16 +96,11 @@ std::vector<Term> CallReader::between() {
   if (!cursor_.accept(Token::Kind::kClose)) cursor_.fail_unclosed(open);
   span.end = cursor_.end();
   std::vector<Term> out;
-  const auto add = [&](Distance distance) {
-    if (distance.first.empty() || distance.second.empty()) return;
+  for (Distance& distance : context_.independent ? of_pairs(lists, context_) : of_all(lists)) {
     distance.kind = Kind::kGamma1;
     distance.spelled = &plain_name(Kind::kGamma1);
     out.push_back({std::move(distance), false, span});
-  };
-  if (!context_.independent)
-    add(of_all(lists));
-  else
-    for (Distance& distance : of_pairs(lists, context_)) add(std::move(distance));
+  }
   return out;
 }
 

@@ -53,7 +53,7 @@ class CallReader {
   /// Whether a rule between two lists of shapes stands here: between(G, H).
   bool at_between() const;
   /// The gaps of what moves in one of the lists to the other shapes of the other list, of which the least is meant:
-  /// one, or where shapes move on their own one a pair. None where neither list has a shape that moves.
+  /// one a list, or where shapes move on their own one a pair. None where neither list has a shape that moves.
   std::vector<Term> between();
   /// A predicate's atom, from its name to its ')'.
   Atom predicate();
