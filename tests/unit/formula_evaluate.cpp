@@ -156,6 +156,33 @@ TEST(Text, Decimals) {
   EXPECT_EQ(decimal_text(sqrt(Real(2))), "");
 }
 
+/// Of the formula where every sign is open.
+std::int8_t certainty_of_none(const Formula& formula) {
+  std::vector<std::int8_t> bounds;
+  for (std::size_t k = 0; k < formula.sign_maps().size(); ++k) bounds.insert(bounds.end(), {-1, 1});
+  return certainty(formula, bounds);
+}
+
+TEST(Evaluate, CertaintyOfManyOpenSigns) {
+  std::string sentence = "gap(B, A) >= 1";
+  for (int level = 2; level <= 40; ++level) sentence += " and gap(B, A) >= " + std::to_string(level);
+  const Formula all = read(sentence);
+  EXPECT_EQ(certainty_of_none(all), 1);
+  std::vector<std::int8_t> bounds;
+  for (int k = 0; k < 40; ++k) bounds.insert(bounds.end(), {-1, 1});
+  bounds[50] = bounds[51] = -1;
+  EXPECT_EQ(certainty(all, bounds), 0);
+  EXPECT_EQ(certainty(negation(all), bounds), 2);
+  EXPECT_EQ(certainty_of_none(read("(" + sentence + ") or true")), 2);
+  EXPECT_EQ(certainty_of_none(read("(" + sentence + ") and false")), 0);
+}
+
+TEST(Evaluate, CertaintyOfFewOpenSignsIsExact) {
+  EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 or gap(B, A) < 1")), 2);
+  EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 and gap(B, A) < 1")), 0);
+  EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 or gap(B, A) < 2")), 1);  // signs, not values
+}
+
 TEST(Units, FactorsAreExact) {
   using exact::Real;
   EXPECT_EQ(factor(Unit::kInch, Unit::kMillimetre), Real::ratio(254, 10));

@@ -82,15 +82,44 @@ Program compile(const Node& root, std::span<const Atom> atoms, std::span<const s
   return {compiler.take(), entry};
 }
 
+namespace {
+
+std::int8_t certainty(bool may_hold, bool may_fail) { return std::int8_t(!may_hold ? 0 : may_fail ? 1 : 2); }
+
+/// As if every decision met signs of its own: right, but where a formula looks at one sign several times it may say 1
+/// for what is 2 or 0. An instruction comes before those that lead to it.
+std::int8_t certainty_of_steps(const Formula& formula, std::span<const std::int8_t> bounds) {
+  const auto program = formula.program();
+  std::vector<char> reached(program.size());
+  bool may_hold = false, may_fail = false;
+  const auto go_on = [&](std::int32_t at) {
+    (at == Instruction::kTrue ? may_hold : may_fail) |= at < 0;
+    if (at >= 0) reached[std::size_t(at)] = 1;
+  };
+  go_on(formula.entry());
+  for (std::size_t at = program.size(); at-- > 0;) {
+    if (!reached[at]) continue;
+    const Instruction& step = program[at];
+    for (int s = bounds[2 * step.sign_map]; s <= bounds[2 * step.sign_map + 1]; ++s)
+      go_on((step.accepted >> (s + 1) & 1u) != 0 ? step.on_true : step.on_false);
+  }
+  return certainty(may_hold, may_fail);
+}
+
+}  // namespace
+
 std::int8_t certainty(const Formula& formula, std::span<const std::int8_t> bounds) {
+  constexpr std::size_t kMostTried = 8;  // open signs, of which every combination is tried
   const std::size_t n = formula.sign_maps().size();
+  std::size_t open = 0;
+  for (std::size_t k = 0; k < n; ++k) open += bounds[2 * k] != bounds[2 * k + 1];
+  if (open > kMostTried) return certainty_of_steps(formula, bounds);
   std::vector<std::int8_t> signs(n);
-  bool all = true, some = false;
+  bool may_hold = false, may_fail = false;
   std::function<void(std::size_t)> choose = [&](std::size_t k) {
+    if (may_hold && may_fail) return;
     if (k == n) {
-      const bool holds = evaluate(formula, signs);
-      all &= holds;
-      some |= holds;
+      (evaluate(formula, signs) ? may_hold : may_fail) = true;
       return;
     }
     for (std::int8_t s = bounds[2 * k]; s <= bounds[2 * k + 1]; ++s) {
@@ -99,7 +128,7 @@ std::int8_t certainty(const Formula& formula, std::span<const std::int8_t> bound
     }
   };
   choose(0);
-  return std::int8_t(all ? 2 : some ? 1 : 0);
+  return certainty(may_hold, may_fail);
 }
 
 }  // namespace findspace::formula

@@ -43,7 +43,8 @@ struct Program {
 Program compile(const Node& root, std::span<const Atom> atoms, std::span<const std::size_t> sign_map_of);
 
 /// Of signs known between bounds only, low and high in turn for every sign map of the formula: 2 where it holds
-/// whatever they are, 1 where it holds for some, else 0.
+/// whatever they are, 1 where it holds for some, else 0. With more than eight open signs it may be 1 where the formula
+/// looks at one of them several times.
 std::int8_t certainty(const Formula& formula, std::span<const std::int8_t> bounds);
 
 }  // namespace findspace::formula
