@@ -290,6 +290,22 @@ TEST(Parse, ShapesThatMoveTogetherMayBeAUnion) {
   EXPECT_EQ(canonical("gamma1(A1+A2, A) > 0", context), "gamma1(A1+A2, A) > 0");
 }
 
+TEST(Parse, ASideMayBeginWithASignOrAFactor) {
+  EXPECT_EQ(canonical("-gap(B, A) <= 5"), "gamma1(B, A) >= -5");
+  EXPECT_EQ(canonical("+gap(B, A) <= 5"), "gamma1(B, A) <= 5");
+  EXPECT_EQ(canonical("-margin(B, A) <= 5"), "eta1(B, A) <= 5");
+  EXPECT_EQ(canonical("(1+2) * gap(B, A) >= 3"), "gamma1(B, A) >= 1");
+  EXPECT_EQ(canonical("-(1 + 3)/2 * gap(B, A) >= 3"), "gamma1(B, A) <= -1.5");
+  EXPECT_EQ(canonical("(1+2) <= gap(B, A)"), "gamma1(B, A) >= 3");
+  EXPECT_EQ(canonical("not ((2) * gap(B, A) >= 3 or ((1 <= gap(B, A))))"),
+            "not (gamma1(B, A) >= 1.5 or gamma1(B, A) >= 1)");
+  EXPECT_EQ(canonical("gap(B, A, rotating=(0, 0)) >= 30deg + 15deg"), "gamma1(B, A, rotating=(0, 0)) >= 45");
+  EXPECT_EQ(canonical("2 * gap(B, A, rotating=(0, 0)) >= 30deg"), "gamma1(B, A, rotating=(0, 0)) >= 15");
+  for (const char* wrong : {"gap(B, A, rotating=(0, 0)) >= 30mm + 15mm", "2 * gap(B, A, rotating=(0, 0)) >= 30mm",
+                            "gap(B, A) >= 30deg + 15deg", "(1+2)", "()"})
+    EXPECT_THROW(parse_formula(wrong, scene()), Error) << wrong;
+}
+
 TEST(Parse, MovingFirst) {
   const std::vector<std::string> moving{"B"};
   const auto rotated = [&](const char* sentence) {

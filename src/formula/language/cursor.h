@@ -29,6 +29,8 @@ class Cursor {
   const Token& take();
   bool accept(Token::Kind kind);
   bool accept_word(std::string_view word);
+  /// The text from the next token on.
+  std::string_view rest() const { return source_.text().substr(peek().span.begin); }
   /// The end of what has been read.
   std::size_t end() const { return end_; }
 

@@ -60,7 +60,8 @@ class Grammar {
     if (cursor_.accept(K::kNot) || cursor_.accept_word("not")) {
       node = Node{Op::kNot, 0, {}};
       node.operands.push_back(negation());
-    } else if (cursor_.accept(K::kOpen)) {
+    } else if (cursor_.at(K::kOpen) && !at_number_in_parentheses(cursor_)) {
+      cursor_.take();
       node = disjunction();
       if (!cursor_.at(K::kClose)) fail_after_condition(&start);
       cursor_.take();
@@ -72,7 +73,7 @@ class Grammar {
   }
 
   Node atom() {
-    if (at_number(cursor_)) return number_first();
+    if (at_arithmetic(cursor_)) return at_negated_distance() ? distance_first() : number_first();
     if (!cursor_.at(K::kName)) cursor_.fail_syntax("a condition is meant here, found {}", cursor_.found());
     for (const char* word : {"and", "or"}) {
       if (cursor_.at_word(word)) cursor_.fail_syntax("a condition is meant here, found '{}'", word);
@@ -83,6 +84,11 @@ class Grammar {
     if (find_predicate(cursor_.peek().text) != nullptr) return predicate();
     if (calls_.at_between()) return between();
     return distance_first();
+  }
+
+  /// -gap(B, A)
+  bool at_negated_distance() const {
+    return (cursor_.at(K::kMinus) || cursor_.at(K::kPlus)) && cursor_.peek(1).kind == K::kName;
   }
 
   /// between(G, H) >= number: true where neither list has a shape that moves. Of several gaps the least is meant.

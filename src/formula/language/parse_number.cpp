@@ -17,7 +17,7 @@ constexpr int kLargestExponent = 100;
 constexpr const char* kBeyondCoordinates = "a number too long or too large for any coordinate";
 
 /// A product of this many factors at most, and parentheses this deep.
-constexpr int kMostFactors = 16, kDeepest = 8;
+constexpr int kMostFactors = 16, kMostNested = 8;
 
 bool is_too_long(const std::string& digits) {
   const std::size_t mantissa = std::min(digits.find_first_of("eE"), digits.size());
@@ -49,7 +49,7 @@ Factor decimal(Cursor& cursor) {
 /// ( product + product - ... ), without units.
 Factor in_parentheses(Cursor& cursor, int depth) {
   const Span open = cursor.take().span;
-  if (depth > kDeepest) cursor.fail(ErrorCode::kSyntax, open, "parentheses nested too deeply");
+  if (depth > kMostNested) cursor.fail(ErrorCode::kSyntax, open, "parentheses nested too deeply");
   Factor sum{exact::Real(0), "("};
   bool negative = cursor.at(Token::Kind::kMinus);
   if (negative || cursor.at(Token::Kind::kPlus)) cursor.take();
@@ -132,6 +132,33 @@ bool at_number(const Cursor& cursor) {
 }
 
 bool at_arithmetic(const Cursor& cursor) { return at_number(cursor) || cursor.at(Token::Kind::kOpen); }
+
+bool at_number_in_parentheses(const Cursor& cursor) {
+  if (!cursor.at(Token::Kind::kOpen)) return false;
+  Lexer lexer(cursor.rest());
+  bool any = false;
+  for (int depth = 0; depth <= kMostNested + 1;) {
+    switch (lexer.next().kind) {
+      case Token::Kind::kOpen:
+        ++depth;
+        break;
+      case Token::Kind::kClose:
+        if (--depth == 0) return any;
+        break;
+      case Token::Kind::kNumber:
+        any = true;
+        break;
+      case Token::Kind::kPlus:
+      case Token::Kind::kMinus:
+      case Token::Kind::kTimes:
+      case Token::Kind::kOver:
+        break;
+      default:
+        return false;
+    }
+  }
+  return false;
+}
 
 exact::Real read_decimal(Cursor& cursor) { return decimal(cursor).value; }
 

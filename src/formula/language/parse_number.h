@@ -35,6 +35,8 @@ struct Level {
 bool at_number(const Cursor& cursor);
 /// Whether a number begins here, or one in parentheses.
 bool at_arithmetic(const Cursor& cursor);
+/// Whether parentheses begin here that hold numbers alone.
+bool at_number_in_parentheses(const Cursor& cursor);
 /// The decimal that stands here, without sign and unit.
 exact::Real read_decimal(Cursor& cursor);
 /// A sign, a product or quotient of decimals and totals in parentheses, and a unit, as far as they are there. What

@@ -71,6 +71,7 @@ class SumReader {
     if (!cursor_.at(K::kName)) cursor_.fail_syntax("a distance is meant here, found {}", cursor_.found());
     Term term = calls_.distance();
     if (weight.sign() == 0) cursor_.fail(ErrorCode::kBadValue, term.span, "a distance times 0 says nothing");
+    sum_.angle = sum_.angle || term.distance.mode == Mode::kRotation;
     add(sum_.terms, {term.negated ? -weight : weight, term.distance});
     ++count_;
     if (plain) sum_.term = std::move(term);
@@ -112,6 +113,7 @@ Sum read_sum(Cursor& cursor, const Context& context, CallReader& calls, Number f
 Sum difference(const Sum& left, const Sum& right) {
   Sum out = left;
   out.term.reset();
+  out.angle = left.angle || right.angle;
   for (const SumTerm& t : right.terms) add(out.terms, {-t.weight, t.distance});
   for (Number number : right.numbers) {
     out.numbers.push_back(negated(std::move(number)));
@@ -137,7 +139,7 @@ SumCondition condition(const Cursor& cursor, const Context& context, Sum sum, Re
   };
   Real constant;
   for (const Number& number : sum.numbers)
-    constant = constant + level_of(cursor, context, number, Quantity::kLength).value;
+    constant = constant + level_of(cursor, context, number, sum.angle ? Quantity::kAngle : Quantity::kLength).value;
   if (sum.terms.empty()) return known(constant.sign());
   if (const int sign = infinity(cursor, sum); sign != 0) return known(sign);
   if (sum.terms.size() > 1) check_sum(cursor, context, sum);

@@ -18,9 +18,10 @@ namespace findspace::formula {
 /// What stands on one side of a relation.
 struct Sum {
   std::vector<SumTerm> terms;   // no distance twice
-  std::vector<Number> numbers;  // read as lengths where distances are compared
+  std::vector<Number> numbers;  // angles where a distance is in rotation, else lengths
   std::optional<Term> term;     // where it is one distance and nothing else
   Span span;
+  bool angle = false;  // a distance is in rotation
   /// One number and nothing else.
   bool is_number() const { return terms.empty() && numbers.size() == 1; }
 };
