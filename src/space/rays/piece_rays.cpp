@@ -89,8 +89,11 @@ std::vector<PieceRays::Stretch> PieceRays::united(std::vector<Stretch> all, bool
   if (!open) {
     for (Stretch& s : all) s.low.held = s.high.held = true;
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const Stretch& a, const Stretch& b) { return compare_ends(a.low, b.low, i, j) < 0; });
+  // Of those that begin together one that holds the place comes first: so it joins what ended there without it.
+  std::stable_sort(all.begin(), all.end(), [&](const Stretch& a, const Stretch& b) {
+    const int order = compare_ends(a.low, b.low, i, j);
+    return order != 0 ? order < 0 : a.low.held && !b.low.held;
+  });
   std::vector<Stretch> out;
   for (const Stretch& s : all) {
     const int gap = out.empty() ? 1 : compare_ends(s.low, out.back().high, i, j);
@@ -99,7 +102,6 @@ std::vector<PieceRays::Stretch> PieceRays::united(std::vector<Stretch> all, bool
       continue;
     }
     Stretch& last = out.back();
-    if (s.low.held && !last.low.held) last.low.held = compare_ends(s.low, last.low, i, j) == 0;
     const int order = compare_ends(s.high, last.high, i, j);
     if (order > 0) last.high = s.high;
     if (order == 0) last.high.held = last.high.held || s.high.held;
