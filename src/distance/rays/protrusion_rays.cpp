@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "distance/rays/line_signs.h"
-#include "distance/search/solid_protrusion.h"
+#include "distance/search/grown_set.h"
 #include "exact/margins/space_distance.h"
 #include "space/rays/oblique_line.h"
 
@@ -44,7 +44,9 @@ double convex_run(const std::function<double(double)>& f, double size) {
 
 class PartsField : public ProtrusionField {
  public:
-  explicit PartsField(const space::Body& body) : nearest_(distances_to_parts(body)) {
+  explicit PartsField(const space::Body& body) {
+    // Less than 0 inside: at small levels what is deep in A counts.
+    for (const space::BodyPart& part : body.parts) nearest_.push_back(grown_distance(grown_set(part)));
     const space::Bounds3 box = bounds(body);
     size_ = space::length(space::rounded(space::minus(box.high, box.low)));
   }

@@ -8,7 +8,8 @@
 // protrudes, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
 // goes on with the rest. The places of these points are tried on the next line of the row before it is searched.
 // Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
-// and the level of the level. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some
+// and the level of the level; at levels this near to 0 also where B lies across a wall that parts of A share, which is
+// not seen to be inside. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some
 // for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes, certified bounds.
 #pragma once
 
@@ -51,7 +52,7 @@ class ProtrusionRays : public space::RaySource {
   /// Makes the sign map that the vertices of B have for a level.
   using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
 
-  /// B of polyhedra and balls, of the same scale as A; the level and the radii of A are not both 0.
+  /// B of polyhedra and balls, of the same scale as A; the level is not less than 0.
   ProtrusionRays(const space::Body& b, std::unique_ptr<ProtrusionField> a, const exact::Real& level,
                  const Vertices& vertices, const space::RayGrid& grid);
 

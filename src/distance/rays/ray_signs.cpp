@@ -137,15 +137,16 @@ Source RaySignMaker::gamma1(const Real& level) const {
   return rays(std::move(pieces));
 }
 
-/// What is nearer to the difference of two parts than the level and their radii.
+/// What is nearer to the difference of two parts than the level and their radii; where these are less than 0, what is
+/// as deep in it.
 void RaySignMaker::add_near(const BodyPart& t, const BodyPart& s, const Real& level,
                             std::vector<LinePiece>& pieces) const {
-  const std::vector<HalfSpace> planes = space::difference_planes(t, s);
+  std::vector<HalfSpace> planes = space::difference_planes(t, s);
   const Real grown = t.radius + s.radius + level;
-  if (grown.sign() < 0) return;
+  if (grown.sign() < 0) planes = shifted(std::move(planes), -grown);
   if (!planes.empty()) {
     const space::Extent extent = space::difference_extent(t, s);
-    pieces.push_back(space::polytope_piece(planes, extent.low, extent.high));
+    pieces.push_back(space::polytope_piece(std::move(planes), extent.low, extent.high));
   }
   if (grown.sign() > 0) add_round_pieces(difference_core(t, s), grown, pieces);
 }

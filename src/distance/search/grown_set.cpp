@@ -19,9 +19,13 @@ using space::Vector;
 
 namespace {
 
+/// The greatest value of the planes, or one that is not less than 0.
 double greatest_value(std::span<const HalfSpace> planes, const Vector& x) {
   double most = -exact::kInfinity;
-  for (const HalfSpace& h : planes) most = std::max(most, h.approx_value(x));
+  for (const HalfSpace& h : planes) {
+    most = std::max(most, h.approx_value(x));
+    if (most >= 0) break;
+  }
   return most;
 }
 
