@@ -154,6 +154,18 @@ Tried<space::RaySourcePointer> along_lines(const RayWorld& world, const SignMap&
                                              map.level / world.step * Real(grid.parts), grid);
 }
 
+/// Whether the coordinates of surfaces, and those from the centres of balls, are within the limit of ray maps.
+bool in_ray_range(const std::vector<RaySolid>& b, const std::vector<RaySolid>& a, const RayGrid& grid) {
+  bool any = false, balls = false;
+  space::Point low, high;
+  for (const auto* solids : {&b, &a}) {
+    space::extend_box(*solids, low, high, any);
+    balls = balls || std::any_of(solids->begin(), solids->end(), [](const RaySolid& s) { return s.ball(); });
+  }
+  const std::int64_t parts = balls ? 2 * grid.parts : grid.parts;
+  return space::in_ray_range(low, parts) && space::in_ray_range(high, parts);
+}
+
 /// By the surfaces of the solids, as they are; no sources where they do not answer.
 Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
                                const RayGrid& grid) {
@@ -161,7 +173,7 @@ Tried<SurfaceRays> by_surfaces(const RayWorld& world, const SignMap& map, const 
   if (is_directional(d) && (map.level.sign() != 0 || nearest_kind(d.kind) != d.kind)) return SurfaceRays();
   const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
   const auto b = solids(world, moving), a = solids(world, fixed);
-  if (!b || !a) return SurfaceRays();
+  if (!b || !a || !in_ray_range(*b, *a, grid)) return SurfaceRays();
   return solid_rays(which(d.kind, second), {*b, [&] { return body(world, moving); }},
                     {*a, [&] { return body(world, fixed); }}, map.level / world.step, grid);
 }
