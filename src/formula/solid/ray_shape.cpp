@@ -37,7 +37,7 @@ namespace {
 Tried<LazyBody::Pointer> body_of(const plane::Shape& shape) {
   const Tried<SpaceShape> made = try_space_shape(shape);
   if (!made) return made.refusal();
-  if (!made->body) return exact::Refusal(made->refused, shape.place);
+  if (!made->body) return exact::Refusal(made->refused);
   return made->body.try_pointer();
 }
 

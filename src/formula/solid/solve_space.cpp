@@ -183,8 +183,7 @@ Tried<SignedValue> signed_value(const PreparedSpace& prepared, const SignMap& ma
   if (const auto on_map = sign_map(prepared, map)) return signs_alone(on_map->mark(p), Way::kMap);
   if (!prepared.world.rays) return by_value.refusal();
   const auto on_ray = sign_at_position(*prepared.world.rays, map, p);
-  if (!on_ray) return on_ray.refusal();
-  if (!*on_ray) return by_value.refusal();
+  if (!on_ray || !*on_ray) return by_value.refusal();
   return signs_alone(**on_ray, Way::kLines);
 }
 

@@ -58,7 +58,7 @@ Tried<SpaceShape> try_space_shape(const plane::Shape& shape) {
   SpaceShape out;
   out.boxes = space::box_complex(shape);
   if (out.boxes && out.boxes->empty()) {
-    out.refused = "the shape is empty";
+    out.refused = exact::Refusal("the shape is empty", shape.place).error.what();
     return out;
   }
   if (out.boxes) {
