@@ -68,7 +68,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
 `diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
-along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact · fast | `gap` enclosed, others refused · slow | exact · slow
+along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact or enclosed 2^-30 · fast | `gap` enclosed, others refused · slow | exact · slow
 # Truth at a position
 where the value is exact | exact
 where it is enclosed | refused near the level
@@ -178,6 +178,7 @@ Some cells need more words:
 | `eta2` in a ball | more than 40 corners or balls are refused |
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
 | containment in "round" along a direction, other lines | level 0 only |
+| containment in "round", B across a wall that parts share | level 0 is not decided; along a direction mostly refused |
 | least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
 | orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |

@@ -48,9 +48,7 @@ int sign_of_value(const Case& c, const Body& b, const Body& a, const RealVector&
   const RayRow row = rays->row(0);
   plane::Section line{row.before[0], {}};
   for (const space::RayEvent& e : row.events) line.stops.push_back({e.at.to_real(), e.here, e.after});
-  const auto v = is_farthest(c.which) ? farthest_place(line, c.both_ways) : nearest_change(line, c.both_ways);
-  if (!v) return 1;
-  return v->lowest ? -1 : compare(Real(v->sign) * abs(v->t), c.level);
+  return sign_of(translation_value(line, is_farthest(c.which), c.both_ways), c.level);
 }
 
 struct Counts {

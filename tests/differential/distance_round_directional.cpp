@@ -65,9 +65,9 @@ double gap_at(const Case& c, const Body& b, const Body& a, const RealVector& p) 
   const RayRow row = rays->row(0);
   plane::Section line{row.before[0], {}};
   for (const space::RayEvent& e : row.events) line.stops.push_back({e.at.to_real(), e.here, e.after});
-  const auto v = is_farthest(c.which) ? farthest_place(line, c.both_ways) : nearest_change(line, c.both_ways);
+  const auto v = translation_value(line, is_farthest(c.which), c.both_ways);
   if (!v) return 1000;
-  return v->lowest ? -1000 : (Real(v->sign) * abs(v->t) - c.level).to_double();
+  return v->lowest ? -1000 : (v->value() - c.level).to_double();
 }
 
 struct Counts {

@@ -78,7 +78,7 @@ SignMap DirectionalSigned::sign_map(const Real& level) const {
 std::optional<PlanarAnswer> DirectionalSigned::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
   if (mark_of(base_, locate(base_, p)) == 0) return exact_answer(Real(), Way::kMap);
-  const auto found = nearest_change(track_section(base_, direction_, p), direction_.both_ways);
+  const auto found = translation_value(track_section(base_, direction_, p), false, direction_.both_ways);
   if (!found) return std::nullopt;
   if (!found->lowest) return at_parameter(found->t, direction_, p, found->sign);
   return lowest_answer(Way::kMap);
@@ -127,7 +127,7 @@ SignMap DirectionalFarthest::sign_map(const Real& level) const {
 
 std::optional<PlanarAnswer> DirectionalFarthest::value(const RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  const auto found = farthest_place(track_section(base_, direction_, p), direction_.both_ways);
+  const auto found = translation_value(track_section(base_, direction_, p), true, direction_.both_ways);
   if (!found) return std::nullopt;
   return exact_answer(at_parameter(found->t, direction_, p, 1).value, Way::kMap);
 }

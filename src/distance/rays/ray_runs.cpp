@@ -33,18 +33,12 @@ Section RayRuns::section(const RayRow& row, int i) const {
   return back;
 }
 
-/// Of the distance less the level at a place.
+/// Of the distance less the level at a place; 0 also where a search does not tell it.
 int RayRuns::sign(const Section& line, const Real& at) const {
   Section seen = line;
   for (Section::Stop& stop : seen.stops) stop.t -= at;
-  if (query_.farthest) {
-    const bool bounded = line.before > 0 && (line.stops.empty() || line.stops.back().after > 0);
-    const auto found = bounded ? farthest_place(seen, query_.both_ways) : std::nullopt;
-    return found ? compare(abs(found->t), level_) : 1;
-  }
-  const auto found = nearest_change(seen, query_.both_ways);
-  if (!found) return 1;
-  return found->lowest ? -1 : compare(Real(found->sign) * abs(found->t), level_);
+  if (searched_) return translation_bounds(seen, query_.farthest, query_.both_ways).sign(level_, query_.farthest);
+  return sign_of(translation_value(seen, query_.farthest, query_.both_ways), level_);
 }
 
 RayPosition RayRuns::position(const Real& at, int number, int i, int j) const {

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "findspace/error.h"
@@ -139,10 +138,12 @@ Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std:
   if (!v) return 1;
   if (v->minus_infinity) return -1;
   const Real level = wanted.level / prepared.world.step;
-  if (!v->proven && std::fabs((v->value - level).to_double()) <= v->slack())
-    return refused(wanted.distance,
-                   "the value, found by search, is too near the level to tell on which side of it it lies");
-  return compare(v->value, level);
+  if (v->proven) return compare(v->value, level);
+  const distance::Enclosure ends = v->bounds();
+  if (ends.lower && level < *ends.lower) return 1;
+  if (ends.upper && *ends.upper < level) return -1;
+  return refused(wanted.distance,
+                 "the value, found by search, is too near the level to tell on which side of it it lies");
 }
 
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.

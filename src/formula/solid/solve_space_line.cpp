@@ -82,7 +82,37 @@ SignMap level_zero(const Distance& d) {
   return map;
 }
 
-bool is_bounded(const Section& line) { return line.before > 0 && (line.stops.empty() || line.stops.back().after > 0); }
+/// The position so far along the line.
+RealVector at_way(const SpaceLine& line, const Real& t) {
+  return space::along(line.through, t / sqrt(space::dot(line.direction, line.direction)), line.direction);
+}
+
+/// Of signs that a search told. Nothing: +infinity, or undefined.
+Tried<std::optional<Answer>> bounded_value(const Distance& wanted, const distance::TranslationBounds& between,
+                                           const SpaceLine& line) {
+  const bool farthest = is_farthest(wanted.kind);
+  const auto &lower = between.lower, &upper = between.upper;
+  if (!lower && !upper) return std::nullopt;
+  if (upper && upper->lowest) return distance::lowest_answer<distance::SpacePosition>(distance::Way::kLines);
+  const bool no_lower = lower && lower->lowest;
+  if ((farthest && bool(lower) != bool(upper)) || (no_lower && !upper))
+    return refused(wanted, "the signs along the line, found by search, do not tell the value");
+  Answer out;
+  out.way = distance::Way::kLines;
+  distance::Enclosure ends;
+  if (!no_lower) ends.lower = lower->value();
+  if (upper) ends.upper = upper->value();
+  out.value = !ends.lower ? *ends.upper : !ends.upper ? *ends.lower : (*ends.lower + *ends.upper) / Real(2);
+  if (ends.lower && ends.upper) {
+    if (!farthest && lower->sign == upper->sign && lower->t.sign() == upper->t.sign())
+      out.nearest = at_way(line, (lower->t + upper->t) / Real(2));
+    if (*ends.lower == *ends.upper) return out;
+    out.error = ends.width();
+  }
+  out.set_unproven();
+  out.enclosed = std::move(ends);
+  return out;
+}
 
 /// Of a distance along an axis.
 struct Axial {
@@ -186,18 +216,16 @@ Tried<std::optional<Answer>> directional_value(const PreparedSpace& prepared, co
   const Tried<LineSigns> found_signs =
       signs_on(prepared, level_zero(moving_first(wanted, prepared.world.moving)), line);
   if (!found_signs) return found_signs.refusal();
-  const Section& signs = found_signs->section;
-  const bool both_ways = wanted.mode == Mode::kAlong;
-  if (is_farthest(wanted.kind) && !is_bounded(signs)) return std::nullopt;
-  const auto found = is_farthest(wanted.kind) ? distance::farthest_place(signs, both_ways)
-                                              : distance::nearest_change(signs, both_ways);
+  const bool farthest = is_farthest(wanted.kind), both_ways = wanted.mode == Mode::kAlong;
+  if (found_signs->searched)
+    return bounded_value(wanted, distance::translation_bounds(found_signs->section, farthest, both_ways), line);
+  const auto found = distance::translation_value(found_signs->section, farthest, both_ways);
   if (!found) return std::nullopt;
+  if (found->lowest) return distance::lowest_answer<distance::SpacePosition>(found_signs->way);
   Answer out;
   out.way = found_signs->way;
-  out.value = Real(found->sign) * abs(found->t);
-  out.minus_infinity = found->lowest;
-  if (!is_farthest(wanted.kind) && !found->lowest && found->sign != 0)
-    out.nearest = space::along(p, found->t / sqrt(space::dot(line.direction, line.direction)), line.direction);
+  out.value = found->value();
+  if (!farthest && found->sign != 0) out.nearest = at_way(line, found->t);
   return out;
 }
 
