@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -252,6 +253,36 @@ TEST(ConvexParts, OfTreesOfShapes) {
   Solid flat;
   flat.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_THROW(convex_parts(*leaf(flat)), Error);
+}
+
+/// Twelve slanted cells of a lattice, with flat faces that are not convex. A cut leaves bridges of no width on them.
+TEST(ConvexParts, OfFacesThatComeApart) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0},    {2, 3, 10},   {8, 23, 10},  {6, 20, 0},   {17, 16, 20}, {23, 36, 20},
+                   {21, 33, 10}, {15, 13, 10}, {25, 13, 10}, {31, 33, 10}, {33, 36, 20}, {27, 16, 20},
+                   {34, 6, 20},  {40, 26, 20}, {38, 23, 10}, {32, 3, 10},  {46, 20, 0},  {50, 26, 20},
+                   {44, 6, 20},  {40, 0, 0},   {28, 23, 10}, {18, 23, 10}};
+  mesh.faces = {{0, 1, 2, 3},     {4, 5, 6, 7},           {8, 9, 10, 11}, {12, 13, 14, 15},
+                {16, 17, 18, 19}, {1, 0, 19, 18, 12, 15}, {8, 11, 4, 7},  {14, 13, 17, 16, 3, 2},
+                {6, 5, 10, 9},    {16, 19, 0, 3},         {6, 9, 20, 21}, {7, 21, 2, 1, 15, 14, 20, 8},
+                {17, 13, 12, 18}, {4, 11, 10, 5}};
+  clean(mesh, 1);
+  const ConvexParts parts = convex_parts(mesh);
+  ASSERT_EQ(parts.scale, 1);
+  const std::array<std::string, 2> levels{"xxxx xxxx ....", "...x .x.x .x.."};
+  for (std::int64_t k = 0; k < 2; ++k) {
+    for (std::int64_t j = 0; j < 3; ++j) {
+      for (std::int64_t i = 0; i < 4; ++i) {
+        const Point at{10 * i + 3 * j + 2 * k, 10 * j + 3 * k, 10 * k};
+        const Point centre = at + Point{7, 6, 5};  // within the cell, and on no plane through its faces
+        const bool in = std::any_of(parts.parts.begin(), parts.parts.end(), [&](const Polytope& p) {
+          return std::all_of(p.planes().begin(), p.planes().end(),
+                             [&](const Plane& h) { return exact::dot(h.normal, centre) + h.offset < 0; });
+        });
+        EXPECT_EQ(in, levels[std::size_t(k)][std::size_t(5 * j + i)] == 'x') << i << j << k;
+      }
+    }
+  }
 }
 
 /// A torus of n by m quadrilaterals in triangles, on a fine grid.

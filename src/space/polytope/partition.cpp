@@ -41,6 +41,16 @@ FacetPiece cut_off(const FacetPiece& piece, const HalfSpace& plane, int side) {
   return part;
 }
 
+/// A cut leaves bridges of no width along itself; a later cut may part one from what it joins.
+bool has_area(const FacetPiece& piece) {
+  RealVector area;
+  for (std::size_t i = 2; i < piece.corners.size(); ++i) {
+    const RealVector &o = piece.corners[0].at, &a = piece.corners[i - 1].at, &b = piece.corners[i].at;
+    area = plus(area, cross(minus(a, o), minus(b, o)));
+  }
+  return dot(area, real(piece.plane.normal)).sign() != 0;
+}
+
 class Partition {
  public:
   /// A half without facets is all solid or all empty; the facets in the cut say which. Calls itself for the lower half
@@ -86,8 +96,10 @@ class Partition {
     for (FacetPiece& piece : facets) {
       const Sides s = sides(out.plane, piece);
       if (s.above && s.below) {
-        out.above.push_back(cut_off(piece, out.plane, 1));
-        out.below.push_back(cut_off(piece, out.plane, -1));
+        for (const int side : {1, -1}) {
+          FacetPiece part = cut_off(piece, out.plane, side);
+          if (has_area(part)) (side > 0 ? out.above : out.below).push_back(std::move(part));
+        }
       } else if (s.above || s.below) {
         (s.above ? out.above : out.below).push_back(std::move(piece));
       } else {

@@ -12,7 +12,7 @@
 
 namespace findspace::space {
 
-/// A piece of a facet: its plane (outward) and its corners. Pieces may be degenerate along a cut.
+/// A piece of a facet: its plane (outward) and its corners. Pieces may have bridges of no width along a cut.
 struct FacetPiece {
   struct Corner {
     RealVector at;
