@@ -57,6 +57,32 @@ TEST(BoxShapes, AreMadeAsTheirNodesSay) {
   }
 }
 
+ShapePtr shrunk(ShapePtr of) {
+  plane::Shape shape;
+  shape.kind = Kind::kOffset;
+  shape.children = {std::move(of)};
+  shape.amount = Real(-1);
+  return std::make_shared<const plane::Shape>(std::move(shape));
+}
+
+TEST(BoxShapes, KeepTheirOpenEndsInHullsAndWhereTheyShrink) {
+  const ShapePtr box = block({0, 0, 0}, {8, 8, 8}), part = block({2, 0, 0}, {9, 9, 9});
+  const ShapePtr open = node(Kind::kInterior, {box}), half = node(Kind::kDifference, {box, part});
+  const ShapePtr frame = node(Kind::kDifference, {open, block({3, 3, -1}, {5, 5, 9})});
+  const auto of_open = box_complex(*shrunk(open)), of_half = box_complex(*shrunk(half)),
+             hull = box_complex(*node(Kind::kHull, {frame}));
+  ASSERT_TRUE(of_open && of_half && hull);
+  EXPECT_EQ(of_open->mark(place(1, 4, 4)), 0);
+  EXPECT_EQ(of_open->mark(place(3, 4, 4, 2)), 1);
+  EXPECT_TRUE(of_half->empty());  // [0, 2) is as wide as the ball, which is closed
+  EXPECT_EQ(hull->mark(place(0, 4, 4)), 0);
+  EXPECT_EQ(hull->mark(place(4, 4, 1)), 1);
+  const ShapePtr sheet = node(Kind::kIntersection, {block({3, 3, 0}, {5, 5, 4}), block({3, 3, 4}, {5, 5, 8})});
+  const ShapePtr slit = node(Kind::kDifference, {box, sheet}), outside = node(Kind::kComplement, {sheet});
+  EXPECT_FALSE(box_complex(*shrunk(slit)));  // round about the sheet
+  EXPECT_FALSE(box_complex(*shrunk(outside)));
+}
+
 /// Fourteen million cells, once for each of the sixty blocks, would be 840 MB.
 TEST(BoxShapes, AUnionOfManyTakesOneGrid) {
   std::vector<ShapePtr> blocks;

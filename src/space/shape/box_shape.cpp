@@ -169,16 +169,24 @@ std::optional<BoxComplex> filled(const Faces& faces) {
   return BoxComplex::of_boxes(boxes);
 }
 
-/// The set as one closed box, if its closure is one.
+/// The set as one box, open or closed at each end, if it is one.
 std::optional<IntervalBox> one_box(const BoxComplex& set) {
-  std::vector<IntervalBox> boxes = closure(set).simplified().boxes();
+  std::vector<IntervalBox> boxes = set.simplified().boxes();
   if (boxes.size() != 1) return std::nullopt;
   return boxes[0];
 }
 
+BoxComplex of_box(const IntervalBox& box) { return BoxComplex::of_boxes(std::array<IntervalBox, 1>{box}); }
+
+bool same_set(const BoxComplex& a, const BoxComplex& b) {
+  return overlay(std::array<const BoxComplex*, 2>{&a, &b}, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); })
+      .empty();
+}
+
+/// Of a set that holds all corners of the box about it, or is open and comes up to all of them.
 std::optional<BoxComplex> hull_of(const BoxComplex& set) {
   if (set.too_fine()) return std::nullopt;
-  if (set.empty()) return set;
+  if (set.empty() || one_box(set)) return set;
   IntervalBox all;
   for (const IntervalBox& box : set.boxes()) {
     for (int k = 0; k < 3; ++k) {
@@ -188,15 +196,17 @@ std::optional<BoxComplex> hull_of(const BoxComplex& set) {
       all[k].from_in = all[k].to_in = true;
     }
   }
-  const BoxComplex closed = closure(set);
+  const bool open = same_set(set, interior(set));
+  const BoxComplex reached = open ? closure(set) : set;
   for (int i = 0; i < 8; ++i) {
     RealVector corner;
     for (int k = 0; k < 3; ++k) corner[k] = (i >> k & 1) != 0 ? *all[k].to : *all[k].from;
-    if (closed.mark(corner) == 0) return std::nullopt;
+    if (reached.mark(corner) == 0) return std::nullopt;
   }
-  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{all});
+  return open ? interior(of_box(all)) : of_box(all);
 }
 
+/// A ball fits into a box where its width along each axis does.
 std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
   if (amount.sign() == 0) return set;
   std::optional<IntervalBox> box = amount.sign() < 0 ? one_box(set) : std::nullopt;
@@ -204,9 +214,9 @@ std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
   for (Interval& i : *box) {
     if (i.from) i.from = *i.from - amount;
     if (i.to) i.to = *i.to + amount;
-    if (i.from && i.to && *i.to < *i.from) return BoxComplex();
+    if (i.from && i.to && (*i.to < *i.from || (*i.to == *i.from && !(i.from_in && i.to_in)))) return BoxComplex();
   }
-  return BoxComplex::of_boxes(std::array<IntervalBox, 1>{*box});
+  return of_box(*box);
 }
 
 /// Painted on one grid.
@@ -366,9 +376,7 @@ std::optional<BoxComplex> box_complex(const plane::Shape& shape) {
 
 std::optional<Body> body_of(const BoxComplex& set) {
   const BoxComplex open = interior(set), closed = closure(set), whole = closure(open);
-  const BoxComplex differ = overlay(std::array<const BoxComplex*, 2>{&closed, &whole},
-                                    [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
-  if (!differ.empty() || open.empty()) return std::nullopt;
+  if (open.empty() || !same_set(closed, whole)) return std::nullopt;
   Body body;
   for (const IntervalBox& box : grown_boxes(whole.simplified())) {
     std::vector<Point> corners;
