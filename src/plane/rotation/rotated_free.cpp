@@ -9,6 +9,7 @@
 
 #include "exact/margins/plane.h"
 #include "plane/base/parallel.h"
+#include "plane/query/topology.h"
 #include "plane/rotation/curve_meetings.h"
 
 namespace findspace::plane {
@@ -32,6 +33,12 @@ RotatedFree::RotatedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way
       rotation_(pair.rotating, pair.about, is_in),
       open_(pair.fixed, pair.to, keep == Keep::kApart ? is_in : is_out),
       tolerance_(margin::kRotatedTolerance * std::max({1.0, rotation_.reach(), open_.reach()})) {}
+
+/// F has places as far as one likes: A leaves out a bounded part of the plane or none, and B fits beside that.
+bool RotatedFree::has_no_end() const {
+  if (keep_ == Keep::kApart || is_bounded(pair_.fixed)) return false;
+  return is_bounded(pair_.rotating) || pair_.fixed.vertices.empty();
+}
 
 /// The signs at single angles. One thread at a time.
 class RotatedFree::Look {
@@ -192,6 +199,7 @@ class RotatedFree::Look {
 };
 
 RotationMap RotatedFree::rotation_map(const Real& level, bool far) const {
+  if (far && has_no_end()) return RotationMap::uniform(1);
   const FreeQuestion question{curves_, rotation_, open_,      keep_ == Keep::kApart,
                               level,   far,       tolerance_, way_ ? &*way_ : nullptr};
   const std::vector<FreeEvent> events = free_events(question);

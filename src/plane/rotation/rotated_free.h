@@ -4,10 +4,10 @@
 // How far a rotated set B is from being free, over all angles. B keeps out of an open set O: out of int A (and A out of
 // int B), or out of all that is not A. With
 //     F = { s : B rotated by the angle and moved by s keeps out },
-// closed, these are the signs of  min |s| - level  and  max |s| - level  over s in F; + where F is empty. -(the least)
-// is the depth of an overlap, how far B protrudes from a container; the greatest is that of an inner touching. F may
-// also be the s at which B does not lie in int A (the least is then the margin), and s be held to a way: a line through
-// the origin or half of one.
+// closed, these are the signs of  min |s| - level  and  max |s| - level  over s in F; + where F is empty, of the
+// greatest also where F has no end. -(the least) is the depth of an overlap, how far B protrudes from a container; the
+// greatest is that of an inner touching. F may also be the s at which B does not lie in int A (the least is then the
+// margin), and s be held to a way: a line through the origin or half of one.
 //
 // Method: F's points nearest to and farthest from the origin are projections on contact curves (contact_curves.h) or
 // points where two of them meet. The signs can change only where such a point is exactly `level` away, or where a part
@@ -46,6 +46,7 @@ class RotatedFree {
 
  private:
   class Look;
+  bool has_no_end() const;
   RotationMap rotation_map(const exact::Real& level, bool far) const;
 
   Pair pair_;
