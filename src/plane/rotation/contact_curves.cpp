@@ -49,14 +49,21 @@ double RoughCurve::least() const {
 
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {
   const auto shifted = [&](const Cone& c) { return Cone{c.from + middle - half + kPi, c.width + 2 * half}; };
-  if (k.kind == Kind::kRounds)
-    return cones_meet(fixed_.rounds[k.fixed].normals, shifted(rotation_.rounds[k.rotating].normals),
-                      margin::kOneDirection);
-  if (k.kind == Kind::kFixedEdge)
-    return cones_meet({fixed_.edges[k.fixed].normal, 0}, shifted(rotation_.rounds[k.rotating].normals),
-                      margin::kOneDirection);
-  return cones_meet(fixed_.rounds[k.fixed].normals, shifted({rotation_.edges[k.rotating].normal, 0}),
-                    margin::kOneDirection);
+  const auto meet = [&](const Cone& a, Outside of_a, const Cone& b, Outside of_b) {
+    return may_meet(of_a, of_b) && cones_meet(a, shifted(b), margin::kOneDirection);
+  };
+  if (k.kind == Kind::kTurningEdge) {
+    const RoundFeature& a = fixed_.rounds[k.fixed];
+    const EdgeFeature& b = rotation_.edges[k.rotating];
+    return meet(a.normals, a.outside, {b.normal, 0}, b.outside);
+  }
+  const RoundFeature& b = rotation_.rounds[k.rotating];
+  if (k.kind == Kind::kRounds) {
+    const RoundFeature& a = fixed_.rounds[k.fixed];
+    return meet(a.normals, a.outside, b.normals, b.outside);
+  }
+  const EdgeFeature& a = fixed_.edges[k.fixed];
+  return meet({a.normal, 0}, a.outside, b.normals, b.outside);
 }
 
 std::vector<ContactPair> ContactCurves::pairs(double middle, double half) const {

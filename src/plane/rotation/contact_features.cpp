@@ -41,6 +41,7 @@ class FeatureCollector {
     const Index half_edge = 2 * e.cell + (c_.edges[e.cell].half > 0 ? 1 : 0);
     const bool left = material_left_of(half_edge), right = material_left_of(half_edge ^ 1u);
     const double x0 = rough(e.p.x), y0 = rough(e.p.y), x1 = rough(e.q.x), y1 = rough(e.q.y);
+    const Outside beside = left == right ? Outside::kSeveral : Outside::kOneSide;
     double start = std::atan2(y1 - y0, x1 - x0), end = start + kPi;  // the tangents that leave the ends
     if (e.arc) {
       const double cx = rough(e.center.x), cy = rough(e.center.y), r = rough(e.radius);
@@ -48,24 +49,24 @@ class FeatureCollector {
       const double width = positive(to - from);
       start = from + kPi / 2;
       end = to - kPi / 2;
-      if (left || !right) out_.rounds.push_back({e.center, e.radius, cx, cy, r, {from, width}});
-      if (right || !left) out_.rounds.push_back({e.center, -e.radius, cx, cy, -r, {from + kPi, width}});
+      if (left || !right) out_.rounds.push_back({e.center, e.radius, cx, cy, r, {from, width}, beside});
+      if (right || !left) out_.rounds.push_back({e.center, -e.radius, cx, cy, -r, {from + kPi, width}, beside});
     } else {
       const double length = std::hypot(x1 - x0, y1 - y0);
       for (int side : {1, -1}) {
         const bool inside = side > 0 ? left : right, outside = side > 0 ? right : left;
         if (inside && !outside) continue;
         const double nx = side * (y0 - y1) / length, ny = side * (x1 - x0) / length;
-        out_.edges.push_back({e.p, e.q, side, x0, y0, x1, y1, nx, ny, std::atan2(ny, nx)});
+        out_.edges.push_back({e.p, e.q, side, x0, y0, x1, y1, nx, ny, std::atan2(ny, nx), beside});
       }
     }
     leaving_[e.v0].push_back({positive(start), left, right, e.arc});
     leaving_[e.v1].push_back({positive(end), right, left, e.arc});
   }
 
-  void add_corner(Index v, Cone normals) {
+  void add_corner(Index v, Cone normals, Outside outside = Outside::kOneSide) {
     const RealVector& p = net_.vertices[v];
-    out_.rounds.push_back({p, exact::Real(), rough(p.x), rough(p.y), 0, normals});
+    out_.rounds.push_back({p, exact::Real(), rough(p.x), rough(p.y), 0, normals, outside});
   }
 
   void add_vertex(Index v) {
@@ -74,19 +75,22 @@ class FeatureCollector {
     std::sort(around.begin(), around.end(), [](const auto& p, const auto& q) { return p.direction < q.direction; });
     const bool smooth = around.size() == 2 && (around[0].arc || around[1].arc);
     bool found = false, thin = false;
+    int gaps = 0;
     for (std::size_t k = 0; k < around.size(); ++k) {
       const Leaving &e = around[k], &next = around[(k + 1) % around.size()];
       thin |= e.left == e.right;
       double gap = around.size() == 1 ? 2 * kPi : positive(next.direction - e.direction);
       // Two that leave with one tangent: the order of their directions is chance, and one side may be a cusp.
       if (!e.left && gap < margin::kOneDirection) gap = 2 * kPi;
-      if (e.left || gap < kPi - margin::kOneDirection) continue;
+      if (e.left) continue;
+      ++gaps;
+      if (gap < kPi - margin::kOneDirection) continue;
       found = true;
       // Where two curves join smoothly their own normals are enough.
       if (!smooth || gap > kPi + margin::kOneDirection)
         add_corner(v, {e.direction + kPi / 2, std::max(0.0, gap - kPi)});
     }
-    if (!found && thin) add_corner(v, {0, 2 * kPi});
+    if (thin || gaps > 1) add_corner(v, {0, 2 * kPi}, found || !thin ? Outside::kOnlySeveral : Outside::kSeveral);
   }
 
   const CellComplex& c_;

@@ -10,6 +10,7 @@
 // Stolfi, A kinetic framework for computational geometry (1983). Keywords: normal cone, convolution, contact curve.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -22,12 +23,22 @@ struct Cone {
   double from = 0, width = 0;
 };
 
+/// Where two sets touch that both have their outside on several sides, each may go through the other, which then holds
+/// it from anywhere: a wire in a slot, or between parts that touch in a point. kOnlySeveral: a corner for that alone.
+enum class Outside : std::uint8_t { kOneSide, kSeveral, kOnlySeveral };
+
+inline bool may_meet(Outside a, Outside b) {
+  return (a != Outside::kOnlySeveral || b != Outside::kOneSide) &&
+         (b != Outside::kOnlySeveral || a != Outside::kOneSide);
+}
+
 /// The part of a circle (or a corner, or a single point) around `center`.
 struct RoundFeature {
   RealVector center;
   exact::Real radius;  // signed
   double x = 0, y = 0, r = 0;
   Cone normals;
+  Outside outside = Outside::kOneSide;
 };
 
 /// The segment from p to q; its normal points to the left of that way (side +1) or to the right (-1).
@@ -35,6 +46,7 @@ struct EdgeFeature {
   RealVector p, q;
   int side = 1;
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0, nx = 0, ny = 0, normal = 0;  // unit normal, and its direction in radians
+  Outside outside = Outside::kOneSide;
 };
 
 struct ContactFeatures {
