@@ -335,6 +335,9 @@ TEST(ParseObjective, AllForms) {
   EXPECT_EQ(canonical_objective("z", 3), "z");
   EXPECT_EQ(canonical_objective("distance to [1, -2.5cm]"), "distance to [1, -25]");
   EXPECT_EQ(canonical_objective("distance to [0,0,1]", 3), "distance to [0, 0, 1]");
+  Context still = scene();
+  still.motion = false;
+  EXPECT_EQ(parse_objective("(1 + 2) * gap(B, A)", still), parse_objective("3 * gap(B, A)", still));
   const Objective margin = parse_objective("margin(B, A)", scene());
   EXPECT_TRUE(margin.negated);
   EXPECT_EQ(margin.distance.kind, Kind::kEta1);

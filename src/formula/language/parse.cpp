@@ -324,7 +324,8 @@ Objective parse_objective(std::string_view text, const Context& context) {
   Cursor cursor(text);
   Objective objective;
   if (!read_coordinate(cursor, context, objective) && !read_point(cursor, context, objective)) {
-    if (!cursor.at(K::kName) && !at_number(cursor)) cursor.fail_syntax(kForms, cursor.found());
+    if (!cursor.at(K::kName) && !at_number(cursor) && !at_number_in_parentheses(cursor))
+      cursor.fail_syntax(kForms, cursor.found());
     read_distances(cursor, context, objective);
   }
   if (!cursor.at(K::kEnd)) cursor.fail_syntax(kForms, cursor.found());
