@@ -392,6 +392,11 @@ TEST(Parse, ARuleBetweenListsKeepsItsNames) {
   const Formula itself = parse_formula("between(smd, smd) > 1", board);
   ASSERT_EQ(itself.atoms().size(), 1u);
   EXPECT_EQ(written(itself), "between(smd, smd) > 1");
+  board.groups["tht"] = {"R1", "R2", "J1"};
+  const Formula of_both = parse_formula("between(smd, tht) = 1", board);
+  ASSERT_EQ(of_both.atoms().size(), 1u);
+  EXPECT_EQ(of_both.atoms()[0].distance.second, (std::vector<std::string>{"tht", "smd"}));
+  board.groups["tht"] = {"J1"};
   Context both = board;  // each list has a shape that moves and one that stands
   both.groups["tht"] = {"R2", "J1"};
   both.groups["smd"] = {"R1", "C1"};

@@ -38,12 +38,15 @@ RuleLists lists_of(const Context& context, std::string first, std::string second
 }
 
 /// Where all that moves has one position: the gap of what moves in each list to the other one, in the words of the
-/// rule.
+/// rule; of what moves in both the gap to both.
 std::vector<Distance> of_all(const RuleLists& lists) {
   std::vector<Distance> out;
   for (std::size_t k = 0; k < 2; ++k) {
     if (lists.moving[k].empty() || !lists.stands[1 - k]) continue;
-    if (!out.empty() && lists.names[0] == lists.names[1]) continue;
+    if (!out.empty() && out[0].first == lists.moving[k]) {
+      if (lists.names[0] != lists.names[1]) out[0].second.push_back(lists.names[0]);
+      continue;
+    }
     out.emplace_back();
     out.back().first = lists.moving[k];
     out.back().second = {lists.names[1 - k]};
