@@ -178,7 +178,7 @@ Some cells need more words:
 | `eta2` in a ball | more than 40 corners or balls are refused |
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
 | containment in "round" along a direction, other lines | level 0 only |
-| containment in "round", B across a wall that parts share | level 0 is not decided; along a direction mostly refused |
+| containment in "round", B about an inner edge at which walls of parts meet aslant | level 0 is not decided; along a direction mostly refused |
 | least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
 | orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |

@@ -44,9 +44,10 @@ double convex_run(const std::function<double(double)>& f, double size) {
 
 class PartsField : public ProtrusionField {
  public:
-  explicit PartsField(const space::Body& body) {
+  PartsField(const space::Body& body, std::span<const space::WallBridge> further) {
     // Less than 0 inside: at small levels what is deep in A counts.
     for (const space::BodyPart& part : body.parts) nearest_.push_back(grown_distance(grown_set(part)));
+    for (const space::WallBridge& set : further) nearest_.push_back(grown_distance({set.planes, {}, {}}));
     const space::Bounds3 box = bounds(body);
     size_ = space::length(space::rounded(space::minus(box.high, box.low)));
   }
@@ -112,7 +113,9 @@ void clip(const Planes& planes, const Vector& x, const Vector& unit, double nois
 
 }  // namespace
 
-std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body) { return std::make_unique<PartsField>(body); }
+std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body, std::span<const space::WallBridge> further) {
+  return std::make_unique<PartsField>(body, further);
+}
 
 ProtrusionRays::ProtrusionRays(const Body& b, std::unique_ptr<ProtrusionField> a, const Real& level,
                                const Vertices& vertices, const RayGrid& grid)

@@ -8,9 +8,9 @@
 // protrudes, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
 // goes on with the rest. The places of these points are tried on the next line of the row before it is searched.
 // Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
-// and the level of the level; at levels this near to 0 also where B lies across a wall that parts of A share, which is
-// not seen to be inside. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some
-// for an end that no vertex decides. Keywords: directed Hausdorff distance, cutting planes, certified bounds.
+// and the level of the level; at levels this near to 0 what lies within no part of A, and no further set, is not seen
+// to be inside. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some for an end that
+// no vertex decides. Keywords: directed Hausdorff distance, cutting planes, certified bounds.
 #pragma once
 
 #include <array>
@@ -21,6 +21,7 @@
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body.h"
+#include "space/body/wall_bridges.h"
 #include "space/convolution/ray_solids.h"
 #include "space/rays/ray_sources.h"
 
@@ -40,7 +41,9 @@ class ProtrusionField {
   virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size) const = 0;
 };
 
-std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body);
+/// `further`: sets within the body.
+std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body,
+                                                std::span<const space::WallBridge> further = {});
 /// Of the union of solids, which are not too far out. Distances inside are at most 0.
 std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids);
 

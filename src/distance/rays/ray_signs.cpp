@@ -16,6 +16,7 @@
 #include "distance/solid/solid_pair.h"
 #include "space/body/position_covers.h"
 #include "space/body/union_frontier.h"
+#include "space/body/wall_bridges.h"
 #include "space/rays/piece_rays.h"
 #include "space/rays/ray_sources.h"
 
@@ -62,7 +63,8 @@ class RaySignMaker {
   space::RaySourcePointer convex_gap(const space::BodyPart& b, const space::BodyPart& a,
                                      const exact::Real& grown) const;
   space::RaySourcePointer mu_of_vertices(const space::BodyPart& b, const exact::Real& level) const;
-  space::RaySourcePointer vertices_near(const exact::Real& level) const;
+  /// `further`: sets within A.
+  space::RaySourcePointer vertices_near(const exact::Real& level, std::span<const space::WallBridge> further) const;
   void add_near(const space::BodyPart& t, const space::BodyPart& s, const exact::Real& level,
                 std::vector<space::LinePiece>& pieces) const;
 
@@ -74,6 +76,14 @@ class RaySignMaker {
 std::vector<HalfSpace> shifted(std::vector<HalfSpace> planes, const Real& inward) {
   for (HalfSpace& h : planes) h = HalfSpace(h.normal, h.offset + inward * sqrt(space::dot(h.normal, h.normal)));
   return planes;
+}
+
+/// The positions at which the point is in the set, as deep as that.
+LinePiece holding_piece(const space::WallBridge& set, const space::Point& v, const Real& depth) {
+  std::vector<HalfSpace> planes;
+  for (const HalfSpace& h : set.planes) planes.emplace_back(h.normal, h.offset + space::dot(h.normal, real(v)));
+  const space::Vector by = exact::approx(v);
+  return space::polytope_piece(shifted(std::move(planes), depth), set.extent.low - by, set.extent.high - by);
 }
 
 /// To a convex set a body has the distance of its hull. Without radii.
@@ -241,7 +251,7 @@ Source RaySignMaker::mu_of_vertices(const BodyPart& b, const Real& level) const 
 }
 
 /// The sign of the greatest distance of a vertex of B to A, less the level.
-Source RaySignMaker::vertices_near(const Real& level) const {
+Source RaySignMaker::vertices_near(const Real& level, std::span<const space::WallBridge> further) const {
   std::vector<Source> all;
   BodyPart corner;
   std::vector<space::Point> seen;
@@ -252,6 +262,7 @@ Source RaySignMaker::vertices_near(const Real& level) const {
       corner.center = v;
       std::vector<LinePiece> pieces;
       for (const BodyPart& t : a_.parts) add_near(t, corner, level, pieces);
+      for (const space::WallBridge& set : further) pieces.push_back(holding_piece(set, v, -level));
       all.push_back(rays(std::move(pieces)));
     }
   }
@@ -267,8 +278,11 @@ Source RaySignMaker::mu(const Real& level) const {
   }
   if (level.sign() < 0 || (level.sign() == 0 && (a_.outside || !a_.round()))) return eta1(level);
   if (by_values(Which::kMu, level, b_, a_)) return values(Which::kMu, level);
+  // What lies across a wall between parts is in none of them; it counts where they are not grown.
+  std::vector<space::WallBridge> across;
+  if (level.sign() == 0) across = space::wall_bridges(a_);
   return std::make_unique<ProtrusionRays>(
-      b_, field_of_parts(a_), level, [&](const Real& l) { return vertices_near(l); }, grid_);
+      b_, field_of_parts(a_, across), level, [&](const Real& l) { return vertices_near(l, across); }, grid_);
 }
 
 Source RaySignMaker::gamma2(const Real& level) const {
