@@ -171,27 +171,42 @@ void MaxMinSearch::split_edge(SearchRange& part) {
   }
 }
 
+/// Of parts of A, on the sides that are not in A: a box may reach across a part, so its middle does not tell the side.
+std::vector<MaxMinSearch::OuterCurve> MaxMinSearch::outer_curves(const List& list) const {
+  std::vector<OuterCurve> out;
+  for (Index k : list) {
+    const BoundaryFeature& s = a_[k];
+    if (s.is_vertex()) out.push_back({k, near_level_curve(sets_.a, s, 0, 0, 1)});
+    for (const bool left : {true, false})
+      if (!s.is_vertex() && sets_.a.faces[sets_.a.face(2 * s.cell.index + (left ? 0 : 1))].mark <= 0)
+        out.push_back({k, level_curve_beside(sets_.a, s.cell.index, left)});
+  }
+  return out;
+}
+
 /// Equally far from three parts, or the centre of an arc: the only places inside B where the distance has a strict
 /// maximum.
 void MaxMinSearch::inner_candidates(const SearchRange& box) {
   const List list(box.a.begin(), box.a.begin() + std::ptrdiff_t(std::min<std::size_t>(box.a.size(), 8)));
   const bool some = list.size() < box.a.size();
-  const double cx = (box.x0 + box.x1) / 2, cy = (box.y0 + box.y1) / 2, slack = query_.scale * margin::kCandidateBox;
-  std::vector<LevelCurve> level_curves;
-  for (Index k : list) level_curves.push_back(near_level_curve(sets_.a, a_[k], cx, cy, 1));
+  const double slack = query_.scale * margin::kCandidateBox;
   const auto try_at = [&](const Event& e) {
     if (!e.at) return;
     const Spot at{near_value(e.at->x), near_value(e.at->y)};
     if (!(at.x >= box.x0 - slack && at.x <= box.x1 + slack && at.y >= box.y0 - slack && at.y <= box.y1 + slack)) return;
     if (in_b(at)) record({height(box.a, at), at.x, at.y, {2, 0}, some});
   };
-  for (std::size_t i = 0; i < level_curves.size(); ++i) {
-    for (const Event& e : events(level_curves[i])) try_at(e);
+  const std::vector<OuterCurve> curves = outer_curves(list);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (const Event& e : events(curves[i].curve)) try_at(e);
     for (std::size_t j = 0; j < i; ++j) {
-      if (a_[list[i]].arc || a_[list[j]].arc)
-        for (const Event& e : events(level_curves[i], level_curves[j])) try_at(e);
-      for (std::size_t k = 0; k < j; ++k)
-        for (const Event& e : events(level_curves[i], level_curves[j], level_curves[k])) try_at(e);
+      if (curves[i].part == curves[j].part) continue;
+      if (a_[curves[i].part].arc || a_[curves[j].part].arc)
+        for (const Event& e : events(curves[i].curve, curves[j].curve)) try_at(e);
+      for (std::size_t k = 0; k < j; ++k) {
+        if (curves[k].part == curves[j].part) continue;
+        for (const Event& e : events(curves[i].curve, curves[j].curve, curves[k].curve)) try_at(e);
+      }
     }
   }
 }

@@ -50,6 +50,12 @@ class MaxMinSearch {
     double least;
   };
 
+  /// Where the distance to a part of A is the level, on one side of it.
+  struct OuterCurve {
+    plane::Index part;
+    LevelCurve curve;
+  };
+
   double least(const List& list, Spot at) const;
   Close close_to(const List& list, Spot at, double radius) const;
   bool agree(const List& list, Spot at) const;
@@ -66,6 +72,7 @@ class MaxMinSearch {
   void split_box(const SearchRange& box);
   void split_edge(SearchRange& part);
   void leaf(const SearchRange& box);
+  std::vector<OuterCurve> outer_curves(const List& list) const;
   void inner_candidates(const SearchRange& box);
   std::vector<MaxMinPlace> found();
 

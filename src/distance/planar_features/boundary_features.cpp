@@ -84,6 +84,17 @@ std::vector<BoundaryFeature> features(const CellComplex& c, const std::function<
   return out;
 }
 
+namespace {
+
+/// `outside` of a circle, or where the form of a line is positive.
+LevelCurve curve_beside(const SupportingCurve& k, bool outside, const Real& level) {
+  if (k.circle) return LevelCurve::ring(k.center_x(), k.center_y(), k.w(), outside ? level : -level);
+  Real n = sqrt(Real(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b)) * level;
+  return LevelCurve::line(k.a, k.b, k.offset(), outside ? n : -n);
+}
+
+}  // namespace
+
 LevelCurve near_level_curve(const CellComplex& c, const BoundaryFeature& s, double x, double y, int sign) {
   Real level(sign);
   if (s.is_vertex()) {
@@ -91,13 +102,17 @@ LevelCurve near_level_curve(const CellComplex& c, const BoundaryFeature& s, doub
     return LevelCurve::ring(at.x, at.y, Real(), level);
   }
   const SupportingCurve& k = c.supporting_curve(s.cell.index);
-  if (k.circle) {
-    bool outside = plain_length(x - s.cx, y - s.cy) > s.r;
-    return LevelCurve::ring(k.center_x(), k.center_y(), k.w(), outside ? level : -level);
-  }
-  bool above = k.x().value * (x - s.x0) + k.y().value * (y - s.y0) > 0;
-  Real n = sqrt(Real(exact::int128(k.a) * k.a + exact::int128(k.b) * k.b)) * level;
-  return LevelCurve::line(k.a, k.b, k.offset(), above ? n : -n);
+  const bool outside =
+      k.circle ? plain_length(x - s.cx, y - s.cy) > s.r : k.x().value * (x - s.x0) + k.y().value * (y - s.y0) > 0;
+  return curve_beside(k, outside, level);
+}
+
+LevelCurve level_curve_beside(const CellComplex& c, Index edge, bool left) {
+  const SupportingCurve& k = c.supporting_curve(edge);
+  // An upper half, and a line whose form grows upwards (or to the left, if it is vertical), have the outside on the
+  // left.
+  const bool outside_on_left = k.circle ? c.edges[edge].half > 0 : k.b > 0 || (k.b == 0 && k.a < 0);
+  return curve_beside(k, outside_on_left == left, Real(1));
 }
 
 LevelCurve far_level_curve(const CellComplex& c, const BoundaryFeature& s) {

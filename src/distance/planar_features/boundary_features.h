@@ -65,6 +65,8 @@ std::vector<BoundaryFeature> features(const plane::CellComplex& c, const std::fu
 
 /// Where the distance to the feature, seen from (x, y), is sign * level (sign +1 or -1).
 LevelCurve near_level_curve(const plane::CellComplex& c, const BoundaryFeature& s, double x, double y, int sign);
+/// Where the distance to the edge is `level` on its left, or right, as it runs from its first end.
+LevelCurve level_curve_beside(const plane::CellComplex& c, plane::Index edge, bool left);
 /// Where the greatest distance to the vertex or arc is `level`.
 LevelCurve far_level_curve(const plane::CellComplex& c, const BoundaryFeature& s);
 /// A curve that keeps still: the line or circle of an edge, the place of a vertex (a circle of radius 0).

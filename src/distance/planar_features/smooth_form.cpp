@@ -77,10 +77,8 @@ void BoundaryForms::add_edge(const BoundaryFeature& s, double x, double y, doubl
       // An upper half is run through with the outside on its left.
       if (between && (scale > 0) != ((s.half > 0) == (on_left > 0))) continue;
       out.push_back(ring_form(x, y, s.cx, s.cy, s.r, scale, radius));
-      out.back().curve = [this, &s, scale] {
-        const double far = scale > 0 ? 2 * s.r : 0;
-        return near_level_curve(base_, s, s.cx + far, s.cy, 1);
-      };
+      const bool left = (scale > 0) == (s.half > 0);
+      out.back().curve = [this, &s, left] { return level_curve_beside(base_, s.cell.index, left); };
     }
     return;
   }
@@ -97,10 +95,7 @@ void BoundaryForms::add_edge(const BoundaryFeature& s, double x, double y, doubl
   form.gx = nx;
   form.gy = ny;
   if (!between) (sign_ > 0 ? form.above : form.below) = sign_ * 2 * std::max(0.0, radius - std::abs(height));
-  form.curve = [this, &s, nx, ny] {
-    const double mx = (s.x0 + s.x1) / 2, my = (s.y0 + s.y1) / 2, far = 1 + std::abs(mx) + std::abs(my);
-    return near_level_curve(base_, s, mx + nx * far, my + ny * far, 1);
-  };
+  form.curve = [this, &s, turn] { return level_curve_beside(base_, s.cell.index, !turn); };
   out.push_back(std::move(form));
 }
 
