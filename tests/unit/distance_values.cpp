@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
+#include "distance/planar/at_position.h"
 #include "distance/planar/farthest.h"
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/feature_pair_search.h"
@@ -107,6 +109,21 @@ TEST(Values, HausdorffInsideABayIsFoundBetweenEdges) {
   ShapePair pair(b, a);
   EXPECT_NEAR(value(pair, Which::kMu, at(0, 0)), std::hypot(4, 5), 1e-12);
   expect_signs(pair, Which::kMu, at(0, 0));
+}
+
+/// By the shapes' boundaries, as there are many corners.
+TEST(Values, NoPositionIsFarthestWhereTheRoomHasNoEnd) {
+  const auto star = [](int corners, double inner, double outer) {
+    plane::Contour c;
+    for (int k = 0; k < corners; ++k) {
+      const double r = k % 2 == 0 ? outer : inner, angle = 2 * M_PI * k / corners;
+      c.push_back({.start = {std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))}});
+    }
+    return plane::region_of_rings(std::array{c});
+  };
+  const Region small = star(440, 2000, 9000), room = plane::complement(star(440, 5000, 30000));
+  EXPECT_FALSE(AtPosition(std::make_shared<ShapePair>(small, room)).measure(Which::kEta2, at(60000, 0)));
+  EXPECT_FALSE(AtPosition(std::make_shared<ShapePair>(room, small)).measure(Which::kDelta2, at(60000, 0)));
 }
 
 TEST(Values, PointsAndChains) {

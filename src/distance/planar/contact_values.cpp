@@ -6,6 +6,7 @@
 #include "distance/planar/farthest.h"
 #include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 
@@ -89,6 +90,10 @@ std::optional<PlanarAnswer> ContactValues::by_map(Which which, const RealPoint& 
 
 std::optional<PlanarAnswer> ContactValues::farthest(Which which, const RealPoint& p) const {
   const bool back = which == Which::kDelta2;
+  const FeatureTree &fixed = boundaries_.fixed(), &moving = boundaries_.moving();
+  // What holds all that is far away contains a bounded shape there.
+  if (!plane::is_bounded((back ? moving : fixed).region()) && plane::is_bounded((back ? fixed : moving).region()))
+    return std::nullopt;
   const auto to = [&](const RealPoint& q, const exact::Real& distance, Way way) {
     PlanarAnswer out = exact_answer(distance, way);
     out.farthest = q;
