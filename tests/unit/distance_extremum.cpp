@@ -7,16 +7,19 @@
 #include <array>
 #include <cmath>
 
+#include "distance/planar/directional.h"
 #include "distance/planar/farthest.h"
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/coordinate.h"
 #include "distance/planar_least/extremum.h"
+#include "distance/planar_least/level_extremum.h"
 #include "distance/planar_least/level_probe.h"
 #include "distance_shapes.h"
 #include "plane/build/path_region.h"
 #include "plane/query/summary.h"
 #include "plane/query/topology.h"
+#include "plane/sum/minkowski.h"
 #include "plane/walk/unite.h"
 
 namespace findspace::distance {
@@ -93,6 +96,37 @@ TEST(Least, PlacesOfAnEnclosedValueAreToldFinely) {
   ASSERT_EQ(e.at.vertices.size(), 1u);
   const auto& p = e.at.geometry.points[e.at.vertices[0].point];
   EXPECT_LE(std::hypot(p.x - 150, p.y - 50), e.within + 1e-12);
+}
+
+/// Says much less at its seed than its sign maps.
+class Understated : public Nameless {
+ public:
+  std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override {
+    auto v = Nameless::value(p);
+    v->value = v->value - Real(1000000);
+    return v;
+  }
+};
+
+TEST(Least, AValueThatSaysTooLittleIsClimbedFrom) {
+  const Extremum e = least(Understated());
+  ASSERT_TRUE(e.exists());
+  EXPECT_LE(e.bound()->to_double(), std::hypot(150, 50) + 1e-9);
+  EXPECT_NEAR(e.answer->value.to_double(), std::hypot(150, 50), 1e-6);
+}
+
+/// The pair's distance as one that jumps would be looked for, over where the boxes are no farther than 7 from a wall.
+TEST(Least, PositionsOfALevelAreAsNearAsTheyAreSaidToBe) {
+  const Region a = box(0, 0, 10, 10), b = box(0, 0, 1, 1), wall = box(25, -100, 30, 100);
+  const Region s = plane::remark(ShapePair(b, wall).distance(Which::kGamma1)->sign_map(7),
+                                 [](plane::Mark m) { return plane::Mark(m <= 0); });
+  const DirectionalSigned f(plane::contact_map(a, b), {1, 1, true});
+  const Extremum e = level_extremum(f, s, Sense::kMinimum, false);
+  ASSERT_TRUE(e.exists());
+  ASSERT_FALSE(e.proven());
+  EXPECT_NEAR(e.answer->value.to_double(), 7 * std::sqrt(2), 1e-6);
+  EXPECT_EQ(e.answer->way, Way::kSearch);
+  EXPECT_NEAR(e.within, 11, 1e-5);  // the segment x = 17, 6 <= y <= 17, from one of its ends
 }
 
 TEST(Least, RoomBoundedByHollowArcs) {

@@ -66,6 +66,7 @@ class ExtremumSearch {
   bool take(const Bracket& known);
   bool try_near(const std::vector<Real>& all, double number);
   bool try_candidates();
+  void climb(double step);
   void enclose();
   void pin_down();
   bool take_lowest(Extremum& out) const;
@@ -225,11 +226,16 @@ bool ExtremumSearch::take_lowest(Extremum& out) const {
   return true;
 }
 
+/// To a good end that is reached, whatever the value at the start was.
+void ExtremumSearch::climb(double step) {
+  for (; !reaches(Real::from_double(rotation_ * good_)); step *= 2) good_ += step;
+}
+
 /// What was rounded at the ends of the bracket, by exact sign maps: (bad, good] holds the extremum.
 void ExtremumSearch::enclose() {
-  const double width = std::max(good_ - bad_, scale_ * margin::kNarrowestBracket);
-  while (!reaches(Real::from_double(rotation_ * good_))) good_ += width;
-  for (double low = bad_; reaches(Real::from_double(rotation_ * low));) low = good_ - width;
+  double step = std::max(good_ - bad_, scale_ * margin::kNarrowestBracket);
+  climb(step);
+  for (double low = bad_; reaches(Real::from_double(rotation_ * low)); step *= 2) low = good_ - step;
   level_ = Real::from_double(rotation_ * good_);
   beyond_ = Real::from_double(rotation_ * bad_);
 }
@@ -249,7 +255,7 @@ void ExtremumSearch::pin_down() {
       if (yes) reached_ = std::move(c);
     }
     const double now = one_point_a_component(reached_).within;
-    if (now > within / 2) return;
+    if (now >= within / 2) return;
     within = now;
   }
 }
@@ -269,6 +275,7 @@ Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
+    if (width < scale_ * margin::kTryCandidates && reached_.faces.empty()) climb(width);
     if (width < scale_ * margin::kTryCandidates && probes % 2 == 0 && try_candidates()) return proven();
     width = good_ - bad_;
     double least = std::max(std::abs(good_) * margin::kNarrowBracket, scale_ * margin::kNarrowestBracket);

@@ -177,6 +177,7 @@ ComponentPoints one_point_a_component(const CellComplex& c) {
     out.within =
         std::max(out.within, (std::max(between(v, e.v0), between(v, e.v1)) + bulge) * (1 + margin::kFewRoundings));
   }
+  if (c.faces[0].mark > 0) out.within = exact::kInfinity;
   return out;
 }
 

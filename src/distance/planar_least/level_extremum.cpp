@@ -33,9 +33,11 @@ class LevelSearch {
     narrow(0.25);
     if (whole_number(out, continuous)) return out;
     narrow(margin::kLevelWidth);
-    out.set_enclosed(level(good_), level(bad_), Way::kMap);
+    out.set_enclosed(level(good_), level(bad_), Way::kSearch);
     out.attained = true;
-    out.at = point_set(one_point_a_component(probe(level(good_), s_)).points);
+    const ComponentPoints found = one_point_a_component(probe(level(good_), s_));
+    out.within = found.within;
+    out.at = point_set(found.points);
     return out;
   }
 
