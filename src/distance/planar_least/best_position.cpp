@@ -242,6 +242,7 @@ class PositionSearch {
       if (far(n.box) > 16 * radius(n.box)) chosen.push_back(n.sample.at);
     }
     for (const Node& n : done_) e.within = std::max(e.within, far(n.box));
+    if (is_possible(outside_)) e.within = kInfinity;
     e.at = point_set(chosen);
   }
 

@@ -8,6 +8,7 @@
 
 #include "exact/margins/formula.h"
 #include "exact/margins/planar_distance.h"
+#include "exact/margins/rounding.h"
 #include "findspace/error.h"
 #include "plane/base/real_vector.h"
 #include "plane/query/topology.h"
@@ -53,18 +54,36 @@ DistanceSum::DistanceSum(std::vector<Summand> summands) : summands_(std::move(su
   }
 }
 
-std::optional<int> DistanceSum::infinite() const {
+std::optional<int> DistanceSum::infinite(const RealPoint& p) const {
   int sign = 0;
   for (const Summand& s : summands_) {
-    if (s.f->defined()) continue;
-    if (sign != 0 && sign != s.weight.sign()) return std::nullopt;
-    sign = s.weight.sign();
+    const auto v = s.f->value(place(s, p));
+    if (v && !v->minus_infinity) continue;
+    const int own = v ? -s.weight.sign() : s.weight.sign();
+    if (sign != 0 && sign != own) return std::nullopt;
+    sign = own;
   }
   return sign;
 }
 
-bool DistanceSum::grows() const {
-  return std::all_of(summands_.begin(), summands_.end(), [](const Summand& s) { return s.weight.sign() > 0; });
+std::optional<double> DistanceSum::slope_beyond(const RealPoint& p) const {
+  double out = 0;
+  for (const Summand& s : summands_) {
+    const auto v = s.f->value(place(s, p));
+    if (!v || v->minus_infinity) return 0;
+    const Enclosure within = v->bounds();
+    const bool ends = v->proven && v->value.sign() == 0;  // where shapes are apart
+    if (ends) continue;
+    if (s.weight.sign() <= 0 || !within.lower || within.lower->sign() <= 0) return std::nullopt;
+    out += near_value(s.weight);
+  }
+  return out;
+}
+
+double DistanceSum::displacement() const {
+  double out = 0;
+  for (const Summand& s : summands_) out = std::max(out, size(s.by));
+  return out;
 }
 
 RealPoint DistanceSum::place(const Summand& s, const RealPoint& p) const { return s.reflected ? s.by - p : p + s.by; }
@@ -74,7 +93,7 @@ std::optional<PlanarAnswer> DistanceSum::answer(const RealPoint& p) const {
   Real lower, upper;
   for (const Summand& s : summands_) {
     const auto v = s.f->value(place(s, p));
-    if (!v || v->minus_infinity) return std::nullopt;
+    if (!v || v->minus_infinity) return infinite(p) == -1 ? std::optional(lowest_answer(Way::kMap)) : std::nullopt;
     out.value = out.value + s.weight * v->value;
     if (!v->proven) {
       out.set_unproven();
@@ -92,13 +111,13 @@ std::optional<PlanarAnswer> DistanceSum::answer(const RealPoint& p) const {
 
 std::optional<Real> DistanceSum::value(const RealPoint& p) const {
   auto found = answer(p);
-  return found ? std::optional(std::move(found->value)) : std::nullopt;
+  return found && !found->minus_infinity ? std::optional(std::move(found->value)) : std::nullopt;
 }
 
 std::optional<int> DistanceSum::sign(const RealPoint& p, const Real& level) const {
-  if (const auto all = infinite(); all && *all != 0) return all;
   const auto found = answer(p);
-  if (!found) return std::nullopt;
+  if (!found) return infinite(p) == 1 ? std::optional(1) : std::nullopt;
+  if (found->minus_infinity) return -1;
   const Enclosure within = found->bounds();
   const int low = compare(*within.lower, level), high = compare(*within.upper, level);
   return low == high ? std::optional(low) : std::nullopt;
@@ -152,12 +171,13 @@ double DistanceSum::noise(const RealPoint& p, double radius) const {
 }
 
 ValueRange DistanceSum::range(const RealPoint& p, double radius) const {
-  const auto sign = infinite();
-  if (!sign)
-    throw Error(ErrorCode::kUnsupported, "two distances of the sum are undefined everywhere, with opposite signs");
-  if (*sign != 0) return {*sign * exact::kInfinity, *sign * exact::kInfinity};
   const auto value = this->value(p);
-  if (!value) throw Error(ErrorCode::kUnsupported, "a distance of the sum is minus infinity");
+  if (!value) {
+    const auto sign = infinite(p);
+    if (!sign)
+      throw Error(ErrorCode::kUnsupported, "two distances of the sum are infinite everywhere, with opposite signs");
+    return {*sign > 0 ? exact::kInfinity : -exact::kInfinity, *sign < 0 ? -exact::kInfinity : exact::kInfinity};
+  }
   const double middle = near_value(*value), noise = this->noise(p, radius);
   if (radius == 0) return {middle - noise, middle + noise};
   ValueRange out{middle - rate_ * radius, middle + rate_ * radius};
@@ -195,21 +215,22 @@ ValueRange DistanceSum::range(const RealPoint& p, double radius) const {
 
 void refuse_without_end() {
   throw Error(ErrorCode::kUnsupported,
-              "over unbounded positions only the least sum of distances with positive factors is looked for");
+              "over unbounded positions only the least sum of distances that grow without end, with positive factors, "
+              "is looked for");
 }
 
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size) {
   SearchWindow window{{}, false, margin::kBestPart * size, kMostBoxes, true};
-  const bool unbounded = s.possible.faces[0].mark > 0, finite = f.infinite().value_or(0) == 0;
-  if (unbounded && finite && !(f.grows() && sense == Sense::kMinimum)) refuse_without_end();
-  if (unbounded) {
-    // Some position has at most (|p| + size) times the weights; one farther off by twice that has more.
-    const plane::Region& all = s.possible;
-    const double nearest = all.vertices.empty() ? 0 : distance::size(all.geometry.exact(all.vertices[0].point));
-    window.worse_outside = finite;
-    size = 2 * (nearest + size);
+  if (const plane::Region& all = s.possible; all.faces[0].mark > 0) {
+    // F >= slope * (|p| - size) beyond: more than a position of S has.
+    size += f.displacement();
+    const auto slope = f.slope_beyond({Real::from_double(2 * std::ceil(size)), Real()});
+    if (!slope || (*slope > 0 && sense == Sense::kMaximum)) refuse_without_end();
+    window.worse_outside = *slope > 0;
+    const RealPoint p = all.vertices.empty() ? RealPoint{} : all.geometry.exact(all.vertices[0].point);
+    if (window.worse_outside) size += std::max(0.0, f.range(p, 0).high) / *slope * margin::kUpward;
   }
-  size = std::ceil(size);
+  size = std::ceil(size) + 1;
   window.box = {-size, -size, size, size};
   Extremum out = best_position([&f](const RealPoint& p, double r) { return f.range(p, r); }, s, sense, window);
   out.attained = out.exists();  // values are those of certain positions

@@ -31,18 +31,21 @@ class DistanceSum {
   explicit DistanceSum(std::vector<Summand> summands);
 
   const std::vector<Summand>& summands() const { return summands_; }
-  /// +1, -1: infinite everywhere, as a summand is undefined; 0: finite; nothing: summands contradict each other.
-  std::optional<int> infinite() const;
-  /// Whether all weights are positive: F grows with |p|.
-  bool grows() const;
+  /// +1, -1: F(p) is infinite, and so it is everywhere; 0: finite; nothing: two summands are, with opposite signs.
+  std::optional<int> infinite(const exact::RealPoint& p) const;
+  /// How fast F grows with |p| at least, from a position on where no shapes meet: 0 where it is constant there; nothing
+  /// where it may fall.
+  std::optional<double> slope_beyond(const exact::RealPoint& p) const;
+  /// No summand's place is farther off than this from the position, or from minus the position.
+  double displacement() const;
   /// F changes by no more than this times the way.
   double rate() const { return rate_; }
 
   ValueRange range(const exact::RealPoint& p, double radius) const;
-  /// F(p); nothing where it is infinite. Exact where the summands are.
+  /// F(p); nothing where it is +infinity or has no value. Exact where the summands are.
   std::optional<PlanarAnswer> answer(const exact::RealPoint& p) const;
   std::optional<exact::Real> value(const exact::RealPoint& p) const;
-  /// Of F(p) - level; nothing where a value between bounds does not decide it.
+  /// Of F(p) - level; nothing where a value between bounds does not decide it, or there is no value.
   std::optional<int> sign(const exact::RealPoint& p, const exact::Real& level) const;
 
   /// What a range may be off by rounding.
@@ -68,7 +71,7 @@ class DistanceSum {
 };
 
 /// The least or greatest value over positions of S (best_position.h), `size`: the reach of all shapes. Throws
-/// Error(kUnsupported) where S is unbounded and F need not grow with the distance.
+/// Error(kUnsupported) where S is unbounded and F far away neither grows for ever, for a minimum, nor is constant.
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size);
 /// Throws that Error.
 [[noreturn]] void refuse_without_end();

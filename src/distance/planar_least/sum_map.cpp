@@ -215,7 +215,7 @@ class SumMap {
 }  // namespace
 
 SumSigns sum_map(const DistanceSum& f, const Real& level, const PieceBox& window, double width) {
-  const auto infinite = f.infinite();
+  const auto infinite = f.infinite({});
   if (infinite && *infinite != 0) {
     const CellComplex all = CellComplex::uniform(Mark(*infinite));
     return {all, all};

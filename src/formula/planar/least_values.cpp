@@ -69,7 +69,7 @@ SearchWindow search_window(const PreparedWorld& world, const Roles& r, const pla
                    : rotation              ? kBoxesOfRotationOverTime
                                            : kBoxesOverTime};
   if (out.worse_outside && unbounded) {
-    if (!plane::is_bounded(a))
+    if (!plane::is_bounded(a) || !plane::is_bounded(world.shape(r.names.first)))
       refuse(r.wanted, "over unbounded positions, of an unbounded shape, no best is looked for");
     // Some position has at most |p| + size; one farther off by twice that has more.
     double nearest = 0;
@@ -106,7 +106,8 @@ distance::Extremum best_position(const PreparedWorld& world, const Distance& wan
   const Roles r = world.roles(wanted);
   const DiscRange range = disc_range(world, r);
   const bool looks_far = goes_on && (sense == Sense::kMinimum || plane::is_bounded(world.shape(r.names.second)));
-  const SearchWindow window = search_window(world, r, over.possible, looks_far || over.possible.faces[0].mark > 0);
+  const bool unbounded = looks_far || over.possible.faces[0].mark > 0;
+  const SearchWindow window = search_window(world, r, over.possible, unbounded && range({}, 0).low < kInfinity);
   if (looks_far && window.worse_outside && sense == Sense::kMaximum)
     return distance::no_optimum<plane::Region>(sense, true);
   return distance::best_position(range, over, sense, window);

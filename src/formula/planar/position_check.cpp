@@ -48,7 +48,10 @@ std::optional<DecidedSign> clear_sign(const PreparedWorld& world, const SignMap&
 DecidedSign sum_sign(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
   const distance::DistanceSum sum = distance_sum(world, terms_of(wanted));
   const auto sign = sum.sign(p, wanted.level / world.step());
-  if (!sign) refuse(wanted.distance, "the sum that it is part of is too near to the level here to decide");
+  if (!sign)
+    refuse(wanted.distance, sum.infinite(p)
+                                ? "the sum that it is part of is too near to the level here to decide"
+                                : "two distances of the sum that it is part of are infinite, with opposite signs");
   return {std::int8_t(*sign), Way::kMap};
 }
 
