@@ -141,6 +141,34 @@ TEST(PreparedScene, WhatIsNearestBetweenBoundsIsNotKnown) {
   }
 }
 
+/// One nearest position of the closure does not belong, and another one, as near, does.
+TEST(PreparedScene, OfEquallyNearPositionsOneThatBelongsIsTaken) {
+  const auto plain = [](const std::string& block, const std::string& edge) {
+    return Scene::json(R"({"findspace": 1, "shapes": {"block": )" + block + R"(, "edge": )" + edge +
+                       R"(, "peg": {"points": [[0, 0]]}}, "moving": "peg",
+                          "where": "gap(peg, block) >= 0 and gap(peg, edge) > 0"})");
+  };
+  const auto expect = [](const Scene& scene, double distance, bool attained) {
+    for (const Scene& s : {scene, scene.prepared()}) {
+      const NearestPlace near = s.check(at("0", "0")).nearest().value();
+      EXPECT_EQ(near.attained, attained);
+      EXPECT_DOUBLE_EQ(near.distance, distance);
+      EXPECT_DOUBLE_EQ(std::hypot(near.at[0], near.at[1]), distance);
+      const auto of_map = s.map().region()->inner.nearest({0, 0});
+      EXPECT_EQ(of_map->attained, attained);
+      EXPECT_DOUBLE_EQ(of_map->distance, distance);
+    }
+  };
+  const std::string box = R"({"box": {"min": [-5, -1], "max": [5, 1]}})",
+                    disc = R"({"disc": {"center": [0, 0], "radius": 2}})";
+  expect(plain(box, R"({"polyline": [[-5, 1], [5, 1]]})"), 1, true);
+  expect(plain(box, R"({"polyline": [[-5, -1], [5, -1]]})"), 1, true);
+  expect(plain(box, R"({"polyline": [[-5, 1], [5, 1], [5, -1], [-5, -1], [-5, 1]]})"), 1, false);
+  expect(plain(disc, R"({"points": [[-2, 0], [2, 0], [0, 2], [0, -2]]})"), 2, true);
+  expect(plain(disc, R"({"boundary": {"disc": {"center": [0, 0], "radius": 2}}})"), 2, false);
+  expect(plain(R"({"disc": {"center": [1, 0], "radius": 2}})", R"({"points": [[-1, 0]]})"), 1, false);
+}
+
 TEST(PreparedScene, PositionsOfALineAreOnIt) {
   const Scene plain = Scene::json(R"json({"findspace": 1, "shapes": {"block": {"box": {"min": [0, 0],
       "max": [10, 10]}}, "peg": {"box": {"min": [0, 0], "max": [1, 1]}}}, "moving": "peg",

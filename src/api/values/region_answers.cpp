@@ -49,11 +49,9 @@ bool RegionAnswers::has(const RealPoint& p) const {
 
 std::optional<RegionAnswers::Near> RegionAnswers::nearest(const RealPoint& p) const {
   if (has(p)) return Near{p, Real(), true};
-  std::call_once(located_closed_, [&] { in_closure_.emplace(closure()); });
-  if (in_closure_->mark(p) > 0) return Near{p, Real(), false};
-  const auto found = plane::nearest(closure(), is_in_set, p);
+  const auto found = plane::nearest_in_closure(region_, closure(), p);
   if (!found) return std::nullopt;
-  return Near{found->at, found->distance, has(found->at)};
+  return Near{found->nearest.at, found->nearest.distance, found->attained};
 }
 
 std::optional<RealPoint> RegionAnswers::snapped(const RealPoint& p, const Real& within) const {

@@ -24,7 +24,8 @@ class RegionAnswers {
 
   /// Positions in grid steps.
   bool has(const exact::RealPoint& p) const;
-  /// Of the closure; distance 0 within it. Nothing where the region is empty.
+  /// Of the closure, one of the region where it has one as near; distance 0 within it. Nothing where the region is
+  /// empty.
   struct Near {
     exact::RealPoint at;
     exact::Real distance;
@@ -41,9 +42,9 @@ class RegionAnswers {
 
   const plane::Region& region_;
   exact::Real step_;
-  mutable std::once_flag closed_{}, bounded_{}, cornered_{}, located_{}, located_closed_{};
+  mutable std::once_flag closed_{}, bounded_{}, cornered_{}, located_{};
   mutable std::optional<plane::Region> closure_{}, boundary_{}, corners_{};
-  mutable std::optional<plane::Locator> in_region_{}, in_closure_{};
+  mutable std::optional<plane::Locator> in_region_{};
 };
 
 /// A position of a region, an isolated one where there is one. Nothing where the region is empty. Cost: linear.

@@ -254,8 +254,8 @@ bool is_solved_near(const Solver& solver, const Formula& formula) {
   return Near(solver.prepared(), formula).bounds_positions();
 }
 
-std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
-                                                  const exact::RealPoint& p) {
+std::optional<plane::NearestInClosure> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
+                                                          const exact::RealPoint& p) {
   constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is not a coordinate
   const double x = distance::near_value(p.x), y = distance::near_value(p.y);
   const auto sizes = window_sizes(world);
@@ -267,12 +267,9 @@ std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, co
                        y1 = std::llround(y + half);
     const plane::Contour ring{{.start = {x0, y0}}, {.start = {x1, y0}}, {.start = {x1, y1}}, {.start = {x0, y1}}};
     const Region inside = near.in_window(plane::region_of_rings({&ring, 1})), closed = plane::closure(inside);
-    const auto found = mark_of(closed, locate(closed, p)) > 0 ? std::optional(plane::Nearest{Real(), p, {}})
-                                                              : plane::nearest(
-                                                                    closed, [](Mark m) { return m > 0; }, p);
+    const auto found = plane::nearest_in_closure(inside, closed, p);
     // What is nearer than the window's sides is what it is without the window.
-    if (found && found->distance.to_double() < half - 1)
-      return NearestInWindow{*found, mark_of(inside, locate(inside, found->at)) > 0};
+    if (found && found->nearest.distance.to_double() < half - 1) return found;
   }
   return std::nullopt;
 }

@@ -22,14 +22,9 @@ plane::Region feasible_near(const Solver& solver, const Formula& formula);
 /// Whether the formula bounds the positions and asks something else of them. For another one this is feasible().
 bool is_solved_near(const Solver& solver, const Formula& formula);
 
-/// A point of the closure of a region, and whether it is one of the region itself.
-struct NearestInWindow {
-  plane::Nearest nearest;
-  bool attained = false;
-};
 /// The position nearest to p, in grid steps, at which the formula holds, or of the closure of those, from windows that
 /// grow about p; nothing where it is not in one that is small beside the whole world, or where not all is local.
-std::optional<NearestInWindow> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
-                                                  const exact::RealPoint& p);
+std::optional<plane::NearestInClosure> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
+                                                          const exact::RealPoint& p);
 
 }  // namespace findspace::formula

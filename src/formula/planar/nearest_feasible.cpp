@@ -23,12 +23,12 @@ namespace findspace::formula {
 using distance::Coordinates;
 using exact::Real;
 using exact::RealPoint;
-using plane::Mark;
 
 namespace {
 
-NearestFeasible nearest_in_scene(const PreparedWorld& world, const plane::Nearest& n, bool attained) {
-  return {distance::coordinates(distance::times(world.step(), n.at)), n.distance * world.step(), attained};
+NearestFeasible nearest_in_scene(const PreparedWorld& world, const plane::NearestInClosure& found) {
+  const plane::Nearest& n = found.nearest;
+  return {distance::coordinates(distance::times(world.step(), n.at)), n.distance * world.step(), found.attained};
 }
 
 /// A pair's distance at p, in the scene's unit; nothing where it is undefined, or not computed at once.
@@ -117,14 +117,11 @@ TriedNearest nearest_feasible_to(const PreparedWorld& world, const Formula& form
   if (auto near = from_contacts(world, formula, p)) return near;
   if (const auto why = between_bounds(world, formula)) return *why;
   if (formula.root().op == Node::Op::kOr) return nearest_of_alternatives(world, formula, p);
-  if (const auto near = nearest_in_windows(world, formula, p))
-    return nearest_in_scene(world, near->nearest, near->attained);
-  plane::Region region = feasible(world, formula), closed = plane::closure(region);
-  auto in = [](Mark m) { return m > 0; };
-  auto here = mark_of(closed, locate(closed, p)) > 0;
-  auto n = here ? std::optional(plane::Nearest{Real(), p, {}}) : plane::nearest(closed, in, p);
-  if (!n) return std::nullopt;
-  return nearest_in_scene(world, *n, mark_of(region, locate(region, n->at)) > 0);
+  if (const auto near = nearest_in_windows(world, formula, p)) return nearest_in_scene(world, *near);
+  const plane::Region region = feasible(world, formula), closed = plane::closure(region);
+  const auto found = plane::nearest_in_closure(region, closed, p);
+  if (!found) return std::nullopt;
+  return nearest_in_scene(world, *found);
 }
 
 }  // namespace findspace::formula

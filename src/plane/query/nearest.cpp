@@ -132,15 +132,8 @@ std::optional<Nearest> exact_edge(const CellComplex& c, Index edge, const RealPo
   return Nearest{d.sign() < 0 ? -d : d, at, {1, edge}};
 }
 
-}  // namespace
-
-bool has_direction(const CellComplex& c, Index arc, const Real& dx, const Real& dy) {
-  const Edge& e = c.edges[arc];
-  const Turn turn(c, arc, dx, dy);
-  return e.half * turn.sign(e.v0) <= 0 && e.half * turn.sign(e.v1) >= 0;
-}
-
-std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
+/// Of the vertices and edges whose mark is wanted, those that are as near as the nearest.
+std::vector<Nearest> all_nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
   const double x = around(from.x).value, y = around(from.y).value;
   double scale = std::abs(x) + std::abs(y), greatest = 0, reach = std::numeric_limits<double>::infinity();
   for (Index v = 0; v < c.vertices.size(); ++v)
@@ -162,13 +155,63 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
   for (Index e = 0; e < c.edges.size(); ++e)
     if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y, slack))
       take(edge_distance(c, e, x, y), c.edges[e].mark, {1, e});
-  std::optional<Nearest> best;
+  std::vector<Nearest> best;
   for (const Candidate& k : all) {
     if (k.distance > reach) continue;
     auto n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
-    if (n && (!best || compare_if_closed(n->distance, best->distance) < 0)) best = std::move(n);
+    if (!n) continue;
+    const int order = best.empty() ? 0 : compare_if_closed(n->distance, best.front().distance);
+    if (order < 0) best.clear();
+    if (order <= 0) best.push_back(*std::move(n));
   }
   return best;
+}
+
+/// The middle of an arc, whose every point is as far from the centre.
+RealPoint middle(const CellComplex& c, Index arc) {
+  const exact::SupportingCurve& k = c.supporting_curve(arc);
+  const auto end = [&](Index v) { return c.geometry.exact(c.vertices[v].point); };
+  const RealPoint p = end(c.edges[arc].v0), q = end(c.edges[arc].v1);
+  const Real half(c.edges[arc].half), dx = (p.y - q.y) * half, dy = (q.x - p.x) * half;  // across the chord
+  const Real share = k.w() / sqrt(dx * dx + dy * dy);
+  return {k.center_x() + dx * share, k.center_y() + dy * share};
+}
+
+bool has(const Region& set, const RealPoint& p) { return mark_of(set, locate(set, p)) > 0; }
+
+/// The nearest point of a vertex or an edge that belongs to the region; nothing where it is an end that does not.
+std::optional<RealPoint> own_place(const Region& region, const Nearest& n, const RealPoint& from) {
+  if (n.cell.dimension != 1 || !region.is_arc(n.cell.index)) return n.at;  // of a segment it is between the ends
+  const exact::SupportingCurve& k = region.supporting_curve(n.cell.index);
+  if (from.x == k.center_x() && from.y == k.center_y()) return middle(region, n.cell.index);
+  return has(region, n.at) ? std::optional(n.at) : std::nullopt;
+}
+
+}  // namespace
+
+bool has_direction(const CellComplex& c, Index arc, const Real& dx, const Real& dy) {
+  const Edge& e = c.edges[arc];
+  const Turn turn(c, arc, dx, dy);
+  return e.half * turn.sign(e.v0) <= 0 && e.half * turn.sign(e.v1) >= 0;
+}
+
+std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
+  std::vector<Nearest> all = all_nearest(c, wanted, from);
+  if (all.empty()) return std::nullopt;
+  return std::move(all.front());
+}
+
+std::optional<NearestInClosure> nearest_in_closure(const Region& region, const Region& closed, const RealPoint& from) {
+  if (has(closed, from)) return NearestInClosure{{Real(), from, {}}, has(region, from)};
+  const auto is_in = [](Mark m) { return m > 0; };
+  const std::optional<Nearest> least = nearest(closed, is_in, from);
+  if (!least) return std::nullopt;
+  if (has(region, least->at)) return NearestInClosure{*least, true};
+  for (const Nearest& n : all_nearest(region, is_in, from)) {
+    if (compare_if_closed(n.distance, least->distance) != 0) break;
+    if (const auto at = own_place(region, n, from)) return NearestInClosure{{n.distance, *at, n.cell}, true};
+  }
+  return NearestInClosure{*least, false};
 }
 
 }  // namespace findspace::plane

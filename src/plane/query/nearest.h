@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The point of a set's edges and vertices that is nearest to a position. Guarantee: the distance is that of an exact
-// point of the cell found, computed exactly and rounded once; cells whose distances agree to about 1e-12 relative may
-// be exchanged. Cost: linear in the cells, a few of them exactly. Keywords: closest point, distance query.
+// The point of a set's edges and vertices that is nearest to a position, and that of a region. Guarantee: the distance
+// is that of an exact point of the cell found, computed exactly and rounded once; cells whose distances agree to about
+// 1e-12 relative may be exchanged. Cost: linear in the cells, a few of them exactly. Keywords: closest point, distance
+// query.
 #pragma once
 
 #include <functional>
@@ -23,6 +24,17 @@ struct Nearest {
 /// Among edges and vertices whose mark is wanted; nothing if there are none.
 std::optional<Nearest> nearest(const CellComplex& complex, const std::function<bool(Mark)>& wanted,
                                const exact::RealPoint& from);
+
+/// The point of a region's closure that is nearest to a position, and whether the region has it.
+struct NearestInClosure {
+  Nearest nearest;  // without a cell at distance 0
+  bool attained = false;
+};
+
+/// One of the region itself where it has one that is as near (distances that are no closed forms are compared as
+/// doubles). `closed` is the closure of the region; nothing if that is empty.
+std::optional<NearestInClosure> nearest_in_closure(const Region& region, const Region& closed,
+                                                   const exact::RealPoint& from);
 
 /// Whether the closed arc has a point at its centre plus a positive multiple of (dx, dy); true for (0, 0). Doubles
 /// decide where they are certain, and where a direction is no fraction; else it is exact.
