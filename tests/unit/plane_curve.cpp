@@ -185,6 +185,22 @@ TEST(PlaneCurve, Splines) {
   EXPECT_THROW(check_spline(s), Error);
 }
 
+/// Where a knot comes once more than the degree, the pieces beside it have no control point in common.
+TEST(PlaneCurve, SplinesThatJumpAreRefused) {
+  const auto spline = [](std::size_t degree, const std::vector<int>& knots, const std::vector<int>& xs) {
+    Spline s{degree, {}, {}, {}};
+    for (int k : knots) s.knots.push_back(Real(k));
+    for (int x : xs) s.points.push_back({Real(x), Real(x % 2)});
+    return s;
+  };
+  EXPECT_THROW(check_spline(spline(2, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {0, 1, 2, 8, 9, 10})), Error);
+  EXPECT_THROW(check_spline(spline(1, {0, 0, 1, 1, 2, 2}, {0, 1, 9, 10})), Error);
+  EXPECT_THROW(check_spline(spline(1, {0, 0, 1, 1, 1, 2, 2}, {0, 1, 5, 9, 10})), Error);
+  EXPECT_NO_THROW(check_spline(spline(2, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {0, 1, 2, 2, 9, 10})));
+  EXPECT_NO_THROW(check_spline(spline(2, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 1, 2, 9, 10})));
+  EXPECT_NO_THROW(check_spline(spline(1, {0, 0, 0, 1, 1, 1}, {7, 0, 1, 8})));  // beyond its ends
+}
+
 TEST(PlaneCurve, BezierPiecesOfASplineAreItsCurve) {
   // A uniform quadratic B-spline is known at its knots: the middles of its legs.
   Spline s{2, {}, {}, {}};

@@ -122,6 +122,18 @@ std::vector<std::size_t> spans_of(const Spline& s) {
   return spans;
 }
 
+/// Where a knot comes more often than the degree says, the pieces beside it end and begin at control points of their
+/// own.
+void check_unbroken(const Spline& s) {
+  const std::vector<std::size_t> spans = spans_of(s);
+  for (std::size_t k = 1; k < spans.size(); ++k) {
+    const std::size_t ends = spans[k - 1], begins = spans[k] - s.degree;
+    if (begins <= ends || (s.points[ends].x == s.points[begins].x && s.points[ends].y == s.points[begins].y)) continue;
+    throw Error(ErrorCode::kBadValue, fmt::format("the spline jumps at its knot {:.10g}, from control point {} to {}",
+                                                  s.knots[spans[k]].to_double(), ends, begins));
+  }
+}
+
 }  // namespace
 
 Curve bezier_curve(std::span<const CurvePoint> points, std::span<const Real> weights, GridPoint from, GridPoint to) {
@@ -164,6 +176,7 @@ void check_spline(const Spline& s) {
                             s.points.size(), s.degree, s.points.size() + s.degree + 1));
   if (!std::is_sorted(s.knots.begin(), s.knots.end())) throw Error(ErrorCode::kBadValue, "knots must ascend");
   if (spans_of(s).empty()) throw Error(ErrorCode::kBadValue, "all knots are equal");
+  check_unbroken(s);
 }
 
 CurvePoint spline_end(const Spline& s, bool last) {

@@ -53,8 +53,8 @@ struct Spline {
   std::vector<CurvePoint> points;
   std::vector<exact::Real> weights;  // none, or one a point, more than 0
 };
-/// Throws Error(kBadValue) where numbers of knots, points and weights do not fit, knots descend or a weight is not
-/// above 0, kUnsupported beyond degree 25.
+/// Throws Error(kBadValue) where numbers of knots, points and weights do not fit, knots descend, a weight is not above
+/// 0 or the spline jumps (at a knot that comes more than `degree` times), kUnsupported beyond degree 25.
 void check_spline(const Spline& spline);
 /// Its first (or last) point, exactly.
 CurvePoint spline_end(const Spline& spline, bool last);
