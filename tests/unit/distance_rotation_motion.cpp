@@ -87,6 +87,49 @@ TEST(RotatingMotion, AnExactFitOfShapesThatTurnAlike) {
   }
 }
 
+/// Both turn alike from angle 0, by up to 60.
+const std::vector<RotatingPose> kAlike{{{}, Real(), Real()}, {{}, Real(60), Real(60)}};
+
+/// The bar fits the square exactly, in a row of places from the origin to half a side away; rounded it need not.
+TEST(RotatingMotion, RoundingDoesNotDecideWhetherAnExactFitIsOne) {
+  const Region bar = box(-1'000'000, -500'000, 1'000'000, 1'000'000),
+               square = box(-1'000'000, -1'000'000, 1'000'000, 1'000'000);
+  for (const Which which : {Which::kEta1, Which::kEta2, Which::kDelta1, Which::kDelta2}) {
+    const bool eta = which == Which::kEta1 || which == Which::kEta2;
+    const double truth = which == Which::kEta1 || which == Which::kDelta1 ? 0 : 500'000;
+    const RotatingMotion f(eta ? bar : square, eta ? square : bar, which, kAlike);
+    const auto holds_truth = [&](const std::optional<ValueRange>& v) {
+      ASSERT_TRUE(v) << int(which);
+      EXPECT_LE(v->low, truth) << int(which);
+      EXPECT_GE(v->high, truth) << int(which);
+    };
+    for (const int tenth : {1, 3, 5, 7, 9}) holds_truth(f.instant({}, 0, Real::ratio(tenth, 10)));
+    holds_truth(f.extremum({}, Sense::kMaximum));
+    holds_truth(f.extremum({}, Sense::kMinimum));
+  }
+}
+
+TEST(RotatingMotion, AFitOfClearanceHasNearBounds) {
+  const Region large = box(-3'000'000, -3'000'000, 3'000'000, 3'000'000),
+               small = box(-1'900'000, -1'900'000, 1'900'000, 1'900'000);
+  const Real half = Real::ratio(1, 2);  // 30 degrees
+  const auto v = RotatingMotion(kSquare, large, Which::kEta1, kAlike).instant(at(2'000'000, 0), 0, half);
+  ASSERT_TRUE(v);
+  EXPECT_NEAR(v->low, 1e6 * (std::sqrt(3.0) - 1), 1e-3);
+  EXPECT_NEAR(v->high, 1e6 * (std::sqrt(3.0) - 1), 1e-3);
+  const auto most = RotatingMotion(kSquare, large, Which::kEta2, kAlike).instant({}, 0, half);
+  ASSERT_TRUE(most);
+  EXPECT_NEAR(most->low, 1e6 * std::sqrt(2.0), 1e-3);
+  EXPECT_NEAR(most->high, 1e6 * std::sqrt(2.0), 1e-3);
+  EXPECT_FALSE(RotatingMotion(kSquare, small, Which::kEta1, kAlike).instant({}, 0, half));
+  EXPECT_FALSE(RotatingMotion(kSquare, small, Which::kEta2, kAlike).extremum({}, Sense::kMaximum));
+  const auto least = RotatingMotion(kSquare, small, Which::kEta1, kAlike).extremum({}, Sense::kMinimum);
+  ASSERT_TRUE(least);  // between the instants that are looked at it might fit
+  EXPECT_GT(least->low, 100'000);
+  EXPECT_LE(least->low, 1e5 * std::sqrt(2.0));
+  EXPECT_EQ(least->high, INFINITY);
+}
+
 TEST(RotatingMotion, AGapOfShapesThatDoNotTurnKeepsToItsRate) {
   const RotatingMotion gap(kSquare, room(2'500'000), Which::kGamma1,
                            {{{}, Real(90), Real()}, {at(1'000'000, 0), Real(90), Real()}});

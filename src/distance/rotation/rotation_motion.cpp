@@ -16,6 +16,7 @@
 #include "exact/margins/rounding.h"
 #include "plane/base/subdivide.h"
 #include "plane/build/transform.h"
+#include "plane/offset/plain_sum.h"
 #include "plane/query/scaled.h"
 #include "plane/query/topology.h"
 
@@ -49,6 +50,22 @@ std::int64_t refinement(double reach) {
 bool has_rate(Which which, double most) {
   if (which == Which::kEta2 || which == Which::kDelta2) return false;
   return (which != Which::kEta1 && which != Which::kDelta1) || most <= 0;
+}
+
+/// Of places where one shape fits into the other.
+bool is_of_fits(Which which) {
+  return which == Which::kEta1 || which == Which::kEta2 || which == Which::kDelta1 || which == Which::kDelta2;
+}
+
+bool fits_into_fixed(Which which) { return which == Which::kEta1 || which == Which::kEta2; }
+
+/// Nothing where undefined; in steps of the pair.
+std::optional<ValueRange> range_at(const ShapePair& pair, Which which, const RealPoint& p) {
+  const auto v = pair.distance(which)->value(p);
+  if (!v) return std::nullopt;
+  if (v->minus_infinity) return ValueRange{-exact::kInfinity, -exact::kInfinity};
+  const OutwardEnds ends = outward(v->bounds());
+  return ValueRange{ends.lower, ends.upper};
 }
 
 bool none_turns(const std::vector<RotatingPose>& poses) {
@@ -125,10 +142,8 @@ class LeastSearch {
     }
   }
 
-  bool undefined() const { return undefined_; }  // at an instant that was looked at
-  double best() const { return best_.f; }
-  std::size_t best_leg() const { return best_.leg; }
-  double best_part() const { return best_.s; }
+  const std::vector<Sample>& undefined() const { return undefined_; }  // instants that were looked at
+  const Sample& best() const { return best_; }
   double certain() const { return gaps_.best().low; }  // f is nowhere less, if it keeps to its rate
   double rounding() const { return rounding_; }
   double most() const { return most_; }  // of the plain f
@@ -142,8 +157,7 @@ class LeastSearch {
 
   Sample look(std::size_t leg, double s) {
     const auto v = motion_.look(p_, leg, Real::from_double(s));
-    undefined_ |= !v;
-    if (!v) return {leg, s, kNone, kNone};
+    if (!v) return undefined_.emplace_back(Sample{leg, s, kNone, kNone});
     rounding_ = std::max(rounding_, v->off);
     most_ = std::max(most_, v->f);
     if (sign_ > 0) return {leg, s, v->f, v->f};
@@ -183,7 +197,7 @@ class LeastSearch {
   plane::Subdivision<Gap> gaps_;  // the lowest first
   Sample best_{0, 0, kNone, kNone};
   double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
-  bool undefined_ = false;
+  std::vector<Sample> undefined_;
 };
 
 }  // namespace
@@ -250,10 +264,38 @@ std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std
 std::optional<ValueRange> RotatingMotion::plain_instant(const RealPoint& p, std::size_t leg, const Real& s) const {
   const Standing here = standing(p, leg, s);
   const auto v = look(here);
+  const bool second = which_ == Which::kEta2 || which_ == Which::kDelta2;
+  if (is_of_fits(which_) && here.rounding > 0 && (second || !v || v->f + v->off > 0)) {
+    const double least = v ? std::min(v->f, 0.0) - v->off : -here.rounding / factor_;
+    return second ? farthest_fit(here) : nearest_fit(here, least);
+  }
   if (!v) return std::nullopt;
   if (v->f >= 0 || rated_below_zero() || here.rounding == 0) return ValueRange{v->f - v->off, v->f + v->off};
   const ValueRange depth = RatedGap(here.pair, false).depth(here.at, Real::from_double(here.rounding));
   return ValueRange{depth.low / factor_ - v->off, std::min(depth.high / factor_, v->rated) + v->off};
+}
+
+ShapePair RotatingMotion::with_container(const ShapePair& pair, double grown) const {
+  const Real by = Real::from_double(grown);
+  if (fits_into_fixed(which_)) return {pair.moving(), plane::plain_offset(pair.fixed(), by)};
+  return {plane::plain_offset(pair.moving(), by), pair.fixed()};
+}
+
+std::optional<ValueRange> RotatingMotion::nearest_fit(const Standing& here, double least) const {
+  const auto all = range_at(with_container(here.pair, here.rounding), which_, here.at);
+  if (!all) return std::nullopt;
+  const auto certain = range_at(with_container(here.pair, -here.rounding), which_, here.at);
+  return ValueRange{std::max(all->low / factor_, least), certain ? certain->high / factor_ : kNone};
+}
+
+std::optional<ValueRange> RotatingMotion::farthest_fit(const Standing& here) const {
+  const ShapePair large = with_container(here.pair, here.rounding);
+  const auto all = range_at(large, which_, here.at);
+  if (!all) return std::nullopt;
+  const auto certain = range_at(with_container(here.pair, -here.rounding), which_, here.at);
+  if (certain) return ValueRange{certain->low / factor_, all->high / factor_};
+  const auto nearest = range_at(large, fits_into_fixed(which_) ? Which::kEta1 : Which::kDelta1, here.at);
+  return ValueRange{nearest ? std::max(0.0, nearest->low / factor_) : 0.0, kNone};
 }
 
 std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
@@ -272,23 +314,44 @@ std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, boo
                                                          Effort effort) const {
   LeastSearch search(*this, p, least);
   search.look_evenly(poses_.size() - 1);
-  if (search.undefined() && !least) return std::nullopt;
+  const auto at = [&](const Sample& k) { return plain_instant(p, k.leg, Real::from_double(k.s)); };
+  const std::vector<Sample>& undefined = search.undefined();
+  // Whether what was rounded plays no part in it, at some of the instants from the first one on.
+  const auto is_certain = [&](std::size_t first) {
+    constexpr std::ptrdiff_t kMost = 10;
+    const auto from = undefined.begin() + std::ptrdiff_t(first);
+    return std::any_of(from, from + std::min(kMost, undefined.end() - from), [&](const Sample& k) { return !at(k); });
+  };
+  const bool of_fits = is_of_fits(which_);
+  if (!of_fits && !undefined.empty()) return std::nullopt;  // at all times, of a complement
+  if (!least && is_certain(0)) return std::nullopt;
+  const std::size_t evenly = undefined.size();
   search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
-  const auto at_best = [&] { return *plain_instant(p, search.best_leg(), Real::from_double(search.best_part())); };
-  if (search.best() == -kNone) return ValueRange{-kNone, at_best().high};
-  if (search.best() == kNone && search.undefined()) return std::nullopt;
+  if (search.best().f == -kNone) return ValueRange{-kNone, at(search.best())->high};
   const double certain = search.certain();
-  search.refine();
-  if (search.undefined() && !least) return std::nullopt;
-  double found = search.best() + search.rounding();
-  double from_below = std::min(search.best(), certain) - search.rounding();
+  const bool none = search.best().f == kNone && !undefined.empty();
+  if (!none) search.refine();
+  if (!least && is_certain(evenly)) return std::nullopt;
+  double found = search.best().f + search.rounding();
+  double from_below = std::min(search.best().f, certain) - search.rounding();
   const double most = least ? search.most() : std::max(search.most(), -from_below);
-  if (search.undefined() || !has_rate(which_, most)) from_below = -kNone;
-  if (!rated_below_zero() && search.best() != kNone) {
-    found = least ? at_best().high : -at_best().low;
-    if (least && from_below < 0) from_below = std::min(from_below, least_gap());
+  const bool rated = undefined.empty() && has_rate(which_, most);
+  if (!rated) from_below = -kNone;
+  if (of_fits || (!rated_below_zero() && search.best().f != kNone)) {
+    const auto best = at(none ? undefined.front() : search.best());
+    found = !best ? kNone : least ? best->high : -best->low;
   }
+  if (least && of_fits && !rated) from_below = least_protrusion(p, enough);
+  if (from_below == kNone) return std::nullopt;
+  if (!rated_below_zero() && least && from_below < 0) from_below = std::min(from_below, least_gap());
   return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
+}
+
+double RotatingMotion::least_protrusion(const RealPoint& p, double enough) const {
+  RotatingMotion mu = *this;
+  mu.which_ = fits_into_fixed(which_) ? Which::kMu : Which::kMuBack;
+  const auto v = mu.plain_extremum(p, true, enough, Effort::kCoarse);
+  return v ? v->low : kNone;
 }
 
 double RotatingMotion::least_gap() const {

@@ -7,12 +7,13 @@
 // the rate
 //     |speed of b - a| + (rotating rate of B, A in radians) * (greatest distance of B, A from its origin),
 // which bounds it between instants (Piyavskii): the least or greatest value is bracketed and then refined where it was
-// found. Guarantee: bounds, one of them (to the rounding) a value that f takes, the other infinite for eta2, delta2,
-// and eta1, delta1 where they are positive: those have no such rate. Nor has a gap below 0 (a penetration above),
-// except between convex shapes or where none turns: rated_gap.h bounds the greatest over time and the one at an
-// instant, discs about both shapes the least. Not exact. Cost: up to 400 pairs of rotated shapes (a fine search: 4000
-// of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords: rotating
-// obstacle, Lipschitz optimisation, continuous collision detection.
+// found. Guarantee: bounds, one of them (to the rounding) a value that f takes. For eta2, delta2, and eta1, delta1
+// where they are positive, there is no such rate: below they are bounded by mu, above not at all over time; at an
+// instant by the places that are certain whatever was rounded, and those that are possible. Nor has a gap below 0 (a
+// penetration above), except between convex shapes or where none turns: rated_gap.h bounds the greatest over time and
+// the one at an instant, discs about both shapes the least. Not exact. Cost: up to 400 pairs of rotated shapes (a fine
+// search: 4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
+// Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
 #pragma once
 
 #include <optional>
@@ -51,7 +52,7 @@ class RotatingMotion {
   /// Closed shapes. `poses`: at the way points, straight and even between.
   RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses);
 
-  /// At part `s` (0 to 1) of leg `k`; nothing where undefined; from -infinity where f is.
+  /// At part `s` (0 to 1) of leg `k`; nothing where undefined whatever was rounded; from -infinity where f is.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// Of the rounded shapes, in numbers that may be off by `off`; of a penetration those of the gap.
   struct Look {
@@ -60,8 +61,8 @@ class RotatingMotion {
   std::optional<Look> look(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// `rated` is f where it is negative as well.
   bool rated_below_zero() const { return which_ != Which::kGamma1 || keeps_rate_; }
-  /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known. A
-  /// supremum is undefined where f is at some instant that was looked at.
+  /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known, or of eta
+  /// and delta none. A supremum is undefined where f is at some instant that was looked at, whatever was rounded.
   enum class Effort { kCoarse, kFine };
   std::optional<ValueRange> extremum(const exact::RealPoint& p, Sense sense, double enough = 0,
                                      Effort effort = Effort::kCoarse) const;
@@ -78,10 +79,17 @@ class RotatingMotion {
   };
   Standing standing(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   std::optional<Look> look(const Standing& standing) const;
+  /// The container made larger or smaller by the rounding: all the places where the other fits; some that are certain.
+  ShapePair with_container(const ShapePair& pair, double grown) const;
+  /// Of eta1, delta1 at least `least`; of eta2, delta2. Undefined only where nothing can fit.
+  std::optional<ValueRange> nearest_fit(const Standing& here, double least) const;
+  std::optional<ValueRange> farthest_fit(const Standing& here) const;
   /// Of a penetration that of the gap.
   std::optional<ValueRange> plain_instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// The least or the greatest value; of a penetration that of the gap.
   std::optional<ValueRange> plain_extremum(const exact::RealPoint& p, bool least, double enough, Effort effort) const;
+  /// No eta or delta is less over the time.
+  double least_protrusion(const exact::RealPoint& p, double enough) const;
   /// No gap is less, as both shapes lie in discs.
   double least_gap() const;
 
