@@ -86,6 +86,8 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
   const double tolerance = (std::abs(level) + 1) * margin::kRangeAtLevel;
   if (v->low > level + tolerance) return {1, Way::kSearch};
   if (v->high < level - tolerance) return {-1, Way::kSearch};
+  // After the bounds, which take less time than a map over all angles.
+  if (const auto now = at_instant ? swing_sign_now(world, wanted, p) : std::nullopt) return {*now, Way::kAngles};
   const double unit = rotation ? 1 : world.step().to_double();
   const bool minus = negated(wanted.distance);
   refuse(wanted.distance,

@@ -77,9 +77,8 @@ bool is_instant_of_plain(const SignMap& m) {
   return !m.minimum && m.distance.prefix == Extremum::kNone && plain_level(m).distance.mode == Mode::kPlain;
 }
 
-/// The rotation of the moving shapes, where that is all that moves and the formula asks for instants.
-std::optional<Trajectory> swinging(const World& world, const Formula& formula) {
-  const std::vector<SignMap>& maps = formula.sign_maps();
+/// The rotation of the moving shapes, where that is all that moves and the maps are of instants.
+std::optional<Trajectory> swinging(const World& world, const std::vector<SignMap>& maps) {
   if (!std::all_of(maps.begin(), maps.end(), is_instant_of_plain)) return std::nullopt;
   const auto of = [&](const std::string& name) { return world.motion.of.find(name); };
   const auto first = of(world.moving.at(0)), none = world.motion.of.end();
@@ -92,16 +91,21 @@ std::optional<Trajectory> swinging(const World& world, const Formula& formula) {
   return stays ? std::optional(first->second) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
-  const std::optional<Trajectory> way = swinging(world.world(), formula);
-  if (!way) return std::nullopt;
+/// map(angles) over all angles of the shapes where they swing.
+template <class Map>
+RotationMap over_angles(const PreparedWorld& world, const Trajectory& way, const RealPoint& p, const Map& map) {
   World still = world.world();
   still.motion = {};
   const PreparedWorld prepared(std::move(still));
-  const RealPoint at{p.x + way->path[0].x, p.y + way->path[0].y};
-  const RotationMap map = RotationMaps(prepared, RealPoint{}, at).feasible(formula);
+  return map(RotationMaps(prepared, RealPoint{}, {p.x + way.path[0].x, p.y + way.path[0].y}));
+}
+
+}  // namespace
+
+std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  const std::optional<Trajectory> way = swinging(world.world(), formula.sign_maps());
+  if (!way) return std::nullopt;
+  const RotationMap map = over_angles(world, *way, p, [&](const RotationMaps& m) { return m.feasible(formula); });
   const std::vector<Real> times = common_times(world.motion(), *way, *way);
   Section out;
   for (std::size_t k = 0; k + 1 < times.size(); ++k)
@@ -124,6 +128,13 @@ std::optional<std::int8_t> swing_sign(const PreparedWorld& world, const SignMap&
   if (*beyond) return std::int8_t(least ? -1 : 1);
   if (*occurs(Relation::kEqual)) return std::int8_t(0);
   return std::int8_t(least ? 1 : -1);
+}
+
+std::optional<std::int8_t> swing_sign_now(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
+  const std::optional<Trajectory> way = swinging(world.world(), {wanted});
+  if (!way) return std::nullopt;
+  const RotationMap map = over_angles(world, *way, p, [&](const RotationMaps& m) { return m.sign_map(wanted); });
+  return mark_at(map, Angle::of_degrees(angle_at(*way, *world.world().instant)));
 }
 
 }  // namespace findspace::formula

@@ -22,4 +22,7 @@ std::optional<plane::Section> swing_at(const PreparedWorld& world, const Formula
 /// The sign of inf or sup over the time minus the level, where swing_at() knows the instants.
 std::optional<std::int8_t> swing_sign(const PreparedWorld& world, const SignMap& wanted, const exact::RealPoint& p);
 
+/// The same at the world's instant.
+std::optional<std::int8_t> swing_sign_now(const PreparedWorld& world, const SignMap& wanted, const exact::RealPoint& p);
+
 }  // namespace findspace::formula
