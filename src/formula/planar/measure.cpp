@@ -154,12 +154,14 @@ DistanceAt derived_value(const Distance& wanted, const Derived& from, const Dist
   return out;
 }
 
-/// Of a distance that is known between two numbers: the one that is shown, with what it may be off.
-DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted, const Roles& r, const RealPoint& p) {
+}  // namespace
+
+DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted,
+                         const std::optional<distance::ValueRange>& v) {
+  const Roles r = world.roles(wanted);
   const bool rotation = r.wanted.mode == Mode::kRotation;
   DistanceAt out = distance_at(text(wanted), std::nullopt);
   out.in_degrees = rotation;
-  const auto v = rotation_value(world, r, p);
   if (!v) return out;
   const double unit = rotation ? 1 : world.step().to_double(), value = shown_value(world, *v, r) * unit;
   if (value == exact::kInfinity) {
@@ -179,12 +181,11 @@ DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted, con
   return out;
 }
 
-}  // namespace
-
 DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const RealPoint& p) {
   const Roles r = world.roles(wanted);
   const bool rotation = r.wanted.mode == Mode::kRotation;
-  if (r.rotating || (rotation && world.motion().given())) return ranged_answer(world, wanted, r, p);
+  if (r.rotating || (rotation && world.motion().given()))
+    return ranged_answer(world, wanted, rotation_value(world, r, p));
   const bool plain = !world.motion().given() && r.wanted.mode == Mode::kPlain;
   auto v = plain ? world.pair(r.names)->measure(r.which(), p) : position_function(world, wanted)->value(p);
   DistanceAt out = !v                                               ? distance_at(text(wanted), std::nullopt)

@@ -5,8 +5,10 @@
 // features, distance table.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "distance/planar_least/best_position.h"
 #include "formula/language/position_answers.h"
 #include "formula/planar/prepared_world.h"
 
@@ -15,7 +17,12 @@ namespace findspace::formula {
 /// One distance at p, in grid steps.
 DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const exact::RealPoint& p);
 
-/// The same of a plain distance without a motion, whose answer is known.
+/// Of a distance that is known between two numbers, in grid steps or in degrees: the one that is shown, with what it
+/// may be off; nothing where undefined.
+DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted,
+                         const std::optional<distance::ValueRange>& range);
+
+/// One of a plain distance without a motion, whose answer is known.
 DistanceAt plain_distance_at(const PreparedWorld& world, const Distance& wanted, distance::PlanarAnswer answer,
                              const exact::RealPoint& p);
 

@@ -7,14 +7,17 @@
 #include <cmath>
 #include <limits>
 
+#include "distance/rotation/rotation_in_time.h"
 #include "distance/rotation/rotational_distance.h"
 #include "exact/margins/formula.h"
 #include "findspace/error.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
+#include "formula/planar/measure.h"
 #include "formula/planar/rotation_bounds.h"
 #include "plane/base/real_vector.h"
 #include "plane/base/stopwatch.h"
+#include "plane/query/moved.h"
 
 namespace findspace::formula {
 
@@ -64,6 +67,14 @@ DistanceAt angle_answer(const Distance& d, double value) {
   DistanceAt out = distance_at(text(d), std::move(answer));
   out.in_degrees = true;
   return out;
+}
+
+/// The least that the value may be; nothing where undefined.
+std::optional<double> lowest(const DistanceAt& d) {
+  const auto value = d.value();
+  if (!value || std::isinf(*value) || d.answer->proven) return value;
+  const auto& lower = d.answer->bounds().lower;
+  return lower ? lower->to_double() : -exact::kInfinity;
 }
 
 }  // namespace
@@ -123,6 +134,7 @@ RotationSolver::Met RotationSolver::rotation_at(const RotationMaps& maps, const 
   const RealPoint to = centre_of(world_, d), at = world_.steps(pose_.at);
   Angle here;
   RotationMaps::Contacts c;
+  if (!(to == maps.centre()) && !is_quarters(pose_.degrees)) return rotation_elsewhere(maps, d, level);
   if (to == maps.centre()) {
     here = Angle::of_degrees(pose_.degrees);
     c = maps.contacts(d);
@@ -133,9 +145,27 @@ RotationSolver::Met RotationSolver::rotation_at(const RotationMaps& maps, const 
   }
   const RotationMap map =
       c.farthest ? distance::farthest_rotation_sign_map(c.base, level) : distance::rotation_sign_map(c.base, level);
-  Met out{{}, mark_at(map, here)};
-  out.distance = angle_answer(
-      d, c.farthest ? distance::farthest_rotation(c.base, here) : distance::rotation_distance(c.base, here));
+  const double value =
+      c.farthest ? distance::farthest_rotation(c.base, here) : distance::rotation_distance(c.base, here);
+  return {angle_answer(d, value), mark_at(map, here)};
+}
+
+RotationSolver::Met RotationSolver::rotation_elsewhere(const RotationMaps& maps, const Distance& wanted,
+                                                       const Real& level) const {
+  const Distance d = moving_first(wanted, world_.world().moving);
+  const RealPoint& about = maps.about();
+  const distance::RotationInTime f(plane::moved(world_.shape(d.first), {-about.x, -about.y}), world_.shape(d.second),
+                                   world_.which(d), centre_of(world_, d), maps.centre(), {{{}, pose_.degrees, {}}});
+  const distance::ValueRange v = f.instant(0, Real());
+  const bool undefined = v.low == exact::kInfinity;
+  Met out{ranged_answer(world_, wanted, undefined ? std::nullopt : std::optional(v)), std::nullopt};
+  const distance::SignRange s = f.signs({0, Real(), Real()}, level);
+  if (s.low == s.high)
+    out.sign = s.low;
+  else if (is_plain_level({wanted, level}))
+    out.sign = mark_at(maps.sign_map({wanted, level}), Angle::of_degrees(pose_.degrees));
+  if (out.sign && out.distance.answer)
+    out.distance.answer = distance::narrowed(*std::move(out.distance.answer), level, *out.sign);
   return out;
 }
 
@@ -167,7 +197,7 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
     least_value = value->to_double();
   else if (best.at.outer)
     least_value = -std::numeric_limits<double>::infinity();
-  const auto value = out.distance.value();
+  const auto value = lowest(out.distance);
   if (least_value && value && *value <= *least_value + margin::kBestOfAngles * (1 + std::abs(*least_value)))
     refuse(d,
            "its least value over the angles is not a whole number of steps; whether it is taken here is not decided");
@@ -195,7 +225,11 @@ AtomAt RotationSolver::check_atom(const RotationMaps& maps, const Formula& formu
   if (!rotating) return check_plain(maps, formula, index);
   require_static(atom.distance);
   Met met = rotation_at(maps, atom.distance, atom.level);
-  return {atom, std::move(met.distance), holds(atom, met.sign), std::nullopt, distance::Way::kAngles};
+  if (!met.sign)
+    refuse(atom.distance,
+           "about another point than the shape has been rotated about, it is too near to the level here "
+           "to decide");
+  return {atom, std::move(met.distance), holds(atom, *met.sign), std::nullopt, distance::Way::kAngles};
 }
 
 Check RotationSolver::check(const Formula& formula) const {

@@ -45,9 +45,11 @@ class RotationSolver {
  private:
   struct Met {
     DistanceAt distance;
-    plane::Mark sign;  // of the distance minus the level
+    std::optional<plane::Mark> sign;  // of the distance minus the level, where it is decided
   };
   Met rotation_at(const RotationMaps& maps, const Distance& rotating, const exact::Real& level) const;
+  /// About another point than the shape has been rotated about, at an angle that rounds it.
+  Met rotation_elsewhere(const RotationMaps& maps, const Distance& rotating, const exact::Real& level) const;
   /// `-> min` over all angles, at the pose's.
   AtomAt check_atom(const RotationMaps& maps, const Formula& formula, std::size_t index) const;
   AtomAt check_least(const RotationMaps& maps, const Atom& atom) const;
