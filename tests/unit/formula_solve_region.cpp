@@ -20,14 +20,17 @@ using distance::Way;
 using exact::Real;
 
 /// A point B that moves, a small disc A and a large one C on either side of it, and a disc like A.
+/// Another one, F, is far away on the same line.
 class SolveRegion : public testing::Test {
  protected:
+  static constexpr std::int64_t kFar = std::int64_t{1} << 36;
   static World world() {
     World out;
     out.shapes.emplace("A", plane::disc(600, 0, 100));
     out.shapes.emplace("C", plane::disc(-600, 0, 300));
     out.shapes.emplace("D", plane::disc(-600, 0, 100));
     out.shapes.emplace("W", plane::box(-2000, -2000, 2000, 2000));
+    out.shapes.emplace("F", plane::box(kFar, -5, 2 * kFar, 5));
     out.shapes.emplace("B", plane::point(0, 0));
     out.moving = {"B"};
     out.step = Real(1);
@@ -35,7 +38,7 @@ class SolveRegion : public testing::Test {
   }
   static Context context() {
     Context out;
-    out.shapes = {"A", "B", "C", "D", "W"};
+    out.shapes = {"A", "B", "C", "D", "F", "W"};
     out.moving = {"B"};
     return out;
   }
@@ -43,8 +46,10 @@ class SolveRegion : public testing::Test {
   Optimum best(const char* objective, const char* formula, Sense sense = Sense::kMinimum,
                std::optional<PlanarLine> line = {}) const {
     SolvedRegion region = solve_region(solver, where(formula));
+    const Objective wanted = parse_objective(objective, context());
+    if (line) line = reaching(*line, region, wanted, solver);
     if (line) region = on_line(region, *line);
-    return optimize(solver, region, {parse_objective(objective, context()), sense, line});
+    return optimize(solver, region, {wanted, sense, line});
   }
 
   Solver solver{world()};
@@ -99,6 +104,18 @@ TEST_F(SolveRegion, ALineGoesOnBeyondItsEnds) {
   EXPECT_EQ(*least.value(), Real());
   const Optimum bounded = best("x", kAlongAHyperbola, Sense::kMaximum, axis);
   EXPECT_EQ(*bounded.value(), Real(2000));
+}
+
+TEST_F(SolveRegion, ALineReachesAllThatIsFarAway) {
+  for (const std::int64_t step : {std::int64_t{1}, std::int64_t{1} << 39}) {
+    const PlanarLine axis{{0, 0}, {step, 0}};
+    EXPECT_EQ(*best("x", "gap(B, F) <= 0", Sense::kMinimum, axis).value(), Real(kFar));
+    EXPECT_EQ(*best("x", "gap(B, F) <= 0", Sense::kMaximum, axis).value(), Real(2 * kFar));
+    EXPECT_EQ(*best("gap(B, F)", "gap(B, A) >= 5", Sense::kMinimum, axis).value(), Real(-5));
+    EXPECT_EQ(*best("distance to [100000000000, 7]", "gap(B, A) >= 5", Sense::kMinimum, axis).value(), Real(7));
+    EXPECT_EQ(*best("x", "gap(B, A) = 1e13", Sense::kMaximum, axis).value(), Real(10000000000700));
+    EXPECT_TRUE(best("x", "gap(B, F) > 0", Sense::kMaximum, axis).unbounded);
+  }
 }
 
 TEST_F(SolveRegion, AValueThatTheWholeLineHasIsTaken) {

@@ -20,6 +20,7 @@
 #include "formula/planar/sums.h"
 #include "plane/base/real_vector.h"
 #include "plane/build/path_region.h"
+#include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/locate.h"
 #include "plane/query/topology.h"
@@ -73,18 +74,61 @@ exact::Tried<plane::Region> exact_region(const Solver& solver, const Formula& fo
       "region is known between two sets only");
 }
 
+namespace {
+
+constexpr double kUsualReach = 0x1p36;  // no sign: in steps, how far a line goes at least
+
+double reach_of(const plane::Region& region) {
+  const auto box = plane::extent(region);
+  return box ? std::max({-box->x0, box->x1, -box->y0, box->y1}) : 0;
+}
+
+double reach_of(const exact::RealPoint& p) { return std::max(std::abs(p.x.to_double()), std::abs(p.y.to_double())); }
+
+/// Of a distance, over all positions: its shapes with their motion, and the point about which they rotate.
+double reach_of(const Distance& d, const PreparedWorld& world) {
+  const SumTerm term{Real(1), d};
+  double out = reach_of(world, {&term, 1});
+  for (const auto& [name, moved] : world.motion().of)
+    for (const exact::RealPoint& p : moved.path) out += 2 * reach_of(p);
+  if (d.mode == Mode::kRotation) out += 2 * reach_of(world.steps({d.vector.at(0), d.vector.at(1)}));
+  return out;
+}
+
+}  // namespace
+
+PlanarLine reaching(PlanarLine line, const SolvedRegion& region) {
+  line.reach = std::max(line.reach, reach_of(region.region));
+  if (region.outer) line.reach = std::max(line.reach, reach_of(*region.outer));
+  return line;
+}
+
+PlanarLine reaching(PlanarLine line, const SolvedRegion& region, const Objective& objective, const Solver& solver) {
+  const PreparedWorld& world = solver.prepared();
+  if (objective.kind == Objective::Kind::kDistanceToPoint)
+    line.reach = std::max(line.reach, reach_of(world.steps({objective.point.at(0), objective.point.at(1)})));
+  for (const Distance& d : distances_of(objective)) line.reach = std::max(line.reach, reach_of(d, world));
+  return reaching(line, region);
+}
+
 std::array<exact::RealPoint, 2> ends_of(const PlanarLine& line) {
-  const std::int64_t most = std::max({std::abs(line.direction[0]), std::abs(line.direction[1]), std::int64_t(1)});
-  const std::int64_t times = std::max<std::int64_t>(1, (std::int64_t(1) << 36) / most);
-  const auto end = [&](std::int64_t way) {
-    return exact::RealPoint{exact::Real(line.through[0] + way * line.direction[0]),
-                            exact::Real(line.through[1] + way * line.direction[1])};
+  const auto size = [](const std::array<std::int64_t, 2>& v) {
+    return double(std::max({std::abs(v[0]), std::abs(v[1]), std::int64_t(1)}));
+  };
+  // Twice the sum is more than the length of any way from where the line goes through to a place within reach.
+  const double far = std::max(kUsualReach, 2 * (line.reach + size(line.through)));
+  const Real times = Real::from_double(std::ceil(far / size(line.direction)) + 1);  // within_line looks one step back
+  const auto end = [&](const Real& way) {
+    return exact::RealPoint{Real(line.through[0]) + way * Real(line.direction[0]),
+                            Real(line.through[1]) + way * Real(line.direction[1])};
   };
   return {end(-times), end(times)};
 }
 
 plane::Region on_line(const plane::Region& region, const PlanarLine& line) {
-  const plane::Region positions = plane::region_of_path(ends_of(line));
+  const auto [first, last] = ends_of(line);
+  const plane::PathPiece piece{first, last, {Real(line.direction[0]), Real(line.direction[1])}};
+  const plane::Region positions = plane::region_of_pieces({&piece, 1});
   const std::array<const plane::Region*, 2> both{&region, &positions};
   return plane::intersect(both);
 }

@@ -36,10 +36,16 @@ exact::Tried<plane::Region> exact_region(const Solver& solver, const Formula& fo
 /// A line of positions, in grid steps; the direction is not zero.
 struct PlanarLine {
   std::array<std::int64_t, 2> through{}, direction{};
+  double reach = 0;  // how far from the origin, along x and y, what is asked may differ
 };
-/// Two points of the line, about 2^36 steps either way from where it goes through: beyond them nothing is looked for.
+/// The line with a reach that no curve of the region leaves.
+PlanarLine reaching(PlanarLine line, const SolvedRegion& region);
+/// The same for an objective: beyond the reach its values grow, shrink or stay the same.
+PlanarLine reaching(PlanarLine line, const SolvedRegion& region, const Objective& objective, const Solver& solver);
+/// Two points of the line beyond its reach, 2^36 steps or more from where it goes through: at each end all that follows
+/// is as the end is.
 std::array<exact::RealPoint, 2> ends_of(const PlanarLine& line);
-/// The part of a region on the line.
+/// The part of a region on the line, as far as its ends.
 plane::Region on_line(const plane::Region& region, const PlanarLine& line);
 SolvedRegion on_line(const SolvedRegion& region, const PlanarLine& line);
 
@@ -50,7 +56,8 @@ using Optimum = distance::OptimumOf<plane::Region>;
 struct BestQuery {
   Objective objective;
   distance::Sense sense = distance::Sense::kMinimum;
-  std::optional<PlanarLine> line{};  // the region is one on it: a best value at its ends is none, as it goes on
+  std::optional<PlanarLine> line{};  // the region is one on it, which reaches beyond all: a best value at its ends is
+                                     // none, as it goes on
 };
 Optimum optimize(const Solver& solver, const SolvedRegion& region, const BestQuery& query);
 /// The same over an exact region, for those who can use exact values only: throws Error(kUnsupported) for an objective

@@ -59,6 +59,7 @@ struct KeptWork {
   std::shared_ptr<const KeptShapes> shapes = std::make_shared<const KeptShapes>();
   Kept<formula::Formula> where{};
   Kept<KeptRegion> region{};
+  Kept<KeptRegion> positions_on_line{};  // of a scene with a line
   Kept<formula::SpaceRegion> space_region{};
 };
 

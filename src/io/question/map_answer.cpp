@@ -91,12 +91,11 @@ struct PositionsQuestion {
   Region shown(const plane::Region& region) const { return api::make_region(region, asked.scene().grid, asked.unit()); }
   RegionBounds bounds() const {
     if (known) return {known->region, known->outer ? *known->outer : known->region};
-    const auto part = [&](const plane::Region& region) {
-      return shown(line() ? on_line(region, asked.scene().free) : region);
-    };
-    const Region inner = part(map.region);
-    const plane::Region* possible = possible_region();
-    return {inner, possible != nullptr ? part(*possible) : inner};
+    formula::SolvedRegion all{map.region};
+    if (const plane::Region* possible = possible_region()) all.outer = *possible;
+    if (line() && !map.line) all = on_line(all, asked.scene().free);
+    const Region inner = shown(all.region);
+    return {inner, all.outer ? shown(*all.outer) : inner};
   }
 };
 
@@ -148,9 +147,8 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
     std::optional<formula::SolvedRegion> known;
     if (q->asked.kept()) {
       const std::shared_ptr<const KeptRegion> kept = region_of(q->asked, q->formula);
-      known = {kept->region.data().cells, std::nullopt, kept->compared};
-      if (kept->outer) known->outer = kept->outer->data().cells;
-      if (apply.operation.empty() && !q->asked.goal()) q->known = kept;
+      known = solved_region(*kept);
+      if (apply.operation.empty() && !q->asked.goal() && !q->line()) q->known = kept;
     }
     if (drawn) q->world = solver->world();
     q->map = planar_map(q->asked, std::move(solver), q->formula, apply, known ? &*known : nullptr);
@@ -158,9 +156,9 @@ Answer::Data map_of_positions(AskedScene given, const Applied& apply, bool pictu
   Answer::Data out;
   const std::string title = q->title(apply);
   if (q->line()) {
-    q->intervals = intervals_on_line(q->map.region, q->asked.scene().free);
+    q->intervals = intervals_on_line(q->map, q->map.region, q->asked.scene().free);
     const plane::Region* possible = q->possible_region();
-    q->possible = possible != nullptr ? intervals_on_line(*possible, q->asked.scene().free) : q->intervals;
+    q->possible = possible != nullptr ? intervals_on_line(q->map, *possible, q->asked.scene().free) : q->intervals;
     out.found = found_in(!q->intervals.empty(), q->open() || !q->possible.empty());
     tell_line(out, q, title);
   } else {

@@ -32,13 +32,17 @@ formula::PlanarLine line_of(const Free& free) {
 
 }  // namespace
 
-plane::Region on_line(const plane::Region& region, const Free& free) { return formula::on_line(region, line_of(free)); }
+formula::SolvedRegion on_line(const formula::SolvedRegion& region, const Free& free) {
+  return formula::on_line(region, reaching(line_of(free), region));
+}
 
-std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const Free& free) {
+std::vector<plane::LineInterval> intervals_on_line(const PlanarMap& map, const plane::Region& region,
+                                                   const Free& free) {
   const plane::GridPoint through{free.through[0], free.through[1]};
   std::vector<plane::LineInterval> out = plane::along_line(region, through, {free.direction[0], free.direction[1]});
+  if (!map.line) return out;
   // What goes on to where a line is cut off goes on.
-  const plane::RealVector way = formula::ends_of(line_of(free))[1] - plane::RealVector{through.x, through.y};
+  const plane::RealVector way = formula::ends_of(*map.line)[1] - plane::RealVector{through.x, through.y};
   const exact::Real far = sqrt(plane::dot(way, way));
   for (plane::LineInterval& i : out) {
     if (i.from && i.to && *i.from == *i.to) continue;
@@ -76,12 +80,12 @@ PlanarMap best_map(const AskedScene& asked, const formula::Solver& solver, formu
   asked.stage("optimizing");
   formula::BestQuery query{goal.objective, goal.sense, std::nullopt};
   if (asked.scene().free.kind == Free::Kind::kLine) {
-    query.line = line_of(asked.scene().free);
+    query.line = reaching(line_of(asked.scene().free), found, goal.objective, solver);
     found = formula::on_line(found, *query.line);
   }
   formula::Optimum best = formula::optimize(solver, found, query);
   note_enclosed(best, asked);
-  PlanarMap map{std::move(best.at), std::nullopt, best, std::nullopt};
+  PlanarMap map{std::move(best.at), std::nullopt, best, std::nullopt, query.line};
   map.feasible = plane::in_order(found.outer ? *std::move(found.outer) : std::move(found.region));
   return map;
 }
@@ -131,28 +135,58 @@ PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Sol
   return map;
 }
 
-std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula,
-                                            const std::shared_ptr<const formula::Solver>& solver) {
-  const auto make = [&] {
-    const auto shown = [&](plane::Region region) {
-      if (asked.scene().free.kind == Free::Kind::kLine) region = on_line(region, asked.scene().free);
-      return api::make_region(std::move(region), asked.scene().grid, asked.unit());
-    };
-    formula::SolvedRegion found = formula::solve_region(solver ? *solver : *asked.solver_of(formula, false), formula);
-    KeptRegion out{shown(std::move(found.region)), std::nullopt, found.compared};
-    if (found.outer) out.outer = shown(*std::move(found.outer));
-    return out;
+namespace {
+
+KeptRegion as_kept(formula::SolvedRegion found, const AskedScene& asked) {
+  const auto region = [&](plane::Region cells) {
+    return api::make_region(std::move(cells), asked.scene().grid, asked.unit());
   };
+  KeptRegion out{region(std::move(found.region)), std::nullopt, found.compared};
+  if (found.outer) out.outer = region(*std::move(found.outer));
+  return out;
+}
+
+/// What `make` makes, or has made before for the same scene.
+template <class Make>
+std::shared_ptr<const KeptRegion> kept_region(const AskedScene& asked, Kept<KeptRegion> KeptWork::*of,
+                                              const Make& make) {
   const std::shared_ptr<const KeptWork>& kept = asked.kept();
   if (!kept || asked.at_instant()) return std::make_shared<const KeptRegion>(make());
-  return {kept, &kept->region.get(make)};
+  return {kept, &((*kept).*of).get(make)};
+}
+
+}  // namespace
+
+formula::SolvedRegion solved_region(const KeptRegion& kept) {
+  formula::SolvedRegion out{kept.region.data().cells, std::nullopt, kept.compared};
+  if (kept.outer) out.outer = kept.outer->data().cells;
+  return out;
+}
+
+std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula,
+                                            const std::shared_ptr<const formula::Solver>& solver) {
+  return kept_region(asked, &KeptWork::region, [&] {
+    return as_kept(formula::solve_region(solver ? *solver : *asked.solver_of(formula, false), formula), asked);
+  });
+}
+
+std::shared_ptr<const KeptRegion> positions_of(const AskedScene& asked, const formula::Formula& formula,
+                                               const std::shared_ptr<const formula::Solver>& solver) {
+  if (asked.scene().free.kind != Free::Kind::kLine) return region_of(asked, formula, solver);
+  return kept_region(asked, &KeptWork::positions_on_line, [&] {
+    const formula::SolvedRegion region = solved_region(*region_of(asked, formula, solver));
+    formula::PlanarLine line = line_of(asked.scene().free);
+    line.reach = double(plane::Grid::kLimit);
+    return as_kept(formula::on_line(region, reaching(line, region)), asked);
+  });
 }
 
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known) {
   const distance::OptimalValue* extreme = map.extreme ? &*map.extreme : nullptr;
   const bool line = asked.scene().free.kind == Free::Kind::kLine;
   const auto json = [&](const plane::Region& region, const distance::OptimalValue* best, bool with_cells) {
-    if (line) return intervals_json(intervals_on_line(region, asked.scene().free), asked.step(), asked.unit(), best);
+    if (line)
+      return intervals_json(intervals_on_line(map, region, asked.scene().free), asked.step(), asked.unit(), best);
     if (known != nullptr && &region == &map.region)
       return region_json(region, *known, asked.step(), asked.unit(), best, with_cells);
     const plane::Summary summary = plane::summarize(region, asked.step());

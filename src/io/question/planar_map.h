@@ -25,7 +25,8 @@ struct PlanarMap {
   plane::Region region;
   std::optional<plane::Region> feasible;  // where the region is a part of it: the best positions
   std::optional<distance::OptimalValue> extreme;
-  std::optional<plane::Region> outer;  // where the region is certainly feasible, and only this possibly
+  std::optional<plane::Region> outer;         // where the region is certainly feasible, and only this possibly
+  std::optional<formula::PlanarLine> line{};  // to whose ends the region goes: the scene's, where there is an objective
 };
 
 /// What is made of a region.
@@ -39,10 +40,14 @@ struct Applied {
 PlanarMap planar_map(const AskedScene& asked, std::shared_ptr<const formula::Solver> solver,
                      const formula::Formula& formula, const Applied& apply = {},
                      const formula::SolvedRegion* known = nullptr);
-/// The region of the scene's formula, on its line where it has one; kept where the scene is prepared,
-/// but not of an instant. `solver`: where there is one already.
+/// The region of the scene's formula; kept where the scene is prepared, but not of an instant. `solver`: where there is
+/// one already.
 std::shared_ptr<const KeptRegion> region_of(const AskedScene& asked, const formula::Formula& formula,
                                             const std::shared_ptr<const formula::Solver>& solver = nullptr);
+formula::SolvedRegion solved_region(const KeptRegion& kept);
+/// The part of it on the scene's line where it has one, as far as any position of the grid needs it; likewise.
+std::shared_ptr<const KeptRegion> positions_of(const AskedScene& asked, const formula::Formula& formula,
+                                               const std::shared_ptr<const formula::Solver>& solver = nullptr);
 /// As `map --json` prints it, perhaps with exact cells. `known`: the summary of the map's region, where it has been
 /// made already.
 std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact,
@@ -50,10 +55,10 @@ std::string planar_map_json(const AskedScene& asked, const PlanarMap& map, bool 
 /// The same, piece by piece where there is one region of positions.
 void planar_map_json(const AskedScene& asked, const PlanarMap& map, bool exact, const plane::Summary* known,
                      const Sink& sink);
-/// The part of a region on the scene's line.
-plane::Region on_line(const plane::Region& region, const Free& free);
-/// The lengths along the scene's line that belong to a region.
-std::vector<plane::LineInterval> intervals_on_line(const plane::Region& region, const Free& free);
+/// The part of a map on the scene's line.
+formula::SolvedRegion on_line(const formula::SolvedRegion& region, const Free& free);
+/// The lengths along the scene's line that belong to a region of its map.
+std::vector<plane::LineInterval> intervals_on_line(const PlanarMap& map, const plane::Region& region, const Free& free);
 
 /// The instants at which a formula holds at a position.
 struct PlanarInstants {

@@ -136,7 +136,7 @@ std::optional<formula::NearestFeasible> nearest_in(const Region& region, const e
 formula::TriedNearest nearest_of(const PlanarQuestion& q) {
   const bool line = q.asked.scene().free.kind == Free::Kind::kLine;
   if (line || (q.asked.kept() && !q.asked.at_instant())) {
-    const auto region = region_of(q.asked, q.formula, q.solver);
+    const auto region = positions_of(q.asked, q.formula, q.solver);
     if (!region->outer) return nearest_in(region->region, q.at, q.asked.step());
     if (line || q.rotated) return exact::Refusal("the region is known between bounds only");
   }
@@ -150,7 +150,7 @@ exact::RealPoint snapped(const AskedScene& asked, const PlanarPose& pose, const 
                 asked.scene().file);
   asked.require_moving();
   const exact::Real& step = asked.step();
-  const auto region = region_of(asked.over_time(), asked.where());
+  const auto region = positions_of(asked.over_time(), asked.where());
   const auto near = region->region.data().answers().snapped({pose.at.x / step, pose.at.y / step}, within / step);
   return near ? distance::times(step, *near) : pose.at;
 }
