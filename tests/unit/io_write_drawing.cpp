@@ -72,6 +72,15 @@ TEST(WriteDrawing, PartsReadBack) {
     EXPECT_TRUE(same_set(from_dxf(dxf(with_segment, version)), with_segment));
 }
 
+TEST(WriteDrawing, ALineThatIsMissingPartsNoAreas) {
+  const Region whole = plane::box(0, 0, 30, 20), square = plane::box(5, 5, 9, 9);
+  for (const Region& s : {whole - boundary(square), whole - boundary(plane::disc(10, 10, Real(5))),
+                          whole - plane::segment({0, 0}, {30, 20})})
+    for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::k2000})
+      EXPECT_TRUE(same_set(from_dxf(dxf(s, version)), whole)) << dxf(s, version);
+  EXPECT_TRUE(same_set(from_geojson(geojson(whole - boundary(square))), whole));
+}
+
 TEST(WriteDrawing, LinesThatGoRoundHaveNoInside) {
   const auto lost = [](const Region& s) {
     const NamedRegion named{"a", &s};

@@ -79,7 +79,8 @@ bool free_curves_close(const CurveNet& net, const FaceRings& rings) {
 }
 
 /// Whether what is drawn has the inside of the region, and no more.
-bool draw_region(DxfWriter& writer, const std::string& layer, const plane::Region& region, const exact::Real& step) {
+bool draw_region(DxfWriter& writer, const std::string& layer, const plane::Region& set, const exact::Real& step) {
+  const plane::Region region = plane::closure(set);  // a curve that the set lacks parts no areas
   const CurveNet net(region, step);
   const FaceRings rings(net);
   for (const plane::Face& f : region.faces) {
@@ -111,7 +112,8 @@ std::string ring_json(const CurveNet& net, const CurveNet::Ring& ring) {
 }
 
 /// The geometries of one region.
-std::vector<std::string> geometries_json(const plane::Region& region, const exact::Real& step) {
+std::vector<std::string> geometries_json(const plane::Region& set, const exact::Real& step) {
+  const plane::Region region = plane::closure(set);
   const CurveNet net(region, step);
   const FaceRings rings(net);
   std::vector<std::string> all;

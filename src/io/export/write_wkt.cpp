@@ -103,7 +103,8 @@ class WktWriter {
 
 WktText region_wkt(const Region& region, const exact::Real& step) {
   if (!plane::is_bounded(region)) throw Error(ErrorCode::kUnsupported, "WKT cannot hold an unbounded region");
-  const CurveNet net(region, step);
+  const Region closed = plane::closure(region);  // a curve that the region lacks parts no areas
+  const CurveNet net(closed, step);
   const std::vector<std::string> all = WktWriter(net).geometries();
   WktText out;
   if (all.empty())
