@@ -220,6 +220,33 @@ TEST(Contour, ManyRingsAreNestedInTheirOrder) {
   }
 }
 
+TEST(Contour, RingsAroundOneWithTheSameCorners) {
+  const Real r(50);
+  const auto circle = std::make_shared<const ArcCircle>(ArcCircle{Real(0), Real(0), r});
+  const std::vector<GridPoint> corners{{50, 0}, {0, 50}, {-50, 0}, {0, -50}};
+  Contour arcs, inscribed;
+  for (const GridPoint& p : corners) {
+    arcs.push_back({p, circle, true});
+    inscribed.push_back({p});
+    inscribed.push_back({p});  // given twice
+  }
+  using Around = std::vector<std::vector<std::size_t>>;
+  EXPECT_EQ(rings_around({arcs, inscribed}), (Around{{}, {0}}));
+  EXPECT_EQ(rings_around({reversed(inscribed), arcs}), (Around{{1}, {}}));
+  EXPECT_EQ(rings_around({arcs, arcs}), (Around{{}, {}}));
+  // Beside each other, with one edge in common, and with a corner of one pulled in.
+  const Contour half = ring({{50, 0}, {0, 50}, {-50, 0}});
+  Contour cap = arcs;
+  cap.pop_back();
+  cap.back() = {.start = {-50, 0}};
+  EXPECT_EQ(rings_around({cap, half}), (Around{{}, {0}}));
+  EXPECT_EQ(rings_around({reversed(cap), reversed(half)}), (Around{{}, {0}}));
+  const Contour left = ring({{-50, 0}, {0, -50}, {0, 50}}), right = ring({{50, 0}, {0, 50}, {0, -50}});
+  EXPECT_EQ(rings_around({left, right, inscribed}), (Around{{2}, {2}, {}}));
+  const Contour notched = ring({{0, 0}, {90, 0}, {90, 90}, {30, 60}}), whole = ring({{0, 0}, {90, 0}, {90, 90}});
+  EXPECT_EQ(rings_around({whole, notched}), (Around{{1}, {}}));
+}
+
 TEST(Contour, AHundredThousandRingsAreNotComparedInPairs) {
   std::vector<Contour> rings;
   for (std::int64_t k = 0; k < 100000; ++k) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "exact/margins/plane.h"
 #include "findspace/error.h"
@@ -270,6 +271,31 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   return sets;
 }
 
+namespace {
+
+Contour distinct(const Contour& edges) {
+  Ring ring{edges, 0, any_ring};
+  drop_repeated(ring);
+  return std::move(ring.edges);
+}
+
+/// Of two rings, the corners of one being all corners of the other: whether it goes inside.
+bool goes_inside(const Contour& ring, const Contour& other) {
+  if (ring.size() < 2 || other.size() < 2) return false;
+  std::vector<std::pair<GridPoint, std::size_t>> corners;  // of the other, each with the edge that begins there
+  for (std::size_t k = 0; k < other.size(); ++k) corners.emplace_back(other[k].start, k);
+  std::sort(corners.begin(), corners.end());
+  const int way = orientation(other);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const auto at = std::lower_bound(corners.begin(), corners.end(), std::pair(ring[k].start, std::size_t(0)));
+    const int side = side_of_departure(other, way, at->second, span_of(ring, k));
+    if (side != 0) return side > 0;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& rings) {
   std::vector<Box> boxes;
   std::vector<std::vector<GridPoint>> corners;
@@ -283,8 +309,9 @@ std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& r
     const auto apart = std::find_if(corners[i].begin(), corners[i].end(), [&](const GridPoint& p) {
       return !std::binary_search(corners[j].begin(), corners[j].end(), p);
     });
+    if (apart == corners[i].end()) return goes_inside(distinct(rings[i]), distinct(rings[j]));
     // Boxes of arcs may be wider than the arcs.
-    return apart != corners[i].end() && boxes[j].holds(apart->x, apart->y) && encloses(rings[j], *apart);
+    return boxes[j].holds(apart->x, apart->y) && encloses(rings[j], *apart);
   });
 }
 

@@ -45,4 +45,8 @@ struct CommonPoint {
 /// `both` says that the two ends of one are the two ends of the other, both as neighbours (a ring of two edges).
 std::optional<CommonPoint> meet(const Span& f, const Span& g, const GridPoint* joined, bool both);
 
+/// Where an edge that begins at corner `k` of a ring without repeated points goes at first: +1 inside the ring, -1
+/// outside, 0 along one of the two edges there. The ring does not pass the corner twice. `way`: its orientation.
+int side_of_departure(const Contour& ring, int way, std::size_t k, const Span& edge);
+
 }  // namespace findspace::plane

@@ -43,7 +43,35 @@ int orientation_at(const Span& in, const Span& out) {
   return compare_bend(u, w) < 0 ? 1 : -1;
 }
 
+/// How far `d` is turned from `u` counter-clockwise: 0 hardly, 1 less than half, 2 half, 3 more, 4 nearly all of it.
+int turned(const Departure& u, const Departure& d) {
+  const int turn = (u.x * d.y - u.y * d.x).sign();
+  if (turn != 0) return turn > 0 ? 1 : 3;
+  if ((u.x * d.x + u.y * d.y).sign() < 0) return 2;
+  return compare_bend(d, u) > 0 ? 0 : 4;
+}
+
+/// Whether `d` comes before `e`, both being turned from `u` counter-clockwise.
+bool is_before(const Departure& u, const Departure& d, const Departure& e) {
+  const int far = turned(u, d), farther = turned(u, e);
+  if (far != farther) return far < farther;
+  const int turn = (d.x * e.y - d.y * e.x).sign();
+  return turn != 0 ? turn > 0 : compare_bend(d, e) < 0;
+}
+
+bool is_along(const Departure& d, const Departure& e) {
+  return (d.x * e.y - d.y * e.x).sign() == 0 && (d.x * e.x + d.y * e.y).sign() > 0 && compare_bend(d, e) == 0;
+}
+
 }  // namespace
+
+int side_of_departure(const Contour& ring, int way, std::size_t k, const Span& edge) {
+  const Departure d = departure(edge, edge.from), out = departure(span_of(ring, k), ring[k].start);
+  const Departure in = departure(span_of(ring, k == 0 ? ring.size() - 1 : k - 1), ring[k].start);
+  if (is_along(d, out) || is_along(d, in)) return 0;
+  const bool left = is_before(out, d, in);
+  return left == (way > 0) ? 1 : -1;
+}
 
 Contour reversed(const Contour& ring) {
   Contour result;
