@@ -11,6 +11,7 @@
 #include "distance/planar_least/level_probe.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/plane.h"
+#include "plane/complex/extent.h"
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
@@ -24,7 +25,10 @@ namespace {
 class LevelSearch {
  public:
   LevelSearch(const PositionFunction& f, const Region& s, Sense sense)
-      : f_(f), s_(s), sense_(sense), rotation_(sense == Sense::kMinimum ? 1 : -1) {}
+      : f_(f), s_(s), sense_(sense), rotation_(sense == Sense::kMinimum ? 1 : -1) {
+    // What is least, or greatest but finite, is so near to shapes or at the frontier of S.
+    if (const auto box = plane::extent(s)) most_ += 4 * std::max({-box->x0, box->x1, -box->y0, box->y1});
+  }
 
   Extremum run(bool continuous) {
     Extremum out = no_optimum<Region>(sense_);
@@ -50,10 +54,10 @@ class LevelSearch {
   bool bracket(Extremum& out) {
     good_ = 1;
     bad_ = -1;
-    for (; good_ < margin::kBeyondAll && !reaches(good_); good_ *= 2) bad_ = good_;
-    if (good_ >= margin::kBeyondAll) return false;
-    for (; bad_ > -margin::kBeyondAll && reaches(bad_); bad_ *= 2) good_ = bad_;
-    out.unbounded = bad_ <= -margin::kBeyondAll;
+    for (; good_ < most_ && !reaches(good_); good_ *= 2) bad_ = good_;
+    if (good_ >= most_) return false;
+    for (; bad_ > -most_ && reaches(bad_); bad_ *= 2) good_ = bad_;
+    out.unbounded = bad_ <= -most_;
     return !out.unbounded;
   }
 
@@ -84,6 +88,7 @@ class LevelSearch {
   const Region& s_;
   Sense sense_;
   int rotation_;
+  double most_ = 2 * margin::kBeyondAll;  // no value lies beyond half of it
   double bad_ = 0, good_ = 0;
 };
 
