@@ -33,8 +33,13 @@ double rise_of(GridPoint from, GridPoint to, const Real& bulge) {
   return chord_of(from, to) * std::abs(bulge.to_double()) / 2;
 }
 
-/// The arc as a rational curve of degree 2, exactly: its radius is too large for an arc on the grid. With t = tan of a
-/// quarter of its angle, the tangents at its ends meet at height 2t / (1 - t^2) halves of the chord over its middle.
+[[noreturn]] void refuse_radius() {
+  throw Error(ErrorCode::kOutOfRange, "an arc's radius is more than 2^40 grid steps");
+}
+
+/// The arc, less than half a circle, as a rational curve of degree 2, exactly: its radius is too large for an arc on
+/// the grid. With t = tan of a quarter of its angle, the tangents at its ends meet at height 2t / (1 - t^2) halves of
+/// the chord over its middle.
 plane::Curve as_curve(GridPoint from, GridPoint to, const Real& bulge) {
   const Real square = bulge * bulge, dx(to.x - from.x), dy(to.y - from.y);
   const Real height = bulge / (Real(1) - square);
@@ -69,7 +74,7 @@ void Outline::add(ContourEdge edge, GridPoint to) {
       edge = segment(edge.start);
       context_.rounding.add(0.5, 0);
     } else if (edge.arc->r.to_double() > static_cast<double>(Grid::kLimit)) {
-      throw Error(ErrorCode::kOutOfRange, "an arc's radius is more than 2^40 grid steps");
+      refuse_radius();
     }
   }
   edges_.push_back(std::move(edge));
@@ -97,8 +102,10 @@ void Outline::bulge_to(const Real& bulge, const Real& x, const Real& y) {
   GridPoint to = grid_point(x, y);
   if (to == at_) return;
   if (bulge.sign() == 0) return add(segment(at_), to);
-  if (radius_of(at_, to, bulge) > static_cast<double>(Grid::kLimit) && rise_of(at_, to, bulge) >= kFlat)
+  if (radius_of(at_, to, bulge) > static_cast<double>(Grid::kLimit) && rise_of(at_, to, bulge) >= kFlat) {
+    if (compare(abs(bulge), Real(1)) >= 0) refuse_radius();
     return add(as_curve(at_, to, bulge));
+  }
   bool moved = false;
   ContourEdge edge = plane::bulge_arc(at_, to, bulge, &moved);
   if (moved) context_.rounding.add(0.5, 0.5);
