@@ -16,6 +16,7 @@
 #include "io/scene/scene_regions.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_summary.h"
+#include "space/shape/shape_topology.h"
 
 namespace findspace::io {
 namespace {
@@ -41,13 +42,13 @@ struct DescribedSolid {
   }
 };
 
-/// A convex body as a closed set.
-space::ConvexSet closed_set(const space::Body& body) {
+/// A convex body, with its frontier or without.
+space::ConvexSet convex_set(const space::Body& body, bool frontier) {
   const space::BodyPart& part = body.parts[0];
   space::Body core = body;
   core.parts[0].radius = Real();
   const space::Bounds3 box = space::bounds(core);
-  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, true, false, part.radius};
+  space::ConvexSet set{space::ConvexRegion(box.low, box.high), true, frontier, false, part.radius};
   for (const space::HalfSpace& plane : part.planes()) set.region.cut(plane);
   return set;
 }
@@ -85,7 +86,11 @@ Answer::Data described_in_space(AskedScene asked, const std::string& name, const
   auto solid = std::make_shared<DescribedSolid>(
       DescribedSolid{std::move(asked), name, std::move(made.shape), std::nullopt, step});
   if (made.way == distance::Way::kConvex) {
-    solid->convex = closed_set(*solid->shape.body);
+    const bool open = space::is_open(*shape);
+    if (!open && !space::is_closed(*shape))
+      solid->asked.note(
+          fmt::format("shape {}: told as a closed set; which of its frontier belongs is not known", name));
+    solid->convex = convex_set(*solid->shape.body, !open);
     solid->step = step / Real(solid->shape.body->scale);
     solid->summary = space::summarize(*solid->convex, solid->step);
   } else {

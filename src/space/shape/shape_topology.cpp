@@ -26,7 +26,9 @@ std::optional<bool> by_children(const plane::Shape& shape, bool (*same)(const pl
     case Kind::kUnion:
     case Kind::kIntersection:
     case Kind::kTranslate:
+    case Kind::kRotate:
     case Kind::kMirror:
+    case Kind::kHull:
       return all_children(shape, same);
     case Kind::kDifference:
       return same(*c[0]) && std::all_of(c.begin() + 1, c.end(), [&](const auto& o) { return opposite(*o); });
@@ -51,18 +53,34 @@ bool is_closed(const plane::Shape& shape) {
   switch (shape.kind) {
     case Kind::kMinkowskiDifference:
       return is_closed(*shape.children[0]);
+    case Kind::kMinkowskiSum:
+      return all_children(shape, is_closed);
+    case Kind::kOffset:
+      return shape.amount.sign() > 0 || is_closed(*shape.children[0]);
     case Kind::kClosure:
     case Kind::kRegularize:
     case Kind::kBoundary:
       return true;
     default:
       if (const auto by = by_children(shape, is_closed, is_open)) return *by;
-      return is_solid(shape) || (shape.kind == Kind::kOffset && is_closed(*shape.children[0]));
+      return is_solid(shape);
   }
 }
 
 bool is_open(const plane::Shape& shape) {
-  return by_children(shape, is_open, is_closed).value_or(shape.kind == Kind::kInterior);
+  const auto& c = shape.children;
+  switch (shape.kind) {
+    case Kind::kInterior:
+      return true;
+    case Kind::kMinkowskiSum:
+      return std::any_of(c.begin(), c.end(), [](const auto& o) { return is_open(*o); });
+    case Kind::kMinkowskiDifference:
+      return is_open(*c[0]) && is_closed(*c[1]);
+    case Kind::kOffset:
+      return shape.amount.sign() <= 0 && is_open(*c[0]);
+    default:
+      return by_children(shape, is_open, is_closed).value_or(false);
+  }
 }
 
 }  // namespace findspace::space

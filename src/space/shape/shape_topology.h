@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What a shape tree alone says of the set: never wrong where it says yes. Guarantee: exact in this sense. Cost: the
-// nodes. Source: distances.md 1.2.
+// What a shape tree alone says of the set: never wrong where it says yes. Every set is bounded, or its complement is;
+// so the sum of two closed sets is closed, and so is the hull of some. Guarantee: exact in this sense. Cost: the nodes.
+// Source: distances.md 1.2.
 #pragma once
 
 #include "plane/contour/shape.h"
