@@ -157,7 +157,7 @@ class Region {
   Region boundary() const;
   /// The closure of the interior.
   Region regularized() const;
-  /// Grown by the closed disc of that radius, eroded if negative.
+  /// All points no farther than the radius from it; where that is negative, those whose closed disc lies in it.
   Region offset(const Number& radius) const;
   /// The same set, whatever it is made of.
   friend bool operator==(const Region& a, const Region& b);

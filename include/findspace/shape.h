@@ -104,8 +104,8 @@ class Shape {
   static Shape minkowski_sum(const Shape& a, const Shape& b);
   /// {p : b + p lies in a} of a reflected b: the intersection of all a + q, q in b.
   static Shape minkowski_difference(const Shape& a, const Shape& b);
-  /// Grown by the closed disc or ball of that radius, with true arcs; eroded if negative: {p : the disc about p lies in
-  /// it}.
+  /// All points no farther than the radius from it, with true arcs; where that is negative, eroded: {p : the closed
+  /// disc or ball about p lies in it}.
   static Shape offset(const Shape& shape, const Number& radius);
   /// The convex hull; of arcs of different radii only where common tangents have directions in ratios of integers.
   static Shape hull(const Shape& shape);

@@ -228,7 +228,7 @@ void bind_sets(py::class_<Region>& region) {
       .def("regularized", &Region::regularized, "The closure of the interior.")
       .def(
           "offset", [](const Region& r, const py::object& radius) { return r.offset(number(radius)); },
-          py::arg("radius"), "Grown by the closed disc, eroded if negative.");
+          py::arg("radius"), "All points no farther than the radius from it; eroded if negative.");
 }
 
 void bind_questions(py::class_<Region>& region) {

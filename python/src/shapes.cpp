@@ -238,7 +238,7 @@ void bind_operations(py::class_<Shape>& shape) {
           "reflected", [](const Shape& s) { return Shape::reflect(s); }, "Reflected through the origin.")
       .def(
           "offset", [](const Shape& s, const py::object& radius) { return Shape::offset(s, number(radius)); },
-          py::arg("radius"), "Grown by the closed disc or ball, with true arcs; eroded if negative.")
+          py::arg("radius"), "All points no farther than the radius from it, with true arcs; eroded if negative.")
       .def(
           "translated",
           [](const Shape& s, const py::sequence& by) {

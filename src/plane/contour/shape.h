@@ -63,7 +63,7 @@ struct Shape {
     kMirror,     // reflection through the origin
     kMinkowskiSum,
     kMinkowskiDifference,  // a (+) b ; a (-) b = AND_{q in b} (a + q)   (distances.md 1.3)
-    kOffset,               // by `amount`: > 0 grows by the closed ball, < 0 erodes
+    kOffset,               // by `amount`: > 0 all points no farther from it, < 0 erodes by the closed ball
     kHull                  // of all children together
   };
   Kind kind = Kind::kPoints;
