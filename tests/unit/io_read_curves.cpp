@@ -309,6 +309,103 @@ TEST(ReadCurves, ScenesSayTheSame) {
     EXPECT_THROW(scene_area(wrong), Error) << wrong;
 }
 
+std::string refusal(const std::string& shape) {
+  try {
+    scene_area(shape);
+  } catch (const Error& e) {
+    return e.message();
+  }
+  return {};
+}
+
+TEST(ReadCurves, HolesOfAnOutlineLieInItsRing) {
+  const auto with = [](const std::string& holes) {
+    return R"({"outline": [[0, 0], [10, 0], [10, 10], [0, 10]], "holes": [)" + holes + "]}";
+  };
+  const std::string square = "[[2, 2], [6, 2], [6, 6], [2, 6]]", curved = R"([[2, 2], {"bezier": [[9, 2], [2, 9]]}])";
+  EXPECT_NEAR(scene_area(with("")), 100, 1e-9);
+  EXPECT_NEAR(scene_area(with(square)), 84, 1e-9);
+  EXPECT_NEAR(scene_area(with(curved)), 100 - 49 / 3.0, 0.02);
+  EXPECT_EQ(refusal(with("[[20, 0], [25, 0], [25, 5], [20, 5]]")).find("hole 0 is not inside the ring"), 0u);
+  EXPECT_NE(refusal(with("[[-5, -5], [15, -5], [15, 15], [-5, 15]]")), "");
+  EXPECT_NE(refusal(with(square + ", [[3, 3], [5, 3], [5, 5], [3, 5]]")), "");
+  EXPECT_NE(refusal(with("[[10, 0], [15, 0], [15, 5], [10, 5]]")), "");
+  EXPECT_NE(refusal(with(R"([[20, 0], {"bezier": [[25, 0], [20, 5]]}])")), "");
+}
+
+TEST(ReadCurves, NoJoinIsAdvisedThatLeavesNothing) {
+  const std::string why = refusal(R"({"outline": [[0, 0], {"bezier": [[3, -0.02], [7, -0.02], [10, 0]]},
+                                                  {"bezier": [[7, 0.02], [3, 0.02], [0, 0]]}], "tolerance": 0.1})");
+  EXPECT_NE(why.find("of curves within 0.1 mm: a smaller tolerance may help"), std::string::npos) << why;
+  EXPECT_EQ(why.find("--join"), std::string::npos) << why;
+}
+
+const std::string kLens = R"([[0, 0], {"bezier": [[3, -0.02], [7, -0.02], [10, 0]]},
+                                      {"bezier": [[7, 0.02], [3, 0.02], [0, 0]]}])";
+constexpr double kLensArea = 0.204;
+
+std::string on_side(const std::string& shape, const char* side, const char* tolerance) {
+  return "{" + shape + R"(, "curves": ")" + side + R"(", "tolerance": )" + tolerance + "}";
+}
+
+TEST(ReadCurves, WhatIsThinnerThanTheToleranceStaysOnItsSide) {
+  const std::string lens = R"("outline": )" + kLens,
+                    slit = R"("outline": [[-5, -5], [15, -5], [15, 5], [-5, 5]], "holes": [)" + kLens + "]";
+  const auto expect = [](const std::string& shape, double area) {
+    EXPECT_LE(scene_area(on_side(shape, "inside", "0.0001")), area);
+    EXPECT_GE(scene_area(on_side(shape, "outside", "0.0001")), area);
+    EXPECT_NEAR(scene_area(on_side(shape, "inside", "0.0001")), area, 0.01);
+    EXPECT_NEAR(scene_area(on_side(shape, "outside", "0.0001")), area, 0.01);
+  };
+  expect(lens, kLensArea);
+  expect(slit, 200 - kLensArea);
+  EXPECT_NE(refusal(on_side(lens, "inside", "0.1")).find("thinner than the tolerance, 0.1 mm"), std::string::npos);
+  EXPECT_NEAR(scene_area(on_side(lens, "outside", "0.1")), 1, 0.3);
+  EXPECT_NEAR(scene_area(on_side(slit, "outside", "0.1")), 200, 1e-9);  // the slit is closed
+  EXPECT_NEAR(scene_area(on_side(slit, "inside", "0.1")), 199, 0.3);
+  // At this tolerance the chain near the curve runs the other way round.
+  const std::string half = R"("outline": [[0, 0], [10, 0], {"bezier": [[7, 0.02], [3, 0.02], [0, 0]]}])";
+  EXPECT_NEAR(scene_area(on_side(half, "outside", "0.1")), 0.5, 0.2);
+  const Scene scene =
+      read_scene_text(R"({"findspace": 1, "shapes": {"a": )" + on_side(half, "outside", "0.1") + "}}", ".", "s");
+  const plane::Bounds box =
+      plane::summarize(plane::build(*scene.shapes.at(0)).region, Real::ratio(1, 1000000)).bbox.value();
+  EXPECT_EQ(box.low[1], 0);
+  EXPECT_GT(box.high[1], 0.015);
+  EXPECT_NE(refusal(on_side(half, "inside", "0.1")), "");
+}
+
+TEST(ReadCurves, WallsThinnerThanTheToleranceAreRefused) {
+  const std::string ring =
+      "M8 3 A10 5 0 0 1 -8 -3 A10 5 0 0 1 8 3 Z M-9.98 0 A9.98 4.98 0 0 0 9.98 0 A9.98 4.98 0 0 0 -9.98 0 Z";
+  const double area = (50 - 9.98 * 4.98) * pi;
+  const auto path = [](const std::string& d) { return R"("path": ")" + d + '"'; };
+  EXPECT_NE(refusal(on_side(path(ring), "inside", "0.1")), "");
+  EXPECT_GE(scene_area(on_side(path(ring), "outside", "0.1")), area);
+  EXPECT_LE(scene_area(on_side(path(ring), "inside", "0.0001")), area);
+  EXPECT_NEAR(scene_area(on_side(path(ring), "inside", "0.0001")), area, 0.01);
+  const std::string around = "M-20 -20 H20 V20 H-20 Z " + ring;
+  EXPECT_NE(refusal(on_side(path(around), "outside", "0.1")), "");
+  EXPECT_LE(scene_area(on_side(path(around), "inside", "0.1")), 1600 - area);
+}
+
+TEST(ReadCurves, SimplifiedThinShapesStayOnTheirSide) {
+  std::string lens;  // of 40 segments
+  for (int k = 0; k < 40; ++k)
+    lens += (k > 0 ? ", [" : "[") + std::to_string(k < 20 ? 0.5 * k : 20 - 0.5 * k) + ", " +
+            std::to_string(-0.03 * std::sin(pi * k / 20)) + "]";
+  const auto simple = [&](const char* side, const char* tolerance, const std::string& of) {
+    return R"({"simplify": )" + std::string(tolerance) + R"(, "curves": ")" + side + R"(", "of": )" + of + "}";
+  };
+  const std::string alone = R"({"polygon": [)" + lens + "]}",
+                    plate = R"({"polygon": [[-5, -5], [15, -5], [15, 5], [-5, 5]], "holes": [[)" + lens + "]]}";
+  EXPECT_NEAR(scene_area(simple("outside", "1", plate)), 200, 1e-9);
+  EXPECT_NEAR(scene_area(simple("outside", "0.1", plate)), 200, 1e-9);  // two segments there and back
+  EXPECT_NE(refusal(simple("inside", "0.1", alone)), "");
+  EXPECT_GE(scene_area(simple("outside", "0.001", plate)), scene_area(plate));
+  EXPECT_LE(scene_area(simple("inside", "0.001", alone)), scene_area(alone));
+}
+
 TEST(ReadCurves, MirroredInALine) {
   const std::string part = R"({"outline": [[0, 0], [10, 0], {"to": [10, 10], "bulge": 0.5}, [0, 4]]})";
   auto box = [](const std::string& shape) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "law/plane_random.h"
+#include "plane/build/curve_nesting.h"
 #include "plane/build/loose_nesting.h"
 #include "plane/build/mended_rings.h"
 #include "plane/complex/primitives.h"
@@ -218,6 +219,34 @@ TEST(MendedRings, TheSetIsWhereTheRingWindsOnce) {
     }
   }
   EXPECT_GT(crossing, 50);
+}
+
+/// Rings near curves that cannot tell how the curves lie are asked for again; what still cannot tell is not told.
+TEST(CurveNesting, NearerRingsTellMore) {
+  const auto nesting = [](double bound, double nearer, int& asked) {
+    return CurveNesting({{box_ring(0, 0, 4000, 4000), bound}, {box_ring(150, 150, 3850, 3850), bound}},
+                        [&asked, nearer](std::size_t k) {
+                          ++asked;
+                          const std::int64_t low = 150 * std::int64_t(k), high = 4000 - low;
+                          return NearRing{reversed(box_ring(low, low, high, high)), nearer};
+                        });
+  };
+  int asked = 0;
+  CurveNesting sure = nesting(10, 1, asked);
+  EXPECT_EQ(sure.orientation(1), 1);
+  EXPECT_EQ(sure.around(), (std::vector<std::vector<std::size_t>>{{}, {0}}));
+  EXPECT_EQ(asked, 0);
+  CurveNesting near = nesting(300, 1, asked);
+  EXPECT_EQ(near.orientation(1), -1);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(near.around(), (std::vector<std::vector<std::size_t>>{{}, {0}}));
+  EXPECT_EQ(asked, 2);
+  CurveNesting thin = nesting(300, 250, asked);
+  EXPECT_FALSE(thin.orientation(0));
+  EXPECT_FALSE(thin.around());
+  int none = 0;
+  EXPECT_EQ(nesting(0, 0, none).around(), (std::vector<std::vector<std::size_t>>{{}, {0}}));
+  EXPECT_EQ(none, 0);
 }
 
 }  // namespace plane_mended_rings

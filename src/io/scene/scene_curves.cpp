@@ -50,16 +50,16 @@ bool read_flag(const SceneReader& json, const JsonValue* value, bool missing, co
   return value->boolean;
 }
 
-/// Draws into an outline, and makes a shape of it; errors get the place of `value`.
+/// Draws into an outline, and makes a shape of it by `made`; errors get the place of `value`.
 template <class Draw>
 ShapePtr drawn_shape(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label,
-                     Draw draw) {
+                     Draw draw, decltype(&shape_of) made = &shape_of) {
   reader.use_dimension(2, label, value);
   const RulesBeside rules(reader, object, label);
   return reader.json().placed(label, value, [&] {
     Outline outline(reader.context());
     draw(outline);
-    return shape_of(outline.take(), reader.context(), reader.json().place(label, value));
+    return made(outline.take(), reader.context(), reader.json().place(label, value));
   });
 }
 
@@ -213,13 +213,14 @@ void draw_outline(const SceneReader& json, const JsonValue& value, Outline& outl
 
 ShapePtr build_outline(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   const SceneReader& json = reader.json();
-  return drawn_shape(reader, object, value, label, [&](Outline& outline) {
+  const JsonValue* holes = object.find("holes");
+  const auto draw = [&](Outline& outline) {
     draw_outline(json, value, outline, label);
-    const JsonValue* holes = object.find("holes");
     if (holes == nullptr) return;
     json.expect(*holes, JsonValue::Kind::kArray, "\"holes\"", label);
     for (std::size_t i = 0; i < holes->size(); ++i) draw_outline(json, holes->items[i], outline, label.part("hole", i));
-  });
+  };
+  return drawn_shape(reader, object, value, label, draw, holes == nullptr ? &shape_of : &polygon_of);
 }
 
 }  // namespace

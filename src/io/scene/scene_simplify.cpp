@@ -77,10 +77,10 @@ ShapePtr simplified(const ShapePtr& shape, ReadContext& context) {
       return shape;
     case Shape::Kind::kRings:
     case Shape::Kind::kPolyline: {
+      const bool rings = shape->kind == Shape::Kind::kRings;
       Drawing drawing;
-      for (const Contour& c : shape->contours)
-        drawing.chains.push_back(chain_of(c, shape->kind == Shape::Kind::kRings));
-      Shape made = *shape_of(std::move(drawing), context, shape->place);
+      for (const Contour& c : shape->contours) drawing.chains.push_back(chain_of(c, rings));
+      Shape made = *(rings ? polygon_of : shape_of)(std::move(drawing), context, shape->place);
       made.name = shape->name;
       return share(std::move(made));
     }

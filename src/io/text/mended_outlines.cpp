@@ -23,10 +23,10 @@ bool has_long_spikes(const RingMender& mender, const DrawingUse& rules) {
   return mender.spike() > rules.mend.value_or(std::max(rules.join, rules.tolerance));
 }
 
-/// Curves lie on the side that they were made for, and holes are those that were stated.
+/// Curves lie on the side that they were made for, and holes are those that are known.
 bool keeps_order(const RingMender& mender, const Outlines& outlines) {
-  for (std::size_t k = 0; outlines.rule == plane::RingRule::kHoles && k < outlines.contours.size(); ++k)
-    if (mender.is_hole(k) != (k > 0)) return false;
+  for (std::size_t k = 0; k < outlines.is_hole.size(); ++k)
+    if (mender.is_hole(k) != outlines.is_hole[k]) return false;
   for (std::size_t k = 0; k < outlines.material_left.size(); ++k)
     if (outlines.material_left[k] && mender.set_on_left(k) != outlines.material_left[k]) return false;
   return true;
@@ -48,17 +48,24 @@ std::optional<double> enough(const RingMender& mender, const ReadContext& contex
   return round_up(least);
 }
 
+/// The fault with what would help.
+Error advised(const Error& fault, const std::string& advice) {
+  Error named(fault.code(), fmt::format("{}; {}", fault.message(), advice), fault.place());
+  for (const auto& [x, y] : fault.geometry()) named.at(x, y);
+  return named;
+}
+
 [[noreturn]] void refuse(const RingMender& mender, const Outlines& outlines, const Error& fault,
                          const ReadContext& context) {
-  const auto least = keeps_order(mender, outlines) ? enough(mender, context) : std::nullopt;
+  const bool leaves_nothing = mender.mended().parts.empty(), in_order = keeps_order(mender, outlines);
+  if (outlines.curved && (leaves_nothing || (!in_order && narrow(mender, true, context.drawing))))
+    throw advised(fault, fmt::format("of curves within {}: a smaller tolerance may help",
+                                     context.length_text(context.drawing.tolerance)));
+  const auto least = in_order && !leaves_nothing ? enough(mender, context) : std::nullopt;
   if (!least) throw fault;
   const std::string width =
       fmt::format("{:.10g}{}", *least * context.grid.step_size(), context.unit ? formula::name(*context.unit) : "");
-  Error named(fault.code(),
-              fmt::format("{}; --{} {} mends it", fault.message(), context.drawing.mend ? "mend" : "join", width),
-              fault.place());
-  for (const auto& [x, y] : fault.geometry()) named.at(x, y);
-  throw named;
+  throw advised(fault, fmt::format("--{} {} mends it", context.drawing.mend ? "mend" : "join", width));
 }
 
 void note(const plane::MendedRings& mended, bool lines, ReadContext& context, const std::string& name) {
@@ -87,7 +94,7 @@ plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault,
     refuse(mender, outlines, fault, context);
   plane::MendedRings mended = mender.mended();
   if (lines) mended.parts.push_back({{}, mender.spikes()});
-  if (mended.parts.empty()) throw fault;
+  if (mended.parts.empty()) refuse(mender, outlines, fault, context);
   note(mended, lines, context, name);
   return mended;
 }

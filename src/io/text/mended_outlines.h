@@ -13,20 +13,19 @@
 #include "findspace/error.h"
 #include "io/text/read_context.h"
 #include "plane/build/mended_rings.h"
-#include "plane/build/touching_rings.h"
 
 namespace findspace::io {
 
 /// Closed chains with arcs in place of their curves.
 struct Outlines {
   std::vector<plane::Contour> contours;
-  std::vector<std::optional<bool>> material_left;  // of each, where the side of its curves relies on it
+  std::vector<std::optional<bool>> material_left{};  // of each, where the side of its curves relies on it
+  std::vector<bool> is_hole{};                       // of each, where that is known
   bool curved = false;
-  plane::RingRule rule = plane::RingRule::kEvenOdd;
 };
 
 /// Throws `fault`, which says why the outlines are not valid as they are, where they are not mended; it then names the
-/// --join (--mend) that would do.
+/// --join (--mend) that would do, or the tolerance where curves are too near to each other for it.
 plane::MendedRings mended_outlines(const Outlines& outlines, const Error& fault, ReadContext& context,
                                    const std::string& name);
 

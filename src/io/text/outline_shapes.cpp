@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "io/text/outline_shapes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "io/text/drawing_rules.h"
 #include "io/text/mended_outlines.h"
 #include "io/text/quantity.h"
+#include "plane/build/curve_nesting.h"
 #include "plane/build/touching_rings.h"
 #include "plane/contour/contour.h"
 #include "plane/contour/nesting_depths.h"
@@ -57,7 +60,7 @@ Contour ring_of(const Disc& disc, ReadContext& context) {
 }
 
 /// The chain with arcs in place of its curves; the boxes beside it are added to `caps`.
-Contour expanded(Chain chain, const ReadContext& context, plane::CurveSide side, std::vector<plane::CapBox>& caps) {
+Contour expanded(Chain chain, double bound, plane::CurveSide side, std::vector<plane::CapBox>& caps) {
   if (chain.curves.empty()) return std::move(chain.edges);
   Contour out;
   for (std::size_t k = 0; k < chain.edges.size(); ++k) {
@@ -65,7 +68,7 @@ Contour expanded(Chain chain, const ReadContext& context, plane::CurveSide side,
       out.push_back(std::move(chain.edges[k]));
       continue;
     }
-    plane::ArcChain arcs = plane::arcs_of(*chain.curves[k], context.drawing.tolerance, side);
+    plane::ArcChain arcs = plane::arcs_of(*chain.curves[k], bound, side);
     std::move(arcs.edges.begin(), arcs.edges.end(), std::back_inserter(out));
     caps.insert(caps.end(), arcs.caps.begin(), arcs.caps.end());
   }
@@ -87,6 +90,9 @@ void count_curves(const Chain& chain, std::size_t edges, ReadContext& context) {
 /// The rings of closed chains, and the boxes that the side of their curves needs beside them.
 struct Rings : Outlines {
   std::vector<plane::CapBox> caps;
+  plane::RingRule rule = plane::RingRule::kEvenOdd;
+
+  bool on_sides() const { return !material_left.empty(); }
 };
 
 /// Closed outlines with arcs on either side of their curves: of the closed chains in order, then of the circles.
@@ -95,7 +101,7 @@ std::vector<Contour> outlines_near(const Drawing& drawing, const ReadContext& co
   std::vector<plane::CapBox> none;
   for (const Chain& chain : drawing.chains) {
     if (!chain.closed) continue;
-    Contour outline = expanded(chain, context, plane::CurveSide::kNear, none);
+    Contour outline = expanded(chain, context.drawing.tolerance, plane::CurveSide::kNear, none);
     if (outline.size() < 2) outline = chain.edges;
     outlines.push_back(std::move(outline));
   }
@@ -112,29 +118,69 @@ std::vector<Chain> take_closed(Drawing& drawing) {
   return closed;
 }
 
-/// Curves on the side that the rule wants; `others` are rings without curves that count in the nesting.
-Rings take_rings(Drawing& drawing, ReadContext& context, const std::vector<Contour>& others) {
+bool is_curved(const Chain& chain) {
+  return std::any_of(chain.curves.begin(), chain.curves.end(), [](const auto& c) { return bool(c); });
+}
+
+/// How the closed chains truly lie, of which rings are within the tolerance; those behind are circles.
+plane::CurveNesting nesting_of(const std::vector<Chain>& closed, const std::vector<Contour>& rings, double tolerance) {
+  std::vector<plane::NearRing> near;
+  for (std::size_t k = 0; k < rings.size(); ++k)
+    near.push_back({rings[k], k < closed.size() && is_curved(closed[k]) ? tolerance : 0});
+  return {std::move(near), [&closed](std::size_t k) {
+            std::vector<plane::CapBox> none;
+            return plane::NearRing{expanded(closed[k], plane::kLeastBound, plane::CurveSide::kNear, none),
+                                   plane::kLeastBound};
+          }};
+}
+
+[[noreturn]] void refuse_thin(const ReadContext& context) {
+  throw Error(ErrorCode::kGeometry, "a closed curve, or the wall between two, is thinner than the tolerance, " +
+                                        context.length_text(context.drawing.tolerance) + ": a smaller one may help");
+}
+
+/// Which rings are holes by the even-odd rule.
+std::vector<bool> holes_among(plane::CurveNesting& nesting, const ReadContext& context) {
+  const auto around = nesting.around();
+  if (!around) refuse_thin(context);
+  std::vector<bool> holes;
+  for (const std::vector<std::size_t>& others : *around) holes.push_back(others.size() % 2 != 0);
+  return holes;
+}
+
+/// Puts curves on the side that the rule wants. `rings` are the closed chains within the tolerance, and circles.
+void put_on_sides(Rings& rings, const std::vector<Chain>& closed, const ReadContext& context) {
+  const double tolerance = context.drawing.tolerance;
+  plane::CurveNesting nesting = nesting_of(closed, rings.contours, tolerance);
+  if (rings.is_hole.empty()) rings.is_hole = holes_among(nesting, context);
+  rings.material_left.resize(rings.contours.size());
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    if (!is_curved(closed[k])) continue;
+    const auto way = nesting.orientation(k);
+    if (!way) refuse_thin(context);
+    const bool material_left = (*way > 0) != rings.is_hole[k];
+    rings.material_left[k] = material_left;
+    const bool left = material_left == (context.drawing.curves == CurveRule::kInside);
+    const auto side = left ? plane::CurveSide::kLeft : plane::CurveSide::kRight;
+    rings.contours[k] = expanded(closed[k], tolerance, side, rings.caps);
+  }
+}
+
+/// The closed chains with curves on the side that the rule wants, then the circles.
+Rings take_rings(Drawing& drawing, ReadContext& context, std::vector<Contour> circles, plane::RingRule rule) {
   const std::vector<Chain> closed = take_closed(drawing);
   Rings rings;
-  for (const Chain& chain : closed)
-    rings.contours.push_back(expanded(chain, context, plane::CurveSide::kNear, rings.caps));
-  if (std::any_of(rings.contours.begin(), rings.contours.end(), [](const Contour& c) { return c.size() < 2; }))
-    throw Error(ErrorCode::kGeometry, "a closed curve smaller than the tolerance");
-  rings.material_left.resize(closed.size());
-  rings.curved = std::any_of(closed.begin(), closed.end(), [](const Chain& c) { return !c.curves.empty(); });
-  if (rings.curved && context.drawing.curves != CurveRule::kNear) {
-    std::vector<Contour> all = rings.contours;
-    all.insert(all.end(), others.begin(), others.end());
-    const std::vector<std::size_t> depths = plane::nesting_depths(all);
-    for (std::size_t k = 0; k < closed.size(); ++k) {
-      if (closed[k].curves.empty()) continue;
-      const bool material_left = (plane::orientation(all[k]) > 0) == (depths[k] % 2 == 0);
-      rings.material_left[k] = material_left;
-      const bool left = material_left == (context.drawing.curves == CurveRule::kInside);
-      const auto side = left ? plane::CurveSide::kLeft : plane::CurveSide::kRight;
-      rings.contours[k] = expanded(closed[k], context, side, rings.caps);
-    }
+  rings.rule = rule;
+  for (const Chain& chain : closed) {
+    rings.contours.push_back(expanded(chain, context.drawing.tolerance, plane::CurveSide::kNear, rings.caps));
+    if (is_curved(chain) && rings.contours.back().size() < 2)
+      throw Error(ErrorCode::kGeometry, "a closed curve smaller than the tolerance");
   }
+  std::move(circles.begin(), circles.end(), std::back_inserter(rings.contours));
+  if (rule == plane::RingRule::kHoles)
+    for (std::size_t k = 0; k < rings.contours.size(); ++k) rings.is_hole.push_back(k > 0);
+  rings.curved = std::any_of(closed.begin(), closed.end(), is_curved);
+  if (rings.curved && context.drawing.curves != CurveRule::kNear) put_on_sides(rings, closed, context);
   for (std::size_t k = 0; k < closed.size(); ++k) count_curves(closed[k], rings.contours[k].size(), context);
   context.curves.caps += std::int64_t(rings.caps.size());
   return rings;
@@ -168,7 +214,7 @@ ShapePtr with_caps(ShapePtr shape, const std::vector<plane::CapBox>& caps, Curve
 void add_lines_and_points(Drawing drawing, ReadContext& context, const std::string& place, std::vector<ShapePtr>& all) {
   for (Chain& chain : drawing.chains) {
     std::vector<plane::CapBox> none;
-    Contour edges = expanded(chain, context, plane::CurveSide::kNear, none);
+    Contour edges = expanded(chain, context.drawing.tolerance, plane::CurveSide::kNear, none);
     count_curves(chain, edges.size(), context);
     if (chain.closed) edges.push_back(ContourEdge{.start = edges[0].start});
     Shape shape = make(Shape::Kind::kPolyline, place);
@@ -208,31 +254,87 @@ std::vector<ShapePtr> mended_parts(const Outlines& outlines, const Error& fault,
   return parts;
 }
 
-/// Outer rings with their holes, as they are or mended.
-std::vector<ShapePtr> nested_parts(const Rings& rings, ReadContext& context, const std::string& place) {
-  std::vector<ShapePtr> parts;
-  try {
-    for (plane::RingSet& set : plane::nest_rings(rings.contours, context.grid.step_size())) {
-      context.repeated_points += set.repeated_points;
-      parts.push_back(rings_shape(std::move(set.contours), place));
+/// Outer rings with their holes, as the rule says; formats disagree about the direction of rings: no note.
+std::vector<plane::RingSet> ring_sets(const Rings& rings, double step) {
+  if (rings.rule == plane::RingRule::kHoles) return {plane::make_rings(rings.contours, step)};
+  return plane::nest_rings(rings.contours, step);
+}
+
+bool is_flat(const Rings& rings, std::size_t k) {
+  const Contour& ring = rings.contours[k];
+  return ring.size() == 2 && !ring[0].arc && !ring[1].arc;
+}
+
+/// Whether a valid ring runs the other way round than its curves.
+bool is_turned(const Rings& rings, std::size_t k) {
+  return ((plane::orientation(rings.contours[k]) > 0) != rings.is_hole[k]) != rings.material_left[k];
+}
+
+/// Leaves out rings of curves so thin that moving them inwards has closed them up. Whether there were any.
+bool leave_out(bool (*closed_up)(const Rings&, std::size_t), Rings& rings, ReadContext& context,
+               const std::string& place) {
+  const bool outside = context.drawing.curves == CurveRule::kOutside;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < rings.contours.size(); ++k) {
+    if (rings.material_left[k] && closed_up(rings, k)) {
+      if (rings.is_hole[k] != outside) refuse_thin(context);
+      continue;
     }
+    if (kept != k) rings.contours[kept] = std::move(rings.contours[k]);
+    rings.material_left[kept] = rings.material_left[k];
+    rings.is_hole[kept++] = rings.is_hole[k];
+  }
+  const std::size_t count = rings.contours.size() - kept;
+  if (count == 0) return false;
+  rings.contours.resize(kept);
+  rings.material_left.resize(kept);
+  rings.is_hole.resize(kept);
+  if (kept == 0 || (rings.rule == plane::RingRule::kHoles && rings.is_hole[0])) refuse_thin(context);
+  context.notes.push_back(fmt::format("{}: {} {}{} left out, thinner than the tolerance", place, count,
+                                      outside ? "hole" : "part", count == 1 ? "" : "s"));
+  return true;
+}
+
+/// Valid rings on a side lie in each other as their curves do, but for those that are closed up.
+std::vector<plane::RingSet> on_sides(std::vector<plane::RingSet> sets, Rings& rings, ReadContext& context,
+                                     const std::string& place) {
+  if (leave_out(is_turned, rings, context, place)) sets = ring_sets(rings, context.grid.step_size());
+  if (rings.rule == plane::RingRule::kHoles) return sets;
+  const std::vector<std::size_t> depths = plane::nesting_depths(rings.contours);
+  for (std::size_t k = 0; k < depths.size(); ++k)
+    if ((depths[k] % 2 != 0) != rings.is_hole[k]) refuse_thin(context);
+  return sets;
+}
+
+/// Outer rings with their holes, as they are or mended.
+std::vector<ShapePtr> nested_parts(Rings& rings, ReadContext& context, const std::string& place) {
+  if (rings.on_sides()) leave_out(is_flat, rings, context, place);
+  std::vector<plane::RingSet> sets;
+  try {
+    sets = ring_sets(rings, context.grid.step_size());
   } catch (const Error& fault) {
     return mended_parts(rings, fault, context, place);
+  }
+  if (rings.on_sides()) sets = on_sides(std::move(sets), rings, context, place);
+  std::vector<ShapePtr> parts;
+  for (plane::RingSet& set : sets) {
+    context.repeated_points += set.repeated_points;
+    parts.push_back(rings_shape(std::move(set.contours), place));
   }
   return parts;
 }
 
-void add_areas(Drawing& drawing, ReadContext& context, const std::string& place, std::vector<ShapePtr>& all) {
-  std::vector<Contour> discs;
-  for (const Disc& disc : drawing.discs) discs.push_back(ring_of(disc, context));
-  Rings rings = take_rings(drawing, context, discs);
-  std::vector<Contour>& contours = rings.contours;
-  std::move(discs.begin(), discs.end(), std::back_inserter(contours));
+void add_areas(Drawing& drawing, ReadContext& context, const std::string& place, plane::RingRule rule,
+               std::vector<ShapePtr>& all) {
+  std::vector<Contour> circles;
+  for (const Disc& disc : drawing.discs) circles.push_back(ring_of(disc, context));
+  Rings rings = take_rings(drawing, context, std::move(circles), rule);
   auto add = [&](ShapePtr shape) {
     all.push_back(with_caps(std::move(shape), rings.caps, context.drawing.curves, place));
   };
-  if (auto cells = plane::region_of_touching_rings(contours, plane::RingRule::kEvenOdd))
-    return add(cells_shape(*std::move(cells), place));
+  if (!rings.on_sides())
+    if (auto cells = plane::region_of_touching_rings(rings.contours, rule))
+      return add(cells_shape(*std::move(cells), place));
   std::vector<ShapePtr> parts = nested_parts(rings, context, place);
   if (!rings.caps.empty()) return add(united(std::move(parts), place));
   std::move(parts.begin(), parts.end(), std::back_inserter(all));
@@ -248,7 +350,7 @@ std::vector<ShapePtr> parts_of(Drawing drawing, ReadContext& context, const std:
     shape.amount = drawing.discs[0].radius;
     all.push_back(share(std::move(shape)));
   } else {
-    add_areas(drawing, context, place, all);
+    add_areas(drawing, context, place, plane::RingRule::kEvenOdd, all);
   }
   add_lines_and_points(std::move(drawing), context, place, all);
   return all;
@@ -279,8 +381,9 @@ bool splits(const Drawing& drawing, const ReadContext& context) {
 /// Which outlines belong together: those that lie in no other or in a hole, each with its holes.
 class OuterOutlines {
  public:
-  explicit OuterOutlines(std::vector<Contour> outlines)
-      : outlines_(std::move(outlines)), around_(plane::rings_around(outlines_)) {
+  /// `around`: which of the others go round each.
+  OuterOutlines(std::vector<Contour> outlines, std::vector<std::vector<std::size_t>> around)
+      : outlines_(std::move(outlines)), around_(std::move(around)) {
     for (const Contour& outline : outlines_) edges_ += outline.size();
     for (std::size_t k = 0; k < outlines_.size(); ++k)
       outer_.push_back(around_[k].size() % 2 == 0 ? k : innermost(around_[k]));
@@ -342,10 +445,14 @@ bool is_empty(const Drawing& drawing) {
 
 /// A drawing for each outline that is no hole, with its holes and what is drawn in it.
 std::vector<PartDrawing> by_outline(Drawing drawing, ReadContext& context) {
-  const OuterOutlines outer(outlines_near(drawing, context));
+  std::vector<Contour> outlines = outlines_near(drawing, context);
+  std::vector<Chain> closed = take_closed(drawing);
+  auto around = nesting_of(closed, outlines, context.drawing.tolerance).around();
+  if (!around) around = plane::rings_around(outlines);
+  const OuterOutlines outer(std::move(outlines), *std::move(around));
   std::vector<PartDrawing> parts(outer.size());
   std::size_t k = 0;
-  for (Chain& chain : take_closed(drawing)) {
+  for (Chain& chain : closed) {
     if (outer.of(k) == k) parts[k].name = chain.name;
     parts[outer.of(k++)].drawing.chains.push_back(std::move(chain));
   }
@@ -401,18 +508,9 @@ void append(Drawing& all, const Drawing& more) {
 }
 
 ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place) {
-  Outlines rings;
-  rings.rule = plane::RingRule::kHoles;
-  for (Chain& chain : take_closed(drawing)) rings.contours.push_back(std::move(chain.edges));
-  if (auto cells = plane::region_of_touching_rings(rings.contours, rings.rule))
-    return cells_shape(*std::move(cells), place);
-  try {
-    plane::RingSet set = plane::make_rings(rings.contours, context.grid.step_size());
-    context.repeated_points += set.repeated_points;
-    return rings_shape(std::move(set.contours), place);  // formats disagree about the direction of rings: no note
-  } catch (const Error& fault) {
-    return united(mended_parts(rings, fault, context, place), place);
-  }
+  std::vector<ShapePtr> all;
+  add_areas(drawing, context, place, plane::RingRule::kHoles, all);
+  return united(std::move(all), place);
 }
 
 }  // namespace findspace::io

@@ -37,7 +37,7 @@ bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext&
 void append(Drawing& all, const Drawing& more);
 /// All chains as polylines, also those that come back to their first point, and the points.
 plane::ShapePtr lines_of(Drawing drawing, ReadContext& context, const std::string& place);
-/// The first closed chain as outer ring, the others as its holes.
+/// The closed chains: the first as outer ring, the others as its holes.
 plane::ShapePtr polygon_of(Drawing drawing, ReadContext& context, const std::string& place);
 
 /// The shapes as one: a single one is itself, several are a union (a collection whose parts keep their names if asked).

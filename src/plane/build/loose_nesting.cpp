@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "plane/complex/extent.h"
+#include "plane/build/ring_sketch.h"
 #include "plane/contour/contour.h"
 #include "plane/contour/contour_boxes.h"
 
@@ -39,71 +39,8 @@ void add_loops(const Contour& ring, std::size_t number, std::vector<Loop>& loops
   if (!path.empty()) cut(0);
 }
 
-/// A loop in doubles.
-struct Sketch {
-  struct Side {
-    double x, y, u, v;             // from, to
-    double cx = 0, cy = 0, r = 0;  // of an arc; r = 0 for a segment
-    bool ccw = true;
-  };
-  std::vector<Side> sides;
-  std::optional<PieceBox> box;
-
-  explicit Sketch(const Contour& loop) {
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const GridPoint a = loop[k].start, b = end_of(loop, k);
-      Side s{double(a.x), double(a.y), double(b.x), double(b.y)};
-      if (loop[k].arc) {
-        s.cx = loop[k].arc->cx.to_double();
-        s.cy = loop[k].arc->cy.to_double();
-        s.r = loop[k].arc->r.to_double();
-        s.ccw = loop[k].ccw;
-      }
-      sides.push_back(s);
-      grow(a, loop[k].arc ? sagitta(loop[k], b) : 0);
-      grow(b, loop[k].arc ? sagitta(loop[k], b) : 0);
-    }
-  }
-
-  double area() const {
-    const double ox = sides[0].x, oy = sides[0].y;
-    double sum = 0;
-    for (const Side& s : sides) sum += ((s.x - ox) * (s.v - oy) - (s.y - oy) * (s.u - ox)) / 2 + beside_chord(s);
-    return sum;
-  }
-
-  /// By a ray to the right, as `encloses` does exactly.
-  bool goes_round(double x, double y) const {
-    bool inside = false;
-    for (const Side& s : sides) {
-      const double side = (s.u - s.x) * (y - s.y) - (s.v - s.y) * (x - s.x);
-      if ((s.y > y) != (s.v > y) && (side > 0) == (s.v > s.y)) inside = !inside;
-      if (s.r != 0 && (side < 0) == s.ccw && std::hypot(x - s.cx, y - s.cy) < s.r) inside = !inside;
-    }
-    return inside;
-  }
-
- private:
-  void grow(GridPoint p, double by) {
-    const double x = double(p.x), y = double(p.y);
-    if (!box) box = PieceBox{x, y, x, y};
-    box = PieceBox{std::min(box->x0, x - by), std::min(box->y0, y - by), std::max(box->x1, x + by),
-                   std::max(box->y1, y + by)};
-  }
-
-  /// Between an arc and its chord, positive to the right of the chord.
-  static double beside_chord(const Side& s) {
-    if (s.r == 0) return 0;
-    const double ax = s.x - s.cx, ay = s.y - s.cy, bx = s.u - s.cx, by = s.v - s.cy;
-    double angle = std::atan2(ax * by - ay * bx, ax * bx + ay * by);
-    if (s.ccw && angle < 0) angle += 2 * M_PI;
-    if (!s.ccw && angle > 0) angle -= 2 * M_PI;
-    return s.r * s.r * (angle - std::sin(angle)) / 2;
-  }
-};
-
 /// Whether a loop goes round a corner, if all points beside the corner agree.
-std::optional<bool> goes_round(const Sketch& loop, GridPoint p) {
+std::optional<bool> goes_round(const RingSketch& loop, GridPoint p) {
   constexpr double kBeside = 4;  // grid steps
   const double x = double(p.x), y = double(p.y);
   const bool answer = loop.goes_round(x + kBeside, y + kBeside);
@@ -112,7 +49,7 @@ std::optional<bool> goes_round(const Sketch& loop, GridPoint p) {
   return answer;
 }
 
-bool goes_round(const Sketch& outer, const Contour& inner) {
+bool goes_round(const RingSketch& outer, const Contour& inner) {
   const std::size_t step = (inner.size() + kVoters - 1) / kVoters;
   int votes = 0;
   for (std::size_t k = 0; k < inner.size(); k += step)
@@ -130,15 +67,15 @@ Box box_around(const PieceBox& b) {
 std::vector<Loop> loosely_nested(std::span<const Contour> rings) {
   std::vector<Loop> loops;
   for (std::size_t r = 0; r < rings.size(); ++r) add_loops(rings[r], r, loops);
-  std::vector<Sketch> sketches;
+  std::vector<RingSketch> sketches;
   for (Loop& loop : loops) {
     sketches.emplace_back(loop.edges);
     loop.area = sketches.back().area();
   }
   std::vector<Box> boxes;
-  for (const Sketch& s : sketches) boxes.push_back(box_around(*s.box));
+  for (const RingSketch& s : sketches) boxes.push_back(box_around(s.box()));
   const auto around = meeting_others(boxes, [&](std::size_t i, std::size_t j) {
-    return std::abs(loops[j].area) > std::abs(loops[i].area) && sketches[i].box->meets(*sketches[j].box) &&
+    return std::abs(loops[j].area) > std::abs(loops[i].area) && sketches[i].box().meets(sketches[j].box()) &&
            goes_round(sketches[j], loops[i].edges);
   });
   for (std::size_t i = 0; i < loops.size(); ++i) {
