@@ -110,5 +110,24 @@ TEST(OutsideCells, OfMeshesThatOverlap) {
   }
 }
 
+/// Where the one part ends in the other's plane nothing flat is left between them.
+TEST(OutsideCells, HaveInteriorBetweenFlushParts) {
+  const auto prism = [](const std::vector<std::array<std::int64_t, 2>>& ring, std::int64_t low, std::int64_t high) {
+    std::vector<Point> corners;
+    for (const auto& [x, y] : ring) {
+      for (const std::int64_t z : {low, high}) corners.push_back({x, y, z});
+    }
+    return part_of(corners, Real());
+  };
+  const Body b{{prism({{12, 0}, {1, 8}, {-13, 6}, {-8, -8}, {5, -11}}, 0, 8),
+                prism({{-12, 4}, {-4, -3}, {8, -9}, {14, 1}, {6, 11}, {-2, 8}}, 8, 13),
+                prism({{-4, -3}, {-2, -13}, {8, -9}}, 8, 13)}};
+  for (const OutsideCell& cell : outside_cells(b)) {
+    if (cell.bounded()) {
+      EXPECT_GT(cell.planes.size(), 3u);
+    }
+  }
+}
+
 }  // namespace space_outside_cells
 }  // namespace findspace::space

@@ -61,7 +61,7 @@ void subtract(ConvexRegion& region, const Convex& set, std::vector<ConvexRegion>
     beyond.cut(inside.opposite());
     out.push_back(std::move(beyond));
     region.cut(inside);
-    if (region.empty()) return;
+    if (!region.sides(inside).inside) return;  // what is left has no interior, and would not leave any
   }
 }
 
