@@ -12,6 +12,7 @@
 #include "distance/planar/shape_pair.h"
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/coordinate.h"
+#include "distance/planar_least/distance_sum.h"
 #include "distance/planar_least/extremum.h"
 #include "distance/planar_least/level_extremum.h"
 #include "distance/planar_least/level_probe.h"
@@ -127,6 +128,18 @@ TEST(Least, PositionsOfALevelAreAsNearAsTheyAreSaidToBe) {
   EXPECT_NEAR(e.answer->value.to_double(), 7 * std::sqrt(2), 1e-6);
   EXPECT_EQ(e.answer->way, Way::kSearch);
   EXPECT_NEAR(e.within, 11, 1e-5);  // the segment x = 17, 6 <= y <= 17, from one of its ends
+}
+
+TEST(Least, OfASumThatEndsIsTakenFarAwayToo) {
+  const ShapePair pair(plane::region_of_disc(0, 0, 5), plane::region_of_disc(0, 0, 15));
+  const DistanceSum depth({{pair.distance(Which::kPenetration), Real(1)}});
+  const Region all = CellComplex::uniform(1);
+  const Extremum none = best_position(depth, {all, all}, Sense::kMinimum, 40);
+  EXPECT_NEAR(none.answer->value.to_double(), 0, 1e-9);
+  EXPECT_TRUE(std::isinf(none.within)) << "positions beyond all that is searched are as good";
+  const Extremum most = best_position(depth, {all, all}, Sense::kMaximum, 40);
+  EXPECT_NEAR(most.answer->value.to_double(), 20, 0.1);
+  EXPECT_TRUE(std::isfinite(most.within));
 }
 
 TEST(Least, RoomBoundedByHollowArcs) {
