@@ -183,6 +183,24 @@ TEST(PreparedScene, PositionsOfALineAreOnIt) {
   }
 }
 
+TEST(PreparedScene, ALineIsFollowedToWhatIsFarAway) {
+  // The board is 2 * 10^11 grid steps long.
+  const Scene plain = Scene::json(R"json({"findspace": 1, "unit": "um", "shapes": {"board": {"box": {"min": [0, 0],
+      "max": [200000, 50000]}}, "part": {"box": {"min": [0, 0], "max": [1000, 1000]}}}, "moving": "part",
+      "where": "inside(part, board)", "free": {"line": {"through": [0, 2000], "direction": [1, 0]}}})json");
+  for (const Scene& scene : {plain, plain.prepared()}) {
+    EXPECT_EQ(scene.nearest(at("300000", "2000")).nearest()->at, (Place{199000, 2000}));
+    EXPECT_EQ(*scene.map().intervals().at(0).to, 199000);
+    EXPECT_TRUE(scene.map().region()->inner.contains(Point{199000, 2000}));
+    Scene::Question apart;
+    apart.where = "disjoint(part, board)";
+    EXPECT_EQ(scene.asking(apart).nearest(at("0", "2000")).nearest()->at, (Place{-1000, 2000}));
+    EXPECT_EQ(scene.asking(apart).check(at("1000000", "2000")).found(), Answer::Found::kYes);
+    EXPECT_TRUE(scene.asking(apart).map().region()->inner.contains(Point{300000, 2000}));
+    EXPECT_FALSE(scene.asking(apart).map().intervals().at(1).to);
+  }
+}
+
 TEST(PreparedScene, ABestValueBetweenBoundsLeavesAllFeasiblePositionsPossible) {
   const char* const line = R"json(, "free": {"line": {"through": [0, 0], "direction": [1, 0]}})json";
   for (const char* free : {"", line}) {
