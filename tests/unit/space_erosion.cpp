@@ -141,6 +141,50 @@ TEST(Erosion, KeepsSheetsThatDistancesDoNotSee) {
   EXPECT_TRUE(csg_solid(*round).parts.empty());
 }
 
+ShapePtr prism(const std::vector<plane::GridPoint>& polygon, std::int64_t high) {
+  Solid solid;
+  solid.form = Solid::Form::kPrism;
+  solid.high = high;
+  plane::Contour& ring = solid.contours.emplace_back();
+  for (const plane::GridPoint& p : polygon) ring.push_back({p});
+  return primitive(std::move(solid));
+}
+
+/// A room with an aisle as wide as the cube: the sheet in its middle is part of what is left.
+TEST(Erosion, RefusesASlotOfNoWidth) {
+  const auto left = [](std::int64_t wide, bool round) {
+    const ShapePtr room =
+        prism({{0, 0}, {10, 0}, {10, 4}, {20, 4}, {20, 4 + wide}, {10, 4 + wide}, {10, 10}, {0, 12}}, 10);
+    const ShapePtr holed = round ? node(Kind::kDifference, {room, ball({0, 0, 0}, 2)}) : room;
+    return try_csg_solid(*node(Kind::kMinkowskiDifference, {holed, block({-1, -1, -1}, {1, 1, 1})}));
+  };
+  for (const bool round : {false, true}) {
+    EXPECT_TRUE(left(1, round));
+    EXPECT_FALSE(left(2, round));
+    EXPECT_TRUE(left(3, round));
+  }
+}
+
+TEST(CsgSolid, RefusesAFaceInCommon) {
+  const ShapePtr low = hull({{0, 0, 6}, {3, 0, 6}, {0, 3, 6}, {0, 0, 3}}),
+                 high = hull({{0, 0, 6}, {3, 0, 6}, {0, 3, 6}, {0, 0, 9}});
+  const ShapePtr round = ball({0, 0, 0}, 2), whole = block({-4, -3, -3}, {-1, 3, 3});
+  const auto both = [](const ShapePtr& a, const ShapePtr& b) {
+    return try_csg_solid(*node(Kind::kIntersection, {a, b}));
+  };
+  EXPECT_FALSE(both(node(Kind::kUnion, {round, high}), node(Kind::kUnion, {whole, low})));
+  const auto held = both(node(Kind::kUnion, {round, high, low}), node(Kind::kUnion, {whole, low}));
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->parts.size(), 2u);
+}
+
+TEST(CsgSolid, CountsRoundedVertices) {
+  const ShapePtr roof = hull({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 7}});
+  const CsgSolid left = csg_solid(*offset(node(Kind::kDifference, {roof, ball({0, 0, 0}, 2)}), -Real::ratio(1, 10)));
+  EXPECT_GT(left.rounded, 0);
+  EXPECT_GT(left.moved, 0);
+}
+
 TEST(Erosion, OfRoundShapesByPolytopesIsWhatTheirCopiesHaveInCommon) {
   const CsgSolid lens =
       csg_solid(*node(Kind::kMinkowskiDifference, {ball({0, 0, 0}, 10), block({0, 0, 0}, {2, 2, 2})}));

@@ -3,6 +3,7 @@
 //
 // Shape trees as sets of boxes and as convex parts, and their bounds: against the definition, pieces without interior,
 // and sizes at which memory and time count.
+#include <findspace/error.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <chrono>
 
+#include "space/body/csg_solid.h"
 #include "space/shape/box_shape.h"
 #include "space/shape/shape_rays.h"
 #include "unit/solid_shapes.h"
@@ -132,6 +134,61 @@ TEST(ConvexParts, OfAShapeLessAnIntersectionOfInteriors) {
   EXPECT_FALSE(try_convex_parts(*node(Kind::kDifference, {t, open})));
   const ShapePtr apart = node(Kind::kTranslate, {open}, {0, 0, -1});
   EXPECT_TRUE(try_convex_parts(*node(Kind::kDifference, {t, apart})));
+}
+
+const ShapePtr kLow = hull({{0, 0, 0}, {4, 0, 0}, {5, 3, 0}, {0, 3, 0}, {0, 0, 2}, {4, 0, 2}, {5, 3, 2}, {0, 3, 2}}),
+               kHigh = node(Kind::kTranslate, {kLow}, {0, 0, 2}),
+               kBlock = hull({{-5, -5, -5}, {9, -5, -5}, {-5, 9, -5}, {9, 10, -5}, {-5, -5, 9}, {9, 9, 9}});
+
+ShapePtr open_pair(std::int64_t gap) {
+  const ShapePtr high = node(Kind::kTranslate, {node(Kind::kInterior, {kHigh})}, {0, 0, gap});
+  return node(Kind::kUnion, {node(Kind::kInterior, {kLow}), high});
+}
+
+/// The wall between the open sets stays, and has no interior.
+TEST(ConvexParts, RefuseAWallThatIsTakenAwayByNone) {
+  const auto moved = [](ShapePtr s) {
+    return node(Kind::kMirror, {node(Kind::kTranslate, {std::move(s)}, {1, 1, 1})});
+  };
+  const auto less = [](const ShapePtr& s) { return bool(try_convex_parts(*node(Kind::kDifference, {kBlock, s}))); };
+  EXPECT_FALSE(less(open_pair(0)));
+  EXPECT_FALSE(less(moved(open_pair(0))));
+  EXPECT_FALSE(less(node(Kind::kInterior, {open_pair(0)})));
+  EXPECT_TRUE(less(moved(open_pair(1))));
+  EXPECT_TRUE(less(node(Kind::kClosure, {open_pair(0)})));
+  const ShapePtr cube = block({0, 0, 0}, {1, 1, 1});
+  EXPECT_FALSE(try_convex_parts(*node(Kind::kMinkowskiDifference, {open_pair(0), cube})));
+  EXPECT_TRUE(try_convex_parts(*node(Kind::kMinkowskiDifference, {open_pair(1), cube})));
+  EXPECT_FALSE(try_body(*shrunk(open_pair(0))));
+  EXPECT_FALSE(try_body(*node(Kind::kComplement, {node(Kind::kUnion, {open_pair(0), ball({0, 0, 0}, 1)})})));
+  EXPECT_FALSE(try_csg_solid(*node(Kind::kDifference, {ball({2, 2, 2}, 9), open_pair(0)})));
+  EXPECT_TRUE(try_csg_solid(*node(Kind::kDifference, {ball({2, 2, 2}, 9), open_pair(1)})));
+}
+
+/// b without c lacks the boundary of c: what a has in common with c stays.
+TEST(ConvexParts, OfAShapeLessADifference) {
+  const auto left = [](const ShapePtr& b, const ShapePtr& c) {
+    return try_convex_parts(*node(Kind::kDifference, {kLow, node(Kind::kDifference, {b, c})}));
+  };
+  EXPECT_FALSE(left(kBlock, kHigh));  // a face without interior
+  const auto all = left(kBlock, kBlock);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->parts.size(), 1u);
+  EXPECT_TRUE(left(kHigh, node(Kind::kTranslate, {kHigh}, {1, 0, 0})));  // stands on a face that stays as a whole
+}
+
+TEST(ShapeRays, TakeSumsAndHullsOfOpenSetsAsOpen) {
+  const ShapePtr open = node(Kind::kInterior, {kLow});
+  const RayGrid line{.axis = 2, .u = 1, .v = 1, .nu = 1, .nv = 1};
+  for (const ShapePtr& set :
+       {node(Kind::kHull, {open}), node(Kind::kMinkowskiSum, {open, block({-1, -1, 0}, {0, 0, 1})})}) {
+    const RaySourcePointer rays = shape_rays(*set, line);
+    const RayRow row = rays->row(0);
+    EXPECT_EQ(sign_at(row, 0, Real()), 1);
+    EXPECT_LE(sign_at(row, 0, Real(1)), 0);
+  }
+  const ShapePtr half = node(Kind::kDifference, {kLow, kHigh});
+  EXPECT_THROW(shape_rays(*node(Kind::kHull, {half}), line), Error);
 }
 
 TEST(ShapeBox, ABoundaryIsBounded) {

@@ -3,9 +3,9 @@
 #include "formula/solid/csg_shapes.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "distance/csg/csg_pair.h"
+#include "space/body/cell_parts.h"
 
 namespace findspace::formula {
 
@@ -40,7 +40,7 @@ CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceSh
     return out;
   const space::Body whole = whole_of(out.cut_moves ? fixed : moving);
   const space::CsgSolid cut = cut_of(out.cut_moves ? moving : fixed);
-  out.scale = std::lcm(whole.scale, cut.scale);
+  out.scale = space::joint_scale(whole.scale, cut.scale);
   out.complete = std::make_shared<const space::Body>(space::at_scale(whole, out.scale));
   out.cut = std::make_shared<const space::CsgSolid>(space::at_scale(cut, out.scale));
   return out;

@@ -5,7 +5,6 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_runs.h"
@@ -18,6 +17,7 @@
 #include "formula/solid/faults.h"
 #include "formula/solid/solid_rays.h"
 #include "formula/solid/solve_space.h"
+#include "space/body/cell_parts.h"
 #include "space/rays/oblique_line.h"
 #include "space/shape/shape_rays.h"
 
@@ -70,7 +70,7 @@ Tried<space::RaySourcePointer> by_parts(const RayWorld& world, const SignMap& ma
   if (!moving) return moving.refusal();
   const Tried<space::Body> fixed = body(world, second ? d.first : d.second);
   if (!fixed) return fixed.refusal();
-  const std::int64_t scale = std::lcm(moving->scale, fixed->scale);
+  const std::int64_t scale = space::joint_scale(moving->scale, fixed->scale);
   if (moving->outside) return no_map(map, "a moving shape has to be bounded");
   const space::Body b = space::at_scale(*moving, scale), a = space::at_scale(*fixed, scale);
   const distance::Which base = which(d.kind, second);

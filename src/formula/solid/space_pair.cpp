@@ -4,10 +4,10 @@
 #include "formula/solid/space_pair.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "findspace/error.h"
 #include "formula/solid/faults.h"
+#include "space/body/cell_parts.h"
 #include "space/body/observe_body.h"
 #include "space/box/box_operations.h"
 #include "space/box/box_topology.h"
@@ -94,7 +94,7 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
     out->refused = Refusal("a moving shape has to be bounded");
     return out;
   }
-  out->scale = std::lcm(out->b->scale, out->a->scale);
+  out->scale = space::joint_scale(out->b->scale, out->a->scale);
   out->b = std::make_shared<const Body>(space::at_scale(*out->b, out->scale));
   out->a = std::make_shared<const Body>(space::at_scale(*out->a, out->scale));
   observe_body("the moving shape", *out->b);
@@ -126,7 +126,7 @@ distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t 
 void SpacePair::make_surfaces() {
   for (const auto* shapes : {&moving_, &fixed_}) {
     for (const SpaceShape& s : *shapes) {
-      if (!s.surfaces && s.body) surface_scale_ = std::lcm(surface_scale_, s.body->scale);
+      if (!s.surfaces && s.body) surface_scale_ = space::joint_scale(surface_scale_, s.body->scale);
     }
   }
   surfaced_b_ = surfaced(moving_, surface_scale_);

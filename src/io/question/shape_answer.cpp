@@ -16,7 +16,7 @@
 #include "io/scene/scene_regions.h"
 #include "io/write/write_json_space.h"
 #include "io/write/write_summary.h"
-#include "space/shape/shape_topology.h"
+#include "space/body/shape_topology.h"
 
 namespace findspace::io {
 namespace {

@@ -56,9 +56,14 @@ formula::RayWorld ray_world(const AskedScene& asked) {
 }
 
 void note_rounding(const AskedScene& asked, const std::string& name, const formula::SpaceShape& shape) {
-  if (!shape.body.made() || shape.body->rounded == 0) return;
-  asked.note(fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}",
-                         name, shape.body->rounded, shape.body->moved * asked.scene().grid.step_size(), asked.unit()));
+  const auto note = [&](const auto& made) {
+    if (made.rounded == 0) return;
+    asked.note(
+        fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}",
+                    name, made.rounded, made.moved * asked.scene().grid.step_size(), asked.unit()));
+  };
+  if (shape.body.made()) note(*shape.body);
+  if (shape.cut) note(*shape.cut);
 }
 
 }  // namespace findspace::io

@@ -7,7 +7,8 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <numeric>
+
+#include "space/body/cell_parts.h"
 
 namespace findspace::packing {
 namespace {
@@ -42,7 +43,7 @@ SolidPairProof::SolidPairProof(const SolidProblem& problem, const SolidForm& a, 
   const auto scale_of = [](const SolidForm& form) {
     return form.surface.empty() ? form.body.scale : form.surface_scale;
   };
-  const std::int64_t scale = std::lcm(scale_of(a), scale_of(b));
+  const std::int64_t scale = space::joint_scale(scale_of(a), scale_of(b));
   steps_ = bounded_product(problem.steps(), scale);
   gaps_.emplace(surfaces_of(a, scale), surfaces_of(b, scale));
 }

@@ -3,10 +3,10 @@
 #include "planning/solid/space_flat.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "distance/rays/ray_covers.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/cell_parts.h"
 #include "space/rays/piece_rays.h"
 
 namespace findspace::planning {
@@ -63,7 +63,7 @@ class Maker {
   bool add_pair(const std::string& moving, const std::string& fixed, bool within) {
     const auto &b = stage_.built(moving).body, &a = stage_.built(fixed).body;
     if (!b || !a || b->round() || a->round() || b->outside || a->outside) return false;
-    const std::int64_t scale = std::lcm(b->scale, a->scale);
+    const std::int64_t scale = space::joint_scale(b->scale, a->scale);
     const space::Body of_b = at_scale(*b, scale), of_a = at_scale(*a, scale);
     const auto cover = within ? distance::outside_sets(of_b, of_a) : distance::overlap_sets(of_b, of_a);
     const Real unit = Real::ratio(1, scale);

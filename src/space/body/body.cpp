@@ -5,12 +5,13 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "exact/margins/rounding.h"
+#include "space/body/cell_parts.h"
 #include "space/body/erosion.h"
 #include "space/body/flat_core.h"
+#include "space/body/shape_topology.h"
 
 namespace findspace::space {
 
@@ -22,7 +23,7 @@ using Kind = plane::Shape::Kind;
 namespace {
 
 void append(Body& sum, const Body& more) {
-  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  const std::int64_t scale = joint_scale(sum.scale, more.scale);
   Body a = at_scale(sum, scale), b = at_scale(more, scale);
   append(a.around, std::move(b.around), a.parts.size());
   a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
@@ -96,9 +97,11 @@ Tried<Body> changed(const plane::Shape& shape, Body body) {
     case Kind::kMinkowskiDifference: {
       const Tried<Body> b = try_body(*shape.children[1]);
       if (!b) return b;
+      if (shape.kind == Kind::kMinkowskiDifference && may_lack_walls(*shape.children[0])) return walls_are_lacking();
       return shape.kind == Kind::kMinkowskiSum ? sum_of(body, *b) : eroded(body, *b);
     }
     case Kind::kComplement:
+      if (may_lack_walls(*shape.children[0])) return walls_are_lacking();
       body.outside = !body.outside;
       return body;
     case Kind::kTranslate:
@@ -106,6 +109,7 @@ Tried<Body> changed(const plane::Shape& shape, Body body) {
     case Kind::kMirror:
       return mirrored(std::move(body));
     case Kind::kOffset:
+      if (shape.amount.sign() < 0 && may_lack_walls(*shape.children[0])) return walls_are_lacking();
       return offset(std::move(body), shape.amount);
     default:
       return body;
@@ -218,9 +222,11 @@ Body at_scale(const Body& body, std::int64_t scale) {
   Body out = body;
   out.scale = scale;
   enlarge(out.around, factor);
-  const auto times = [&](const Point& p) {
-    return Point{in_range(int128(p.x) * factor), in_range(int128(p.y) * factor), in_range(int128(p.z) * factor)};
+  const auto finer = [&](std::int64_t c) {
+    if (c > kCoordinateLimit / factor || c < -kCoordinateLimit / factor) throw too_fine();
+    return c * factor;
   };
+  const auto times = [&](const Point& p) { return Point{finer(p.x), finer(p.y), finer(p.z)}; };
   for (BodyPart& part : out.parts) {
     part.center = times(part.center);
     part.radius *= Real(factor);
@@ -247,7 +253,7 @@ Body united(const std::vector<const Body*>& bodies) { return try_united(bodies).
 
 Body minkowski_sum(const Body& a, const Body& b) {
   Body sum;
-  sum.scale = std::lcm(a.scale, b.scale);
+  sum.scale = joint_scale(a.scale, b.scale);
   sum.rounded = a.rounded + b.rounded;
   sum.moved = std::max(a.moved, b.moved);
   const Body p = at_scale(a, sum.scale), q = at_scale(b, sum.scale);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "space/mesh/mesh.h"
@@ -13,6 +14,17 @@
 namespace findspace::space {
 
 using exact::Real;
+
+Error too_fine() {
+  return {ErrorCode::kOutOfRange,
+          "the common grid of convex parts exceeds 2^40 steps; choose a coarser grid, or corners with fewer digits"};
+}
+
+std::int64_t joint_scale(std::int64_t a, std::int64_t b) {
+  const int128 scale = int128(a) / std::gcd(a, b) * b;
+  if (scale > kCoordinateLimit) throw too_fine();
+  return static_cast<std::int64_t>(scale);
+}
 
 Real six_volumes(const Polytope& p) {
   Mesh mesh{{p.vertices().begin(), p.vertices().end()}, {}};
@@ -89,11 +101,9 @@ ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells) {
   return parts_of_corners(corners);
 }
 
-ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) {
+ConvexParts rounded_corners(const std::vector<std::vector<RealVector>>& cells, std::int64_t scale) {
   ConvexParts result;
-  result.scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
-  const bool exact = result.scale > 0;
-  if (!exact) result.scale = 1;
+  result.scale = scale;
   for (const std::vector<RealVector>& cell : cells) {
     std::vector<Point> points;
     for (const RealVector& v : cell) {
@@ -115,7 +125,14 @@ ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) 
     // the last word.
     if (auto hull = Polytope::try_hull(points)) result.parts.push_back(*std::move(hull));
   }
-  if (exact) join_neighbours(result.parts);
+  return result;
+}
+
+ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) {
+  const std::int64_t scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
+  if (scale == 0) return rounded_corners(cells, 1);
+  ConvexParts result = rounded_corners(cells, scale);
+  join_neighbours(result.parts);
   return result;
 }
 

@@ -6,6 +6,8 @@
 // convex are joined. Guarantee: exact but for what is counted. Cost: the pairs of cells, for joining.
 #pragma once
 
+#include <findspace/error.h>
+
 #include "space/body/convex_parts.h"
 #include "space/polytope/convex_region.h"
 
@@ -14,6 +16,14 @@ namespace findspace::space {
 ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells);
 /// The same of cells that are given by their vertices.
 ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells);
+
+/// With vertices in steps / scale, rounded and counted where they are not whole; neighbours are not joined.
+ConvexParts rounded_corners(const std::vector<std::vector<RealVector>>& cells, std::int64_t scale);
+
+/// Where steps so fine would take coordinates out of the range.
+Error too_fine();
+/// The least common multiple; throws too_fine() beyond 2^40.
+std::int64_t joint_scale(std::int64_t a, std::int64_t b);
 
 exact::Real six_volumes(const Polytope& p);
 /// Rounded.

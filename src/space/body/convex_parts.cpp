@@ -12,6 +12,7 @@
 
 #include "space/body/cell_parts.h"
 #include "space/body/erosion.h"
+#include "space/body/shape_topology.h"
 #include "space/mesh/mesh.h"
 #include "space/polytope/partition.h"
 #include "space/polytope/polytope_sets.h"
@@ -93,8 +94,41 @@ Tried<ConvexParts> solid_parts(const Solid& solid) {
   return Refusal("a ball has no convex polyhedral parts");
 }
 
+bool fits(const ConvexParts& parts, const int128& scale) {
+  const int128 most = kCoordinateLimit / (scale / parts.scale);
+  const auto within = [&](const Point& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= most; };
+  return std::all_of(parts.parts.begin(), parts.parts.end(),
+                     [&](const Polytope& p) { return std::all_of(p.vertices().begin(), p.vertices().end(), within); });
+}
+
+/// On a coarser grid, with vertices rounded and counted.
+void put_on_grid(ConvexParts& parts, std::int64_t scale) {
+  std::vector<std::vector<RealVector>> corners;
+  const Real step = Real::ratio(1, parts.scale);
+  for (const Polytope& p : parts.parts) {
+    std::vector<RealVector>& of = corners.emplace_back();
+    for (const Point& v : p.vertices()) of.push_back(scaled(step, real(v)));
+  }
+  ConvexParts made = rounded_corners(corners, scale);
+  parts.parts = std::move(made.parts);
+  parts.scale = scale;
+  parts.rounded += made.rounded;
+  parts.moved = std::max(parts.moved, made.moved / static_cast<double>(scale));
+  parts.around.clear();
+}
+
+/// One scale of both; where that leaves the range the finer one is put on the grid of the other.
+std::int64_t put_together(ConvexParts& a, ConvexParts& b) {
+  if (a.scale == b.scale) return a.scale;
+  const int128 scale = int128(a.scale) / std::gcd(a.scale, b.scale) * b.scale;
+  if (fits(a, scale) && fits(b, scale)) return static_cast<std::int64_t>(scale);
+  const std::int64_t coarse = std::min(a.scale, b.scale);
+  put_on_grid(a.scale > coarse ? a : b, coarse);
+  return coarse;
+}
+
 void add(ConvexParts& sum, ConvexParts more) {
-  const std::int64_t scale = std::lcm(sum.scale, more.scale);
+  const std::int64_t scale = put_together(sum, more);
   std::vector<Polytope> parts = at_scale(sum, scale), others = at_scale(more, scale);
   enlarge(sum.around, scale / sum.scale);
   enlarge(more.around, scale / more.scale);
@@ -129,13 +163,13 @@ ConvexParts hull_of(ConvexParts parts) {
 
 /// A sum of unions is the union of the sums of their parts.
 Tried<ConvexParts> sum_of(const plane::Shape& a, const plane::Shape& b) {
-  const Tried<ConvexParts> first = made(a);
+  Tried<ConvexParts> first = made(a);
   if (!first) return first;
-  const Tried<ConvexParts> second = made(b);
+  Tried<ConvexParts> second = made(b);
   if (!second) return second;
-  const ConvexParts &p = *first, &q = *second;
+  ConvexParts &p = *first, &q = *second;
   ConvexParts result;
-  result.scale = std::lcm(p.scale, q.scale);
+  result.scale = put_together(p, q);
   result.rounded = p.rounded + q.rounded;
   result.moved = std::max(p.moved, q.moved);
   const std::vector<Polytope> qs = at_scale(q, result.scale);
@@ -182,6 +216,7 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
 }
 
 Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
+  if (may_lack_walls(a)) return walls_are_lacking();
   Tried<ConvexParts> first = try_convex_parts(a);
   if (!first) return first;
   Tried<ConvexParts> second = try_convex_parts(b);
@@ -197,44 +232,55 @@ Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
   return result;
 }
 
-/// Whether the set is the interior of one, or is made of such, so that it may lack boundary.
-bool lacks_boundary(const plane::Shape& shape) {
-  switch (shape.kind) {
-    case Kind::kInterior:
-      return true;
-    case Kind::kDifference:
-    case Kind::kMinkowskiDifference:
-      return lacks_boundary(*shape.children[0]);
-    case Kind::kTranslate:
-    case Kind::kMirror:
-    case Kind::kUnion:
-    case Kind::kIntersection:
-    case Kind::kHull:
-    case Kind::kMinkowskiSum:
-      return std::any_of(shape.children.begin(), shape.children.end(),
-                         [](const auto& c) { return lacks_boundary(*c); });
-    default:
-      return false;
+/// Keeps what is inside the other shape, or what is not. What both have in common may be thin where `beside` covers it.
+Tried<ConvexParts> clip(const ConvexParts& kept, const plane::Shape& by, bool inside,
+                        const ConvexParts* beside = nullptr);
+
+/// Keeps what is in one of the children, or, after the first one, out of it.
+Tried<ConvexParts> clip_each(const ConvexParts& kept, const plane::Shape& by, bool inside) {
+  Tried<ConvexParts> sum = clip(kept, *by.children[0], false);
+  for (std::size_t k = 1; sum && k < by.children.size(); ++k) {
+    Tried<ConvexParts> next = clip(kept, *by.children[k], inside, &*sum);
+    if (!next) return next;
+    add(*sum, *std::move(next));
   }
+  return sum;
 }
 
-/// Keeps what is inside the other shape, or what is not.
-Tried<ConvexParts> clip(ConvexParts kept, const plane::Shape& by, bool inside) {
-  const bool open = !inside && lacks_boundary(by);
-  if (open && by.kind == Kind::kUnion) {  // walls between its sets stay
-    for (const plane::ShapePtr& child : by.children) {
-      Tried<ConvexParts> left = clip(std::move(kept), *child, false);
-      if (!left) return left;
-      kept = *std::move(left);
+/// What a set leaves that may lack boundary, by the sets that it is made of; nothing where it is not taken apart.
+std::optional<Tried<ConvexParts>> clip_by_sets(const ConvexParts& kept, const plane::Shape& by) {
+  switch (by.kind) {
+    case Kind::kUnion: {  // walls between its sets stay
+      Tried<ConvexParts> left = kept;
+      for (std::size_t k = 0; left && k < by.children.size(); ++k) left = clip(*left, *by.children[k], false);
+      return left;
     }
-    return kept;
+    case Kind::kIntersection:
+      return clip_each(kept, by, false);
+    case Kind::kDifference:  // a \ (b \ c) is a \ b and what a and c have in common
+      return clip_each(kept, by, true);
+    case Kind::kInterior:
+      return is_open(*by.children[0]) ? clip_by_sets(kept, *by.children[0]) : std::nullopt;
+    default:
+      break;
+  }
+  const plane::ShapePtr inward = moved_inward(by);
+  return inward ? clip_by_sets(kept, *inward) : std::nullopt;
+}
+
+Tried<ConvexParts> clip(const ConvexParts& kept, const plane::Shape& by, bool inside, const ConvexParts* beside) {
+  const bool open = !inside && !is_closed(by);
+  if (open) {
+    if (auto left = clip_by_sets(kept, by)) return *std::move(left);
+    if (may_lack_walls(by)) return walls_are_lacking();
   }
   const Tried<ConvexParts> clipping = made(by);
   if (!clipping) return clipping;
   const ConvexParts& other = *clipping;
-  const std::int64_t scale = std::lcm(kept.scale, other.scale);
+  const std::int64_t scale = joint_scale(joint_scale(kept.scale, other.scale), beside ? beside->scale : 1);
   const std::vector<Polytope> a = at_scale(kept, scale), b = at_scale(other, scale);
-  Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(a, b)
+  const std::vector<Polytope> covers = beside ? at_scale(*beside, scale) : std::vector<Polytope>();
+  Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(a, b, covers)
                                            : open ? outside_cells(a, b)
                                                   : difference_cells(a, b);
   if (!cells) return cells.refusal();
@@ -249,7 +295,7 @@ Tried<ConvexParts> clip(ConvexParts kept, const plane::Shape& by, bool inside) {
 Tried<ConvexParts> clipped(const plane::Shape& shape) {
   Tried<ConvexParts> result = made(*shape.children[0]);
   for (std::size_t i = 1; result && i < shape.children.size(); ++i)
-    result = clip(*std::move(result), *shape.children[i], shape.kind == Kind::kIntersection);
+    result = clip(*result, *shape.children[i], shape.kind == Kind::kIntersection);
   return result;
 }
 
@@ -335,8 +381,7 @@ std::vector<Polytope> at_scale(const ConvexParts& parts, std::int64_t scale) {
     for (const Point& v : p.vertices()) {
       for (const std::int64_t c : {v.x, v.y, v.z}) {
         if (c > kCoordinateLimit / factor || c < -kCoordinateLimit / factor) {
-          throw Error(ErrorCode::kOutOfRange,
-                      "the common grid of the convex parts exceeds 2^40 steps; choose a coarser grid");
+          throw too_fine();
         }
       }
       points.push_back({v.x * factor, v.y * factor, v.z * factor});

@@ -9,7 +9,9 @@
 #include <numeric>
 
 #include "space/body/cell_parts.h"
+#include "space/body/erosion.h"
 #include "space/body/open_union.h"
+#include "space/body/union_frontier.h"
 #include "space/polytope/convex_region.h"
 #include "space/polytope/polytope_sets.h"
 
@@ -30,12 +32,28 @@ Body one(const BodyPart& part, std::int64_t scale = 1) {
   return out;
 }
 
+/// A solid without sets, with all else.
+CsgSolid bare(const CsgSolid& of) {
+  CsgSolid out;
+  out.scale = of.scale;
+  out.walls = of.walls;
+  out.rounded = of.rounded;
+  out.moved = of.moved;
+  return out;
+}
+
+/// What is told of both.
+void add_notes(CsgSolid& to, const CsgSolid& of) {
+  to.walls = to.walls || of.walls;
+  to.rounded += of.rounded;
+  to.moved = std::max(to.moved, of.moved);
+}
+
 /// `change` takes a body and returns it in other coordinates.
 template <class Change>
 CsgSolid changed(const CsgSolid& body, std::int64_t scale, Change&& change) {
-  CsgSolid out;
+  CsgSolid out = bare(body);
   out.scale = scale;
-  out.walls = body.walls;
   const auto set = [&](const BodyPart& part) { return change(one(part, body.scale)).parts[0]; };
   for (const CsgPart& part : body.parts) {
     CsgPart& made = out.parts.emplace_back();
@@ -72,12 +90,14 @@ Bounds3 in_both(Bounds3 a, const Bounds3& b) {
   return a;
 }
 
+bool meet_or_touch(const Bounds3& a, const Bounds3& b) { return holds_places(in_both(a, b)); }
+
 Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
 
 /// False where there are too many already.
 bool keep(CsgPart part, FlatParts flats, std::vector<CsgPart>& out) {
   const Bounds3 box = bounds(part);
-  if (flats == FlatParts::kKept ? !holds_places(box) : !bulky(box)) return true;
+  if (flats == FlatParts::kDropped ? !bulky(box) : !holds_places(box)) return true;
   std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
   if (out.size() == kMostParts) return false;
   out.push_back(std::move(part));
@@ -85,7 +105,7 @@ bool keep(CsgPart part, FlatParts flats, std::vector<CsgPart>& out) {
 }
 
 std::pair<CsgSolid, CsgSolid> together(const CsgSolid& a, const CsgSolid& b) {
-  const std::int64_t scale = std::lcm(a.scale, b.scale);
+  const std::int64_t scale = joint_scale(a.scale, b.scale);
   return {at_scale(a, scale), at_scale(b, scale)};
 }
 
@@ -116,11 +136,73 @@ Tried<std::vector<CsgPart>> less(std::vector<CsgPart> all, const std::vector<Csg
   return left;
 }
 
+Refusal thin_in_common() {
+  return Refusal("an intersection has a part without interior; in 3D only shapes with axis-parallel faces may");
+}
+
+bool flat_sided(const BodyPart& set) { return set.core && set.radius.sign() == 0; }
+
+/// Whether the interior of the set holds the box.
+bool covers(const BodyPart& set, const Bounds3& box) {
+  const std::vector<HalfSpace> planes = set.planes();
+  for (int i = 0; i < 8; ++i) {
+    RealVector at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = (i >> k & 1) != 0 ? box.high[k] : box.low[k];
+    const auto beneath = [&](const HalfSpace& h) { return h.value(at).sign() < 0; };
+    if (!set.point() && std::all_of(planes.begin(), planes.end(), beneath)) continue;
+    const RealVector off = minus(at, set.point() ? real(set.center) : *nearest_in(planes, at));
+    if (dot(off, off) >= set.radius * set.radius) return false;
+  }
+  return true;
+}
+
+/// What the polytopes of the part have in common; nothing where it has round sets.
+std::optional<ConvexRegion> region_of(const CsgPart& part) {
+  if (!std::all_of(part.within.begin(), part.within.end(), flat_sided)) return std::nullopt;
+  std::vector<Polytope> sets;
+  for (const BodyPart& set : part.within) sets.push_back(*set.core);
+  return common_region(sets);
+}
+
+/// Of the parts leaves those with interior. False where polytopes have a piece without interior in common that no other
+/// part holds.
+bool drop_thin(std::vector<CsgPart>& parts) {
+  std::vector<ConvexRegion> thin, held;
+  std::vector<Bounds3> around;
+  std::erase_if(parts, [&](const CsgPart& part) {
+    const Bounds3 box = bounds(part);
+    const bool flat = !bulky(box);
+    if (!flat && part.within.size() == 1) return false;
+    std::optional<ConvexRegion> region = region_of(part);
+    if (!region) return flat;
+    if (region->dimension() == 3) return false;
+    const bool taken =
+        std::any_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) { return covers(set, box); });
+    if (region->empty() || taken) return true;
+    thin.push_back(*std::move(region));
+    around.push_back(box);
+    return true;
+  });
+  for (std::size_t k = 0; k < thin.size(); ++k) {
+    held.clear();
+    for (const CsgPart& part : parts) {
+      const auto away = [&](const BodyPart& set) { return !meet_or_touch(bounds(one(set)), around[k]); };
+      if (!meet_or_touch(bounds(part), around[k]) || !std::all_of(part.without.begin(), part.without.end(), away))
+        continue;
+      if (auto region = region_of(part)) held.push_back(*std::move(region));
+    }
+    if (!covered(thin[k], held)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 CsgSolid uncut(Body body) {
   CsgSolid out;
   out.scale = body.scale;
+  out.rounded = body.rounded;
+  out.moved = body.moved;
   for (const BodyPart& part : body.parts) out.parts.push_back({{part}, {}});
   out.containers.push_back(std::move(body));
   return out;
@@ -131,16 +213,15 @@ CsgSolid united(const CsgSolid& first, const CsgSolid& second) {
   a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
   a.containers.clear();
   a.obstacles.clear();
-  a.walls = a.walls || b.walls;
+  add_notes(a, b);
   return std::move(a);
 }
 
 // The second form is kept where both have it.
 Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats) {
   const auto [a, b] = together(first, second);
-  CsgSolid out;
-  out.scale = a.scale;
-  out.walls = a.walls || b.walls;
+  CsgSolid out = bare(a);
+  add_notes(out, b);
   for (const CsgPart& x : a.parts) {
     for (const CsgPart& y : b.parts) {
       CsgPart part = x;
@@ -149,6 +230,7 @@ Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts 
       if (!keep(std::move(part), flats, out.parts)) return too_many();
     }
   }
+  if (flats == FlatParts::kRefused && !drop_thin(out.parts)) return thin_in_common();
   if (a.containers.empty() || b.containers.empty()) return out;
   for (const CsgSolid* from : {&a, &b}) {
     out.containers.insert(out.containers.end(), from->containers.begin(), from->containers.end());
@@ -163,6 +245,8 @@ Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts fl
     a.parts = *std::move(left);
   else
     return left.refusal();
+  if (flats == FlatParts::kRefused && !drop_thin(a.parts)) return thin_in_common();
+  add_notes(a, b);
   const bool whole = b.containers.size() == 1 && b.obstacles.empty();
   if (whole && !a.containers.empty())
     a.obstacles.push_back(std::move(b.containers[0]));
@@ -174,8 +258,6 @@ Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts fl
 }
 
 namespace {
-
-bool flat_sided(const BodyPart& set) { return set.core && set.radius.sign() == 0; }
 
 bool touch(const BodyPart& a, const BodyPart& b) { return holds_places(bounds(CsgPart{{a, b}, {}})); }
 
@@ -219,20 +301,6 @@ Bounds3 face_box(const BodyPart& set, const RealVector& n) {
     }
   }
   return *box;
-}
-
-/// Whether the interior of the set holds the box.
-bool covers(const BodyPart& set, const Bounds3& box) {
-  const std::vector<HalfSpace> planes = set.planes();
-  for (int i = 0; i < 8; ++i) {
-    RealVector at;
-    for (std::size_t k = 0; k < 3; ++k) at[k] = (i >> k & 1) != 0 ? box.high[k] : box.low[k];
-    const auto beneath = [&](const HalfSpace& h) { return h.value(at).sign() < 0; };
-    if (!set.point() && std::all_of(planes.begin(), planes.end(), beneath)) continue;
-    const RealVector off = minus(at, set.point() ? real(set.center) : *nearest_in(planes, at));
-    if (dot(off, off) >= set.radius * set.radius) return false;
-  }
-  return true;
 }
 
 /// Whether the faces of both sets, farthest along their normals, share a place of the part that no third set that is
@@ -367,8 +435,8 @@ std::int64_t most_finer(const CsgSolid& body) {
 }
 
 /// What the polytopes of the part leave, cell by cell, each with its round sets; nothing where cells do not come to lie
-/// on a grid that is at most `most` times finer.
-std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale, std::int64_t most) {
+/// on a grid that is at most `most` times finer. Refuses a slot of no width that is to stay.
+Tried<std::optional<CsgSolid>> cells_of(const CsgPart& part, std::int64_t scale, std::int64_t most, FlatParts flats) {
   std::vector<Polytope> kept, taken;
   CsgPart round;
   for (const BodyPart& set : part.within) flat_sided(set) ? kept.push_back(*set.core) : round.within.push_back(set);
@@ -381,8 +449,9 @@ std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale, std::i
     }
   }
   std::erase_if(cells, [](const ConvexRegion& cell) { return cell.dimension() < 3; });
+  if (flats == FlatParts::kRefused && leaves_thin(common_region(kept), taken, cells)) return thin_left_over();
   ConvexParts made = parts_of_cells(cells);
-  if (made.rounded > 0 || made.scale > most) return std::nullopt;
+  if (made.rounded > 0 || made.scale > most) return std::optional<CsgSolid>();
   CsgSolid out;
   out.scale = scale;
   out.parts.push_back(std::move(round));
@@ -395,15 +464,22 @@ std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale, std::i
 }
 
 /// Where cells need finer steps than those of the solid, they are taken if it may have such.
-Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
-  CsgSolid out{{}, body.containers, body.obstacles, body.scale, body.walls};
+Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer, FlatParts flats) {
+  CsgSolid out = bare(body);
+  out.containers = body.containers;
+  out.obstacles = body.obstacles;
   const std::int64_t most = finer ? most_finer(body) : 1;
   for (const CsgPart& part : body.parts) {
     out.walls = out.walls || has_round_flush(part);
-    std::optional<CsgSolid> cells = has_flush(part) ? cells_of(part, body.scale, most) : std::nullopt;
+    std::optional<CsgSolid> cells;
+    if (has_flush(part)) {
+      Tried<std::optional<CsgSolid>> made = cells_of(part, body.scale, most, flats);
+      if (!made) return made.refusal();
+      cells = *std::move(made);
+    }
     const std::int64_t had = out.scale / body.scale, more = cells ? cells->scale / body.scale : 1;
     if (!cells || exact::int128(had) / std::gcd(had, more) * more > most) cells = CsgSolid{{part}, {}, {}, body.scale};
-    const std::int64_t scale = std::lcm(out.scale, cells->scale);
+    const std::int64_t scale = joint_scale(out.scale, cells->scale);
     if (scale != out.scale) out = at_scale(out, scale);
     *cells = at_scale(*cells, scale);
     for (CsgPart& cell : cells->parts) {
@@ -415,7 +491,31 @@ Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
 
 }  // namespace
 
-Tried<CsgSolid> without_flat_places(const CsgSolid& body) { return cut_where_flush(body, true); }
+bool may_be_flush(const CsgSolid& first, const CsgSolid& second) {
+  const auto [a, b] = together(first, second);
+  const auto flush = [](const BodyPart& p, const BodyPart& q) {
+    return (flat_sided(p) && is_flush(p, q)) || (flat_sided(q) && is_flush(q, p));
+  };
+  for (const CsgPart& x : a.parts) {
+    for (const CsgPart& y : b.parts) {
+      for (const BodyPart& q : y.within) {
+        const auto with_q = [&](const BodyPart& p) { return flush(p, q); };
+        if (std::any_of(x.within.begin(), x.within.end(), with_q) ||
+            std::any_of(x.without.begin(), x.without.end(), with_q))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+Tried<CsgSolid> without_flat_places(const CsgSolid& body, FlatParts flats) {
+  if (flats == FlatParts::kRefused) {
+    std::vector<CsgPart> parts = body.parts;
+    if (!drop_thin(parts) && !parts.empty()) return thin_in_common();
+  }
+  return cut_where_flush(body, true, flats);
+}
 
 CsgSolid translated(const CsgSolid& body, const Point& by) {
   return changed(body, body.scale, [&](Body b) { return translated(std::move(b), by); });
@@ -433,7 +533,7 @@ Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point&
     out.parts = *std::move(left);
   else
     return left.refusal();
-  return cut_where_flush(out, false);
+  return cut_where_flush(out, false, FlatParts::kDropped);
 }
 
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {

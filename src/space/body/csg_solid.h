@@ -29,6 +29,8 @@ struct CsgSolid {
   std::vector<Body> containers, obstacles;
   std::int64_t scale = 1;  // coordinates and radii are in steps / scale
   bool walls = false;      // `parts` may hold flat walls besides; the second form has none
+  int rounded = 0;         // vertices that had to be rounded, and the farthest move in grid steps
+  double moved = 0;
 };
 
 /// Refuses as try_body() nodes that have neither form or hold nothing round, and more than 10,000 parts.
@@ -41,17 +43,21 @@ exact::Tried<CsgSolid> cut_erosion(const plane::Shape& shape);
 CsgSolid uncut(Body body);
 /// The union; it has no containers.
 CsgSolid united(const CsgSolid& first, const CsgSolid& second);
-/// What becomes of parts of whose sets the boxes have no interior in common.
-enum class FlatParts { kDropped, kKept };
+/// What becomes of parts without interior; kRefused: polytopes that have such a piece in common, which no other part
+/// holds, are refused.
+enum class FlatParts { kDropped, kKept, kRefused };
 /// What both have in common; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> common(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
 /// The first less the second; more than 10,000 parts are refused.
 exact::Tried<CsgSolid> less(const CsgSolid& first, const CsgSolid& second, FlatParts flats);
+/// Whether a face of the first and one of the sets of the second may lie on each other.
+bool may_be_flush(const CsgSolid& first, const CsgSolid& second);
 /// The closure of the interior. Polytopes that are taken away are cut out as cells where they touch each other or are
 /// flush with a face of what they are taken from. Where round surfaces do so `walls` is set. Still left are an edge or
 /// a corner on a round face of what is taken away, and lines and points in which only faces of several sets meet. So is
-/// what is flush where cells do not come to lie on a grid.
-exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body);
+/// what is flush where cells do not come to lie on a grid. `flats` says what becomes of a slot of no width between
+/// polytopes that are taken away.
+exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body, FlatParts flats);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
 /// What the solid leaves of a box; without containers, in the same steps. More than 10,000 parts are refused.

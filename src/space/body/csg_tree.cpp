@@ -8,6 +8,7 @@
 
 #include "space/body/csg_solid.h"
 #include "space/body/erosion.h"
+#include "space/body/shape_topology.h"
 
 namespace findspace::space {
 
@@ -16,6 +17,29 @@ using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 namespace {
+
+Refusal boundary_stays() {
+  return Refusal("boundary of an open set that is taken away may stay, without interior; let it stick out");
+}
+
+/// What a set leaves that is taken away; `taken` makes it. Where it lacks boundary, that of it which is flat would
+/// stay.
+template <class Taken>
+Tried<CsgSolid> less(const CsgSolid& from, const plane::Shape& set, FlatParts flats, Taken&& taken) {
+  const bool open = flats != FlatParts::kKept && !is_closed(set);
+  const plane::ShapePtr inward = open ? moved_inward(set) : nullptr;
+  if (inward) return less(from, *inward, flats, taken);
+  if (open && set.kind == Kind::kUnion) {
+    Tried<CsgSolid> left = from;
+    for (std::size_t k = 0; left && k < set.children.size(); ++k) left = less(*left, *set.children[k], flats, taken);
+    return left;
+  }
+  const Tried<CsgSolid> other = taken(set);
+  if (!other) return other;
+  if (open && set.kind != Kind::kDifference && (may_lack_walls(set) || may_be_flush(from, *other)))
+    return boundary_stays();
+  return space::less(from, *other, flats);
+}
 
 /// The first child less the others, or what all have in common; `kept` and `taken` make those that count and those that
 /// are taken away.
@@ -38,9 +62,7 @@ Tried<CsgSolid> clipped(const plane::Shape& shape, FlatParts flats, Kept&& kept,
   }
   if (!out) return Refusal("an intersection of complements is not computed in 3D", shape.place);
   for (const plane::Shape* c : away) {
-    const Tried<CsgSolid> other = taken(*c);
-    if (!other) return other;
-    Tried<CsgSolid> left = less(*out, *other, flats);
+    Tried<CsgSolid> left = less(*out, *c, flats, taken);
     if (!left) return left;
     out = *std::move(left);
   }
@@ -118,6 +140,7 @@ Tried<CsgSolid> eroded(const plane::Shape& shape, const Body& b) {
     default:
       break;
   }
+  if (may_lack_walls(shape)) return walls_are_lacking();
   const Tried<Body> whole = bounded_body(shape);
   if (!whole) return whole.refusal();
   const Tried<Erosion> made = erosion(*whole, b);
@@ -136,8 +159,8 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
 }
 
 /// As distances see it.
-Tried<CsgSolid> bulk_of(Tried<CsgSolid> made, const plane::Shape& shape) {
-  if (made) made = without_flat_places(*made);
+Tried<CsgSolid> bulk_of(Tried<CsgSolid> made, const plane::Shape& shape, FlatParts flats) {
+  if (made) made = without_flat_places(*made, flats);
   return made ? std::move(made) : made.refusal().at(shape.place);
 }
 
@@ -148,7 +171,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return bulk_of(clipped(shape, FlatParts::kDropped, try_csg_solid, try_csg_solid), shape);
+      return bulk_of(clipped(shape, FlatParts::kRefused, try_csg_solid, try_csg_solid), shape, FlatParts::kDropped);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -157,9 +180,9 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
     case Kind::kMirror:
       return displaced(try_csg_solid(*children[0]), shape);
     case Kind::kMinkowskiDifference:
-      return bulk_of(cut_erosion(shape), shape);
+      return bulk_of(cut_erosion(shape), shape, FlatParts::kRefused);
     case Kind::kOffset:
-      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape), shape);
+      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape), shape, FlatParts::kRefused);
       break;
     default:
       break;

@@ -5,10 +5,10 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "space/body/cell_parts.h"
 #include "space/body/outside_cells.h"
+#include "space/body/union_frontier.h"
 #include "space/polytope/polytope_sets.h"
 
 namespace findspace::space {
@@ -105,9 +105,14 @@ Body at(Body body, std::int64_t scale) {
 
 Refusal shrunk_by_complement() { return Refusal("a Minkowski difference by a complement is empty or all of space"); }
 
+Refusal thin_left_over() {
+  return Refusal(
+      "what is left of the shape has a part without interior; in 3D only shapes with axis-parallel faces may");
+}
+
 Tried<Erosion> erosion(const Body& a, const Body& b) {
   if (b.outside) return shrunk_by_complement();
-  const std::int64_t scale = std::lcm(a.scale, b.scale);
+  const std::int64_t scale = joint_scale(a.scale, b.scale);
   Body p = at_scale(a, scale), q = at_scale(b, scale);
   p.scale = q.scale = 1;  // finer steps from here on
   if (a.outside) {
@@ -140,14 +145,16 @@ Tried<std::vector<Polytope>> polytopes(const Body& body, std::int64_t scale) {
   return out;
 }
 
-/// What both bodies have in common, or what is left of the first one.
+/// What both bodies have in common, or what is left of the first one, which is convex.
 Tried<Body> cut(const Body& body, const Body& by, bool inside) {
-  const std::int64_t scale = std::lcm(body.scale, by.scale);
+  const std::int64_t scale = joint_scale(body.scale, by.scale);
   const Tried<std::vector<Polytope>> p = polytopes(body, scale), q = polytopes(by, scale);
   if (!p) return p.refusal();
   if (!q) return q.refusal();
   Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
   if (!cells) return cells.refusal();
+  if (cells->empty()) return nothing_left();
+  if (!inside && leaves_thin(common_region(*p), *q, *cells)) return thin_left_over();
   Body next = at(body_of(parts_of_cells(*std::move(cells))), scale);
   if (next.parts.empty()) return nothing_left();
   next.rounded += body.rounded + by.rounded;

@@ -26,8 +26,9 @@ struct Erosion {
 /// throws Error(kGeometry) if nothing with interior is left of a container.
 exact::Tried<Erosion> erosion(const Body& a, const Body& b);
 exact::Refusal shrunk_by_complement();
+exact::Refusal thin_left_over();
 
-/// The closure of its interior as a body. Refuses, besides, where no union of convex parts is one.
+/// As a body. Refuses, besides, where no union of convex parts is one, as where a slot is as wide as b.
 exact::Tried<Body> eroded(const Body& a, const Body& b);
 
 /// A ball about the origin, in grid steps.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/margins/rounding.h"
+#include "space/polytope/polytope_sets.h"
 
 namespace findspace::space {
 namespace {
@@ -88,6 +89,32 @@ std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>>
     }
   }
   return frontier;
+}
+
+bool leaves_thin(const ConvexRegion& region, std::span<const Polytope> taken, std::span<const ConvexRegion> cells) {
+  if (region.empty() || taken.empty()) return false;
+  RealVector low = region.vertices()[0].at, high = low;
+  for (const ConvexRegion::Vertex& v : region.vertices()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], v.at[k]);
+      high[k] = std::max(high[k], v.at[k]);
+    }
+  }
+  std::vector<std::vector<HalfSpace>> sets;
+  for (const Polytope& p : taken) sets.emplace_back(p.planes().begin(), p.planes().end());
+  std::vector<Box> boxes;
+  for (const ConvexRegion& cell : cells) boxes.push_back(box_of(cell));
+  for (ConvexRegion& piece : cover_frontier(sets, low, high)) {
+    for (const HalfSpace& h : region.planes()) piece.cut(h);
+    if (piece.empty()) continue;
+    const Box around = box_of(piece);
+    std::vector<ConvexRegion> near;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (!apart(around, boxes[k])) near.push_back(cells[k]);
+    }
+    if (!covered(piece, near)) return true;
+  }
+  return false;
 }
 
 std::vector<ConvexRegion> complement_pieces(const OpenUnion& cover, const RealVector& low, const RealVector& high) {

@@ -13,12 +13,16 @@
 
 #include "space/body/open_union.h"
 #include "space/polytope/convex_region.h"
+#include "space/polytope/polytope.h"
 
 namespace findspace::space {
 
 /// Within the box. Every set is given by its planes, all < 0.
 std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
                                          const RealVector& high);
+
+/// Whether the convex region less the open polytopes has a piece without interior that none of its `cells` holds.
+bool leaves_thin(const ConvexRegion& region, std::span<const Polytope> taken, std::span<const ConvexRegion> cells);
 
 /// What of the box the sets leave complement, as far as it has an interior: closed convex pieces whose interiors do not
 /// meet. The box has low <= high.

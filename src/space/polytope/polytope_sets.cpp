@@ -38,12 +38,11 @@ std::vector<Cell> cells_of(std::span<const Polytope> polytopes) {
   return out;
 }
 
-/// Takes the cell away from the pieces, all of dimension d; what is left of less is dropped, being in the others.
-void take_away(const Cell& cell, int d, std::vector<ConvexRegion>& pieces) {
+/// Takes a convex set away from the pieces, all of dimension d; what is left of less is dropped, being in the others.
+void take_away(std::span<const HalfSpace> set, int d, std::vector<ConvexRegion>& pieces) {
   std::vector<ConvexRegion> left;
   for (ConvexRegion& piece : pieces) {
-    for (const Plane& plane : cell.planes) {
-      const HalfSpace below(plane);
+    for (const HalfSpace& below : set) {
       if (!piece.sides(below).outside) continue;
       ConvexRegion beyond = piece;
       beyond.cut(below.opposite());
@@ -55,9 +54,12 @@ void take_away(const Cell& cell, int d, std::vector<ConvexRegion>& pieces) {
   pieces = std::move(left);
 }
 
-bool covered(const ConvexRegion& thin, std::span<const Cell> cells) {
+bool is_covered(const ConvexRegion& thin, std::span<const Cell> cells) {
   std::vector<ConvexRegion> left{thin};
-  for (std::size_t k = 0; k < cells.size() && !left.empty(); ++k) take_away(cells[k], thin.dimension(), left);
+  for (std::size_t k = 0; k < cells.size() && !left.empty(); ++k) {
+    const std::vector<HalfSpace> planes(cells[k].planes.begin(), cells[k].planes.end());
+    take_away(planes, thin.dimension(), left);
+  }
   return left.empty();
 }
 
@@ -85,7 +87,7 @@ Common common(std::span<const Cell> a, std::span<const Cell> b) {
 /// The refusal of a thin piece that no cell covers.
 std::optional<exact::Refusal> thin_left(std::span<const ConvexRegion> thin, std::span<const Cell> cells,
                                         const char* of) {
-  if (std::all_of(thin.begin(), thin.end(), [&](const ConvexRegion& t) { return covered(t, cells); }))
+  if (std::all_of(thin.begin(), thin.end(), [&](const ConvexRegion& t) { return is_covered(t, cells); }))
     return std::nullopt;
   return exact::Refusal(std::string("the ") + of +
                         " has a part without interior; in 3D only shapes with axis-parallel faces may");
@@ -150,9 +152,14 @@ std::vector<ConvexRegion> regions_of(std::vector<Cell> cells) {
 
 }  // namespace
 
-exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b,
+                                                           std::span<const Polytope> beside) {
   Common both = common(cells_of(a), cells_of(b));
-  if (auto why = thin_left(both.thin, both.cells, "intersection")) return *std::move(why);
+  if (!both.thin.empty()) {
+    std::vector<Cell> covers = cells_of(beside);
+    covers.insert(covers.end(), both.cells.begin(), both.cells.end());
+    if (auto why = thin_left(both.thin, covers, "intersection")) return *std::move(why);
+  }
   return regions_of(std::move(both.cells));
 }
 
@@ -167,6 +174,20 @@ exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> 
     if (auto why = thin_left(thin.thin, left, "difference")) return *std::move(why);
   }
   return regions_of(std::move(left));
+}
+
+ConvexRegion common_region(std::span<const Polytope> polytopes) {
+  ConvexRegion region = cell_of(polytopes[0]).region;
+  for (const Polytope& p : polytopes.subspan(1)) {
+    for (const Plane& plane : p.planes()) region.cut(HalfSpace(plane));
+  }
+  return region;
+}
+
+bool covered(const ConvexRegion& thin, std::span<const ConvexRegion> by) {
+  std::vector<ConvexRegion> left{thin};
+  for (std::size_t k = 0; k < by.size() && !left.empty(); ++k) take_away(by[k].planes(), thin.dimension(), left);
+  return left.empty();
 }
 
 /// What each has and those before it lack.

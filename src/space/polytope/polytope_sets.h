@@ -19,9 +19,15 @@
 
 namespace findspace::space {
 
-exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+/// Thin pieces are left out where `beside` covers them.
+exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b,
+                                                           std::span<const Polytope> beside = {});
 std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
 exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+/// What all have in common.
+ConvexRegion common_region(std::span<const Polytope> polytopes);
+/// Whether a region without interior lies in the union of the others.
+bool covered(const ConvexRegion& thin, std::span<const ConvexRegion> by);
 /// Six times the volume of the union.
 exact::Real six_volumes_of_union(std::span<const Polytope> polytopes);
 

@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "space/body/csg_solid.h"
+#include "space/body/shape_topology.h"
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
 #include "space/convolution/ray_solids.h"
 #include "space/mesh/placing.h"
 #include "space/polytope/solid.h"
 #include "space/rays/piece_rays.h"
-#include "space/shape/shape_topology.h"
 
 namespace findspace::space {
 namespace {
@@ -253,9 +253,13 @@ RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, cons
       break;
   }
   const Body whole = body(shape);
-  if (wanted.interior() && whole.parts.size() > 1)
+  const bool plain = wanted.topology == Topology::kPlain, open = is_open(shape);
+  if (plain && !open && !is_closed(shape))
+    refuse(shape, "this is computed on lines for sets that are open or closed only");
+  const Wanted points = plain && open ? wanted.with(Topology::kInterior) : wanted;
+  if (points.interior() != whole.outside && whole.parts.size() > 1)  // seams between parts would be frontier
     refuse(shape, "the interior of a union is computed on lines for open sets only");
-  return body_rays(whole, placing, wanted);
+  return body_rays(whole, placing, points);
 }
 
 }  // namespace
