@@ -263,6 +263,9 @@ class BallSearch {
     const Vector place = space::plus(at.projection, space::scaled(by, near - at.projection));
     const auto named = named_for_ball(ball_, x_, place, false, margin::kFoundError * size_ * 64);
     if (!named) return std::nullopt;
+    // The nearest surface may be a wall within, and what is beyond it not free.
+    const SurfaceField::Signed there = field_.at(space::rounded(*named));
+    if (!there.certain || (there.value > 0) != wanted) return std::nullopt;
     return signed_value(x_, *named, 1);
   }
 
