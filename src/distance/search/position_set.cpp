@@ -271,7 +271,9 @@ exact::Tried<Answer> PositionSet::least(const TouchingConstraint& of) const {
   const BoundaryPlace found = nearest_to(of, {-exact::kInfinity});
   const double off = std::fabs(found.value - found.bound);
   if (!found.found || off > margin::kMostFoundError * size_ || !holds(space::real(found.place)))
-    return exact::Refusal("the depth of the shape was not found within the limit of the search");
+    return exact::Refusal(
+        "how deep the shape lies in a union of rounded parts was not found within the limit of the search; where parts "
+        "lie flush, let them overlap");
   return searched_answer(found, size_);
 }
 
