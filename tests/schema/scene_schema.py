@@ -38,7 +38,8 @@ REASONS = {
     "a mistake in the text of a path": r"path, character",
     "a name that no shape has, or that stands twice": r"unknown shape '|'.*' (is not among the placed|is made from itself|"
                                                       r"stands here twice|is a shape as well)",
-    "a number beyond the limits": r"this is not JSON: the number is beyond|\S+ is more than 2\^40 grid steps|"
+    "a number beyond the limits": r"this is not JSON: the number is beyond|(\S+|an arc's radius) is more than "
+                                  r"2\^40 grid steps|"
                                   r"a vertex is more than 2\^42 grid steps",
     "a file that cannot be read": FILE,
 }

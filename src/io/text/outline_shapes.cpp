@@ -447,7 +447,9 @@ bool is_empty(const Drawing& drawing) {
 std::vector<PartDrawing> by_outline(Drawing drawing, ReadContext& context) {
   std::vector<Contour> outlines = outlines_near(drawing, context);
   std::vector<Chain> closed = take_closed(drawing);
-  auto around = nesting_of(closed, outlines, context.drawing.tolerance).around();
+  std::optional<std::vector<std::vector<std::size_t>>> around;
+  if (std::any_of(closed.begin(), closed.end(), is_curved))
+    around = nesting_of(closed, outlines, context.drawing.tolerance).around();
   if (!around) around = plane::rings_around(outlines);
   const OuterOutlines outer(std::move(outlines), *std::move(around));
   std::vector<PartDrawing> parts(outer.size());
