@@ -449,7 +449,7 @@ Tried<std::optional<CsgSolid>> cells_of(const CsgPart& part, std::int64_t scale,
     }
   }
   std::erase_if(cells, [](const ConvexRegion& cell) { return cell.dimension() < 3; });
-  if (flats == FlatParts::kRefused && leaves_thin(common_region(kept), taken, cells)) return thin_left_over();
+  if (flats == FlatParts::kRefused && leaves_thin(kept, taken, cells)) return thin_left_over();
   ConvexParts made = parts_of_cells(cells);
   if (made.rounded > 0 || made.scale > most) return std::optional<CsgSolid>();
   CsgSolid out;

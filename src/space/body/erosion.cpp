@@ -154,7 +154,7 @@ Tried<Body> cut(const Body& body, const Body& by, bool inside) {
   Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
   if (!cells) return cells.refusal();
   if (cells->empty()) return nothing_left();
-  if (!inside && leaves_thin(common_region(*p), *q, *cells)) return thin_left_over();
+  if (!inside && leaves_thin(*p, *q, *cells)) return thin_left_over();
   Body next = at(body_of(parts_of_cells(*std::move(cells))), scale);
   if (next.parts.empty()) return nothing_left();
   next.rounded += body.rounded + by.rounded;

@@ -91,8 +91,25 @@ std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>>
   return frontier;
 }
 
-bool leaves_thin(const ConvexRegion& region, std::span<const Polytope> taken, std::span<const ConvexRegion> cells) {
-  if (region.empty() || taken.empty()) return false;
+namespace {
+
+/// Whether facets of two of them may lie on each other, or one on a facet of a convex set that they are taken from.
+bool flush_facets(std::span<const Polytope> kept, std::span<const Polytope> taken) {
+  std::vector<Plane> planes, opposite;
+  for (const Polytope& p : taken) planes.insert(planes.end(), p.planes().begin(), p.planes().end());
+  for (const Plane& p : planes) opposite.push_back({-p.normal, -p.offset});
+  for (const Polytope& p : kept) opposite.insert(opposite.end(), p.planes().begin(), p.planes().end());
+  std::sort(planes.begin(), planes.end());
+  return std::any_of(opposite.begin(), opposite.end(),
+                     [&](const Plane& p) { return std::binary_search(planes.begin(), planes.end(), p); });
+}
+
+}  // namespace
+
+bool leaves_thin(std::span<const Polytope> kept, std::span<const Polytope> taken, std::span<const ConvexRegion> cells) {
+  if (!flush_facets(kept, taken)) return false;
+  const ConvexRegion region = common_region(kept);
+  if (region.empty()) return false;
   RealVector low = region.vertices()[0].at, high = low;
   for (const ConvexRegion::Vertex& v : region.vertices()) {
     for (std::size_t k = 0; k < 3; ++k) {

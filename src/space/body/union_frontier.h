@@ -21,8 +21,9 @@ namespace findspace::space {
 std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
                                          const RealVector& high);
 
-/// Whether the convex region less the open polytopes has a piece without interior that none of its `cells` holds.
-bool leaves_thin(const ConvexRegion& region, std::span<const Polytope> taken, std::span<const ConvexRegion> cells);
+/// Whether what all of `kept` have in common, less the open polytopes `taken`, has a piece without interior that none
+/// of its `cells` holds: a piece between faces that lie on each other. Lines and points elsewhere are not looked for.
+bool leaves_thin(std::span<const Polytope> kept, std::span<const Polytope> taken, std::span<const ConvexRegion> cells);
 
 /// What of the box the sets leave complement, as far as it has an interior: closed convex pieces whose interiors do not
 /// meet. The box has low <= high.
