@@ -14,6 +14,11 @@ TriedAnswer cut(TriedAnswer v, bool negated) {
   return cut_off(*std::move(v), negated);
 }
 
+/// By numbers.
+bool surely_below(const Answer& a, const Answer& b) {
+  return a.value.to_double() + a.slack() < b.value.to_double() - b.slack();
+}
+
 }  // namespace
 
 Which exchanged(Which which) {
@@ -80,7 +85,9 @@ TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {
   if (most < (*back)->value.to_double() - (*back)->error) return back;
   TriedAnswer forth = forth_->protrusion(p, PairSide::Depth::kSign);
   if (!forth || !*forth) return forth;
-  return (*forth)->value < (*back)->value ? back : forth;
+  if (surely_below(**back, **forth)) return forth;
+  if (surely_below(**forth, **back)) return back;
+  return std::optional(greater(**std::move(forth), **std::move(back)));
 }
 
 TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const {
