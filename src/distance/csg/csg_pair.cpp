@@ -28,6 +28,9 @@ using space::RealVector;
 CsgSide::CsgSide(std::shared_ptr<const Body> b, std::shared_ptr<const CsgSolid> a)
     : b_(std::move(b)), a_(std::move(a)) {
   size_ = cut_size(*b_, *a_);
+  points_ = std::any_of(b_->parts.begin(), b_->parts.end(),
+                        [](const BodyPart& part) { return part.point() && part.radius.sign() == 0; });
+  point_ = points_ && b_->parts.size() == 1;
   for (const CsgPart& part : a_->parts) {
     CsgPartSearch search = csg_part_search(part, size_);
     if (!search.empty) parts_.push_back(std::move(search));
@@ -125,13 +128,15 @@ TriedAnswer CsgSide::protrusion(const RealVector& p, Depth /*depth*/) const {
   // B that fits nowhere protrudes everywhere.
   if (!worst || (*worst && (*worst)->value.sign() <= 0)) return worst;
   if (a_->walls) return left_walls();
-  return std::optional(protrusion_out(p));
+  return protrusion_out(p);
 }
 
 /// The gap and B's own width.
 double CsgSide::protrudes_at_most(const RealVector& p) const {
   if (a_->walls) return exact::kInfinity;
-  return apart(p).value.to_double() + distance::diameter(*b_).to_double();
+  const TriedAnswer apart = this->apart(p);
+  if (!apart) return exact::kInfinity;
+  return (*apart)->value.to_double() + (*apart)->error + distance::diameter(*b_).to_double();
 }
 
 TriedAnswer CsgSide::clearance(const RealVector& p) const {
@@ -142,9 +147,15 @@ TriedAnswer CsgSide::clearance(const RealVector& p) const {
 
 TriedAnswer CsgSide::gap(const RealVector& p, Depth depth) const {
   if (a_->walls) return left_walls();
-  Gap found = gap_at(p);
-  if (found.depth > 0 && depth == Depth::kValue) return overlapping(p);
-  return std::optional(std::move(found.value));
+  if (points_) {
+    TriedAnswer apart = this->apart(p);
+    if (!apart || away(**apart) || depth == Depth::kSign) return apart;
+    if (point_) return fit(p);  // they are one function
+  }
+  exact::Tried<Gap> found = gap_at(p);
+  if (!found) return found.refusal();
+  if (found->depth > 0 && depth == Depth::kValue) return overlapping(p);
+  return std::optional(std::move(found->value));
 }
 
 TriedAnswer CsgSide::diameter(const RealVector& /*p*/) const {
@@ -176,6 +187,7 @@ TriedBetween CsgSide::nearly_fits(const RealVector& p, double level) const {
 
 std::optional<TriedBetween> CsgSide::nearly(Which which, double level, const RealVector& p) const {
   const bool fit = which == Which::kEta1, out = which == Which::kMu;
+  if (points_ && containers_.empty() && (fit || (out && level <= 0))) return std::nullopt;
   if ((fit || (out && level <= 0)) && containers_.empty()) return nearly_in_union(p, level);
   if (out && level > 0) return a_->walls ? TriedBetween(left_walls()) : nearly_protrudes(p, level);
   if (fit && level > 0) return nearly_fits(p, level);
@@ -219,14 +231,14 @@ class CsgBackSide : public PairSide {
     std::vector<space::HalfSpace> holding, held;
     bool exact = true;  // the planes are B
   };
-  Fits made_fits() const;
-  const Fits& fits() const {
+  exact::Tried<Fits> made_fits() const;
+  const exact::Tried<Fits>& fits() const {
     return fits_.of([this] { return made_fits(); });
   }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
 
   std::shared_ptr<const CsgSide> side_;
-  plane::Lazy<Fits> fits_;
+  plane::Lazy<exact::Tried<Fits>> fits_;
 };
 
 /// In a union that is told up to 0.
@@ -237,13 +249,15 @@ TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
   std::vector<ConvexDistance> beyond;
   for (const BodyPart& part : b.parts) beyond.push_back(reverse_convex_constraint(part, space::rounded(by)));
   std::optional<Answer> best;
+  BoundOfParts bound(-1, side_->size_);
   for (const CsgPartSearch& part : side_->parts_) {
     const BoundaryPlace found = part.places.farthest_from(beyond);
+    bound.add(found);
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
     best = named_protrusion(*part.sets, p, found);
   }
-  if (!best) throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
-  if (b.convex() || depth == Depth::kSign || best->value.to_double() > best->error) return best;
+  TriedAnswer most = bound.best(std::move(best));
+  if (!most || b.convex() || depth == Depth::kSign || (*most)->value.to_double() > (*most)->error) return most;
   return Refusal("how deep a shape that round ones are cut out of lies in a union is not computed");
 }
 
@@ -264,7 +278,7 @@ Answer CsgBackSide::named_protrusion(const CsgPart& part, const RealVector& p, c
 }
 
 /// As far as A reaches along the normal of each plane, from below and from above.
-CsgBackSide::Fits CsgBackSide::made_fits() const {
+exact::Tried<CsgBackSide::Fits> CsgBackSide::made_fits() const {
   const Body& b = *side_->b_;
   Fits out;
   out.exact = b.convex() && b.parts[0].core && !b.round();
@@ -277,6 +291,7 @@ CsgBackSide::Fits CsgBackSide::made_fits() const {
       least = std::max(least, found.value);
       most = std::max(most, found.bound);
     }
+    if (!std::isfinite(least) || !std::isfinite(most)) return not_found_in_part();
     const double size = space::length(space::rounded(h.normal));
     out.holding.emplace_back(h.normal, h.offset + Real::from_double(size * (least - error)));
     out.held.emplace_back(h.normal, h.offset + Real::from_double(size * (most + error)));
@@ -304,12 +319,14 @@ Refusal not_fitting() {
 
 TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
-  const auto outer = nearest_in(fits().holding, p);
+  const exact::Tried<Fits>& fits = this->fits();
+  if (!fits) return fits.refusal();
+  const auto outer = nearest_in(fits->holding, p);
   if (!outer) return std::nullopt;
   if (!side_->b_->convex()) return not_fitting();
   TriedAnswer v = protrusion(p, Depth::kValue);
   if (!v || (*v)->value.to_double() <= (*v)->error) return v;
-  const auto inner = fits().exact ? nearest_in(fits().held, p) : std::nullopt;
+  const auto inner = fits->exact ? nearest_in(fits->held, p) : std::nullopt;
   if (!inner) return not_fitting();
   Answer out = between_two(signed_value(p, *outer, 1).value, signed_value(p, *inner, 1).value);
   out.nearest = inner;
@@ -318,6 +335,8 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
 
 TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
+  const exact::Tried<Fits>& fits = this->fits();
+  if (!fits) return fits.refusal();
   const space::Bounds3 box = space::meeting(bounds(*side_->a_), bounds(*side_->b_));
   const auto farthest = [&](const std::vector<space::HalfSpace>& planes) -> std::optional<Real> {
     space::ConvexRegion region(box.low, box.high);
@@ -329,9 +348,9 @@ TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
     }
     return most;
   };
-  const auto outer = farthest(fits().holding);
+  const auto outer = farthest(fits->holding);
   if (!outer) return std::nullopt;
-  const auto inner = fits().exact ? farthest(fits().held) : std::nullopt;
+  const auto inner = fits->exact ? farthest(fits->held) : std::nullopt;
   if (!inner) return not_fitting();
   return between_two(*outer, *inner);
 }

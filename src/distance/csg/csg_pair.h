@@ -69,10 +69,11 @@ class CsgSide : public PairSide {
     double depth = 0;
   };
 
-  Gap gap_at(const space::RealVector& p) const;
+  exact::Tried<Gap> gap_at(const space::RealVector& p) const;
+  bool away(const Answer& apart) const;
   /// The slack of what the two have in common; 0 where it is at most `enough` of the sizes.
-  double common_depth(const space::RealVector& p, double enough) const;
-  Answer apart(const space::RealVector& p) const;
+  exact::Tried<double> common_depth(const space::RealVector& p, double enough) const;
+  TriedAnswer apart(const space::RealVector& p) const;
   Between nearly_apart(const space::RealVector& p, double level) const;
   /// The positions at which B is free of A.
   const exact::Tried<PositionSet>& free() const {
@@ -92,7 +93,7 @@ class CsgSide : public PairSide {
   const TriedAmong& among() const {
     return among_.of([&] { return made_among(); });
   }
-  bool in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
+  exact::Tried<bool> in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
@@ -105,7 +106,7 @@ class CsgSide : public PairSide {
   }
   std::vector<NearSet> near_sets() const;
   /// Of B + p out of A, where it is not in A.
-  Answer protrusion_out(const space::RealVector& p) const;
+  TriedAnswer protrusion_out(const space::RealVector& p) const;
   /// Less the level; as near as tells about how far it is from that.
   TriedBetween nearly_protrudes(const space::RealVector& p, double level) const;
 
@@ -114,6 +115,7 @@ class CsgSide : public PairSide {
   std::vector<CsgPartSearch> parts_;
   std::vector<PairDistances> containers_, obstacles_;
   double size_ = 1;
+  bool point_ = false, points_ = false;  // B is a single one, or has one among its parts
   plane::Lazy<TriedFits> fits_;
   plane::Lazy<exact::Tried<PositionSet>> free_;
   plane::Lazy<TriedAmong> among_;

@@ -13,6 +13,7 @@
 namespace findspace::distance {
 
 using exact::Real;
+using exact::Tried;
 using space::Point;
 using space::RealVector;
 using space::Vector;
@@ -41,7 +42,7 @@ TriedAnswer CsgSide::free_of_sets(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::overlapping(const RealVector& p) const {
-  const exact::Tried<PositionSet>& free = this->free();
+  const Tried<PositionSet>& free = this->free();
   if (!free) return free.refusal();
   const TriedAnswer known = free_of_sets(p);
   if (!known) return known;
@@ -66,8 +67,8 @@ struct CsgSide::Among {
   std::unique_ptr<const CsgSide> left;
 
   /// Of B in A.
-  exact::Tried<PositionSet> fits() const {
-    const exact::Tried<PositionSet>& free = left->free();
+  Tried<PositionSet> fits() const {
+    const Tried<PositionSet>& free = left->free();
     if (!free) return free.refusal();
     return free->within(space::rounded(places));
   }
@@ -93,11 +94,12 @@ CsgSide::TriedAmong CsgSide::made_among() const {
 }
 
 /// Whether B + p is in A, and how deep.
-bool CsgSide::in_union(const Among& all, const RealVector& p, Answer& depth) const {
+Tried<bool> CsgSide::in_union(const Among& all, const RealVector& p, Answer& depth) const {
   if (!inside(p, all.places)) return false;
-  Gap gap = all.left->gap_at(p);
-  if (gap.depth > 0) return false;
-  depth = std::move(gap.value);
+  Tried<Gap> gap = all.left->gap_at(p);
+  if (!gap) return gap.refusal();
+  if (gap->depth > 0) return false;
+  depth = std::move(gap->value);
   depth.value = -depth.value;
   return true;
 }
@@ -107,9 +109,17 @@ TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
   if (!made) return made.refusal();
   const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
+  if (point_) {
+    // What A leaves says how deep a point lies in A; else it is as far from A.
+    if (a_->walls) return left_walls();
+    TriedAnswer apart = this->apart(p);
+    if (!apart || away(**apart)) return apart;
+  }
   Answer out;
-  if (in_union(*all, p, out)) return std::optional(std::move(out));
-  const exact::Tried<PositionSet> fits = all->fits();
+  const Tried<bool> in = in_union(*all, p, out);
+  if (!in) return in.refusal();
+  if (*in) return std::optional(std::move(out));
+  const Tried<PositionSet> fits = all->fits();
   if (!fits) return fits.refusal();
   return fits->nearest(p, false);
 }
@@ -119,7 +129,7 @@ TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
   if (!made) return made.refusal();
   const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
-  const exact::Tried<PositionSet> fits = all->fits();
+  const Tried<PositionSet> fits = all->fits();
   if (!fits) return fits.refusal();
   TriedAnswer v = fits->farthest(p);
   if (v && *v) (*v)->nearest.reset();
@@ -136,15 +146,16 @@ TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
   if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
   if (least - error > level) return Between{least - error - level, exact::kInfinity};
   if (inside(p, all->places)) {
-    const double slack = all->left->common_depth(p, margin::kDepthOnLines);
-    if (!(slack > 0)) {
+    const Tried<double> slack = all->left->common_depth(p, margin::kDepthOnLines);
+    if (!slack) return slack.refusal();
+    if (!(*slack > 0)) {
       const Between gap = all->left->nearly_apart(p, -level);  // the gap, plus the level
       return Between{-gap.high, -gap.low};
     }
-    if (level <= 0) return Between{slack - level, exact::kInfinity};
+    if (level <= 0) return Between{*slack - level, exact::kInfinity};
   }
   const Until until{level, 0.5};
-  const exact::Tried<PositionSet> fits = all->fits();
+  const Tried<PositionSet> fits = all->fits();
   if (!fits) return fits.refusal();
   const BoundaryPlace found = fits->nearest_to(distance_to_point(space::rounded(p)), {0, {}, &until});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;

@@ -266,7 +266,7 @@ class CsgSide::FreeNear : public NearRule {
 
 std::unique_ptr<const NearRule> CsgSide::nearness(std::shared_ptr<const CsgSide> side, Which which, double level,
                                                   const Vector& unit, const NearRange& range) {
-  if (which != Which::kGamma1 || side->a_->walls) return nullptr;
+  if (which != Which::kGamma1 || side->a_->walls || side->points_) return nullptr;
   if (level >= 0) return std::make_unique<GapNear>(std::move(side), level, unit);
   return std::make_unique<FreeNear>(std::move(side), -level, unit, range);
 }

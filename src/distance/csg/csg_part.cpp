@@ -54,7 +54,9 @@ TouchingConstraint gap_to(const BodyPart& set, const Vector& p) {
   if (!flat_sided(set)) return away;
   return [inside = highest_plane(set.planes(), p), away = std::move(away)](const Vector& x) {
     const Touching at = inside(x);
-    return at.value < 0 ? at : away(x);
+    if (at.value < 0) return at;
+    const Touching out = away(x);
+    return space::length(out.slope) > 0 ? out : at;  // so near a face its plane says the slope
   };
 }
 
@@ -70,8 +72,65 @@ CsgPartSearch csg_part_search(const CsgPart& part, double size) {
                                                        grown(space::rounded(bounds(part)), margin::kAroundPart * size),
                                                        size, [&part](const RealVector& x) { return holds(part, x); })};
   const double none = margin::kNoInterior * size;
-  out.empty = out.places.deepest({none}).value <= none;
+  const Slack most = out.places.deepest({none});
+  out.empty = most.value <= none &&
+              (most.bound <= none || std::any_of(part.within.begin(), part.within.end(),
+                                                 [&](const BodyPart& set) { return in_a_cut(set, part, {}); }));
   return out;
+}
+
+namespace {
+
+/// How far the set moved by p protrudes from the set that is cut out which holds most of it.
+std::optional<Real> out_of_cuts(const BodyPart& set, const CsgPart& part, const RealVector& p) {
+  const Body body = space::body_of_part(set);
+  std::optional<Real> least;
+  for (const BodyPart& cut : part.without) {
+    const Real out = protrusion_of_convex(body, cut, p).value;
+    if (!least || out < *least) least = out;
+  }
+  return least;
+}
+
+}  // namespace
+
+bool in_a_cut(const BodyPart& set, const CsgPart& part, const RealVector& p) {
+  const std::optional<Real> out = out_of_cuts(set, part, p);
+  return out && out->sign() <= 0;
+}
+
+double depth_in_cuts(const BodyPart& set, const CsgPart& part, const RealVector& p, double size) {
+  const std::optional<Real> out = out_of_cuts(set, part, p);
+  return out ? std::max(0.0, -out->to_double() - margin::kPlaceNoise * size) : 0;
+}
+
+exact::Refusal not_found_in_part() {
+  return exact::Refusal(
+      "whether there is a place in a part of a shape that round ones are cut out of was not found within the limit of "
+      "the search");
+}
+
+bool came_to_end(const BoundaryPlace& found, double size) {
+  return std::fabs(found.value - found.bound) <= margin::kSearchesAgree * margin::kFoundError * size;
+}
+
+void BoundOfParts::add(const BoundaryPlace& found, double more) {
+  double& least = found.found ? found_ : missed_;
+  least = std::min(least, sense_ * (found.bound + more));
+}
+
+TriedAnswer BoundOfParts::best(std::optional<Answer> of) const {
+  if (!of && missed_ == exact::kInfinity)
+    throw Error(ErrorCode::kGeometry, "nothing with interior is left of the shape");
+  if (!of) return not_found_in_part();
+  const double value = sense_ * of->value.to_double(), rounding = margin::kSearchesAgree * margin::kFoundError * size_;
+  if (missed_ < value - std::max(of->error, rounding)) return not_found_in_part();
+  if (found_ < value - std::max(of->error, rounding)) {
+    of->set_unproven();
+    of->error = value - found_;
+    of->enclosed.reset();
+  }
+  return of;
 }
 
 NearSet CsgPartSearch::near_set() const {
@@ -88,13 +147,16 @@ NearSet CsgPartSearch::near_set() const {
   return out;
 }
 
+exact::Refusal no_depth() {
+  return exact::Refusal(
+      "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
+      "not computed");
+}
+
 exact::Tried<std::vector<MeetSet>> meet_sets(const BodyPart& part) {
   if (part.point() && part.radius.sign() > 0)
     return std::vector<MeetSet>{{true, exact::approx(part.center), part.radius.to_double()}};
-  if (!part.core || part.radius.sign() != 0)
-    return exact::Refusal(
-        "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
-        "not computed");
+  if (!part.core || part.radius.sign() != 0) return no_depth();
   std::vector<MeetSet> out;
   for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
   return out;

@@ -21,6 +21,7 @@ constexpr int kPlaceRounds = 3;
 
 struct NearestPlace {
   double least = exact::kInfinity;  // nothing of A is nearer
+  double value = exact::kInfinity;  // how far the place is
   Vector at;
   std::size_t set = 0;
 };
@@ -121,6 +122,7 @@ class PlacesOfSets : public MaxMinTarget {
       : sets_(sets), size_(size), share_(near / size / 4) {}
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
+    if (missed_) return false;
     double reach = 0;
     for (const Vector& v : cell.corner) reach = std::max(reach, space::length(v - middle));
     columns(cell);
@@ -142,33 +144,38 @@ class PlacesOfSets : public MaxMinTarget {
   double offer_in(const Vector& x, MaxMinBest& best) const override {
     const NearestPlace found = nearest(x);
     best.offer(x, found.least);
-    return space::length(x - found.at);
+    return found.value;
   }
 
   NearestPlace nearest(const Vector& x) const {
     NearestPlace best;
-    double value = exact::kInfinity;
+    double missed = exact::kInfinity;
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       const NearSet& set = sets_[k];
-      if (set.places->box().distance(x) >= value) continue;
+      if (set.places->box().distance(x) >= best.value) continue;
       auto found = projected(set, x, size_);
-      if (!found) found = searched(*set.places, x);
-      const double d = space::length(x - found->at);
+      if (!found) found = searched(*set.places, x, missed);
+      if (!found) continue;
       best.least = std::min(best.least, found->least);
-      if (d >= value) continue;
-      value = d;
-      best.at = found->at;
-      best.set = k;
+      const double d = space::length(x - found->at);
+      if (d < best.value) best = {best.least, d, found->at, k};
     }
+    missed_ = missed_ || missed < best.value || best.value == exact::kInfinity;
     return best;
   }
 
+  /// Whether some nearest place was not found: then nothing is known.
+  bool missed() const { return missed_; }
+
  private:
-  Projection searched(const PositionSet& places, const Vector& x) const {
+  /// `missed`: nothing of a set of which no place was found is nearer.
+  std::optional<Projection> searched(const PositionSet& places, const Vector& x, double& missed) const {
     // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
     const Until until{0, 1 - share_};
     const BoundaryPlace found = places.nearest_to(distance_to_point(x), {0, {}, &until});
-    return {found.bound, found.place};
+    if (found.found) return Projection{found.bound, found.place};
+    missed = std::min(missed, found.bound);
+    return std::nullopt;
   }
 
   const NearestPlace& place(int set) const { return places_[static_cast<std::size_t>(set)]; }
@@ -180,7 +187,7 @@ class PlacesOfSets : public MaxMinTarget {
     cell.sets.push_back(static_cast<int>(places_.size()));
     places_.push_back(found);
     if (!cell.round || cell.round->beyond(x) <= 0) best.offer(x, found.least);
-    return space::length(x - found.at);
+    return found.value;
   }
   Column column(int set, const MaxMinCell& cell) const {
     Column out{};
@@ -206,9 +213,15 @@ class PlacesOfSets : public MaxMinTarget {
   const std::vector<NearSet>& sets_;
   double size_, share_;
   mutable std::vector<NearestPlace> places_;
+  mutable bool missed_ = false;
 };
 
 }  // namespace
+
+exact::Refusal not_protruding() {
+  return exact::Refusal(
+      "the protrusion from a shape that round ones are cut out of was not found within the limit of the search");
+}
 
 Answer SetProtrusion::answer(double size) const {
   Answer out;
@@ -222,10 +235,14 @@ Answer SetProtrusion::answer(double size) const {
   return out;
 }
 
-SetProtrusion set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size, double near) {
+exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
+                                           double near, const SolidMaxMin* known) {
   const PlacesOfSets target(sets, size, near);
-  SetProtrusion out{
-      tetrahedral_max_min(solids, target, MaxMinBest(-exact::kInfinity, 0, 0, near), kMostProtrusionCells), {}, 0};
+  MaxMinBest start(-exact::kInfinity, 0, 0, near);
+  if (known) start.offer(known->place, known->value);
+  SetProtrusion out{tetrahedral_max_min(solids, target, start, kMostProtrusionCells), {}, 0};
+  if (target.missed()) return not_protruding();
+  if (known) out.found.bound = std::min(out.found.bound, known->bound);
   const NearestPlace nearest = target.nearest(out.found.place);
   out.nearest = nearest.at;
   out.set = nearest.set;

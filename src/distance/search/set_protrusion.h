@@ -5,9 +5,9 @@
 // to the nearest place. The search is tetrahedral_max_min.h, and what bounds a cell are such places alone: the
 // distance to one of them is convex, nowhere less than that to the sets, and where it is the nearest place it has the
 // slope of that, so the bound is off by the square of the cell's size. Such places are found when a cell is first
-// looked at, and kept. Guarantee: doubles; no point of the solids is farther out than `bound`. Values are
-// proven to 2^-16 of the sizes, where the limit of cells allows it. Cost: some hundred cells, each a nearest
-// place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
+// looked at, and kept. Guarantee: doubles; no point of the solids is farther out than `bound`, which is as
+// near as asked for, where the limit of cells allows it. Refused where no nearest place is found. Cost: some hundred
+// cells, each a nearest place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
 #include <vector>
@@ -41,7 +41,10 @@ struct SetProtrusion {
   Answer answer(double size) const;
 };
 
-/// Until value and bound are so near. At least one set.
-SetProtrusion set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size, double near);
+/// Why: the search ended, or found no place of a set.
+exact::Refusal not_protruding();
+/// Until value and bound are so near. At least one set. `known`: what an earlier search of the same found.
+exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
+                                           double near, const SolidMaxMin* known = nullptr);
 
 }  // namespace findspace::distance

@@ -98,7 +98,7 @@ TriedAnswer SolidSide::reach_into_parts(const RealVector& p) const {
 }
 
 /// The same, of a union: how far B protrudes from what that leaves free.
-Answer SolidSide::reach_into_round_parts(const RealVector& p) const {
+TriedAnswer SolidSide::reach_into_round_parts(const RealVector& p) const {
   const space::Bounds3 box = bounds(*a_);
   const PositionSet free = PositionSet::outside_of(*a_);
   NearSet left;
@@ -109,7 +109,9 @@ Answer SolidSide::reach_into_round_parts(const RealVector& p) const {
   const Solids solids = solids_of(*b_, p);
   const space::Extent about = space::rounded(box);
   const double size = 1 + space::length(space::rounded(p)) + space::length(about.low) + space::length(about.high);
-  return set_protrusion(solids, {left}, size, margin::kProtrudesTo * size).answer(size);
+  const exact::Tried<SetProtrusion> out = set_protrusion(solids, {left}, size, margin::kProtrudesTo * size);
+  if (!out) return out.refusal();
+  return std::optional(out->answer(size));
 }
 
 TriedAnswer SolidSide::diameter(const RealVector& p) const {

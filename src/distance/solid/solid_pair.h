@@ -104,7 +104,7 @@ class SolidSide : public PairSide {
   /// Minus the distance of B, which lies in A, to what is outside that.
   TriedAnswer depth_inside(const space::RealVector& p) const;
   TriedAnswer round_gap(const space::RealVector& p, Depth depth) const;
-  Answer reach_into_round_parts(const space::RealVector& p) const;
+  TriedAnswer reach_into_round_parts(const space::RealVector& p) const;
 
   std::shared_ptr<const space::Body> b_, a_;
   plane::Lazy<std::unique_ptr<const Fit>> fit_;
