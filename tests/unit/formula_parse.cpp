@@ -411,6 +411,11 @@ TEST(Parse, ARuleBetweenListsKeepsItsNames) {
   EXPECT_EQ(parse_formula(written(two), both), two);
   EXPECT_EQ(parse_formula("between(smd, tht) < 0.2", both).root().op, Node::Op::kOr);
   EXPECT_THROW(parse_formula("between(smd, tht) = 0.2", both), Error);
+  both.moving.push_back("J1");
+  both.groups["tht"] = {"R2", "J1", "J2"};
+  const Formula several = parse_formula("between(smd, tht) >= 0.2", both);
+  EXPECT_EQ(written(several), "between(R1, tht) >= 0.2 and between(R2, smd) >= 0.2 and between(J1, smd) >= 0.2");
+  EXPECT_EQ(parse_formula(written(several), both), several);
   board.independent = true;
   board.body_of = {{"R1", 0}, {"R2", 1}};
   const Formula pairs = parse_formula("between(tht, smd) >= 0.2", board);

@@ -360,6 +360,9 @@ TEST(ReadCurves, WhatIsThinnerThanTheToleranceStaysOnItsSide) {
   expect(lens, kLensArea);
   expect(slit, 200 - kLensArea);
   EXPECT_NE(refusal(on_side(lens, "inside", "0.1")).find("thinner than the tolerance, 0.1 mm"), std::string::npos);
+  const std::string eight =
+      R"("outline": [[-10, 0], {"bezier": [[-10, 20], [10, -20], [10, 0]]}, {"bezier": [[10, 20], [-10, -20], [-10, 0]]}])";
+  EXPECT_NE(refusal(on_side(eight, "inside", "0.1")).find("crosses itself"), std::string::npos);
   EXPECT_NEAR(scene_area(on_side(lens, "outside", "0.1")), 1, 0.3);
   EXPECT_NEAR(scene_area(on_side(slit, "outside", "0.1")), 200, 1e-9);  // the slit is closed
   EXPECT_NEAR(scene_area(on_side(slit, "inside", "0.1")), 199, 0.3);

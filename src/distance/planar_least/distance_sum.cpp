@@ -219,6 +219,20 @@ void refuse_without_end() {
               "is looked for");
 }
 
+namespace {
+
+/// A value that F is not above somewhere in the set: the least at some of its vertices.
+double known_value(const DistanceSum& f, const plane::Region& set) {
+  constexpr std::size_t kVertices = 16;
+  if (set.vertices.empty()) return f.range({}, 0).high;
+  double least = exact::kInfinity;
+  for (std::size_t v = 0; v < std::min(set.vertices.size(), kVertices); ++v)
+    least = std::min(least, f.range(set.geometry.exact(set.vertices[v].point), 0).high);
+  return least;
+}
+
+}  // namespace
+
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size) {
   SearchWindow window{{}, false, margin::kBestPart * size, kMostBoxes, true};
   if (const plane::Region& all = s.possible; all.faces[0].mark > 0) {
@@ -227,8 +241,7 @@ Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sens
     const auto slope = f.slope_beyond({Real::from_double(2 * std::ceil(size)), Real()});
     if (!slope || (*slope > 0 && sense == Sense::kMaximum)) refuse_without_end();
     window.worse_outside = *slope > 0;
-    const RealPoint p = all.vertices.empty() ? RealPoint{} : all.geometry.exact(all.vertices[0].point);
-    if (window.worse_outside) size += std::max(0.0, f.range(p, 0).high) / *slope * margin::kUpward;
+    if (window.worse_outside) size += std::max(0.0, known_value(f, all)) / *slope * margin::kUpward;
   }
   size = std::ceil(size) + 1;
   window.box = {-size, -size, size, size};

@@ -53,8 +53,14 @@ std::vector<Distance> of_all(const RuleLists& lists) {
     out.back().lists = {lists.names[0], lists.names[1]};
   }
   if (out.size() == 1) return out;
-  for (Distance& d : out) d.lists = {d.first.size() == 1 ? d.first[0] : d.lists[&d - out.data()], d.second[0]};
-  return out;
+  std::vector<Distance> each;  // one a mover: the text of both lists would mean all of them again
+  for (const Distance& d : out)
+    for (const std::string& mover : d.first) {
+      each.push_back(d);
+      each.back().first = {mover};
+      each.back().lists = {mover, d.second[0]};
+    }
+  return each;
 }
 
 /// Where each moves on its own: the gaps of all pairs, but those of one body. A list may hold shapes that are placed

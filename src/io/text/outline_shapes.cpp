@@ -157,7 +157,10 @@ void put_on_sides(Rings& rings, const std::vector<Chain>& closed, const ReadCont
   for (std::size_t k = 0; k < closed.size(); ++k) {
     if (!is_curved(closed[k])) continue;
     const auto way = nesting.orientation(k);
-    if (!way) refuse_thin(context);
+    if (!way) {
+      plane::make_rings({rings.contours[k]}, context.grid.step_size());  // says where the ring crosses itself
+      refuse_thin(context);
+    }
     const bool material_left = (*way > 0) != rings.is_hole[k];
     rings.material_left[k] = material_left;
     const bool left = material_left == (context.drawing.curves == CurveRule::kInside);
