@@ -165,6 +165,22 @@ TEST(Erosion, RefusesASlotOfNoWidth) {
   }
 }
 
+/// Each cut lies on a grid of its own, and both have none in common.
+TEST(ConvexParts, AreRoundedAndCountedWithoutACommonGrid) {
+  constexpr std::int64_t kUnit = 1000000;
+  const ShapePtr above = prism({{0, 0}, {10 * kUnit, 3700000}, {10 * kUnit, 10 * kUnit}, {0, 10 * kUnit}}, kUnit);
+  const auto cut = [&](std::int64_t y) {
+    const ShapePtr below = prism({{0, 5 * kUnit}, {0, -3 * kUnit}, {10 * kUnit, -3 * kUnit}, {10 * kUnit, y}}, kUnit);
+    return node(Kind::kIntersection, {above, below});
+  };
+  EXPECT_EQ(convex_parts(*cut(2027000)).rounded, 0);
+  const ConvexParts both = convex_parts(*node(Kind::kUnion, {cut(2027000), cut(2021000)}));
+  EXPECT_EQ(both.parts.size(), 2u);
+  EXPECT_GT(both.rounded, 0);
+  EXPECT_GT(both.moved, 0);
+  EXPECT_LT(both.moved, 1);
+}
+
 TEST(CsgSolid, RefusesAFaceInCommon) {
   const ShapePtr low = hull({{0, 0, 6}, {3, 0, 6}, {0, 3, 6}, {0, 0, 3}}),
                  high = hull({{0, 0, 6}, {3, 0, 6}, {0, 3, 6}, {0, 0, 9}});
