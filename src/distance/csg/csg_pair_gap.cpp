@@ -160,8 +160,9 @@ TriedAnswer CsgSide::reach(const RealVector& p) const {
 /// At a corner of a set of the part, or on its sphere, where that belongs to the part: exactly.
 Answer CsgSide::named_reach(const space::CsgPart& part, const RealVector& from, const BoundaryPlace& found) const {
   Answer out = searched_answer(found, size_);
-  if (!came_to_end(found, size_)) return out;
+  const bool ended = came_to_end(found, size_);
   for (const BodyPart& set : part.within) {
+    if (!ended && !set.point()) continue;  // nothing of the part is farther than its sphere, whatever was searched
     for (const space::Point& v : set.vertices()) {
       RealVector way = space::minus(space::real(v), from);
       const Real d = sqrt(space::dot(way, way)), value = d + set.radius;
