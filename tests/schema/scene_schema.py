@@ -210,7 +210,7 @@ class SceneSchema(unittest.TestCase):
             if scene is None or not self.validator.is_valid(scene):
                 continue
             with self.subTest(name):
-                why = re.sub(r"^(findspace: )?.*?(standard input|scene):\d+:\d+\)?: ", "", message)
+                why = re.sub(r"^(findspace: )?(.*?(standard input|scene):\d+:\d+\)?: )+", "", message)
                 found = [reason for reason, words in REASONS.items() if re.match(words, why)]
                 self.assertEqual(len(found), 1, f"the schema accepts it, the program says: {why}")
                 used.update(found)
