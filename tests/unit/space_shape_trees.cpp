@@ -187,8 +187,8 @@ TEST(ShapeRays, TakeSumsAndHullsOfOpenSetsAsOpen) {
     EXPECT_EQ(sign_at(row, 0, Real()), 1);
     EXPECT_LE(sign_at(row, 0, Real(1)), 0);
   }
-  const ShapePtr half = node(Kind::kDifference, {kLow, kHigh});
-  EXPECT_THROW(shape_rays(*node(Kind::kHull, {half}), line), Error);
+  const ShapePtr half = node(Kind::kDifference, {kLow, kHigh});  // taken as closed
+  EXPECT_LE(sign_at(shape_rays(*node(Kind::kHull, {half}), line)->row(0), 0, Real()), 0);
 }
 
 TEST(ShapeBox, ABoundaryIsBounded) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -53,6 +54,21 @@ space::ConvexSet convex_set(const space::Body& body, bool frontier) {
   return set;
 }
 
+/// Whether a hull or a sum in the shape is neither open nor closed.
+bool has_half_open(const plane::Shape& shape) {
+  using Kind = plane::Shape::Kind;
+  const bool grown = shape.kind == Kind::kHull || shape.kind == Kind::kMinkowskiSum;
+  return (grown && !space::is_open(shape) && !space::is_closed(shape)) ||
+         std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return has_half_open(*c); });
+}
+
+Answer::Data told_on_lines(const AskedScene& asked, const std::string& name, const RayChoice& choice) {
+  if (has_half_open(*asked.scene().shape(name)))
+    asked.note(
+        fmt::format("shape {}: hulls and sums of sets that are neither open nor closed are told as closed", name));
+  return shape_on_lines(asked, name, choice);
+}
+
 }  // namespace
 
 Answer::Data described_in_plane(const AskedScene& asked, const std::string& name, const Shape& shape) {
@@ -77,11 +93,11 @@ Answer::Data described_in_space(AskedScene asked, const std::string& name, const
   asked.stage(fmt::format("shape {}", name));
   const plane::ShapePtr shape = asked.scene().shape(name);
   if (question.lines)
-    return shape_on_lines(asked, name, ray_choice(asked, *question.lines, question.before, question.listed));
+    return told_on_lines(asked, name, ray_choice(asked, *question.lines, question.before, question.listed));
   formula::ExactShape made = formula::exact_shape(*shape, question.surface);
   note_rounding(asked, name, made.shape);
   if (made.way == distance::Way::kLines)
-    return shape_on_lines(asked, name, usual_lines(asked, "shape", question.before, question.listed));
+    return told_on_lines(asked, name, usual_lines(asked, "shape", question.before, question.listed));
   const Real step = asked.step();
   auto solid = std::make_shared<DescribedSolid>(
       DescribedSolid{std::move(asked), name, std::move(made.shape), std::nullopt, step});

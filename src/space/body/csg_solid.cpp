@@ -164,11 +164,17 @@ std::optional<ConvexRegion> region_of(const CsgPart& part) {
   return common_region(sets);
 }
 
+bool same_set(const BodyPart& a, const BodyPart& b) {
+  return a.radius == b.radius && a.core.has_value() == b.core.has_value() &&
+         std::ranges::equal(a.vertices(), b.vertices());
+}
+
 /// Of the parts leaves those with interior. False where polytopes have a piece without interior in common that no other
 /// part holds.
 bool drop_thin(std::vector<CsgPart>& parts) {
   std::vector<ConvexRegion> thin, held;
   std::vector<Bounds3> around;
+  std::vector<std::vector<BodyPart>> lacking;
   std::erase_if(parts, [&](const CsgPart& part) {
     const Bounds3 box = bounds(part);
     const bool flat = !bulky(box);
@@ -181,12 +187,17 @@ bool drop_thin(std::vector<CsgPart>& parts) {
     if (region->empty() || taken) return true;
     thin.push_back(*std::move(region));
     around.push_back(box);
+    lacking.push_back(part.without);
     return true;
   });
   for (std::size_t k = 0; k < thin.size(); ++k) {
     held.clear();
     for (const CsgPart& part : parts) {
-      const auto away = [&](const BodyPart& set) { return !meet_or_touch(bounds(one(set)), around[k]); };
+      // What is taken from the thin piece as well need not be held.
+      const auto away = [&](const BodyPart& set) {
+        return !meet_or_touch(bounds(one(set)), around[k]) ||
+               std::any_of(lacking[k].begin(), lacking[k].end(), [&](const BodyPart& o) { return same_set(o, set); });
+      };
       if (!meet_or_touch(bounds(part), around[k]) || !std::all_of(part.without.begin(), part.without.end(), away))
         continue;
       if (auto region = region_of(part)) held.push_back(*std::move(region));
@@ -270,6 +281,19 @@ bool is_flush(const BodyPart& polytope, const BodyPart& other) {
                        [&](const Point& v) { return exact::dot(plane.normal, v) + plane.offset == 0; });
   };
   return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
+}
+
+/// The same of a face of the other set that has the same outward normal.
+bool is_flush_within(const BodyPart& polytope, const BodyPart& other) {
+  const auto on = [&](const Plane& plane) { return support(other, real(plane.normal)) == Real(-plane.offset); };
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
+}
+
+/// Whether the other set lies beyond a face of the polytope.
+bool is_beyond(const BodyPart& polytope, const BodyPart& other) {
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), [&](const Plane& plane) {
+    return -support(other, negated(real(plane.normal))) >= Real(-plane.offset);
+  });
 }
 
 /// The normals of the flat faces.
@@ -492,21 +516,21 @@ Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer, FlatParts flat
 }  // namespace
 
 bool may_be_flush(const CsgSolid& first, const CsgSolid& second) {
-  const auto [a, b] = together(first, second);
-  const auto flush = [](const BodyPart& p, const BodyPart& q) {
-    return (flat_sided(p) && is_flush(p, q)) || (flat_sided(q) && is_flush(q, p));
+  const std::pair<CsgSolid, CsgSolid> both = together(first, second);
+  const auto either = [](const BodyPart& p, const BodyPart& q, bool (*is)(const BodyPart&, const BodyPart&)) {
+    return (flat_sided(p) && is(p, q)) || (flat_sided(q) && is(q, p));
   };
-  for (const CsgPart& x : a.parts) {
-    for (const CsgPart& y : b.parts) {
-      for (const BodyPart& q : y.within) {
-        const auto with_q = [&](const BodyPart& p) { return flush(p, q); };
-        if (std::any_of(x.within.begin(), x.within.end(), with_q) ||
-            std::any_of(x.without.begin(), x.without.end(), with_q))
-          return true;
-      }
-    }
-  }
-  return false;
+  const auto any = [&](const std::vector<BodyPart>& of, const std::vector<BodyPart>& to, auto* is) {
+    return std::any_of(of.begin(), of.end(), [&](const BodyPart& p) {
+      return std::any_of(to.begin(), to.end(), [&](const BodyPart& q) { return either(p, q, is); });
+    });
+  };
+  return std::any_of(both.first.parts.begin(), both.first.parts.end(), [&](const CsgPart& x) {
+    return std::any_of(both.second.parts.begin(), both.second.parts.end(), [&](const CsgPart& y) {
+      return !any(x.within, y.within, is_beyond) &&
+             (any(x.within, y.within, is_flush_within) || any(x.without, y.within, is_flush));
+    });
+  });
 }
 
 Tried<CsgSolid> without_flat_places(const CsgSolid& body, FlatParts flats) {

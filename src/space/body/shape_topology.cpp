@@ -12,6 +12,7 @@
 
 namespace findspace::space {
 
+using exact::Real;
 using Kind = plane::Shape::Kind;
 
 namespace {
@@ -99,30 +100,65 @@ std::vector<Body> parted(const Body& body) {
   return out;
 }
 
-/// Whether a face of one may lie on a face of the other, which is beyond it.
-bool face_each_other(const Body& a, const Body& b) {
-  const auto on = [&](const HalfSpace& h) { return support(a, h.normal) == -support(b, negated(h.normal)); };
-  const std::vector<HalfSpace> planes = a.parts[0].planes();
+/// A set that may lack boundary. Of a closed set less closed ones: only where one of these begins, part by part.
+struct LackingSet {
+  Body body;
+  std::optional<std::vector<Body>> taken{};
+
+  /// Where it lies beneath the plane n . x = at.
+  bool may_lack(const RealVector& n, const Real& at) const {
+    return !taken ||
+           std::any_of(taken->begin(), taken->end(), [&](const Body& t) { return -support(t, negated(n)) == at; });
+  }
+};
+
+/// Of one part each: whether a face of one may lie on a face of the other, which is beyond it, and both lack it.
+bool lack_wall(const LackingSet& a, const LackingSet& b) {
+  const auto on = [&](const HalfSpace& h) {
+    const Real at = support(a.body, h.normal);
+    return at == -support(b.body, negated(h.normal)) && a.may_lack(h.normal, at) && b.may_lack(negated(h.normal), -at);
+  };
+  const std::vector<HalfSpace> planes = a.body.parts[0].planes();
   if (std::none_of(planes.begin(), planes.end(), on)) return false;
-  const Bounds3 p = bounds(a), q = bounds(b);
+  const Bounds3 p = bounds(a.body), q = bounds(b.body);
   for (std::size_t k = 0; k < 3; ++k) {
     if (p.high[k] < q.low[k] || q.high[k] < p.low[k]) return false;
   }
   return true;
 }
 
-/// Whether parts of different bodies do so.
-bool walls_between(const std::vector<Body>& bodies) {
+/// Whether parts of different sets do so.
+bool walls_between(const std::vector<LackingSet>& sets) {
   std::int64_t scale = 1;
-  for (const Body& b : bodies) scale = joint_scale(scale, b.scale);
-  std::vector<std::pair<std::size_t, Body>> parts;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    for (Body& part : parted(at_scale(bodies[k], scale))) parts.emplace_back(k, std::move(part));
+  for (const LackingSet& s : sets) {
+    scale = joint_scale(scale, s.body.scale);
+    for (const Body& t : s.taken.value_or(std::vector<Body>())) scale = joint_scale(scale, t.scale);
+  }
+  std::vector<std::pair<std::size_t, LackingSet>> parts;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    std::optional<std::vector<Body>> taken = sets[k].taken;
+    if (taken) {
+      for (Body& t : *taken) t = at_scale(t, scale);
+    }
+    for (Body& part : parted(at_scale(sets[k].body, scale))) parts.emplace_back(k, LackingSet{std::move(part), taken});
   }
   return std::any_of(parts.begin(), parts.end(), [&](const auto& a) {
     return std::any_of(parts.begin(), parts.end(),
-                       [&](const auto& b) { return a.first < b.first && face_each_other(a.second, b.second); });
+                       [&](const auto& b) { return a.first < b.first && lack_wall(a.second, b.second); });
   });
+}
+
+/// What is taken away, part by part, where the shape is a closed set less closed ones.
+std::optional<std::vector<Body>> closed_taken(const plane::Shape& shape) {
+  if (shape.kind != Kind::kDifference || !each_child(shape, is_closed)) return std::nullopt;
+  std::vector<Body> out;
+  for (std::size_t k = 1; k < shape.children.size(); ++k) {
+    const exact::Tried<Body> made = try_body(*shape.children[k]);
+    if (!made || made->outside) return std::nullopt;
+    const std::vector<Body> parts = parted(*made);
+    out.insert(out.end(), parts.begin(), parts.end());
+  }
+  return out;
 }
 
 }  // namespace
@@ -133,12 +169,12 @@ bool may_lack_walls(const plane::Shape& shape) {
   switch (shape.kind) {
     case Kind::kUnion: {
       if (std::any_of(c.begin(), c.end(), lacks)) return true;
-      std::vector<Body> bodies;
+      std::vector<LackingSet> sets;
       for (const plane::ShapePtr& child : c) {
         if (is_closed(*child)) continue;
-        if (const exact::Tried<Body> made = try_body(*child)) bodies.push_back(*made);
+        if (const exact::Tried<Body> made = try_body(*child)) sets.push_back({*made, closed_taken(*child)});
       }
-      return walls_between(bodies);
+      return walls_between(sets);
     }
     case Kind::kIntersection:
       return std::any_of(c.begin(), c.end(), lacks);
@@ -154,7 +190,10 @@ bool may_lack_walls(const plane::Shape& shape) {
     case Kind::kMinkowskiSum: {
       if (is_closed(shape)) return false;
       const exact::Tried<Body> made = try_body(shape);
-      return made && walls_between(parted(*made));
+      if (!made) return false;
+      std::vector<LackingSet> sets;
+      for (Body& part : parted(*made)) sets.push_back({std::move(part)});
+      return walls_between(sets);
     }
     default:
       return false;

@@ -253,10 +253,8 @@ RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, cons
       break;
   }
   const Body whole = body(shape);
-  const bool plain = wanted.topology == Topology::kPlain, open = is_open(shape);
-  if (plain && !open && !is_closed(shape))
-    refuse(shape, "this is computed on lines for sets that are open or closed only");
-  const Wanted points = plain && open ? wanted.with(Topology::kInterior) : wanted;
+  const bool open = wanted.topology == Topology::kPlain && is_open(shape);
+  const Wanted points = open ? wanted.with(Topology::kInterior) : wanted;
   if (points.interior() != whole.outside && whole.parts.size() > 1)  // seams between parts would be frontier
     refuse(shape, "the interior of a union is computed on lines for open sets only");
   return body_rays(whole, placing, points);
