@@ -52,6 +52,10 @@ TEST(PairFormula, OneThatHasADirection) {
 TEST(PairFormula, ThatIsNone) {
   EXPECT_THROW(parse_condition("gap(self, nobody) <= 1"), Error);
   EXPECT_THROW(parse_condition("gap(self, other) <="), Error);
+  for (const char* asked : {"gap(self, other, toward=(1, 0)) >= 5", "gap(self, other, rotating=(0, 0)) >= 120",
+                            "2 * gap(self, other) <= reach(self, other)"})
+    EXPECT_THROW(parse_condition(asked), Error) << asked;
+  EXPECT_NO_THROW(parse_condition("gap(self, other, along=(1, 0)) >= 5"));
 }
 
 TEST(Conditions, AGreatestDistance) {

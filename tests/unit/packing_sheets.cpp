@@ -106,6 +106,15 @@ TEST(Sheets, TooManyOfAKind) {
   EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
 }
 
+TEST(Strip, AFixedPartStandsAtItsAngleHoweverThatIsWritten) {
+  Problem problem;
+  problem.height = 10;
+  problem.parts = {{"corner", 1, make_polygon({{{0, 0}, {2, 0}, {0, 2}}}, "corner"), {0}}};
+  problem.fixed = {{{.part = 0, .copy = 1, .angle = 90, .mirrored = false, .x = 2, .y = 0}, 0}};
+  EXPECT_TRUE(verify(problem, {2, {{0, 1, -270, false, 2, 0}}}).feasible());
+  EXPECT_FALSE(verify(problem, {2, {{0, 1, -90, false, 2, 0}}}).feasible());
+}
+
 /// An item of a strip stands on it, and not beside it on another sheet.
 TEST(Strip, IsOneSheet) {
   Problem problem;

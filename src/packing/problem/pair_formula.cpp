@@ -4,6 +4,7 @@
 
 #include "packing/problem/pair_formula.h"
 
+#include <findspace/error.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +27,17 @@ formula::Formula parse_condition(const std::string& where, int dimension) {
   context.dimension = dimension;
   context.shapes = {kSelf, kOther};
   context.moving = {kOther};
-  return formula::parse_formula(where, context);
+  formula::Formula result = formula::parse_formula(where, context);
+  for (const formula::Atom& atom : result.atoms()) {
+    const bool one_moves =
+        atom.distance.mode == formula::Mode::kToward || atom.distance.mode == formula::Mode::kRotation;
+    if (one_moves)
+      throw Error(ErrorCode::kUnsupported,
+                  "of two parts that are packed neither moves: no \"toward\", no \"rotating\"");
+    if (dimension == 2 && !atom.more.empty())
+      throw Error(ErrorCode::kUnsupported, "sums of distances are not taken between parts that are packed");
+  }
+  return result;
 }
 
 double greatest_level(const std::vector<PairCondition>& conditions, int dimension) {

@@ -159,8 +159,8 @@ std::size_t sheets_with_fixed(const Problem& problem, std::size_t kind) {
 
 bool is_fixed_part(const Layout& layout, const Placed& item, const FixedPart& fixed) {
   const Placed& p = fixed.placed;
-  if (item.part != p.part || item.angle != p.angle || item.mirrored != p.mirrored || item.x != p.x || item.y != p.y)
-    return false;
+  if (item.part != p.part || item.mirrored != p.mirrored || item.x != p.x || item.y != p.y) return false;
+  if (within_half_turn(item.angle - p.angle) != 0) return false;
   if (layout.sheets.empty()) return item.sheet == 0;
   if (item.sheet >= layout.sheets.size() || layout.sheets[item.sheet] != fixed.kind) return false;
   const auto here = layout.sheets.begin() + std::ptrdiff_t(item.sheet);
