@@ -70,8 +70,9 @@ std::vector<double> drawn_key(const Chain& chain) {
       key.insert(key.end(), {double(e.start.x), double(e.start.y)});
       if (e.arc) key.insert(key.end(), {e.ccw ? 1.0 : -1.0, e.arc->cx.to_double(), e.arc->cy.to_double()});
       if (c.curves.empty() || !c.curves[k]) continue;
-      const plane::CurvePiece& piece = c.curves[k]->pieces[c.curves[k]->pieces.size() / 2];
-      key.insert(key.end(), {std::round(piece.x[piece.degree() / 2].lo), std::round(piece.y[piece.degree() / 2].lo)});
+      for (const plane::CurvePiece& piece : c.curves[k]->pieces)
+        for (std::size_t p = 0; p < piece.x.size(); ++p)
+          key.insert(key.end(), {std::round(piece.x[p].lo), std::round(piece.y[p].lo)});
     }
     return key;
   };
