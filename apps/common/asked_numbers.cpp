@@ -52,11 +52,16 @@ std::vector<Number> asked_position(const Session& session) {
 
 namespace {
 
+void refuse_fraction(const std::string& number) {
+  if (number.find('/') != std::string::npos) throw Error(ErrorCode::kBadValue, "a fraction");
+}
+
 /// Throws where --angle is no number of degrees.
 void check_angle(const std::string& angle) {
   constexpr int kMostDegrees = 1'000'000'000;
   try {
     const Number degrees(angle);
+    refuse_fraction(angle);
     if (degrees > kMostDegrees || degrees < -kMostDegrees) throw Error(ErrorCode::kOutOfRange, "too far round");
   } catch (const Error&) {
     throw Error(ErrorCode::kUsage, fmt::format("--angle wants a decimal number of degrees, not '{}'", angle));
@@ -70,6 +75,7 @@ Number instant(const Session& session, const std::string& time) {
   const Number t(time);
   bool inside = false;
   try {
+    refuse_fraction(time);
     inside = t >= motion->start && t <= motion->end;
   } catch (const Error&) {
     throw Error(ErrorCode::kUsage, fmt::format("--time wants a decimal number, not '{}'", time));

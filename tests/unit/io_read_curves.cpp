@@ -424,6 +424,7 @@ TEST(ReadCurves, MirroredInALine) {
   EXPECT_NEAR(scene_area(R"({"mirror": 30, "about": [2, 7], "of": )" + part + "}"), scene_area(part), 1e-4);
   EXPECT_NEAR(scene_area(R"({"point_reflection": )" + part + "}"), scene_area(part), 1e-9);
   EXPECT_THROW(scene_area(R"({"mirror": 30})"), Error);
+  EXPECT_THROW(scene_area(R"({"mirror": )" + part + R"(, "about": [5, 0]})"), Error);
 }
 
 /// A wheel of short segments with a square hole, and the name of its shape.

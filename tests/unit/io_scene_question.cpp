@@ -62,6 +62,7 @@ TEST(SceneQuestion, Free) {
   expect_refused(R"("free": {"line": {"through": [0,0], "direction": [1]}})", "needs 2 numbers");
   expect_refused(R"("free": {"line": {"trough": [0,0], "direction": [1,0]}})", "did you mean 'through'?");
   expect_refused(R"("free": {"angle": {}, "angels": 3})", "unknown key 'angels'");
+  expect_refused(R"("free": {"angle": [5, 0]})", "\"angle\" of \"free\"");
   expect_refused(R"("free": {})", "empty object");
   expect_refused(R"("free": "time")", "needs \"motion\"");
   expect_refused(R"("free": "pose")", "needs \"angles\"");

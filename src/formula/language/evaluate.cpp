@@ -100,7 +100,7 @@ std::int8_t certainty_of_steps(const Formula& formula, std::span<const std::int8
   for (std::size_t at = program.size(); at-- > 0;) {
     if (!reached[at]) continue;
     const Instruction& step = program[at];
-    for (int s = bounds[2 * step.sign_map]; s <= bounds[2 * step.sign_map + 1]; ++s)
+    for (std::int8_t s = bounds[2 * step.sign_map]; s <= bounds[2 * step.sign_map + 1]; ++s)
       go_on((step.accepted >> (s + 1) & 1u) != 0 ? step.on_true : step.on_false);
   }
   return certainty(may_hold, may_fail);

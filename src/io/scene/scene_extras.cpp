@@ -159,7 +159,8 @@ Free read_free(const JsonValue& value, const JsonValue& root, const ShapeReader&
   const FreeKind& kind = find_free_kind(given, value, json, label);
   if (given.outer) {
     std::vector<std::string_view> keys = kind.keys;
-    if (given.inner->is(Kind::kObject)) json.check_keys(*given.inner, keys, label);
+    json.expect(*given.inner, Kind::kObject, fmt::format("\"{}\" of \"free\"", kind.word), label);
+    json.check_keys(*given.inner, keys, label);
     keys.push_back(kind.word);
     json.check_keys(*given.outer, keys, label);
   }

@@ -111,6 +111,9 @@ ShapePtr over_one(ShapeReader& reader, Shape::Kind kind, ShapePtr child, plane::
 ShapePtr build_mirror(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   const SceneReader& json = reader.json();
   if (!value.is(JsonValue::Kind::kNumber)) {
+    if (object.find("about") != nullptr || object.find("of") != nullptr)
+      json.fail(ErrorCode::kBadValue, "\"about\" and \"of\" go with \"mirror\" in degrees, not with a shape", label,
+                value);
     const std::string note = "\"mirror\" of a shape alone is its reflection through the origin: \"point_reflection\"";
     std::vector<std::string>& notes = reader.context().notes;
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
