@@ -49,13 +49,26 @@ TEST(PairFormula, OneThatHasADirection) {
   EXPECT_TRUE(PairFormula(problem, 0, dot, 2, block, exact::Real(1)).holds(-6, 0));
 }
 
+TEST(PairFormula, OneWayIsThatOfSelf) {
+  Problem problem = dots_and_block();
+  problem.conditions.push_back({0, 2, "gap(self, other, toward=(1, 0)) >= 5"});
+  const plane::Region dot = region_of(box(1, 1)), block = region_of(box(4, 4));
+  const auto holds = [&](int ahead) {
+    const bool first = PairFormula(problem, 0, dot, 2, block, exact::Real(1)).holds(ahead, 0);
+    EXPECT_EQ(PairFormula(problem, 2, block, 0, dot, exact::Real(1)).holds(-ahead, 0), first);
+    return first;
+  };
+  EXPECT_FALSE(holds(4));  // the dot meets the block after 3
+  EXPECT_TRUE(holds(7));
+  EXPECT_TRUE(holds(-8));  // it goes away from it
+}
+
 TEST(PairFormula, ThatIsNone) {
   EXPECT_THROW(parse_condition("gap(self, nobody) <= 1"), Error);
   EXPECT_THROW(parse_condition("gap(self, other) <="), Error);
-  for (const char* asked : {"gap(self, other, toward=(1, 0)) >= 5", "gap(self, other, rotating=(0, 0)) >= 120",
-                            "2 * gap(self, other) <= reach(self, other)"})
+  for (const char* asked : {"gap(self, other, rotating=(0, 0)) >= 120", "2 * gap(self, other) <= reach(self, other)"})
     EXPECT_THROW(parse_condition(asked), Error) << asked;
-  EXPECT_NO_THROW(parse_condition("gap(self, other, along=(1, 0)) >= 5"));
+  EXPECT_THROW(parse_condition("gap(self, other, toward=(1, 0, 0)) >= 5", 3), Error);
 }
 
 TEST(Conditions, AGreatestDistance) {

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "formula/language/parse.h"
 
@@ -20,6 +22,16 @@ constexpr const char* kOther = "other";
 
 exact::Real real(const Fraction& value) { return exact::Real(value.numerator()) / exact::Real(value.denominator()); }
 
+/// One way is that of `self`: where `other` moves it goes back.
+formula::Formula for_other(const formula::Formula& where) {
+  std::vector<formula::Atom> atoms = where.atoms();
+  for (formula::Atom& atom : atoms) {
+    if (atom.distance.mode != formula::Mode::kToward) continue;
+    for (exact::Real& c : atom.distance.vector) c = -c;
+  }
+  return {where.root(), std::move(atoms)};
+}
+
 }  // namespace
 
 formula::Formula parse_condition(const std::string& where, int dimension) {
@@ -29,11 +41,10 @@ formula::Formula parse_condition(const std::string& where, int dimension) {
   context.moving = {kOther};
   formula::Formula result = formula::parse_formula(where, context);
   for (const formula::Atom& atom : result.atoms()) {
-    const bool one_moves =
-        atom.distance.mode == formula::Mode::kToward || atom.distance.mode == formula::Mode::kRotation;
-    if (one_moves)
-      throw Error(ErrorCode::kUnsupported,
-                  "of two parts that are packed neither moves: no \"toward\", no \"rotating\"");
+    if (atom.distance.mode == formula::Mode::kRotation)
+      throw Error(ErrorCode::kUnsupported, "parts that are packed are not rotated by a condition");
+    if (atom.distance.mode == formula::Mode::kToward && dimension == 3)
+      throw Error(ErrorCode::kUnsupported, "one way of a part is not looked at where solids are packed");
     if (dimension == 2 && !atom.more.empty())
       throw Error(ErrorCode::kUnsupported, "sums of distances are not taken between parts that are packed");
   }
@@ -74,8 +85,9 @@ void PairFormula::add(const std::string& where, const plane::SharedRegion& self,
   formula::Context context;
   context.shapes = {kSelf, kOther};
   context.moving = {moving};
-  conditions_.push_back(
-      {std::make_shared<const formula::Solver>(std::move(world)), formula::parse_formula(where, context)});
+  const formula::Formula asked = formula::parse_formula(where, context);
+  conditions_.push_back({std::make_shared<const formula::Solver>(std::move(world)),
+                         moving == std::string_view(kOther) ? for_other(asked) : asked});
 }
 
 bool PairFormula::holds(const Fraction& x, const Fraction& y) const {
