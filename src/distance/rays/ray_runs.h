@@ -4,9 +4,9 @@
 // The sign map at any level of a distance along the very direction that the lines run in, read off the signs at level 0
 // on each line (translation_value.h says how a value follows from them): a place where the sign can change is an end on
 // the line moved by the level. So it holds for shapes of every kind of which the plain distance has a sign map: round
-// ones, surfaces, differences. Guarantee: as the sign map at level 0: exact where that is;
-// where a search tells it, - or + only where all that its places of 0 may be leave the same sign. Cost: the square of
-// the ends on a line. Keywords: directional penetration depth, run-length morphology.
+// ones, surfaces, differences. Guarantee: as the sign map at level 0: exact where that is; where a search tells it,
+// - or + only where all that its places of 0 may be leave the same sign. Cost: the square of the ends on a line.
+// Keywords: directional penetration depth, run-length morphology.
 #pragma once
 
 #include <array>

@@ -66,6 +66,9 @@ RoundSolid round_solid(const BodyPart& part, const Vector& by) {
   return out;
 }
 
+namespace {
+
+/// To the core of each part of the body, less its radius.
 std::vector<ConvexDistance> distances_to_parts(const Body& a) {
   std::vector<ConvexDistance> out;
   for (const BodyPart& part : a.parts) {
@@ -81,6 +84,8 @@ std::vector<ConvexDistance> distances_to_parts(const Body& a) {
   }
   return out;
 }
+
+}  // namespace
 
 bool polyhedra_and_balls(const Body& b) {
   return std::none_of(b.parts.begin(), b.parts.end(),

@@ -23,8 +23,6 @@
 
 namespace findspace::distance {
 
-/// To the core of each part of the body, less its radius.
-std::vector<ConvexDistance> distances_to_parts(const space::Body& a);
 /// A part with a radius, or a point, moved.
 RoundSolid round_solid(const space::BodyPart& part, const space::Vector& by);
 /// The body's parts, moved by p, as searches divide them; the corners are those of the polyhedra.
