@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Numbers and points as users give them, exactly. A Number is a decimal as written: Number("1.1") is 11/10. A double
-// stands for the shortest decimal that reads back as it, so Number(1.1) is 11/10 too. Positions in bulk are plain
-// arrays of doubles, which count the same way. Keywords: decimal, fixed point.
+// Numbers and points as users give them, exactly. A Number is a decimal as written, or a fraction: Number("1.1") is
+// 11/10. A double stands for the shortest decimal that reads back as it, so Number(1.1) is 11/10 too. Positions in bulk
+// are plain arrays of doubles, which count the same way. Keywords: decimal, fixed point.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ class Number {
   Number(T value) : text_(std::to_string(value)) {}  // NOLINT: implicit on purpose
   /// Error(kBadValue) for one that is not finite.
   Number(double value);  // NOLINT
-  /// A decimal as written: "-1.25", "3e-2".
+  /// A decimal as written: "-1.25", "3e-2"; or a fraction of two: "1/3".
   Number(const char* decimal) : text_(decimal) {}             // NOLINT
   Number(std::string decimal) : text_(std::move(decimal)) {}  // NOLINT
   /// Text that is not a number is refused where it is used, with Error(kSyntax).
   const std::string& text() const { return text_; }
-  /// Of a decimal, or of a fraction "17/3" as layouts have them: the nearest double but for an ulp. Error(kSyntax).
+  /// The nearest double but for an ulp. Error(kSyntax).
   double value() const;
   /// By value, exactly. Error(kSyntax).
   friend bool operator==(const Number& a, const Number& b) { return (a <=> b) == 0; }

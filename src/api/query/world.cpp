@@ -260,7 +260,7 @@ Region World::solve(const Formula& formula) const {
 SignMap World::sign_map(std::string_view distance, const Number& level) const {
   const formula::Solver& solver = data_->plane("a sign map");
   const formula::Objective wanted = data_->distance(distance);
-  const Real at = Real::parse_decimal(level.text()) / data_->grid.step();
+  const Real at = api::real_of(level) / data_->grid.step();
   return api::limited(data_->options, [&] {
     plane::SignMap map =
         formula::position_function(solver.prepared(), wanted.distance)->sign_map(wanted.negated ? -at : at);

@@ -44,7 +44,7 @@ std::weak_ordering operator<=>(const Number& a, const Number& b) {
 
 namespace api {
 
-exact::Real real_of(const Number& number) { return exact::Real::parse_decimal(number.text()); }
+exact::Real real_of(const Number& number) { return value_of(number.text()); }
 
 plane::Grid grid_of(const Grid& grid) {
   static const std::string kUsual = Grid{}.step.text();

@@ -25,8 +25,7 @@ namespace {
 
 /// A shape as a scene would have it.
 Shape scene_shape(std::string_view text, const Grid& grid, const std::string& name) {
-  const io::Scene scene =
-      io::read_shape_text(text, exact::Real::parse_decimal(grid.step.text()), std::filesystem::current_path(), name);
+  const io::Scene scene = io::read_shape_text(text, api::real_of(grid.step), std::filesystem::current_path(), name);
   return api::make_shape(scene.shapes[0], scene.grid, scene.dimension, {}, plane::kUsualWorkBudget,
                          scene.unit ? std::string(formula::name(*scene.unit)) : "");
 }
