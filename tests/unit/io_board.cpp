@@ -154,6 +154,25 @@ TEST(ReadBoard, ArcsInBothNotations) {
   EXPECT_NEAR(area(read_board(board(sides + by_points), "b").outline), expected, 1e-5);
 }
 
+TEST(ReadBoard, WhatIsDrawnTwiceIsOne) {
+  const std::string hole = "(gr_circle (center 5 5) (end 6 5) (layer \"Edge.Cuts\"))";
+  const std::string yard = "(fp_circle (center 0 0) (end 1 0) (layer \"F.CrtYd\"))";
+  const double disc = std::acos(-1.0);
+  for (const char* at : {"3 3", "3 3 30"}) {
+    const Board b = read_board(board(kOutline + hole + hole + part("R1", yard + yard, at)), "b");
+    EXPECT_NEAR(area(b.outline), 100 - disc, 1e-5);
+    EXPECT_NEAR(area(b.parts[0].body), disc, 1e-5);
+    EXPECT_FALSE(b.parts[0].stands_in);
+  }
+  // Half a disc by an arc about its centre, in both directions.
+  const std::string half =
+      "(fp_line (start -1 0) (end 1 0) (layer \"F.CrtYd\")) (fp_arc (start 0 0) (end 1 0) (angle 180) (layer "
+      "\"F.CrtYd\"))"
+      "(fp_arc (start 0 0) (end 1 0) (angle 180) (layer \"F.CrtYd\"))"
+      "(fp_arc (start 0 0) (end -1 0) (angle -180) (layer \"F.CrtYd\"))";
+  EXPECT_NEAR(area(read_board(board(kOutline + part("R1", half), "20171130"), "b").parts[0].body), disc / 2, 1e-5);
+}
+
 TEST(ReadBoard, JoinsSmallGaps) {
   const std::string gap =
       "(gr_line (start 0 0) (end 10 0) (layer \"Edge.Cuts\")) (gr_line (start 10.005 0) (end 0 10) (layer "

@@ -207,16 +207,18 @@ Extent Graphics::extent() const {
   return out;
 }
 
-/// A line that is drawn twice is one.
+/// A line or a circle that is drawn twice is one.
 void Graphics::drop_doubles() {
   const auto key = [](const Piece& p) {
-    const bool turned = p.kind != Piece::Kind::kRadius && p.to < p.from;
+    const bool turned = p.to < p.from, about = p.kind == Piece::Kind::kRadius;
     const GridPoint through = p.kind == Piece::Kind::kThrough ? p.through : GridPoint{};
-    return std::tuple(p.kind, turned ? p.to : p.from, turned ? p.from : p.to, through);
+    return std::tuple(p.kind, turned ? p.to : p.from, turned ? p.from : p.to, through, p.radius, p.large,
+                      about && p.ccw != turned);
   };
   std::set<decltype(key(pieces_[0]))> known;
-  std::erase_if(pieces_,
-                [&](const Piece& p) { return p.kind != Piece::Kind::kRadius && !known.insert(key(p)).second; });
+  std::erase_if(pieces_, [&](const Piece& p) { return !known.insert(key(p)).second; });
+  std::set<std::tuple<Real, Real, Real>> round;
+  std::erase_if(circles_, [&](const Circle& c) { return !round.insert({c.x, c.y, c.radius}).second; });
 }
 
 /// Whether its own ends may be joined: it goes round something.
