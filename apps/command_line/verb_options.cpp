@@ -293,7 +293,8 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
   if (values || verb == "explain") {
     auto* angle = command.add_option(
         "--angle", o.angle,
-        "rotate the moving shape by DEG degrees, counter-clockwise, in space about the z axis (default 0)");
+        "rotate the moving shape by DEG degrees, counter-clockwise, on a board as it is seen, in space about the "
+        "z axis (default 0)");
     angle->type_name("DEG")->group(kCommon);
     add_orientation(command, o)->excludes(angle);
   }

@@ -142,12 +142,12 @@ std::string Loaded::summary_json(bool drawing) const {
       json_list(scene_.names(), [&](const std::string& name) { return shape_json(name, used, drawing); });
   const std::string unit = scene_.unit();
   const std::string unit_key = unit.empty() ? "" : fmt::format("\"unit\": {}, ", json_string(unit));
-  return fmt::format(R"({{"dimension": {}, {}"step": {}, "y": "{}", "where": {}, "moving": {}, {}{}, "place": {}, )"
-                     R"("shapes": {}, "words": {}}})",
-                     scene_.dimension(), unit_key, json_number(scene_.grid().step.value()),
-                     scene_.y_down() ? "down" : "up", json_string(scene_.asks() ? scene_.where().text() : ""),
-                     json_list(scene_.moving(), json_string), free_json(), motion_json(), scene_.places(), shapes,
-                     words());
+  return fmt::format(
+      R"({{"dimension": {}, {}"step": {}, "y": "{}", "clockwise": {}, "where": {}, "moving": {}, {}{}, "place": {}, )"
+      R"("shapes": {}, "words": {}}})",
+      scene_.dimension(), unit_key, json_number(scene_.grid().step.value()), scene_.y_down() ? "down" : "up",
+      scene_.clockwise(), json_string(scene_.asks() ? scene_.where().text() : ""),
+      json_list(scene_.moving(), json_string), free_json(), motion_json(), scene_.places(), shapes, words());
 }
 
 std::string Loaded::explain_json(const Spot& spot, const std::optional<Kind>& over) const {

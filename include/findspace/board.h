@@ -105,7 +105,9 @@ class Board {
   /// Whether the rules hold for each part, `self`; `others` are the parts on the same side of the board. Without rules
   /// every body is on the board and overlaps no other. Errors in the rules have `place` and line and column.
   BoardVerdict check(const std::optional<Formula>& rules = {}, const std::string& place = "rules") const;
-  /// The world in which these parts or groups move together; a position is that of the first one's anchor.
+  /// The world in which these parts or groups move together; a position is that of the first one's anchor. A world,
+  /// that of a scene too, knows coordinates alone: its degrees go from the x axis to the y axis, clockwise as the board
+  /// is seen. Those of a scene() go counter-clockwise.
   World world(const std::vector<std::string>& moving) const;
   /// A scene whose lengths and positions are the board's own. Error(kUnknownName) for what is to move and is no part,
   /// kBadValue where that is fixed, or is to be placed and is locked.

@@ -137,6 +137,9 @@ class Scene {
   /// The grid of its coordinates; whether y runs downwards in pictures.
   Grid grid() const;
   bool y_down() const;
+  /// Whether its angles count clockwise as pictures show them: from the x axis to the y axis where that runs downwards.
+  /// On a board they count counter-clockwise.
+  bool clockwise() const;
   /// What moves, together; none where the scene does not say.
   const std::vector<std::string>& moving() const;
   /// With what moves, in time too. Error(kBadValue) where the scene does not say what does.
@@ -195,8 +198,9 @@ class Scene {
   /// Of space: what moves is turned about the scene's "about"; points that leave the grid are put on it once, which
   /// notes() says after those of the file. It ranges over positions then. Error(kUnsupported) in the plane.
   Scene rotated(const Rotation& rotation) const;
-  /// Of the plane: the same by an angle, counter-clockwise. Positions on a line stay such. Error(kUnsupported) in
-  /// space, and where shapes move in time.
+  /// Of the plane: the same by an angle, from the x axis to the y axis; on a board counter-clockwise as it is seen. So
+  /// all angles of a scene count. Positions on a line stay such. Error(kUnsupported) in space, and where shapes move in
+  /// time.
   Scene rotated(const Number& degrees) const;
   /// What asking() and rotated() have changed since it was read, one of the two at a time, in order.
   struct Change {

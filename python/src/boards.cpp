@@ -196,7 +196,10 @@ BoardVerdict
             return interruptible([&] { return b.world(names); });
           },
           py::arg("moving"),
-          "The world in which a part, a group or a list of these moves; a position is that of the first one's anchor.")
+          "The world in which a part, a group or a list of these moves; a position is that of the first one's anchor. "
+          "Its "
+          "degrees go from the x axis to the y axis, clockwise as the board is seen; those of a scene go the other "
+          "way.")
       .def(
           "scene",
           [](const Board& b, const py::object& move, const std::string& where, const std::string& minimize,

@@ -231,6 +231,10 @@ Examples
           "grid", [](const Scene& s) { return s.grid().step.text(); },
           "The step of the grid of its coordinates, as text.")
       .def_property_readonly("y_down", &Scene::y_down, "Whether y runs downwards in pictures.")
+      .def_property_readonly(
+          "clockwise", &Scene::clockwise,
+          "Whether its angles count clockwise as pictures show them: where y runs downwards, but not "
+          "on a board.")
       .def_property_readonly("moving", &Scene::moving, "What moves, together.")
       .def_property_readonly("name", &Scene::name, "As messages call it.")
       .def_property_readonly(
@@ -256,7 +260,8 @@ Examples
           "Of space: what moves is turned about the scene's \"about\"; notes say what was rounded.")
       .def(
           "rotated", [](const Scene& s, const py::object& degrees) { return s.rotated(number(degrees)); },
-          py::arg("degrees"), "Of the plane: the same by an angle, counter-clockwise.")
+          py::arg("degrees"),
+          "Of the plane: the same by an angle, counter-clockwise; where y runs downwards as `clockwise` says.")
       .def("prepared", &Scene::prepared, R"doc(The same scene, which keeps what it makes for one question for the next.
 
 That are its shapes as sets, the region of its formula and tables to look positions up in. So do the scenes that it

@@ -69,9 +69,28 @@ def test_boards_are_scenes():
     closer = scene.asking(where="clear(R2, ends, 6.5mm)")
     assert [again(closer).check((20, 10)).found, again(scene).check((20, 10)).found] == ["no", "yes"]
     turned = again(board.scene("R2", angles=[0, "45"]))
-    assert turned.free.kind == "pose" and len(turned.free.angles) == 2
+    assert turned.free.kind == "pose" and turned.free.angles == ["0", "45"]
     placed = board.scene(["R1", "R2"], place=True).place()
     assert placed.found == "yes" and "kicad_pcb" in placed.file(".kicad_pcb")[0]
+
+
+def test_angles_count_as_they_are_seen():
+    corner = "(xy 0 0) (xy 4 0) (xy 4 1) (xy 1 1) (xy 1 3) (xy 0 3)"
+    board = fs.Board.text('(kicad_pcb (version 20211014) (layers (0 "F.Cu" signal))\n'
+                          '(gr_rect (start 0 0) (end 20 20) (layer "Edge.Cuts"))\n'
+                          '(footprint "F" (layer "F.Cu") (at 5 5) (fp_text reference "U1" (at 0 0))\n'
+                          f'(fp_poly (pts {corner}) (layer "F.CrtYd"))))\n')
+    scene = board.scene("U1", "inside(U1, board)")
+    assert scene.y_down and not scene.clockwise
+    assert fs.Scene.json('{"findspace": 1, "y": "down", "shapes": {}}').clockwise
+    quarter = board.scene("U1", "inside(U1, board)", angles=[0, 90]).map().poses.slices[1]
+    assert quarter.degrees == 90 and quarter.region.bounds == (0, 4, 17, 20)
+    for at, found in (((1, 10), "yes"), ((10, 2), "no")):
+        answers = [scene.check(at, 90), scene.rotated(90).check(at), again(scene.rotated(90)).check(at)]
+        assert [a.found for a in answers] == [found] * 3
+        assert scene.explain(at, 90).explanation.here.holds == (found == "yes")
+        angles = scene.asking(free="angle").map(at).intervals
+        assert any((90 - i.start) % 360 <= i.end - i.start for i in angles) == (found == "yes")
 
 
 def test_boards_say_what_is_wrong(tmp_path):

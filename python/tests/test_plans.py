@@ -434,6 +434,7 @@ def test_prepared_scenes_answer_as_before():
 def test_scenes_are_edited_and_range_over_something_else():
     scene = fs.Scene.json(PLATE)
     assert (scene.asks, scene.used, scene.grid, scene.y_down, scene.board) == (True, ["peg", "plate", "table"], "0.000001", False, None)
+    assert not scene.clockwise
     other = scene.asking("clear(peg, plate)", moving=["peg"])
     assert fs.Scene.json(other.edited_text()).where.text == "clear(peg, plate)"
     angles = scene.asking(free="angle").map((6, 5)).intervals

@@ -334,6 +334,22 @@ class Words(Folder):
         none = self.answer("explain", text, "--move", "R1", "--free", "0,90", "--where", "inside(R1, board, 3)", status=1)
         self.assertEqual(none["conflict"], ["inside(R1, board, 3)"])
 
+    def test_all_verbs_count_angles_as_they_are_seen(self):
+        form = FORMATS[8]
+        corner = lines(form, "fp", "F.CrtYd", [(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)])
+        edge = lines(form, "gr", "Edge.Cuts", [(0, 0), (20, 0), (20, 20), (0, 20)])
+        text = (f'(kicad_pcb (version 20240108) (generator pcbnew)\n  (layers {form["layers"]})\n'
+                f'{part(form, "R1", "5 5", corner)}{part(form, "R2", "12 12", corner)}  {edge}\n)\n')
+        of = ["--move", "R1", "--where", "inside(R1, board)"]
+        (_, quarter) = self.answer("map", text, *of, "--free", "0,90")["poses"]
+        self.assertEqual(quarter["region"]["bbox"], [[0, 4], [17, 20]])  # seen from its anchor it is 3 wide and 4 high
+        for at, holds in (("1,10", True), ("10,2", False)):
+            for verb in ("check", "explain"):
+                found = self.answer(verb, text, *of, "--angle", "90", "--at", at, status=0 if holds else 1)
+                self.assertEqual((found if verb == "check" else found["check"])["true"], holds)
+        measured = self.answer("measure", text, "--move", "R1", "--where", "clear(R1, R2)", "--angle", "90", "--at", "14,11.5")
+        self.assertEqual((measured["angle"], measured["distances"]["gap(R1, R2)"]), (90, 0.5))
+
     def test_fixed(self):
         text = boxes("10 10", "16 10", "30 10")
         for verb in (["map"], ["check", "--at", "10,10"], ["place"]):

@@ -111,6 +111,29 @@ class Answers(unittest.TestCase):
         self.assertEqual(ask("check", scene=carts, at=[5, 2], time=12)["code"], -32000)
         self.assertEqual(ask("check", scene=PEG, at=[5, 2], time=1)["code"], -32000)
 
+    def test_angles_on_a_board_count_as_the_verbs_count_them(self):
+        corner = "(xy 0 0) (xy 4 0) (xy 4 1) (xy 1 1) (xy 1 3) (xy 0 3)"
+        text = ('(kicad_pcb (version 20211014) (layers (0 "F.Cu" signal))\n(gr_rect (start 0 0) (end 20 20) (layer "Edge.Cuts"))\n'
+                '(footprint "F" (layer "F.Cu") (at 5 5) (fp_text reference "U1" (at 0 0))\n'
+                f'(fp_poly (pts {corner}) (layer "F.CrtYd"))))\n')
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "b.kicad_pcb")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            of = ["--move", "U1", "--where", "inside(U1, board)"]
+            requests = [("scene", {}), ("map", {"angle": 90}), ("check", {"at": [1, 10], "angle": 90}), ("angles", {"at": [1, 10]}),
+                        ("check", {"at": [10, 2], "angle": 90}), ("explain", {"at": [10, 2], "angle": 90})]
+            answers, _ = serve([{"id": k, "method": m, "params": p} for k, (m, p) in enumerate(requests)], path, *of)
+            scene, region, good, angles, bad, why = (a["result"] for a in answers)
+            self.assertEqual((scene["y"], scene["clockwise"]), ("down", False))
+            # Seen from its anchor the part goes 3 to the right and 4 upwards then.
+            self.assertEqual(region["bbox"], [[0, 4], [17, 20]])
+            self.assertEqual((good["true"], bad["true"], why["check"]["true"]), (True, False, False))
+            among = [any((angle - i["from"]) % 360 <= i["to"] - i["from"] for i in angles["intervals"]) for angle in (90, 270)]
+            self.assertEqual(among, [True, False], angles)
+            self.assertEqual(region["area"], verb("map", path, *of, "--free", "0,90")["poses"][1]["region"]["area"])
+        self.assertEqual(ask("scene")["clockwise"], False)
+
     def test_operations_on_the_region(self):
         for operation in ("interior", "closure", "boundary", "regularize", "complement"):
             self.assertEqual(ask("map", apply=operation), verb("map", PEG, "--apply", operation))

@@ -91,6 +91,66 @@ TEST(PublicBoard, PartsAreWantedAtAnglesAsItsAnswersCount) {
             90);
 }
 
+/// A scene in which an L with arms of 4 to the right and of 3 downwards moves on a board of 20 by 20.
+Scene corner_piece(const std::vector<Number>& angles = {}) {
+  const std::string file =
+      "(kicad_pcb (version 20211014)\n (layers (0 \"F.Cu\" signal))\n"
+      "(gr_rect (start 0 0) (end 20 20) (layer \"Edge.Cuts\"))\n"
+      "(footprint \"F\" (layer \"F.Cu\") (at 5 5)\n (fp_text reference \"U1\" (at 0 0))\n"
+      " (fp_poly (pts (xy 0 0) (xy 4 0) (xy 4 1) (xy 1 1) (xy 1 3) (xy 0 3)) (layer \"F.CrtYd\")))\n)\n";
+  return Board::text(file).scene({.move = {"U1"}, .where = "inside(U1, board)", .angles = angles});
+}
+
+// A quarter turn counter-clockwise as it is seen takes the arms to (0, -4) and (3, 0).
+TEST(PublicBoard, AllAnglesCountAsTheyAreSeen) {
+  const Scene scene = corner_piece(), poses = corner_piece({0, 90});
+  EXPECT_EQ(poses.free().angles, (std::vector<Number>{0, 90}));
+  EXPECT_TRUE(scene.y_down());
+  EXPECT_FALSE(scene.clockwise());
+  const PoseMap::Slice quarter = poses.map().poses().value().slices.at(1);
+  ASSERT_EQ(quarter.degrees, 90);
+  Scene::Question over_angles;
+  over_angles.free = Scene::Free::Kind::kAngle;
+  const Scene angles = scene.asking(over_angles);
+  for (const auto& [at, holds] : {std::pair(Point{1, 10}, true), {Point{10, 2}, false}, {Point{16, 5}, true}}) {
+    const std::vector<Number> place{at.x, at.y};
+    const auto found = holds ? Answer::Found::kYes : Answer::Found::kNo;
+    EXPECT_EQ(quarter.region.contains(at), holds);
+    for (const Scene& asked : {scene, scene.prepared()}) {
+      const Answer posed = asked.check({place, 90}), rotated = asked.rotated(90).check({place});
+      for (const Answer& answer : {posed, rotated, asked.rotated(30).rotated(60).check({place})}) {
+        EXPECT_EQ(answer.found(), found);
+        EXPECT_NE(answer.json().find("\"angle\": 90,"), std::string::npos);
+      }
+      EXPECT_EQ(asked.rotated(90).map().region()->inner.contains(at), holds);
+      EXPECT_EQ(asked.measure({place, 90}).json(), asked.rotated(90).measure({place}).json());
+    }
+    const Answer why = scene.explain({place, 90});
+    EXPECT_EQ(why.explanation()->here->holds, holds);
+    EXPECT_EQ(why.explanation()->slack.at(0).angle, 90);
+    bool among = false;
+    for (const Interval& i : angles.map({{place}}).intervals())
+      for (const double quarter_turn : {90, 450}) among = among || (*i.from <= quarter_turn && quarter_turn <= *i.to);
+    EXPECT_EQ(among, holds);
+  }
+}
+
+// In the corner at the right above, the arms have to go to the left and downwards: at three quarters of a turn.
+TEST(PublicBoard, ExplanationsOverAnglesCountAsTheyAreSeen) {
+  Scene::Question over_angles;
+  over_angles.free = Scene::Free::Kind::kAngle;
+  const Pose corner{{"16.5", "3.5"}};
+  const Explanation wide = *corner_piece().asking(over_angles).explain(corner).explanation();
+  ASSERT_TRUE(wide.feasible);
+  EXPECT_NEAR(wide.slack.at(0).to, 3.5, 1e-6);
+  EXPECT_NEAR(wide.slack[0].angle.value(), 270, 1e-4);
+  over_angles.where = "inside(U1, board, 4)";
+  const Explanation narrow = *corner_piece().asking(over_angles).explain(corner).explanation();
+  ASSERT_FALSE(narrow.feasible);
+  EXPECT_NEAR(narrow.relax.at(0).angle.value(), 270, 1e-4);
+  EXPECT_NEAR(narrow.together.value().angle.value(), 270, 1);
+}
+
 TEST(PublicBoard, PadsThatNoFormulaNamesAreDrawnAtAngles) {
   const std::string file =
       "(kicad_pcb (version 20211014)\n (layers (0 \"F.Cu\" signal))\n"

@@ -16,7 +16,7 @@ export type AnyDrawing = Drawing | SpaceDrawing;
 export interface ShapeInfo { name: string; moving: boolean; used: boolean; drawing?: AnyDrawing; holder?: boolean }
 export interface Movement { shape: string; path: Point[]; times: number[]; angles: number[] }
 export interface Summary {
-  dimension: 2 | 3; unit?: string; step: number; y: "up" | "down"; where: string; moving: string[]; shapes: ShapeInfo[]; words: string[];
+  dimension: 2 | 3; unit?: string; step: number; y: "up" | "down"; clockwise?: boolean; where: string; moving: string[]; shapes: ShapeInfo[]; words: string[];
   free: "position" | "line" | "angle" | "time" | "pose"; about?: Point; angles?: number[]; place: boolean;
   motion?: { start: number; end: number; movements: Movement[] };
 }

@@ -61,6 +61,9 @@ export class Stage implements Picture {
   /// 1 where the scene's y axis runs downwards, else -1.
   private get down(): number { return this.summary?.y === "down" ? 1 : -1; }
 
+  /// The angle of an element, in degrees.
+  private turn(angle: number): number { return this.summary?.clockwise ? angle : -angle; }
+
   setScene(summary: Summary, hidden: Set<string>): void {
     this.summary = summary;
     for (const g of [this.layers.shapes, this.layers.part, this.layers.ghost, this.layers.placed]) g.replaceChildren();
@@ -133,7 +136,7 @@ export class Stage implements Picture {
       y += dy;
       turn = along(movement.times, movement.angles, time, (a, b, t) => a + t * (b - a));
     }
-    return `translate(${x} ${this.down * y})` + (turn ? ` rotate(${this.down * turn} ${cx} ${this.down * cy})` : "");
+    return `translate(${x} ${this.down * y})` + (turn ? ` rotate(${this.turn(turn)} ${cx} ${this.down * cy})` : "");
   }
 
   setPose(pose: Pose): void {
@@ -170,7 +173,7 @@ export class Stage implements Picture {
 
   private standing(p: Placed, by: Point = [0, 0]): string {
     const [x, y] = p.at as Point;
-    return `translate(${x + by[0]} ${this.down * (y + by[1])}) rotate(${this.down * p.angle})`;
+    return `translate(${x + by[0]} ${this.down * (y + by[1])}) rotate(${this.turn(p.angle)})`;
   }
 
   setAtoms(good: boolean, atoms: Atom[]): void {

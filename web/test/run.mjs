@@ -38,8 +38,8 @@ function scene(name, content) {
 }
 
 /// The program, the link that it prints, and a promise of its end.
-async function view(path) {
-  const child = spawn(program, ["view", path, "--no-open"], { stdio: ["ignore", "pipe", "inherit"] });
+async function view(path, more) {
+  const child = spawn(program, ["view", path, "--no-open", ...more], { stdio: ["ignore", "pipe", "inherit"] });
   const ended = new Promise((done) => child.once("exit", done));
   const link = await new Promise((done, fail) => {
     child.stdout.once("data", (d) => done(String(d).trim()));
@@ -57,8 +57,8 @@ const running = [];
 const endAll = () => { for (const { child } of running) if (child.exitCode === null) child.kill("SIGKILL"); };
 process.on("SIGTERM", () => { endAll(); process.exit(1); });
 
-async function open(path, { dark = false, width = 1280, height = 800 } = {}) {
-  const server = await view(path);
+async function open(path, { dark = false, width = 1280, height = 800, more = [] } = {}) {
+  const server = await view(path, more);
   running.push(server);
   return { ...server, page: await openPage(server.link, { dark, width, height }) };
 }
@@ -207,6 +207,33 @@ const tests = {
     await page.evaluate(() => document.getElementById("undo").click());
     await until(page, (d) => document.querySelector("#layer-region .face").getAttribute("d") === d, before);
     await close(opened);
+  },
+  async "where y runs downwards, angles go clockwise, but on a board counter-clockwise"() {
+    const bar = { findspace: 1, y: "down", moving: "bar", where: "inside(bar, room)", shapes: { room: { box: { min: [0, 0], max: [20, 20] } }, bar: { box: { min: [0, 0], max: [4, 1] } } } };
+    const file = join(folder, "bar.kicad_pcb");
+    writeFileSync(file, `(kicad_pcb (version 20211014) (layers (0 "F.Cu" signal))
+      (gr_rect (start 0 0) (end 20 20) (layer "Edge.Cuts"))
+      (footprint "F" (layer "F.Cu") (at 5 5) (fp_text reference "U1" (at 0 0)) (fp_rect (start 0 0) (end 4 1) (layer "F.CrtYd"))))`);
+    const angles = [[scene("down.json", bar), [], "rotate(90"], [file, ["--move", "U1", "--where", "inside(U1, board)"], "rotate(-90"]];
+    for (const [path, more, turned] of angles) {
+      const opened = await open(path, { more }), { page } = opened;
+      await page.evaluate(() => {
+        for (const [id, value] of [["x", "10"], ["y", "10"]]) document.getElementById(id).value = value;
+        document.getElementById("y").dispatchEvent(new Event("change"));
+        const range = document.querySelector(".pose input[type=range]");
+        range.value = "90";
+        for (const event of ["input", "change"]) range.dispatchEvent(new Event(event));
+      });
+      await until(page, (turned) => document.querySelector("#layer-part").getAttribute("transform").includes(turned), turned);
+      await until(page, () => document.getElementById("verdict").textContent === "Feasible");
+      const down = turned === "rotate(90";
+      await until(page, (down) => {  // of 20 the bar takes 4 beyond its corner
+        const [room, region] = ["shapes", "region"].map((id) => document.querySelector(`#layer-${id} path`).getBoundingClientRect());
+        const left = (down ? room.bottom - region.bottom : region.top - room.top) / room.height;
+        return Math.abs(left - 0.2) < 0.02;
+      }, down);
+      await close(opened);
+    }
   },
   async "time moves the shapes, and distances are those of the instant"() {
     const opened = await open(example("carts.json"), { dark: true }), { page } = opened;

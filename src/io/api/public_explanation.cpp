@@ -102,14 +102,18 @@ std::vector<formula::SharedSolver> poses_of(const World::Data& world, const std:
   return formula::solvers_at(drawn, {pole.x, pole.y}, degrees, rotated);
 }
 
-/// As they are counted where they are seen: clockwise in coordinates that run downwards.
-std::vector<double> seen(const std::vector<exact::Real>& degrees, bool down) {
-  std::vector<double> out;
-  for (const exact::Real& d : degrees) {
-    const exact::Real turned = down ? -d : d;
-    out.push_back((turned - exact::Real(360) * exact::Real(exact::floor(turned / exact::Real(360)))).to_double());
-  }
-  return out;
+double within_a_turn(const exact::Real& degrees) {
+  return (degrees - exact::Real(360) * exact::Real(exact::floor(degrees / exact::Real(360)))).to_double();
+}
+
+/// Its angles as the scene tells them.
+void tell_angles(formula::Explanation& found, const io::Scene& scene) {
+  const auto tell = [&](formula::RemainingPlace& place) {
+    if (place.degrees) place.degrees = within_a_turn(scene.seen(exact::Real::from_double(*place.degrees)));
+  };
+  for (formula::LevelChange& c : found.relax) tell(c.place);
+  for (formula::LevelChange& c : found.slack) tell(c.place);
+  if (found.together) tell(found.together->place);
 }
 
 }  // namespace
@@ -122,7 +126,7 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
   const formula::Formula formula = question_over_angles(asked);
   if (at && !degrees)
     throw Error(ErrorCode::kUnsupported, "over several angles there is no explanation at a position", scene.file);
-  const std::vector<exact::Real> angles = degrees ? std::vector{*degrees} : scene.free.angles;
+  const std::vector<exact::Real> angles = degrees ? std::vector{scene.seen(*degrees)} : scene.free.angles;
   const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
   asked.stage("explaining");
   plane::Rounding rounding;
@@ -132,9 +136,10 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
   const formula::Explanation found = formula::explain(poses, formula);
   std::optional<formula::PositionExplanation> here;
   if (at) here = formula::explain_at(*poses[0], formula, *at);
+  std::vector<double> told;
+  for (const exact::Real& angle : angles) told.push_back(within_a_turn(scene.seen(angle)));
   return public_explanation({formula, found, here ? &*here : nullptr,
-                             distance::coordinates(at.value_or(exact::RealPoint())), asked.step(), asked.unit(),
-                             seen(angles, scene.board != nullptr && !degrees)});
+                             distance::coordinates(at.value_or(exact::RealPoint())), asked.step(), asked.unit(), told});
 }
 
 Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at) {
@@ -144,7 +149,8 @@ Explanation explain_angles(const AskedScene& asked, const exact::RealPoint& at) 
   const std::shared_ptr<const formula::Solver> solver = asked.solver();
   asked.stage("explaining");
   const formula::RotationSolver rotated(*solver, {at, {}, pole});
-  const formula::Explanation found = formula::explain(rotated.maps(formula), formula);
+  formula::Explanation found = formula::explain(rotated.maps(formula), formula);
+  tell_angles(found, asked.scene());
   return public_explanation({formula, found, nullptr, {}, asked.step(), asked.unit(), {}, Sought::kAngle});
 }
 
@@ -192,8 +198,9 @@ Explanation World::explain_poses(const Formula& formula, const std::vector<Numbe
     const std::vector<formula::SharedSolver> poses = poses_of(*data_, angles, about);
     const formula::Formula asked = data_->formula(formula.text());
     const formula::Explanation found = formula::explain(poses, asked);
-    return public_explanation(
-        {asked, found, nullptr, {}, poses.front()->world().step, data_->unit(), seen(angles, false)});
+    std::vector<double> told;
+    for (const exact::Real& angle : angles) told.push_back(within_a_turn(angle));
+    return public_explanation({asked, found, nullptr, {}, poses.front()->world().step, data_->unit(), told});
   });
 }
 

@@ -110,7 +110,7 @@ Scene::Free free_of(const io::Scene& scene) {
     for (int k = 0; k < scene.dimension; ++k) out.direction.emplace_back(free.direction[std::size_t(k)]);
   }
   if (out.kind == Kind::kAngle || out.kind == Kind::kPose) out.about = grid_numbers(scene, free.about);
-  for (const exact::Real& angle : free.angles) out.angles.push_back(io::number(angle));
+  for (const exact::Real& angle : free.angles) out.angles.push_back(io::number(scene.seen(angle)));
   for (const io::Orientation& o : free.orientations)
     out.rotations.push_back(Rotation(std::make_shared<const Rotation::Data>(Rotation::Data{o.text, o.rotation, true})));
   return out;
@@ -358,6 +358,7 @@ std::vector<std::string> Scene::used() const {
 }
 Grid Scene::grid() const { return {io::number(data_->read.grid.step())}; }
 bool Scene::y_down() const { return data_->read.y_down; }
+bool Scene::clockwise() const { return data_->read.y_down != data_->read.mirrors_angles(); }
 const World& Scene::world() const { return data_->world(); }
 const Formula& Scene::where() const { return data_->where; }
 const std::string& Scene::minimize() const { return data_->read.minimize.text; }
@@ -401,8 +402,8 @@ Scene Scene::rotated(const Rotation& rotation) const {
 Scene Scene::rotated(const Number& degrees) const {
   Data::Source source = data_->source;
   source.changes.push_back({{}, {}, degrees});
-  const exact::Real by = api::real_of(degrees);
-  source.turned = source.turned ? *source.turned + by : by;
+  const exact::Real asked_for = api::real_of(degrees), by = data_->read.seen(asked_for);
+  source.turned = source.turned ? *source.turned + asked_for : asked_for;
   io::Scene scene = io::turned_scene(data_->read, by);
   if (source.kept) {
     auto kept = std::make_shared<io::KeptWork>();

@@ -46,7 +46,9 @@ ShapePtr at_origin(const ShapePtr& shape, plane::GridPoint anchor) {
 
 class SceneMaker {
  public:
-  SceneMaker(const Board& board, const BoardQuestion& question) : board_(board), question_(question) {}
+  SceneMaker(std::shared_ptr<const Board> board, const BoardQuestion& question) : board_(*board), question_(question) {
+    scene_.board = std::move(board);
+  }
 
   Scene run() {
     scene_.file = board_.file;
@@ -70,7 +72,7 @@ class SceneMaker {
     scene_.maximize = formula(question_.maximize, "--maximize");
     if (!question_.angles.empty()) {
       scene_.free.kind = Free::Kind::kPose;
-      for (const exact::Real& a : question_.angles) scene_.free.angles.push_back(-a);
+      for (const exact::Real& a : question_.angles) scene_.free.angles.push_back(scene_.seen(a));
     }
     return std::move(scene_);
   }
@@ -186,7 +188,7 @@ class SceneMaker {
       for (const Part* part : parts)
         for (const std::string& pad : scene_.moving)
           if (pad.rfind(part->name + ".", 0) == 0 && is_mentioned(pad)) body.shapes.push_back(pad);
-      for (const exact::Real& a : question_.angles) body.angles.push_back(-a);
+      for (const exact::Real& a : question_.angles) body.angles.push_back(scene_.seen(a));
       if (body.angles.empty()) body.angles = {exact::Real(0)};
       place.bodies.push_back(std::move(body));
     }
@@ -327,9 +329,7 @@ class SceneMaker {
 }  // namespace
 
 Scene board_scene(std::shared_ptr<const Board> board, const BoardQuestion& question) {
-  Scene scene = SceneMaker(*board, question).run();
-  scene.board = std::move(board);
-  return scene;
+  return SceneMaker(std::move(board), question).run();
 }
 
 }  // namespace findspace::io

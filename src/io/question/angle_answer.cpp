@@ -66,7 +66,7 @@ struct Station {
   formula::World world;
 };
 
-std::vector<Station> stations(const formula::World& world, const exact::RealPoint& about,
+std::vector<Station> stations(const AskedScene& asked, const formula::World& world,
                               const std::vector<DegreeInterval>& angles) {
   constexpr std::size_t kMost = 6;
   std::vector<double> ends;
@@ -78,9 +78,11 @@ std::vector<Station> stations(const formula::World& world, const exact::RealPoin
   if (ends.size() > kMost) ends.resize(kMost);
   std::vector<Station> out;
   plane::Rounding rounding;
-  const exact::RealPoint centre{about.x / world.step, about.y / world.step};
-  for (const double d : ends)
-    out.push_back({d, formula::rotated_world(world, centre, exact::Real::from_double(d), rounding)});
+  const GridPosition& about = asked.scene().free.about;
+  for (const double d : ends) {
+    const exact::Real degrees = asked.scene().seen(exact::Real::from_double(d));
+    out.push_back({d, formula::rotated_world(world, {about[0], about[1]}, degrees, rounding)});
+  }
   return out;
 }
 
@@ -92,7 +94,7 @@ std::string picture(const AskedScene& asked, const formula::World& world, const 
   p.of_positions = false;
   p.position = {plane::Twofold(at.x).value(), plane::Twofold(at.y).value()};
   add_scenery(asked, p, world, &formula);
-  const auto stood = stations(world, about(asked), angles);
+  const auto stood = stations(asked, world, angles);
   for (const Station& w : stood) {
     for (const std::string& name : world.moving) {
       if (asked.scene().groups.count(name) > 0) continue;  // its members are drawn
@@ -122,7 +124,7 @@ struct AngleMap {
   std::optional<distance::OptimalValue> best;
 };
 
-/// The angles at which the formula holds, or the best of them.
+/// The angles at which the formula holds, or the best of them, as the scene tells them.
 AngleMap solve(const AskedScene& asked, const formula::RotationMaps& maps, const formula::Formula& formula) {
   AngleMap map{formula::solve_angles(maps, formula), std::nullopt};
   if (const auto goal = asked.goal()) {
@@ -132,6 +134,10 @@ AngleMap solve(const AskedScene& asked, const formula::RotationMaps& maps, const
     if (negated) best.negate();
     map.best = best;
     map.set = std::move(best.at);
+  }
+  if (asked.scene().mirrors_angles()) {
+    map.set.angles = plane::mirrored(map.set.angles);
+    if (map.set.outer) map.set.outer = plane::mirrored(*map.set.outer);
   }
   if (map.set.outer)
     asked.note("rotations about two points: angles that certainly belong, and in \"outer\" the possible ones");

@@ -83,12 +83,12 @@ std::string placement_picture(const AskedScene& asked, const Problem& problem, c
   return placement_svg(problem, answer.poses, out);
 }
 
-/// Angles as they are counted where y runs downwards: counter-clockwise as it is seen.
-void count_as_seen(PlacedBodies& answer) {
+/// Angles as the scene tells them.
+void count_as_seen(const Scene& scene, PlacedBodies& answer) {
   for (planning::BodyOutcome& r : answer.result.placed)
-    if (r.angle) r.angle = -r.angle->degrees;
+    if (r.angle) r.angle = scene.seen(r.angle->degrees);
   for (auto& r : answer.result.regions)
-    if (r.angle) r.angle = -r.angle->degrees;
+    if (r.angle) r.angle = scene.seen(r.angle->degrees);
 }
 
 /// The board's file with the parts at their new positions; those of a group keep theirs to each other.
@@ -105,7 +105,7 @@ std::string board_text(const AskedScene& asked, const Problem& problem, const Pl
       throw Error(ErrorCode::kGeometry,
                   fmt::format("'{}' fits at no point of the board's grid: no board is written", body.name));
     const NewPlace place{{static_cast<std::int64_t>(*x), static_cast<std::int64_t>(*y)},
-                         -body.angles[pose->angle].degrees};
+                         asked.scene().seen(body.angles[pose->angle].degrees)};
     for (const std::string& name : body.shapes)
       if (const Part* part = board.find(name)) places[name] = place_beside(*part, *board.find(body.shapes[0]), place);
   }
@@ -131,7 +131,7 @@ Answer::Data place_in_plane(AskedScene given, const PlacementQuestion& question)
   q->placed = answered(relations, one_by_one, question.limit);
   PlacedBodies& placed = q->placed;
   const bool board = asked.scene().board != nullptr;
-  if (board) count_as_seen(placed);
+  if (asked.scene().mirrors_angles()) count_as_seen(asked.scene(), placed);
   if (placed.shortened > 0)
     asked.note(
         fmt::format("{} position{} put on the grid, a few steps at most from the best one, whose exact numbers "
@@ -158,8 +158,8 @@ Answer::Data place_in_plane(AskedScene given, const PlacementQuestion& question)
     for (std::size_t b = 0; b < q->placed.positions.size(); ++b)
       api::tell_positions(q->problem.bodies[b], b, q->placed.positions[b], q->asked.scene().grid, q->asked.unit(),
                           told);
-    if (q->asked.scene().board)
-      for (auto& positions : told.positions) positions.degrees = 0 - positions.degrees;  // as seen
+    for (auto& positions : told.positions)
+      positions.degrees = q->asked.scene().seen(exact::Real::from_double(positions.degrees)).to_double();
     told.json = json({});
     told.svg = placement_picture(q->asked, q->problem, q->placed);
     return findspace::Placement(std::move(told));

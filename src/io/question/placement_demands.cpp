@@ -33,7 +33,7 @@ planning::Wanted wanted_of(const AskedScene& asked, const Placement::Near& near,
   }
   if (!near.degrees) return out;
   const auto& angles = demands.bodies[out.body].angles;
-  const exact::Real wanted = asked.scene().board != nullptr ? -*near.degrees : *near.degrees;  // of a board as seen
+  const exact::Real wanted = asked.scene().seen(*near.degrees);
   for (std::size_t a = 0; a < angles.size(); ++a)
     if (!angles[a].rotation && ((angles[a].degrees - wanted) / exact::Real(360)).integer()) out.angle = a;
   if (!out.angle) refuse(fmt::format("'{}' is not placed at {} degrees", called, near.degrees->text()));

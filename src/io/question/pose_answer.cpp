@@ -71,13 +71,13 @@ Page page(const AskedScene& asked, const formula::World& world, const formula::F
 
 /// A panel for each of the given angles, and one for all positions that some angle allows.
 std::string panels(const AskedScene& asked, const PoseStack& stack, const formula::World& world,
-                   const formula::Formula& formula, const plane::GridPoint& about, bool down) {
+                   const formula::Formula& formula, const plane::GridPoint& about) {
   std::vector<SvgDrawing> out;
   std::vector<const plane::Region*> regions;
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
     const formula::World rotated =
-        formula::rotated_world(world, {about.x, about.y}, down ? -s.degrees : s.degrees, drawn);
+        formula::rotated_world(world, {about.x, about.y}, asked.scene().seen(s.degrees), drawn);
     const plane::Summary summary = plane::summarize(s.region, asked.step());
     out.push_back(
         picture_drawing(picture(asked, rotated, formula, fmt::format("At {}°", shown(s.degrees.to_double())),
@@ -94,12 +94,12 @@ std::string panels(const AskedScene& asked, const PoseStack& stack, const formul
 }
 
 std::string pages(const AskedScene& asked, const PoseStack& stack, const formula::World& world,
-                  const formula::Formula& formula, const plane::GridPoint& about, bool down) {
+                  const formula::Formula& formula, const plane::GridPoint& about) {
   std::vector<Page> out;
   const exact::RealPoint centre{about.x, about.y};
   plane::Rounding drawn;
   for (const PoseSlice& s : stack.slices) {
-    const formula::World rotated = formula::rotated_world(world, centre, down ? -s.degrees : s.degrees, drawn);
+    const formula::World rotated = formula::rotated_world(world, centre, asked.scene().seen(s.degrees), drawn);
     out.push_back(page(asked, rotated, formula, fmt::format("At {}°", shown(s.degrees.to_double())), s.region,
                        s.outer ? &*s.outer : nullptr));
     for (const PoseSector& t : stack.sectors) {
@@ -146,15 +146,13 @@ struct PoseQuestion {
   formula::Formula formula;
   plane::GridPoint about;
   formula::World world;
-  bool down;
   PoseStack stack{};
 
   explicit PoseQuestion(AskedScene given)
       : asked(std::move(given)),
         formula(question_over_angles(asked)),
         about{asked.scene().free.about[0], asked.scene().free.about[1]},
-        world(asked.world()),
-        down(asked.scene().board != nullptr) {
+        world(asked.world()) {
     for (auto& [name, region] : world.shapes) region = plane::closure(std::move(region));
   }
 
@@ -177,7 +175,7 @@ Answer::Data map_of_poses(AskedScene given) {
   const auto q = std::make_shared<PoseQuestion>(std::move(given));
   q->asked.stage("solving");
   q->stack = planning::pose_stack(q->world, q->formula, q->about, q->asked.scene().free.angles);
-  if (q->down) q->stack = as_seen(std::move(q->stack));
+  if (q->asked.scene().mirrors_angles()) q->stack = as_seen(std::move(q->stack));
   q->asked.note_rotated(rounding_of(q->stack), "; the sectors allow for it");
   bool empty = true, impossible = true;
   for (const PoseSlice& s : q->stack.slices) {
@@ -189,10 +187,10 @@ Answer::Data map_of_poses(AskedScene given) {
   out.json = [q](const Telling&) { return poses_json(q->stack, q->asked.step(), q->asked.unit()); };
   out.text = [q](const Telling&) { return stack_text(q->asked, q->stack); };
   out.files[".html"] = [q](const Telling&) {
-    return Region::Drawn{pages(q->asked, q->stack, q->world, q->formula, q->about, q->down), {}};
+    return Region::Drawn{pages(q->asked, q->stack, q->world, q->formula, q->about), {}};
   };
   out.files[".svg"] = [q](const Telling&) {
-    return Region::Drawn{panels(q->asked, q->stack, q->world, q->formula, q->about, q->down), {}};
+    return Region::Drawn{panels(q->asked, q->stack, q->world, q->formula, q->about), {}};
   };
   out.poses = [q] { return q->poses(); };
   return out;

@@ -59,7 +59,7 @@ void require_turning(const AskedScene& asked) {
 }
 
 formula::Pose rotation_pose(const AskedScene& asked, const PlanarPose& pose) {
-  formula::Pose out{pose.at, pose.degrees.value_or(exact::Real()), std::nullopt};
+  formula::Pose out{pose.at, asked.scene().seen(pose.degrees.value_or(exact::Real())), std::nullopt};
   const GridPosition& about = asked.scene().free.about;
   if (ranges_over_angles(asked.scene().free))
     out.about = {exact::Real(about[0]) * asked.step(), exact::Real(about[1]) * asked.step()};
@@ -83,7 +83,7 @@ struct PlanarQuestion {
   distance::Coordinates place() const { return distance::coordinates(at); }
   std::optional<double> degrees() const {
     if (!rotated && !asked.turned()) return std::nullopt;
-    return (asked.turned().value_or(exact::Real()) + pose.degrees).to_double();
+    return (asked.turned().value_or(exact::Real()) + asked.scene().seen(pose.degrees)).to_double();
   }
   /// The shapes as they are drawn: of a shape that turns with its vertices rounded to the grid.
   template <class Draw>

@@ -18,7 +18,7 @@
 
 namespace findspace::io {
 
-/// Where what moves stands, in the scene's unit; in the plane turned by `degrees` first.
+/// Where what moves stands, in the scene's unit; in the plane turned by `degrees` first, as they are asked for.
 struct PlanarPose {
   exact::RealPoint at;
   std::optional<exact::Real> degrees{};

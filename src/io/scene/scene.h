@@ -109,6 +109,12 @@ struct Scene {
 
   /// What moves, in words: "U3", "A1, A2".
   std::string moving_text() const;
+  /// Whether angles are asked for and told against the coordinates: on a board, whose y axis runs downwards, they count
+  /// counter-clockwise as it is seen.
+  bool mirrors_angles() const { return board != nullptr; }
+  /// Degrees from the x axis to the y axis as they are told, and those that are asked for as degrees from the x axis to
+  /// the y axis. The angles of `free` and of placed bodies are the latter.
+  exact::Real seen(const exact::Real& degrees) const { return mirrors_angles() ? -degrees : degrees; }
   /// The shape of that name, or null.
   plane::ShapePtr find(std::string_view name) const;
   /// The same; throws Error(kUnknownName) that proposes the nearest name.
