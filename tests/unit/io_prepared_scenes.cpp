@@ -77,6 +77,15 @@ TEST(PreparedScene, SnapsToCornersThenEdges) {
   EXPECT_THROW(Scene::json(kPlate).check({{"6", "5"}, Number(30), {}}, {true, "1"}), Error);
 }
 
+TEST(PreparedScene, RegionsSnapToWhatBelongsToThem) {
+  // The left side, with its corners, is open.
+  const Region region = Shape::box({0, 0}, {10, 10}).region() - Shape::box({0, 0}, {1, 10}).region();
+  EXPECT_EQ(*region.snapped({1.25, 0.125}, 20), (Position{10, 0}));
+  EXPECT_EQ(*region.snapped({1.25, 0.125}, 1), (Position{1.25, 0}));
+  EXPECT_EQ(*region.snapped({1.25, 5.5}, 5), (Position{1.25, 10}));
+  EXPECT_FALSE(region.snapped({1.25, 5.5}, 4));
+}
+
 TEST(PreparedScene, RegionsSnapAndShowThemselves) {
   const Region region = Scene::json(kPlate).map().region()->inner;
   EXPECT_EQ(*region.snapped({6.3, 5.2}, 1), (Position{6, 5}));

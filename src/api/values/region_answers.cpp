@@ -3,6 +3,10 @@
 
 #include "api/values/region_answers.h"
 
+#include <array>
+#include <utility>
+
+#include "plane/complex/overlay.h"
 #include "plane/query/curve_net.h"
 #include "plane/query/summary_sample.h"
 #include "plane/query/topology.h"
@@ -23,8 +27,13 @@ const plane::Region& RegionAnswers::closure() const {
   return *closure_;
 }
 
+plane::Region RegionAnswers::own_part(plane::Region of) const {
+  if (plane::is_closed(region_)) return of;
+  return plane::intersect(std::array<const plane::Region*, 2>{&of, &region_});
+}
+
 const plane::Region& RegionAnswers::boundary() const {
-  std::call_once(bounded_, [&] { boundary_ = plane::boundary(closure()); });
+  std::call_once(bounded_, [&] { boundary_ = own_part(plane::boundary(closure())); });
   return *boundary_;
 }
 
@@ -37,7 +46,7 @@ const plane::Region& RegionAnswers::corners() const {
       if (net.number(v) == plane::kNone) corners.vertices[v].mark = 0;
     for (plane::Edge& e : corners.edges) e.mark = 0;
     for (plane::Face& f : corners.faces) f.mark = 0;
-    corners_ = std::move(corners);
+    corners_ = own_part(std::move(corners));
   });
   return *corners_;
 }

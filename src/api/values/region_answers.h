@@ -37,6 +37,9 @@ class RegionAnswers {
 
  private:
   const plane::Region& closure() const;
+  /// Of a part of the closure what belongs to the region.
+  plane::Region own_part(plane::Region of) const;
+  /// Those that belong to the region.
   const plane::Region& boundary() const;
   const plane::Region& corners() const;
 
