@@ -141,6 +141,27 @@ TEST(PublicSums, ABestPositionOnACurveKnownBetweenBoundsIsUndecided) {
   }
 }
 
+TEST(PublicSums, OneDistanceFallsWithoutEnd) {
+  // H has no end; the hole in it is a square of 9.
+  const World w({{"A", Shape::box({2, 1}, {5, 4})},
+                 {"H", Shape::complement(Shape::box({0, 0}, {9, 9}))},
+                 {"B", Shape::points({{0, 0}})}},
+                "B");
+  const Optimum least = w.minimize("3 * gap(B, A) + gap(B, H)");
+  ASSERT_TRUE(least.value);
+  EXPECT_NEAR(*least.value, -2, 1e-2);  // in the middle of A
+  EXPECT_LE(least.lower, -2 + kClose);
+  const Answer greatest = Scene::json(R"json({"findspace": 1, "shapes": {"A": {"box": {"min": [2, 1], "max": [5, 4]}},
+    "H": {"complement": {"box": {"min": [0, 0], "max": [9, 9]}}}, "B": {"points": [[0, 0]]}}, "moving": "B",
+    "where": "true", "maximize": "-3 * gap(B, A) - gap(B, H)"})json")
+                              .map();
+  ASSERT_TRUE(greatest.best() && greatest.best()->value);
+  EXPECT_NEAR(*greatest.best()->value, 2, 1e-2);
+  EXPECT_TRUE(w.minimize("gap(B, A) + 3 * gap(B, H)").unbounded);
+  EXPECT_TRUE(w.minimize("-3 * gap(B, A) - gap(B, H)").unbounded);
+  EXPECT_THROW(w.minimize("gap(B, A) + gap(B, H)"), Error);
+}
+
 TEST(PublicSums, HoldsAtAPositionIsTheSign) {
   const World w = world();
   for (const Position& p : places(300)) {

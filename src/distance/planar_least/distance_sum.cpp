@@ -66,17 +66,31 @@ std::optional<int> DistanceSum::infinite(const RealPoint& p) const {
   return sign;
 }
 
-std::optional<double> DistanceSum::slope_beyond(const RealPoint& p) const {
-  double out = 0;
+std::optional<DistanceSum::Growth> DistanceSum::growth_beyond(const RealPoint& p) const {
+  Growth out;
   for (const Summand& s : summands_) {
     const auto v = s.f->value(place(s, p));
-    if (!v || v->minus_infinity) return 0;
+    if (!v || v->minus_infinity) return Growth{};
     const Enclosure within = v->bounds();
-    const bool ends = v->proven && v->value.sign() == 0;  // where shapes are apart
-    if (ends) continue;
-    if (s.weight.sign() <= 0 || !within.lower || within.lower->sign() <= 0) return std::nullopt;
-    out += near_value(s.weight);
+    if (v->proven && v->value.sign() == 0) continue;  // where shapes are apart
+    const int sign = within.lower && within.lower->sign() > 0 ? 1 : within.upper && within.upper->sign() < 0 ? -1 : 0;
+    if (sign == 0) return std::nullopt;
+    if (s.weight.sign() == sign) {
+      out.rising += abs(s.weight);
+      continue;
+    }
+    out.falling += abs(s.weight);
+    const Enclosure start = s.f->value(place(s, RealPoint{})).value().bounds();
+    const auto& least = s.weight.sign() > 0 ? start.lower : start.upper;
+    if (!least) return std::nullopt;
+    out.start += s.weight * *least;
   }
+  return out;
+}
+
+DistanceSum DistanceSum::negated() const {
+  DistanceSum out = *this;
+  for (Summand& s : out.summands_) s.weight = -s.weight;
   return out;
 }
 
@@ -215,8 +229,7 @@ ValueRange DistanceSum::range(const RealPoint& p, double radius) const {
 
 void refuse_without_end() {
   throw Error(ErrorCode::kUnsupported,
-              "over unbounded positions only the least sum of distances that grow without end, with positive factors, "
-              "is looked for");
+              "over unbounded positions a sum is not looked for whose best value may lie infinitely far away");
 }
 
 namespace {
@@ -236,12 +249,23 @@ double known_value(const DistanceSum& f, const plane::Region& set) {
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size) {
   SearchWindow window{{}, false, margin::kBestPart * size, kMostBoxes, true};
   if (const plane::Region& all = s.possible; all.faces[0].mark > 0) {
-    // F >= slope * (|p| - size) beyond: more than a position of S has.
+    if (sense == Sense::kMaximum) {
+      Extremum out = best_position(f.negated(), s, Sense::kMinimum, size);
+      out.negate();
+      return out;
+    }
     size += f.displacement();
-    const auto slope = f.slope_beyond({Real::from_double(2 * std::ceil(size)), Real()});
-    if (!slope || (*slope > 0 && sense == Sense::kMaximum)) refuse_without_end();
-    window.worse_outside = *slope > 0;
-    if (window.worse_outside) size += std::max(0.0, known_value(f, all)) / *slope * margin::kUpward;
+    const auto growth = f.growth_beyond({Real::from_double(2 * std::ceil(size)), Real()});
+    if (!growth) refuse_without_end();
+    const Real slope = growth->rising - growth->falling;
+    if (slope.sign() < 0 && s.certain.faces[0].mark > 0) return no_optimum<plane::Region>(sense, true);
+    window.worse_outside = slope.sign() > 0;
+    if (!window.worse_outside && growth->falling.sign() > 0) refuse_without_end();
+    if (window.worse_outside) {
+      // F >= rising * (|p| - size) + start - falling * |p| beyond: more than a position of S has.
+      const double held = near_value(growth->falling) * size - near_value(growth->start);
+      size += std::max(0.0, known_value(f, all) + held) / near_value(slope) * margin::kUpward;
+    }
   }
   size = std::ceil(size) + 1;
   window.box = {-size, -size, size, size};

@@ -33,9 +33,14 @@ class DistanceSum {
   const std::vector<Summand>& summands() const { return summands_; }
   /// +1, -1: F(p) is infinite, and so it is everywhere; 0: finite; nothing: two summands are, with opposite signs.
   std::optional<int> infinite(const exact::RealPoint& p) const;
-  /// How fast F grows with |p| at least, from a position on where no shapes meet: 0 where it is constant there; nothing
-  /// where it may fall.
-  std::optional<double> slope_beyond(const exact::RealPoint& p) const;
+  /// How F goes on beyond the reach of all shapes: F(p) >= rising * (|p| - reach) + start - falling * |p|, and F falls
+  /// without end where `falling` is more than `rising`. All 0 where F is constant there.
+  struct Growth {
+    exact::Real rising, falling, start;
+  };
+  /// `p` is beyond the reach; nothing where it is not known.
+  std::optional<Growth> growth_beyond(const exact::RealPoint& p) const;
+  DistanceSum negated() const;
   /// No summand's place is farther off than this from the position, or from minus the position.
   double displacement() const;
   /// F changes by no more than this times the way.
@@ -71,7 +76,7 @@ class DistanceSum {
 };
 
 /// The least or greatest value over positions of S (best_position.h), `size`: the reach of all shapes. Throws
-/// Error(kUnsupported) where S is unbounded and F far away neither grows for ever, for a minimum, nor is constant.
+/// Error(kUnsupported) where S is unbounded and it is not known whether F far away grows, falls or is constant.
 Extremum best_position(const DistanceSum& f, const PositionBounds& s, Sense sense, double size);
 /// Throws that Error.
 [[noreturn]] void refuse_without_end();
