@@ -183,6 +183,10 @@ TEST(FormulaErrors, Atoms) {
          "1:1: '-> min' is of one distance; \"minimize\" takes a sum\n"
          "  gap(chip, board) + gap(chip, key) -> min\n"
          "  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~");
+  expect("-gap(chip, board) -> min",
+         "1:1: '-> min' is of a distance, not of minus one; \"maximize\" takes gap(chip, board)\n"
+         "  -gap(chip, board) -> min\n"
+         "  ^~~~~~~~~~~~~~~~~");
   expect("0 <= gamma1(chip, board) <= gap(chip, key)",
          "1:29: a number is meant at the end of a chain, found a distance\n"
          "  0 <= gamma1(chip, board) <= gap(chip, key)\n"

@@ -51,6 +51,11 @@ TEST(Parse, Chains) {
   EXPECT_EQ(canonical("1 <= margin(B, A) < 2"), "eta1(B, A) <= -1 and eta1(B, A) > -2");
 }
 
+TEST(Parse, LeastOfADistanceTimesAFactor) {
+  EXPECT_EQ(canonical("2 * reach(B, A) -> min"), "gamma2(B, A) -> min");
+  EXPECT_EQ(canonical("-margin(B, A) -> min"), "eta1(B, A) -> min");
+}
+
 TEST(Parse, SumsAndComparisonsOfDistances) {
   Context still = scene();
   still.motion = false;

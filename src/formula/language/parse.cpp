@@ -168,9 +168,7 @@ class Grammar {
     if (cursor_.at(K::kArrow)) {
       cursor_.take();
       if (!cursor_.accept_word("min")) cursor_.fail_syntax("only 'min' may follow '->', found {}", cursor_.found());
-      if (!left.term)
-        cursor_.fail(ErrorCode::kUnsupported, left.span, "'-> min' is of one distance; \"minimize\" takes a sum");
-      return minimum(*left.term);
+      return left.term ? minimum(*left.term) : minimum(left);
     }
     if (!cursor_.at(K::kRelation)) {
       const std::string example = left.term ? written(left.term->distance) : "gap(B, A) + gap(B, C)";
@@ -210,6 +208,17 @@ class Grammar {
                    term.distance.spelled->name, text(term.distance));
     }
     return add(minimisers(term.distance));
+  }
+
+  /// Of a distance times a factor.
+  Node minimum(const Sum& sum) {
+    if (sum.terms.size() != 1 || !sum.numbers.empty())
+      cursor_.fail(ErrorCode::kUnsupported, sum.span, "'-> min' is of one distance; \"minimize\" takes a sum");
+    const SumTerm& only = sum.terms.front();
+    if (only.weight.sign() < 0)
+      cursor_.fail(ErrorCode::kUnsupported, sum.span,
+                   "'-> min' is of a distance, not of minus one; \"maximize\" takes {}", written(only.distance));
+    return add(minimisers(only.distance));
   }
 
   Node argmin() {
