@@ -7,6 +7,7 @@
 
 #include "formula/explain/ground.h"
 #include "formula/language/text.h"
+#include "formula/planar/solve_rotation.h"
 
 namespace findspace::formula {
 namespace {
@@ -169,11 +170,9 @@ Explanation explain_instants(const Solver& solver, const Formula& formula, const
 
 namespace {
 
-template <class S, class Place>
-PositionExplanation explained_at(const S& solver, const Formula& formula, const Place& p) {
+PositionExplanation explained(const Formula& formula, Check check) {
   PositionExplanation out;
-  refuse_sums(formula);
-  out.check = solver.check(formula, p);
+  out.check = std::move(check);
   if (out.check.holds) return out;
   const Demands demands(formula);
   MetDemands met(demands.size());
@@ -183,6 +182,12 @@ PositionExplanation explained_at(const S& solver, const Formula& formula, const 
   }
   out.change = find_correction(demands, met);
   return out;
+}
+
+template <class S, class Place>
+PositionExplanation explained_at(const S& solver, const Formula& formula, const Place& p) {
+  refuse_sums(formula);
+  return explained(formula, solver.check(formula, p));
 }
 
 }  // namespace
@@ -196,6 +201,28 @@ PositionExplanation explain_at(const Solver& solver, const Formula& formula, con
 PositionExplanation explain_at(const SpaceSolver& solver, const Formula& formula, const space::RealVector& p) {
   PositionExplanation out = explained_at(solver, formula, p);
   if (!out.check.holds) out.nearest = nearest_feasible(solver, formula, p);
+  return out;
+}
+
+PositionExplanation explain_at(const RotationSolver& pose, const Solver& rotated, const Formula& formula,
+                               const RealPoint& p) {
+  refuse_sums(formula);
+  PositionExplanation out = explained(formula, pose.check(formula));
+  if (out.check.holds) return out;
+  out.nearest = rotated.nearest_feasible(formula, p);
+  const NearestFeasible* near = found(out.nearest);
+  if (near != nullptr && near->distance.sign() == 0) out.nearest.reset();  // on the grid it holds here
+  return out;
+}
+
+Explanation feasible_off_the_grid(const Formula& formula) {
+  const Demands demands(formula);
+  Explanation out;
+  out.feasible = true;
+  for (std::size_t k = 0; k < demands.size(); ++k)
+    if (demands.has_level(k))
+      out.slack.push_back(
+          change_of(k, LevelChange::Kind::kUnknown, "with its vertices on the grid no position is feasible"));
   return out;
 }
 

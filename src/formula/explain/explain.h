@@ -32,6 +32,8 @@
 
 namespace findspace::formula {
 
+class RotationSolver;
+
 /// One that remains, or that is there then: a position, or over all angles an angle, over time an instant.
 struct RemainingPlace {
   std::optional<distance::Coordinates> at;  // in the scene's unit
@@ -98,6 +100,12 @@ struct PositionExplanation {
 /// At a position in the scene's unit.
 PositionExplanation explain_at(const Solver& solver, const Formula& formula, const exact::RealPoint& p);
 PositionExplanation explain_at(const SpaceSolver& solver, const Formula& formula, const space::RealVector& p);
+/// At a pose: the check is exact, `rotated` has the shapes rotated, their vertices on the grid.
+PositionExplanation explain_at(const RotationSolver& pose, const Solver& rotated, const Formula& formula,
+                               const exact::RealPoint& p);
+
+/// Where a position is feasible, though none is with vertices on the grid: how far levels can move is not known.
+Explanation feasible_off_the_grid(const Formula& formula);
 
 /// The atom as its writer would put it at another level. One that is not a short decimal is rounded to a thousandth of
 /// `step`, to the side on which there is more room, and moved by one such part where the level itself is not `reached`.

@@ -177,6 +177,7 @@ AtomAt RotationSolver::check_plain(const RotationMaps& maps, const Formula& whol
   // The truth from the exact circle: rounding must not decide a contact.
   const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
   out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
+  if (out.holds) out.lacks.reset();
   out.way = distance::Way::kAngles;
   return out;
 }

@@ -8,6 +8,7 @@
 #include "formula/planar/solve_rotation.h"
 #include "io/api/public_scene.h"
 #include "io/question/map_answer.h"
+#include "io/question/position_answer.h"
 #include "io/write/write_explanation.h"
 
 namespace findspace {
@@ -130,12 +131,16 @@ Explanation explain_poses(const AskedScene& asked, const std::optional<exact::Re
   const exact::RealPoint about{scene.free.about[0], scene.free.about[1]};
   asked.stage("explaining");
   plane::Rounding rounding;
-  const std::vector<formula::SharedSolver> poses =
-      formula::solvers_at(asked.solver()->world(), about, angles, rounding);
+  const formula::SharedSolver drawn = asked.solver();
+  const std::vector<formula::SharedSolver> poses = formula::solvers_at(drawn->world(), about, angles, rounding);
   asked.note_rotated(rounding);
-  const formula::Explanation found = formula::explain(poses, formula);
+  formula::Explanation found = formula::explain(poses, formula);
   std::optional<formula::PositionExplanation> here;
-  if (at) here = formula::explain_at(*poses[0], formula, *at);
+  if (at) {
+    const formula::RotationSolver pose(*drawn, rotation_pose(asked, {*at, degrees}));
+    here = formula::explain_at(pose, *poses[0], formula, *at);
+    if (here->check.holds && !found.feasible) found = formula::feasible_off_the_grid(formula);
+  }
   std::vector<double> told;
   for (const exact::Real& angle : angles) told.push_back(within_a_turn(scene.seen(angle)));
   return public_explanation({formula, found, here ? &*here : nullptr,

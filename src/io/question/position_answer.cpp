@@ -58,6 +58,8 @@ void require_turning(const AskedScene& asked) {
   asked.require_moving();
 }
 
+}  // namespace
+
 formula::Pose rotation_pose(const AskedScene& asked, const PlanarPose& pose) {
   formula::Pose out{pose.at, asked.scene().seen(pose.degrees.value_or(exact::Real())), std::nullopt};
   const GridPosition& about = asked.scene().free.about;
@@ -65,6 +67,8 @@ formula::Pose rotation_pose(const AskedScene& asked, const PlanarPose& pose) {
     out.about = {exact::Real(about[0]) * asked.step(), exact::Real(about[1]) * asked.step()};
   return out;
 }
+
+namespace {
 
 /// What a question about one position of the plane needs for its texts and pictures.
 struct PlanarQuestion {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "formula/language/names.h"
+#include "formula/planar/solve_rotation.h"
 #include "io/question/answer_data.h"
 #include "io/question/asked_scene.h"
 
@@ -23,6 +24,9 @@ struct PlanarPose {
   exact::RealPoint at;
   std::optional<exact::Real> degrees{};
 };
+
+/// The same for the solver of rotations, about the point that the scene names where it ranges over angles.
+formula::Pose rotation_pose(const AskedScene& asked, const PlanarPose& pose);
 
 /// What a check is asked for besides.
 struct CheckWishes {
