@@ -101,11 +101,64 @@ TEST(Swing, BackwardsIsTheSameBackwards) {
   }
 }
 
+/// Both turn about one point: as one of them does alone, by the difference.
+TEST(Swing, BothTurnAboutOnePoint) {
+  std::mt19937 random(6);
+  for (int k = 0; k < 8; ++k) {
+    World both = random_world(random);
+    Trajectory& way = both.motion.of["B"];
+    Trajectory& other = both.motion.of["A"];
+    other = way;
+    for (Real& a : other.angles) a = Real(int(random() % 400) - 200);
+    World one = both;
+    one.motion.of.erase("A");
+    Trajectory& alone = one.motion.of["B"];
+    alone.path.assign(3, RealPoint{});
+    for (std::size_t i = 0; i < 3; ++i) alone.angles[i] = way.angles[i] - other.angles[i];
+    Context context;
+    context.shapes = {"A", "B", "C"};
+    context.moving = {"B"};
+    context.motion = true;
+    const Formula formula = parse_formula("gamma1(B, A) >= 1 or mu(A, B) <= 12", context);
+    const auto of_both = Solver(std::move(both)).swing(formula, {}), of_one = Solver(std::move(one)).swing(formula, {});
+    ASSERT_TRUE(of_both && of_one);
+    for (int i = 0; i <= 400; ++i)
+      EXPECT_EQ(mark_at(*of_both, Real::ratio(i, 100)), mark_at(*of_one, Real::ratio(i, 100))) << k << " at " << i;
+  }
+}
+
+TEST(Swing, TurningTogetherIsStandingStill) {
+  std::mt19937 random(7);
+  for (int k = 0; k < 6; ++k) {
+    World together = random_world(random);
+    together.motion.of["A"] = together.motion.of["B"];
+    World still = together;
+    still.motion = {};
+    Context context;
+    context.shapes = {"A", "B", "C"};
+    context.moving = {"B"};
+    const Solver at_rest(std::move(still));
+    context.motion = true;
+    const Solver turning(std::move(together));
+    for (const char* name : {"gamma1", "eta1", "gamma2", "mu", "hausdorff", "penetration"}) {
+      Distance d = parse_formula(std::string(name) + "(B, A) = 0", context).atoms()[0].distance;
+      d.prefix = Extremum::kNone;
+      const DistanceAt value = at_rest.distance_at(d, {});
+      d.prefix = Extremum::kSup;
+      const DistanceAt turned = turning.distance_at(d, {});
+      ASSERT_EQ(value.value(), turned.value()) << name;
+      if (!value.value()) continue;
+      EXPECT_TRUE(turning.holds(Formula(compare(d, Relation::kEqual, value.answer->value)), {})) << name;
+    }
+  }
+}
+
 TEST(Swing, IsNothingWhereSomethingElseMoves) {
   std::mt19937 random(5);
   World away = random_world(random), both = away;
   away.motion.of["B"].path[1].x = Real(7);
   both.motion.of["A"] = both.motion.of["B"];
+  both.motion.of["A"].path.assign(3, RealPoint{});  // about another point
   const Formula formula = random_formula(random);
   EXPECT_FALSE(Solver(std::move(away)).swing(formula, {}));
   EXPECT_FALSE(Solver(std::move(both)).swing(formula, {}));

@@ -18,6 +18,7 @@
 #include "formula/planar/position_functions.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/swing.h"
 #include "plane/base/parallel.h"
 #include "plane/base/subdivide.h"
 
@@ -198,7 +199,8 @@ InstantBounds instant_bounds_at(const PreparedWorld& world, const Formula& formu
     const SignMap m = plain_level(map);
     const Roles r = world.roles(m.distance);
     const bool between_bounds = r.rotating || in_rotation(m);
-    if (between_bounds && m.distance.prefix == Extremum::kNone) {
+    const auto rest = r.rotating && !m.minimum ? at_rest(world, m.distance, p) : std::nullopt;
+    if (between_bounds && !rest && m.distance.prefix == Extremum::kNone) {
       for (Section& s : sign_bounds_in_time(world, m, r, p)) lines.push_back(std::move(s));
       continue;
     }

@@ -10,6 +10,7 @@
 #include "formula/language/text.h"
 #include "formula/planar/position_functions.h"
 #include "formula/planar/rotation_values.h"
+#include "formula/planar/swing.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::formula {
@@ -143,12 +144,15 @@ std::optional<Derived> derived(const Distance& d) {
   return out;
 }
 
+std::optional<distance::SceneAnswer> without_witness(std::optional<distance::SceneAnswer> answer) {
+  if (!answer) return answer;
+  answer->witness.clear();
+  answer->nearest.reset();
+  return answer;
+}
+
 DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
-  std::optional<distance::SceneAnswer> v = base.answer;
-  if (v) {
-    v->witness.clear();
-    v->nearest.reset();
-  }
+  std::optional<distance::SceneAnswer> v = without_witness(base.answer);
   DistanceAt out = distance_at(text(wanted), from.cut ? distance::cut_off(std::move(v), from.negated) : std::move(v));
   out.in_degrees = base.in_degrees;
   return out;
@@ -184,6 +188,10 @@ DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted,
 DistanceAt distance_at(const PreparedWorld& world, const Distance& wanted, const RealPoint& p) {
   const Roles r = world.roles(wanted);
   const bool rotation = r.wanted.mode == Mode::kRotation;
+  if (const auto rest = r.rotating ? at_rest(world, wanted, p) : std::nullopt) {
+    DistanceAt out = distance_at(*rest->world, rest->distance, rest->at);
+    return distance_at(text(wanted), without_witness(std::move(out.answer)));
+  }
   if (r.rotating || (rotation && world.motion().given()))
     return ranged_answer(world, wanted, rotation_value(world, r, p));
   const bool plain = !world.motion().given() && r.wanted.mode == Mode::kPlain;

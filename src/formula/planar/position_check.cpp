@@ -74,6 +74,11 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
   }
   if (wanted.minimum) refuse(wanted.distance, "whether a position is the best of all is not computed with a motion");
   const bool at_instant = world.world().instant && wanted.distance.prefix == Extremum::kNone;
+  if (auto rest = at_rest(world, wanted.distance, p)) {
+    DecidedSign out = decided_sign(*rest->world, {std::move(rest->distance), wanted.level}, rest->at);
+    out.value.reset();  // its features are elsewhere
+    return out;
+  }
   const auto exact = at_instant ? std::nullopt : swing_sign(world, wanted, p);
   if (exact) return {*exact, Way::kAngles};
   if (rotation && at_instant) {
@@ -87,7 +92,7 @@ DecidedSign decided_sign(const PreparedWorld& world, const SignMap& asked, const
   if (v->low > level + tolerance) return {1, Way::kSearch};
   if (v->high < level - tolerance) return {-1, Way::kSearch};
   // After the bounds, which take less time than a map over all angles.
-  if (const auto now = at_instant ? swing_sign_now(world, wanted, p) : std::nullopt) return {*now, Way::kAngles};
+  if (const auto now = at_instant ? swing_sign(world, wanted, p) : std::nullopt) return {*now, Way::kAngles};
   const double unit = rotation ? 1 : world.step().to_double();
   const bool minus = negated(wanted.distance);
   refuse(wanted.distance,

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formula/language/evaluate.h"
 #include "formula/language/which.h"
 #include "formula/planar/rotation_maps.h"
+#include "plane/base/real_vector.h"
 #include "plane/rotation/rotation_map.h"
 
 namespace findspace::formula {
@@ -18,6 +20,9 @@ using exact::RealPoint;
 using plane::Mark;
 using plane::RotationMap;
 using plane::Section;
+using plane::operator+;
+using plane::operator-;
+using plane::operator==;
 
 namespace {
 
@@ -73,68 +78,109 @@ class Leg {
   double part_ = 0;
 };
 
-bool is_instant_of_plain(const SignMap& m) {
-  return !m.minimum && m.distance.prefix == Extremum::kNone && plain_level(m).distance.mode == Mode::kPlain;
+/// How the moving shape of a distance turns in place, as the other one sees it, at times that ascend; even between.
+struct Swing {
+  std::vector<Real> times, angles;
+  SignMap wanted;  // without its prefix, and in rotation about `at`
+  RealPoint at;
+};
+
+/// Over the time of the distance; nothing where that is not so.
+std::optional<Swing> swing_of(const PreparedWorld& world, const SignMap& asked, const RealPoint& p) {
+  Swing out{{}, {}, plain_level(asked), {}};
+  Distance& d = out.wanted.distance;
+  if (asked.minimum || !asked.more.empty() || is_directional(d)) return std::nullopt;
+  const World& scene = world.world();
+  const Roles r = world.roles(d);
+  const Trajectory b = common_trajectory(scene.motion, r.names.first),
+                   a = common_trajectory(scene.motion, r.names.second);
+  const bool now = scene.instant && d.prefix == Extremum::kNone, rotation = d.mode == Mode::kRotation;
+  out.times = now ? std::vector{*scene.instant} : common_times(scene.motion, b, a);
+  for (const Real& time : out.times) {
+    const RealPoint place = p + position_at(b, time), seen = place - position_at(a, time);
+    const Real of_other = angle_at(a, time);
+    out.angles.push_back(angle_at(b, time) - of_other);
+    if (out.angles.size() == 1) out.at = seen;
+    // Both may turn, about the same point.
+    if (!(seen == out.at) || (of_other.sign() != 0 && !(seen == RealPoint{}))) return std::nullopt;
+    if (rotation && !(place == centre_of(world, d))) return std::nullopt;
+  }
+  d.prefix = Extremum::kNone;
+  if (rotation) d.vector = {out.at.x * world.step(), out.at.y * world.step()};
+  return out;
 }
 
-/// The rotation of the moving shapes, where that is all that moves and the maps are of instants.
-std::optional<Trajectory> swinging(const World& world, const std::vector<SignMap>& maps) {
-  if (!std::all_of(maps.begin(), maps.end(), is_instant_of_plain)) return std::nullopt;
-  const auto of = [&](const std::string& name) { return world.motion.of.find(name); };
-  const auto first = of(world.moving.at(0)), none = world.motion.of.end();
-  if (first == none || world.motion.of.size() != world.moving.size()) return std::nullopt;
-  for (const std::string& name : world.moving)
-    if (of(name) == none || !(of(name)->second == first->second)) return std::nullopt;
-  const std::vector<RealPoint>& path = first->second.path;
-  const bool stays =
-      std::all_of(path.begin(), path.end(), [&](const RealPoint& p) { return p.x == path[0].x && p.y == path[0].y; });
-  return stays ? std::optional(first->second) : std::nullopt;
-}
-
-/// map(angles) over all angles of the shapes where they swing.
-template <class Map>
-RotationMap over_angles(const PreparedWorld& world, const Trajectory& way, const RealPoint& p, const Map& map) {
+std::shared_ptr<const PreparedWorld> without_motion(const PreparedWorld& world) {
   World still = world.world();
   still.motion = {};
-  const PreparedWorld prepared(std::move(still));
-  return map(RotationMaps(prepared, RealPoint{}, {p.x + way.path[0].x, p.y + way.path[0].y}));
+  still.instant.reset();
+  return std::make_shared<const PreparedWorld>(std::move(still));
+}
+
+/// The signs over all angles.
+RotationMap signs_over_angles(const PreparedWorld& world, const Swing& swing) {
+  return RotationMaps(*without_motion(world), RealPoint{}, swing.at).sign_map(swing.wanted);
+}
+
+double laps(const Swing& swing) {
+  double out = 0;
+  for (std::size_t k = 0; k + 1 < swing.angles.size(); ++k)
+    out += std::abs((swing.angles[k + 1] - swing.angles[k]).to_double()) / 360;
+  return out;
+}
+
+/// The marks of the angles in time; nothing where they change too often.
+std::optional<Section> in_time(const RotationMap& map, const Swing& swing) {
+  constexpr double kMostStops = 1e5;  // no sign: how many are listed
+  if ((laps(swing) + 1) * double(map.at.size()) > kMostStops) return std::nullopt;
+  Section out;
+  for (std::size_t k = 0; k + 1 < swing.times.size(); ++k)
+    Leg(out, swing.times[k], swing.times[k + 1]).rotation(map, swing.angles[k], swing.angles[k + 1]);
+  return out;
 }
 
 }  // namespace
 
 std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
-  const std::optional<Trajectory> way = swinging(world.world(), formula.sign_maps());
-  if (!way) return std::nullopt;
-  const RotationMap map = over_angles(world, *way, p, [&](const RotationMaps& m) { return m.feasible(formula); });
-  const std::vector<Real> times = common_times(world.motion(), *way, *way);
-  Section out;
-  for (std::size_t k = 0; k + 1 < times.size(); ++k)
-    Leg(out, times[k], times[k + 1]).rotation(map, angle_at(*way, times[k]), angle_at(*way, times[k + 1]));
-  return out;
+  if (world.world().instant || formula.sign_maps().empty()) return std::nullopt;
+  std::vector<Swing> swings;
+  for (const SignMap& wanted : formula.sign_maps()) {
+    if (wanted.distance.prefix != Extremum::kNone) return std::nullopt;
+    auto swing = swing_of(world, wanted, p);
+    if (!swing) return std::nullopt;
+    swings.push_back(*std::move(swing));
+    if (swings.back().times != swings[0].times || swings.back().angles != swings[0].angles) return std::nullopt;
+  }
+  std::vector<RotationMap> maps;
+  for (const Swing& swing : swings) maps.push_back(signs_over_angles(world, swing));
+  std::vector<const RotationMap*> operands;
+  for (const RotationMap& m : maps) operands.push_back(&m);
+  const RotationMap map =
+      plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
+  return in_time(map, swings[0]);
 }
 
 std::optional<std::int8_t> swing_sign(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
-  Distance instant = wanted.distance;
-  const bool least = natural_extremum(instant) == Extremum::kInf;
-  instant.prefix = Extremum::kNone;
-  const auto occurs = [&](Relation relation) -> std::optional<bool> {
-    const auto line = swing_at(world, Formula(compare(instant, relation, wanted.level)), p);
-    if (!line) return std::nullopt;
-    return std::any_of(line->stops.begin(), line->stops.end(),
-                       [](const Section::Stop& s) { return s.at != 0 || s.after != 0; });
-  };
-  const auto beyond = occurs(least ? Relation::kLess : Relation::kGreater);
-  if (!beyond) return std::nullopt;
-  if (*beyond) return std::int8_t(least ? -1 : 1);
-  if (*occurs(Relation::kEqual)) return std::int8_t(0);
-  return std::int8_t(least ? 1 : -1);
+  const std::optional<Swing> swing = swing_of(world, wanted, p);
+  if (!swing) return std::nullopt;
+  const RotationMap map = signs_over_angles(world, *swing);
+  if (swing->times.size() == 1) return mark_at(map, Angle::of_degrees(swing->angles[0]));
+  std::optional<Section> line = in_time(map, *swing);
+  if (!line) return std::nullopt;
+  line->stops.back().after = line->stops.back().at;
+  const bool least = natural_extremum(wanted.distance) == Extremum::kInf;
+  Mark best = line->stops[0].at;
+  for (const Section::Stop& s : line->stops)
+    best = least ? std::min({best, s.at, s.after}) : std::max({best, s.at, s.after});
+  return best;
 }
 
-std::optional<std::int8_t> swing_sign_now(const PreparedWorld& world, const SignMap& wanted, const RealPoint& p) {
-  const std::optional<Trajectory> way = swinging(world.world(), {wanted});
-  if (!way) return std::nullopt;
-  const RotationMap map = over_angles(world, *way, p, [&](const RotationMaps& m) { return m.sign_map(wanted); });
-  return mark_at(map, Angle::of_degrees(angle_at(*way, *world.world().instant)));
+std::optional<AtRest> at_rest(const PreparedWorld& world, const Distance& wanted, const RealPoint& p) {
+  const std::optional<Swing> swing = swing_of(world, {wanted, Real()}, p);
+  const auto upright = [](const Real& degrees) { return (degrees / Real(360)).integer().has_value(); };
+  if (!swing || wanted.mode != Mode::kPlain || !std::all_of(swing->angles.begin(), swing->angles.end(), upright))
+    return std::nullopt;
+  return AtRest{without_motion(world), swing->wanted.distance, swing->at};
 }
 
 }  // namespace findspace::formula
