@@ -120,30 +120,6 @@ TEST_F(Program, PackAnswersWhenItsTimeIsOver) {
   EXPECT_TRUE(contains(read("out.txt"), "9 parts, proved free of overlaps")) << read("out.txt") << read("err.txt");
 }
 
-TEST_F(Program, ExplainsAnAngleAsCheckDoes) {
-  // Turned by 45 degrees the part is 5*sqrt(2) = 7.07107 high; on the grid it is 7.0711.
-  const auto scene = [](const char* where) {
-    return std::string(
-               R"({"findspace": 1, "grid": 1e-4, "moving": "B", "shapes": {)"
-               R"("B": {"box": {"min": [0, 0], "max": [5, 5]}}, "W": {"box": {"min": [-9, -1], "max": [9, 8]}},)"
-               R"("low": {"box": {"min": [-9, -1], "max": [9, 0]}},)"
-               R"("high": {"box": {"min": [-9, 7.0711], "max": [9, 8]}}}, "where": ")") +
-           where + "\"}";
-  };
-  const std::string clear = scene("inside(B, W) and gap(B, low) > 0 and gap(B, high) > 0");
-  EXPECT_EQ(run("check scene.json --at 0,0.00001 --angle 45", clear).status, 0);
-  const Result some = run("explain scene.json --at 0,0.00001 --angle 45", clear);
-  EXPECT_EQ(some.status, 0) << some.err;
-  EXPECT_TRUE(contains(some.out, "is feasible")) << some.out;
-  EXPECT_TRUE(contains(some.out, "on the grid no position is feasible")) << some.out;
-  const std::string touch = scene("gap(B, high) = 0");
-  EXPECT_EQ(run("check scene.json --at 0,0 --angle 45", touch).status, 1);
-  const json none = json::parse(run("explain scene.json --at 0,0 --angle 45 --json", touch).out);
-  EXPECT_EQ(none["check"]["true"], false);
-  EXPECT_EQ(none["change"][0], "gap(B, high) = 0");
-  EXPECT_FALSE(none["check"].contains("nearest"));
-}
-
 /// How many copies of each part the layout has.
 std::map<std::string, int> copies(const json& layout) {
   std::map<std::string, int> result;

@@ -62,6 +62,30 @@ TEST(PreparedScene, OtherFormulasAndShapesAreNotKept) {
   EXPECT_THROW(scene.asking(other), Error);
 }
 
+TEST(PreparedScene, ExplainsAnAngleAsItChecksIt) {
+  // Turned by 45 degrees B is 5*sqrt(2) = 7.07107 high; on the grid it is 7.0711.
+  const auto scene = [](const std::string& where) {
+    return Scene::json(R"json({"findspace": 1, "grid": 1e-4, "moving": "B", "shapes": {
+      "B": {"box": {"min": [0, 0], "max": [5, 5]}}, "W": {"box": {"min": [-9, -1], "max": [9, 8]}},
+      "low": {"box": {"min": [-9, -1], "max": [9, 0]}},
+      "high": {"box": {"min": [-9, 7.0711], "max": [9, 8]}}}, "where": ")json" +
+                       where + "\"}")
+        .prepared();
+  };
+  const Scene clear = scene("inside(B, W) and gap(B, low) > 0 and gap(B, high) > 0");
+  const Pose between{{0, "0.00001"}, Number(45), {}};
+  EXPECT_EQ(clear.check(between).found(), Answer::Found::kYes);
+  const Answer some = clear.explain(between);
+  EXPECT_EQ(some.found(), Answer::Found::kYes);
+  EXPECT_NE(some.text().find("on the grid no position is feasible"), std::string::npos) << some.text();
+  const Scene touch = scene("gap(B, high) = 0");
+  const Pose there{{0, 0}, Number(45), {}};
+  EXPECT_EQ(touch.check(there).found(), Answer::Found::kNo);
+  const Answer none = touch.explain(there);
+  EXPECT_EQ(none.found(), Answer::Found::kNo);
+  EXPECT_EQ(none.json().find("nearest"), std::string::npos) << none.json();
+}
+
 TEST(PreparedScene, SnapsToCornersThenEdges) {
   for (const Scene& scene : {Scene::json(kPlate), Scene::json(kPlate).prepared()}) {
     const auto snapped = [&](const Pose& pose, const char* within) { return scene.check(pose, {true, within}); };
