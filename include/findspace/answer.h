@@ -84,8 +84,9 @@ class Answer {
   std::vector<Measured> measured() const;
 
   /// Of a map of positions in the plane, all or those on a line: where the formula holds, or is best. Where the best
-  /// value is known between bounds, all positions at which the formula may hold are possible. Of a shape of the plane:
-  /// its set, twice. Nothing of other answers.
+  /// value is known between bounds, `inner` has positions with the value found, which others may beat, and all
+  /// positions at which the formula may hold are possible. Of a shape of the plane: its set, twice. Nothing of other
+  /// answers.
   std::optional<RegionBounds> region() const;
   /// Of a map of positions in space: the same, exactly.
   std::optional<SpaceRegion> space_region() const;
