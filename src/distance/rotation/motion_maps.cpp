@@ -108,7 +108,7 @@ BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Whic
 
 int pieces_of_leg(const RotatingPose& p, const RotatingPose& q) {
   const double most = std::max(rotated(p.moving, q.moving), rotated(p.fixed, q.fixed));
-  return std::clamp(int(std::ceil(most / kDegreesInTime)), 1, kMostPieces);
+  return int(std::clamp(std::ceil(most / kDegreesInTime), 1.0, double(kMostPieces)));
 }
 
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
