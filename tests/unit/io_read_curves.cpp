@@ -309,6 +309,28 @@ TEST(ReadCurves, ScenesSayTheSame) {
     EXPECT_THROW(scene_area(wrong), Error) << wrong;
 }
 
+TEST(ReadCurves, AStepOfAnOutlineGoesOneWay) {
+  const auto fault = [](const std::string& step) {
+    try {
+      scene_area(R"({"outline": [[0, 0], [10, 0], )" + step + "]}");
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(fault(R"({"to": [0, 10], "bezier": [[12, 3], [10, 5]]})").find("\"bezier\" and \"to\" do not go together"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"to": [10, 10], "through": [15, 5], "bulge": 0.1})").find("\"through\" and \"bulge\" do not"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"to": [10, 10], "ccw": false})").find("\"ccw\" has no meaning in a straight step"),
+            std::string::npos);
+  EXPECT_NE(fault(R"({"to": [10, 10], "bulge": 0.1, "weights": [1, 2]})").find("\"bulge\" and \"weights\" do not"),
+            std::string::npos);
+  const std::string apart = fault(R"({"to": [10, 10], "center": [3, 3]})");  // one place, the innermost
+  EXPECT_EQ(apart.find("shape 'a', step 2 ("), 0u) << apart;
+  EXPECT_EQ(apart.find("shape 'a'", 1), std::string::npos) << apart;
+}
+
 std::string refusal(const std::string& shape) {
   try {
     scene_area(shape);

@@ -168,6 +168,26 @@ void Pen::center_arc(const JsonValue& step, const CurvePoint& to, const Label& l
   outline.arc_to(r, turn == (ccw ? -1 : 1), ccw, to.x, to.y);
 }
 
+/// A step goes one way; what belongs to another has no meaning in it.
+void check_way(const SceneReader& json, const JsonValue& step, const Label& label) {
+  struct Way {
+    std::string_view key;
+    std::array<std::string_view, 2> beside;
+  };
+  static constexpr std::array<Way, 4> kWays{
+      {{"through", {"to"}}, {"center", {"to", "ccw"}}, {"bulge", {"to"}}, {"bezier", {"weights"}}}};
+  const auto way = std::find_if(kWays.begin(), kWays.end(), [&](const Way& w) { return step.find(w.key) != nullptr; });
+  const Way own = way == kWays.end() ? Way{"to", {}} : *way;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const std::string& key = step.keys[i];
+    if (key == own.key || std::find(own.beside.begin(), own.beside.end(), key) != own.beside.end()) continue;
+    json.fail(ErrorCode::kBadValue,
+              own.key == "to" ? fmt::format("\"{}\" has no meaning in a straight step", key)
+                              : fmt::format("\"{}\" and \"{}\" do not go together", own.key, key),
+              label, step.items[i]);
+  }
+}
+
 void Pen::step(const JsonValue& value, const Label& label) {
   if (value.is(JsonValue::Kind::kArray)) {
     at = read_place(json, value, label);
@@ -177,6 +197,7 @@ void Pen::step(const JsonValue& value, const Label& label) {
                                                          "bulge", "bezier",  "weights"};
   json.expect(value, JsonValue::Kind::kObject, "a step of an outline (if it is not a point)", label);
   json.check_keys(value, kKeys, label);
+  check_way(json, value, label);
   if (const JsonValue* bezier = value.find("bezier")) {
     const std::vector<CurvePoint> points = read_places(json, *bezier, label.part("bezier"));
     if (points.empty()) json.fail(ErrorCode::kBadValue, "\"bezier\" is an empty list", label, *bezier);

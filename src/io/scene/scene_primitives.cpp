@@ -170,8 +170,8 @@ ShapePtr build_file(ShapeReader& reader, const JsonValue& object, const JsonValu
   FileChoice choice = read_choice(reader, object, label);
   const RulesBeside rules(reader, object, label);
   if (is_space_ending(ending)) return build_space_file(reader, path, choice, value, label);
-  return json.placed(label, value,
-                     [&] { return read_shape_file(path, choice, json.context(), reader.stated_dimension()); });
+  return json.placed_file(label, value,
+                          [&] { return read_shape_file(path, choice, json.context(), reader.stated_dimension()); });
 }
 
 ShapePtr build_cells(ShapeReader& reader, const JsonValue&, const JsonValue& value, const Label& label) {

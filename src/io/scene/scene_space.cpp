@@ -180,7 +180,7 @@ ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const
                    const JsonValue& at, const Label& label) {
   ReadContext& context = reader.context();
   const std::string name = path.string();
-  std::vector<CadPart> parts = reader.json().placed(label, at, [&] {
+  std::vector<CadPart> parts = reader.json().placed_file(label, at, [&] {
     refuse_choice(choice.layer.has_value(), "layer", "a CAD file", name);
     refuse_choice(choice.unit.has_value(), "unit", "a CAD file, which states its own", name);
     const std::string ending = lower_ending(path.extension().string());
@@ -206,7 +206,7 @@ plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::pat
   Solid solid;
   solid.form = Solid::Form::kMesh;
   ReadContext& context = reader.context();
-  solid.mesh = reader.json().placed(label, at, [&] {
+  solid.mesh = reader.json().placed_file(label, at, [&] {
     const std::string name = path.string();
     refuse_choice(choice.id.has_value(), "id", "a mesh", name);
     refuse_choice(choice.layer.has_value(), "layer", "a mesh", name);

@@ -35,6 +35,13 @@ std::string SceneReader::place(const Label& label, const JsonValue& at) const {
   return all;
 }
 
+bool SceneReader::is_within(std::string_view place, const Label& label) {
+  const std::string outer = label.text();
+  if (outer.empty() || !place.starts_with(outer)) return false;
+  place.remove_prefix(outer.size());
+  return place.starts_with(", ") || place.starts_with(" (");
+}
+
 void SceneReader::fail(ErrorCode code, const std::string& message, const Label& label, const JsonValue& at) const {
   throw Error(code, message, place(label, at));
 }

@@ -47,14 +47,21 @@ class SceneReader {
   /// "shape 'board', vertex 3 (scene.json:12:5)".
   std::string place(const Label& label, const JsonValue& at) const;
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const Label& label, const JsonValue& at) const;
-  /// Runs `read`; an error of it gets this place.
+  /// Runs `read`; an error of it gets this place, unless it has one in the same part of the scene.
   template <class Read>
   auto placed(const Label& label, const JsonValue& at, Read read) const {
     try {
       return read();
     } catch (const Error& e) {
+      if (is_within(e.place(), label)) throw;
       throw e.within(place(label, at));
     }
+  }
+
+  /// The same of a file that `at` names; a scene that was made for this file alone has no place of its own.
+  template <class Read>
+  auto placed_file(const Label& label, const JsonValue& at, Read read) const {
+    return at.text == file_ ? read() : placed(label, at, read);
   }
 
   void expect(const JsonValue& value, JsonValue::Kind kind, std::string_view meaning, const Label& label) const;
@@ -76,6 +83,8 @@ class SceneReader {
 
  private:
   std::optional<std::int64_t> on_grid(const JsonValue& value) const;
+  /// Whether a place is that of the label, or of a part of it.
+  static bool is_within(std::string_view place, const Label& label);
   std::string file_;
   ReadContext& context_;
 };
