@@ -61,7 +61,7 @@ TEST(ReadSvg, Refuses) {
   expect_refused([] { svg("<circle r='-1'/>"); }, "'r' must not be less than 0");
   expect_refused([] { svg("<circle r='1em'/>"); }, "the unit 'em'");
   expect_refused([] { svg("<rect width='5' height='-5'/>"); }, "'height' must not be less than 0");
-  expect_refused([] { svg("<rect width='50%' height='5'/>"); }, "the unit '%'");
+  expect_refused([] { svg("<rect width='50%' height='5'/>", {}, ""); }, "the unit '%'");
   expect_refused([] { svg("<path d='M0 0 H9 V9'/><path d='M0 9 V1'/>"); },
                  "2 outlines are open, the first from (0, 0) to (9, -9); the narrowest gap is 1 mm");
   expect_refused([] { svg("<polygon points='0 0 1'/>"); }, "odd number");
@@ -307,6 +307,30 @@ TEST(ReadDxf, OpenOutlinesAreRefusedJoinedOrNoted) {
   EXPECT_EQ(context.notes.at(0), "f.dxf: 1 open outline is read as a polyline, without an inside");
 }
 
+TEST(ReadDxf, LinesThatHangOnAnOutlineAreLines) {
+  const auto line = [](const std::string& from, const std::string& to) {
+    const auto at = [](const std::string& p, const std::string& digit) {
+      return "1" + digit + " " + p.substr(0, p.find(',')) + "|2" + digit + " " + p.substr(p.find(',') + 1) + "|";
+    };
+    return "0 LINE|" + at(from, "0") + at(to, "1");
+  };
+  const auto parts = [](const std::string& entities) {
+    Context context;
+    context.drawing.open_lines = true;
+    const ShapePtr shape = read_dxf(dxf_text(entities, "4"), "f.dxf", {}, context);
+    const plane::Region region = plane::build(*shape, context.grid.step_size()).region;
+    const plane::Summary found = plane::summarize(region, Real(1));
+    return std::array{found.area.value(), found.dangling_length};
+  };
+  const std::string star = line("50,0", "60,0") + line("50,0", "50,10") + line("50,-10", "50,0");
+  const std::string triangle = line("0,0", "20,0") + line("20,0", "0,20") + line("0,20", "0,0");
+  EXPECT_EQ(parts(star), (std::array{0.0, 30.0}));
+  EXPECT_EQ(parts(line("-9,0", "0,0") + triangle + star + line("-9,0", "-9,5")), (std::array{200.0, 44.0}));
+  EXPECT_EQ(parts(line("-9,0", "0,0") + triangle + line("0,0", "0,-5")),
+            (std::array{200.0, 14.0}));  // four at a corner
+  expect_refused([&] { parts(triangle + line("0,0", "5,5") + line("5,5", "0,20")); }, "3 lines end at (0, 0)");
+}
+
 TEST(ReadDxf, WhatDrawsNothingIsLeftOut) {
   Context context;
   context.drawing.join = 2;
@@ -462,6 +486,34 @@ TEST(ReadDxf, LayersThatAreOffOrFrozenAreReadWithANote) {
   FileChoice off;
   off.layer = "off";
   EXPECT_EQ(dxf_notes(entities + layers, "", off), std::vector<std::string>{});
+  const std::string block = "0 BLOCK|2 b|10 0|20 0|0 CIRCLE|8 cut|10 5|20 5|40 2|0 ENDBLK|";
+  const std::vector<std::string> one{
+      "f.dxf: 1 entity comes from layers that are off or frozen; \"layer\" chooses a layer"};
+  EXPECT_EQ(dxf_notes(kSquare + "0 INSERT|8 frozen|2 b|10 0|20 0|" + layers, block), one);
+  EXPECT_EQ(dxf_notes(kSquare + "0 INSERT|8 off|2 b|10 0|20 0|" + layers, block), std::vector<std::string>{});
+}
+
+TEST(ReadDxf, NamesOfLayersAndBlocksHaveNoSmallLetters) {
+  const std::string block = "0 BLOCK|2 Part|10 0|20 0|0 CIRCLE|8 CUT|10 5|20 5|40 2|0 ENDBLK|";
+  FileChoice cut;
+  cut.layer = "Cut";
+  EXPECT_EQ(dxf(kSquare + "0 INSERT|2 PART|10 0|20 0|", cut, "4", block)->contours.size(), 2u);
+}
+
+TEST(ReadDxf, InsertsOfOtherDrawingsAreNoted) {
+  const std::string block = "0 BLOCK|2 other|70 4|10 0|20 0|1 other.dwg|0 ENDBLK|";
+  EXPECT_EQ(dxf_notes(kSquare + "0 INSERT|2 other|10 0|20 0|", block),
+            std::vector<std::string>{"f.dxf: 1 insert of another drawing is left out"});
+}
+
+TEST(ReadDxf, PolylinesInSpaceHaveNoPlaneOfTheirOwn) {
+  const auto first = [](const std::string& flags) {
+    return dxf("0 POLYLINE|70 " + flags + "|230 -1|0 VERTEX|10 1|20 0|0 VERTEX|10 9|20 0|0 VERTEX|10 9|20 9|0 SEQEND|")
+        ->contours[0][0]
+        .start.x;
+  };
+  EXPECT_GT(first("9"), 0);
+  EXPECT_LT(first("1"), 0);
 }
 
 TEST(ReadDxf, WidthsOfPolylinesAreNoted) {

@@ -66,7 +66,7 @@ class DxfReader {
       : document_(document), choice_(choice), context_(context), outline_(context, scale) {}
 
   std::vector<ShapePtr> read() {
-    for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, entity.layer(), {}, 0);
+    for (const DxfEntity& entity : document_.entities) draw(entity, Affine{}, {entity.layer(), {}, 0, false});
     draw_hatches();
     std::vector<ShapePtr> parts = closed_parts(outline_.take(), context_, document_.name);
     if (parts.empty() && choice_.layer) refuse_layer();
@@ -79,10 +79,19 @@ class DxfReader {
     note(wide_, "polyline has", "polylines have", "a width, left out: the line in the middle is read");
     note(invisible_, "invisible entity is", "invisible entities are", "left out");
     note(hidden_, "entity comes", "entities come", "from layers that are off or frozen; \"layer\" chooses a layer");
+    note(external_, "insert of another drawing is", "inserts of other drawings are", "left out");
     return parts;
   }
 
  private:
+  /// What an entity stands in.
+  struct Around {
+    std::string_view layer;  // its own, or where that is 0 the one of the block
+    std::string_view block;  // the name of the part
+    int depth = 0;
+    bool hidden = false;  // by the layer of a block that no one asked for
+  };
+
   struct Hatch {
     const DxfEntity* entity;
     Affine map;
@@ -101,21 +110,22 @@ class DxfReader {
                 fmt::format("there is no layer '{}' with a shape in it{}", *choice_.layer, hint), document_.name);
   }
 
-  /// `block`: the name of the block around it.
-  void draw(const DxfEntity& entity, const Affine& map, std::string_view layer, std::string_view block, int depth) {
+  void draw(const DxfEntity& entity, const Affine& map, Around around) {
+    const std::string_view layer = around.layer;
     layers_.insert(std::string(layer));
     const bool inserts = entity.type == "INSERT";
     if (document_.flags(entity, 67) == 1 || entity.type == "SEQEND")
       return;  // paper space: the frame around the drawing
-    if (!inserts && choice_.layer && layer != *choice_.layer) return;
+    if (!inserts && choice_.layer && !same_dxf_name(layer, *choice_.layer)) return;
     if (document_.flags(entity, 60) == 1) {
       ++invisible_;
       return;
     }
-    if (inserts) return insert(entity, map, layer, block, depth);
-    outline_.set_name(std::string(!quantity_in(block) && quantity_in(layer) ? layer : block));
-    const bool hidden = !choice_.layer && document_.hidden_layers.contains(layer);
-    placed(entity, [&] { draw_one(entity, map, hidden); });
+    const DxfNames& hiding = inserts ? document_.frozen_layers : document_.hidden_layers;
+    around.hidden = !choice_.layer && (around.hidden || hiding.contains(layer));
+    if (inserts) return insert(entity, map, around);
+    outline_.set_name(std::string(!quantity_in(around.block) && quantity_in(layer) ? layer : around.block));
+    placed(entity, [&] { draw_one(entity, map, around.hidden); });
   }
 
   /// Errors get the place of the entity.
@@ -158,14 +168,18 @@ class DxfReader {
     }
   }
 
-  void insert(const DxfEntity& e, const Affine& map, std::string_view layer, std::string_view around, int depth) {
-    if (depth >= kMostBlockDepth)
+  void insert(const DxfEntity& e, const Affine& map, const Around& around) {
+    if (around.depth >= kMostBlockDepth)
       throw Error(ErrorCode::kUnsupported, "blocks nested more than 16 deep, or in themselves", document_.place(e));
     const DxfGroup* name = e.find(2);
     auto block = name ? document_.blocks.find(name->value) : document_.blocks.end();
     if (block == document_.blocks.end())
       throw Error(ErrorCode::kUnknownName, "it inserts an unknown block", document_.place(e));
-    const std::string_view part = quantity_in(around) || block->first.starts_with('*') ? around : block->first;
+    constexpr int kExternal = 4 | 8;
+    if ((document_.flags(block->second.head, 70) & kExternal) != 0) ++external_;
+    const bool keeps = quantity_in(around.block) || block->first.starts_with('*');
+    const Around within{around.layer, keeps ? around.block : std::string_view(block->first), around.depth + 1,
+                        around.hidden};
     placed(e, [&] {
       raised_ += is_raised(document_, e) ? 1 : 0;
       const DxfEntity& head = block->second.head;
@@ -178,16 +192,17 @@ class DxfReader {
       const Real dx = document_.number(e, 44, 0), dy = document_.number(e, 45, 0);
       for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
-          draw_block(block->second, base * Affine::translation(dx * Real(column), dy * Real(row)) * inner, layer, part,
-                     depth);
+          draw_block(block->second, base * Affine::translation(dx * Real(column), dy * Real(row)) * inner, within);
     });
   }
 
-  void draw_block(const DxfBlock& block, const Affine& map, std::string_view layer, std::string_view part, int depth) {
+  void draw_block(const DxfBlock& block, const Affine& map, Around within) {
     if (block.entities.empty()) count_inserted();
+    const std::string_view layer = within.layer;
     for (const DxfEntity& entity : block.entities) {
       count_inserted();
-      draw(entity, map, entity.layer() == "0" ? layer : entity.layer(), part, depth + 1);
+      within.layer = entity.layer() == "0" ? layer : entity.layer();
+      draw(entity, map, within);
     }
   }
 
@@ -204,7 +219,7 @@ class DxfReader {
   Outline outline_;
   std::set<std::string> layers_;
   std::map<std::string, int> left_out_;
-  int raised_ = 0, wide_ = 0, invisible_ = 0, hidden_ = 0;
+  int raised_ = 0, wide_ = 0, invisible_ = 0, hidden_ = 0, external_ = 0;
   int inserted_ = 0;
   bool drawn_any_ = false;
   std::vector<Hatch> hatches_;

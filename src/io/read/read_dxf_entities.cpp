@@ -54,7 +54,7 @@ class EntityDrawer {
                                                   {"TRACE", &EntityDrawer::solid, true}}};
     const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.type == e_.type; });
     if (kind == kKinds.end()) return false;
-    if (kind->own_plane) map_ = map_ * dxf_plane(document_, e_);
+    if (kind->own_plane && !is_in_space()) map_ = map_ * dxf_plane(document_, e_);
     (this->*kind->draw)();
     return true;
   }
@@ -63,6 +63,12 @@ class EntityDrawer {
   struct Vertex {
     Real x, y, bulge;
   };
+
+  /// A polyline in space, of which a plane of its own has no meaning.
+  bool is_in_space() const {
+    constexpr int kSpace = 8;
+    return e_.type == "POLYLINE" && (document_.flags(e_, 70) & kSpace) != 0;
+  }
 
   Real number(int code) const { return document_.number(e_, code); }
   Placed out() const { return {map_, outline_}; }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -225,8 +226,11 @@ class DxfParser {
       }
       const DxfEntity layer = entity();
       const DxfGroup* name = layer.find(2);
+      if (!name) continue;
       const bool off = document_.number(layer, 62, 1).sign() < 0;
-      if (name && (off || (document_.flags(layer, 70) & kFrozen) != 0)) document_.hidden_layers.emplace(name->value);
+      const bool frozen = (document_.flags(layer, 70) & kFrozen) != 0;
+      if (off || frozen) document_.hidden_layers.emplace(name->value);
+      if (frozen) document_.frozen_layers.emplace(name->value);
     }
   }
 
@@ -249,6 +253,14 @@ class DxfParser {
 };
 
 }  // namespace
+
+bool DxfNameOrder::operator()(std::string_view a, std::string_view b) const {
+  const auto capital = [](char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [&](char c, char d) { return capital(c) < capital(d); });
+}
+
+bool same_dxf_name(std::string_view a, std::string_view b) { return !DxfNameOrder{}(a, b) && !DxfNameOrder{}(b, a); }
 
 const DxfGroup* DxfEntity::find(int code) const {
   for (const DxfGroup& group : groups) {

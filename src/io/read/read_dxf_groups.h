@@ -18,6 +18,14 @@
 
 namespace findspace::io {
 
+/// The order of names of blocks and layers, in which small letters are capital ones.
+struct DxfNameOrder {
+  using is_transparent = void;
+  bool operator()(std::string_view a, std::string_view b) const;
+};
+using DxfNames = std::set<std::string, DxfNameOrder>;
+bool same_dxf_name(std::string_view a, std::string_view b);
+
 struct DxfGroup {
   int code = 0;
   std::string_view value;  // without blanks around
@@ -43,8 +51,9 @@ struct DxfDocument {
   std::string name;
   std::deque<std::string> texts;  // what values refer to that do not stand so in the file
   std::optional<int> units;       // $INSUNITS
-  std::set<std::string, std::less<>> hidden_layers;
-  std::map<std::string, DxfBlock, std::less<>> blocks;
+  DxfNames hidden_layers;         // that are off or frozen
+  DxfNames frozen_layers;         // which hide the whole of a block that is inserted on them
+  std::map<std::string, DxfBlock, DxfNameOrder> blocks;
   std::vector<DxfEntity> entities;
 
   /// The number of a group; `missing` where there is none.

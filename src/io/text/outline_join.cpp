@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Joining open chains end to end, as drawings of single lines and arcs need it: first where ends are the same grid
-// point, then, where a gap is allowed, the nearest ends first. Over a gap the second end moves to the first.
+// point, then, where a gap is allowed, the nearest ends first. Over a gap the second end moves to the first. Where what
+// stays open is taken for lines, chains that no closed outline can hold are set aside before.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -158,6 +160,44 @@ class Joiner {
   std::vector<bool> used_;
   std::map<GridPoint, std::vector<std::size_t>> at_;
 };
+
+/// Takes out the open chains that no closed outline can hold: those with an end where no other ends, and what hangs on
+/// these alone.
+std::vector<Chain> take_hanging(std::vector<Chain>& chains) {
+  struct Meeting {
+    std::size_t chains = 0, sum = 0;  // how many end here, and the sum of their indices
+  };
+  std::map<GridPoint, Meeting> at;
+  const auto ends_of = [&](std::size_t i) {
+    return std::array{chains[i].edges.front().start, chains[i].edges.back().start};
+  };
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (chains[i].closed) continue;
+    for (const GridPoint& p : ends_of(i)) {
+      ++at[p].chains;
+      at[p].sum += i;
+    }
+  }
+  std::vector<GridPoint> loose;
+  for (const auto& [point, here] : at)
+    if (here.chains == 1) loose.push_back(point);
+  std::vector<bool> hangs(chains.size(), false);
+  while (!loose.empty()) {
+    const Meeting last = at[loose.back()];
+    loose.pop_back();
+    if (last.chains == 0) continue;  // the chain was taken from its other end
+    hangs[last.sum] = true;
+    for (const GridPoint& p : ends_of(last.sum)) {
+      Meeting& here = at[p];
+      here.sum -= last.sum;
+      if (--here.chains == 1) loose.push_back(p);
+    }
+  }
+  std::vector<Chain> hanging, kept;
+  for (std::size_t i = 0; i < chains.size(); ++i) (hangs[i] ? hanging : kept).push_back(std::move(chains[i]));
+  chains = std::move(kept);
+  return hanging;
+}
 
 /// One end of an open chain.
 struct End {
@@ -334,7 +374,10 @@ void close_outlines(Drawing& drawing, ReadContext& context, const std::string& n
           fmt::format("{}: {} closed, the widest {} at {}", name, count == 1 ? "1 gap" : fmt::format("{} gaps", count),
                       context.length_text(widest.width), point_text(end_place(drawing.chains, widest.a), context)));
   }
+  std::vector<Chain> hanging;
+  if (context.drawing.open_lines) hanging = Joiner(take_hanging(drawing.chains)).join();
   join_open_chains(drawing, step);
+  std::move(hanging.begin(), hanging.end(), std::back_inserter(drawing.chains));
   if (const std::size_t debris = drop_debris(drawing.chains, context.drawing.join); debris > 0)
     context.notes.push_back(fmt::format("{}: {} no longer than the gaps that are closed, left out", name,
                                         debris == 1 ? "1 open line is" : fmt::format("{} open lines are", debris)));
