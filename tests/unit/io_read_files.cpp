@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// WKT and GeoJSON: bad input first. Units of files.
+// WKT and GeoJSON: bad input first. Units of files. What SVG draws where.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 
 #include "findspace/error.h"
 #include "io/read/read_file.h"
+#include "plane/build/build.h"
+#include "plane/query/summary.h"
 
 namespace findspace::io {
 namespace io_read_files {
@@ -182,4 +185,199 @@ TEST(ReadGeoJson, Features) {
 }
 
 }  // namespace io_read_files
+
+// What SVG draws where: visibility, styles by their specificity, transforms of styles, views, conditions.
+namespace io_read_svg_looks {
+
+using exact::Real;
+
+const std::string kPage = "width='100mm' height='100mm' viewBox='0 0 100 100'";
+
+struct Read {
+  double area = 0;
+  std::array<double, 4> box{};  // low and high corner, y upwards
+  std::vector<std::string> notes;
+};
+
+Read read(const std::string& inside, const std::string& page = kPage, const FileChoice& choice = {}) {
+  ReadContext context;
+  context.grid = Grid(Real::ratio(1, 1000000));
+  context.unit = Unit::kMillimetre;
+  const plane::ShapePtr shape =
+      read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + page + ">" + inside + "</svg>", "f.svg", choice, context);
+  const plane::Region region = plane::build(*shape, context.grid.step_size()).region;
+  const plane::Summary found = plane::summarize(region, context.grid.step());
+  const plane::Bounds box = found.bbox.value();
+  return {found.area.value(), {box.low[0], box.low[1], box.high[0], box.high[1]}, context.notes};
+}
+
+std::string refusal(const std::string& inside, const std::string& page = kPage) {
+  try {
+    read(inside, page);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return {};
+}
+
+/// A square of side 10 at (x, 0) to (x + 10, 10) of the picture.
+std::string square(int x, const std::string& more) {
+  return "<rect x='" + std::to_string(x) + "' width='10' height='10' " + more + "/>";
+}
+
+void expect_box(const std::string& inside, const std::array<double, 4>& wanted, const std::string& page = kPage) {
+  const Read found = read(inside, page);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found.box[k], wanted[k], 1e-5) << inside << ' ' << k;
+}
+
+TEST(SvgLooks, WhatIsNotVisibleIsNotRead) {
+  const std::string seen = "<rect y='50' width='1' height='1'/>";
+  const std::string style = "<style>.off {visibility: hidden}</style>";
+  for (const char* look : {"visibility='hidden'", "style='visibility:collapse'", "class='off'"})
+    EXPECT_DOUBLE_EQ(read(style + seen + square(0, look)).area, 1) << look;
+  const std::string group = "<g visibility='hidden'>" + square(0, "") + square(20, "visibility='visible'") + "</g>";
+  EXPECT_DOUBLE_EQ(read(group).area, 100);
+  EXPECT_DOUBLE_EQ(read("<g display='none'>" + square(0, "display='inline'") + "</g>" + seen).area, 1);
+  FileChoice asked;
+  asked.id = "a";
+  EXPECT_DOUBLE_EQ(read(square(0, "id='a' visibility='hidden'") + seen, kPage, asked).area, 100);
+}
+
+TEST(SvgLooks, RulesBySpecificity) {
+  const auto hidden = [](const std::string& rules, const std::string& more = "class='a b' id='i'") {
+    return read("<style>" + rules + "</style><rect y='50' width='1' height='1'/><g class='g'><g>" + square(0, more) +
+                "</g></g>")
+               .area == 1;
+  };
+  EXPECT_TRUE(hidden("#i {display: none} .a {display: inline} rect {display: inline}"));
+  EXPECT_TRUE(hidden(".a.b {display: none} .a {display: inline}"));
+  EXPECT_FALSE(hidden(".a {display: none} .b {display: inline}"));
+  EXPECT_TRUE(hidden(".a {display: none !important} #i {display: inline}"));
+  EXPECT_FALSE(hidden(".a {display: none}", "class='a' style='display: inline'"));
+  EXPECT_TRUE(hidden(".a {display: none !important}", "class='a' style='display: inline'"));
+  EXPECT_TRUE(hidden(".g rect {display: none}"));
+  EXPECT_TRUE(hidden("svg > .g .a {display: none}"));
+  EXPECT_TRUE(hidden("svg > g > g > rect.b {display: none}"));
+  EXPECT_FALSE(hidden("svg > rect, .g > rect {display: none}"));
+  EXPECT_TRUE(hidden("@charset 'utf-8'; @font-face {font-family: x; src: url(a;b)} .a {display: none}"));
+  EXPECT_TRUE(hidden("@media print {.b {display: inline}} @media screen {.a {display: none}}"));
+  EXPECT_FALSE(hidden("@media print {.a {display: none}} .b {fill: red}"));
+  EXPECT_TRUE(hidden("/* } */ .a /* .b */ {display: none}"));
+}
+
+TEST(SvgLooks, RulesThatAreNotReadAreTold) {
+  const std::string note = "f.svg: 1 rule of <style> not read, the first of 'rect:first-child'";
+  EXPECT_EQ(read("<style>rect:first-child {display: none}</style>" + square(0, "")).notes, std::vector{note});
+  const std::string pointer = "<style>rect:hover {fill: red} rect:first-child {font: x} a::before {fill: red}</style>";
+  EXPECT_TRUE(read(pointer + square(0, "")).notes.empty());
+}
+
+TEST(SvgLooks, TransformsOfStyles) {
+  const auto moved = [](const std::string& style) { return square(60, "style='transform:" + style + "'"); };
+  expect_box(moved("translate(0px,50px)"), {60, -60, 70, -50});
+  expect_box(moved("translateX(1in) translateY(10px)"), {60 + 96, -20, 70 + 96, -10});
+  expect_box(moved("rotate(90deg)"), {-10, -70, 0, -60});
+  expect_box(moved("rotate(0.25turn)"), {-10, -70, 0, -60});
+  expect_box(moved("rotate(100grad)"), {-10, -70, 0, -60});
+  expect_box(moved("scale(2) translate(-60px)"), {0, -20, 20, 0});
+  expect_box(moved("scaleX(50%)"), {30, -10, 35, 0});
+  expect_box(moved("matrix(1, 0, 0, 1, 5, 6)"), {65, -16, 75, -6});
+  expect_box(moved("skewX(45deg)"), {60, -10, 80, 0});
+  expect_box(square(60, "transform='translate(7)' style='transform: none'"), {60, -10, 70, 0});
+  EXPECT_NE(refusal(moved("translate(10, 5)")).find("'10' in the transform of a style"), std::string::npos);
+  EXPECT_NE(refusal(moved("translate(50%)")), "");
+  EXPECT_NE(refusal(moved("rotate3d(1, 1, 1, 45deg)")), "");
+  EXPECT_NE(refusal(square(0, "style='rotate: 45deg'")).find("the property rotate is not read"), std::string::npos);
+  EXPECT_NE(refusal("<g style='transform: translate(5)'>" + square(0, "") + "</g>").find("<g> (f.svg"),
+            std::string::npos);
+  EXPECT_NE(refusal(square(0, ""), kPage + " transform='rotate(90)'").find("of the whole drawing"), std::string::npos);
+}
+
+TEST(SvgLooks, OriginsOfTransforms) {
+  const auto turned = [](const std::string& origin) { return square(80, "transform='rotate(90)' " + origin); };
+  expect_box(turned("transform-origin='85 5'"), {80, -10, 90, 0});
+  expect_box(turned("style='transform-origin: 80px 0px'"), {70, -10, 80, 0});
+  expect_box(turned("transform-origin='0 0'"), {-10, -90, 0, -80});
+  expect_box(turned("transform-origin='center'"), {90, -90, 100, -80});
+  expect_box(turned("transform-origin='bottom 50%'"), {140, -140, 150, -130});
+  expect_box(square(80, "transform-origin='center' style='transform-box: fill-box'"), {80, -10, 90, 0});
+  EXPECT_NE(refusal(turned("style='transform-box: fill-box'")).find("transform-box is not read"), std::string::npos);
+}
+
+TEST(SvgLooks, SizesOfStyles) {
+  expect_box("<rect width='1' height='1' style='width: 20px; height: 5mm; x: 3px'/>", {3, -5 * 960 / 254.0, 23, 0});
+  EXPECT_NEAR(read("<style>circle {r: 10px}</style><circle cx='20' cy='20'/>").area, 100 * 3.14159265, 1e-4);
+  expect_box("<path style='d: path(\"M0 0 H9 V4 Z\")'/>", {0, -4, 9, 0});
+}
+
+TEST(SvgLooks, Percentages) {
+  expect_box("<rect width='50%' height='25%'/>", {0, -25, 50, 0});
+  EXPECT_NEAR(read("<circle cx='50%' cy='50%' r='10%'/>").area, 100 * 3.14159265, 1e-4);
+  expect_box("<svg x='10%' width='50%' height='50%'><rect width='100%' height='10%'/></svg>", {10, -5, 60, 0});
+  EXPECT_NE(refusal("<rect width='50%' height='5'/>", "").find("depends on the page"), std::string::npos);
+}
+
+TEST(SvgLooks, Views) {
+  const std::string symbol = "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol>";
+  expect_box(symbol + "<use href='#s'/>", {0, -100, 100, 0});  // as large as the view around
+  expect_box(symbol + "<use href='#s' x='5' width='20' height='40'/>", {5, -30, 25, -10});
+  expect_box(
+      "<defs><svg id='s' width='1' height='1' viewBox='0 0 10 10'><rect width='10' height='10'/></svg></defs>"
+      "<use href='#s' width='20' height='20'/>",
+      {0, -20, 20, 0});
+  expect_box("<svg viewBox='0 0 10 10' preserveAspectRatio='xMaxYMin'><rect width='10' height='5'/></svg>",
+             {100, -50, 200, 0}, "viewBox='0 0 200 100'");
+  EXPECT_NE(refusal("<svg viewBox='0 0 10 10'><rect width='10' height='5'/></svg>", "").find("depends on the page"),
+            std::string::npos);
+  EXPECT_DOUBLE_EQ(read("<svg width='0' height='5'>" + square(0, "") + "</svg>" + square(20, "")).area, 100);
+  EXPECT_NE(refusal(square(0, ""), "width='200' height='100' viewBox='0 0 10 10' preserveAspectRatio='none'"), "");
+}
+
+TEST(SvgLooks, OfASwitchTheFirstIsDrawn) {
+  EXPECT_DOUBLE_EQ(read("<switch>" + square(0, "") + square(20, "") + "</switch>").area, 100);
+  const std::string foreign = "<switch><foreignObject requiredExtensions='x'/><g>" + square(0, "") + square(20, "") +
+                              "</g>" + square(40, "") + "</switch>";
+  EXPECT_DOUBLE_EQ(read(foreign).area, 200);
+  const Read spoken = read("<switch>" + square(0, "systemLanguage='de'") + square(20, "") + "</switch>");
+  EXPECT_DOUBLE_EQ(spoken.box[0], 20);
+  EXPECT_EQ(spoken.notes, std::vector<std::string>{"f.svg: 1 element for readers of one language left out"});
+}
+
+TEST(SvgLooks, ClipPathsAndMasksAreTold) {
+  const std::string clip = "<clipPath id='c'><rect width='2' height='2'/></clipPath>";
+  EXPECT_EQ(read(clip + "<g clip-path='url(#c)'>" + square(0, "") + square(20, "") + "</g>" + square(40, "")).notes,
+            std::vector<std::string>{"f.svg: 2 elements have a clip-path or a mask, read whole"});
+  EXPECT_EQ(read(square(0, "style='mask: url(#m)'")).notes,
+            std::vector<std::string>{"f.svg: 1 element has a clip-path or a mask, read whole"});
+  EXPECT_TRUE(read(square(0, "clip-path='none'")).notes.empty());
+}
+
+TEST(SvgLooks, HolesThatProgramsFillAreTold) {
+  const auto notes = [](const std::string& d, const std::string& look = "") {
+    return read("<path d='M0 0 H30 V30 H0 Z " + d + "' " + look + "/>").notes;
+  };
+  const std::string alike = "M5 5 H9 V9 H5 Z", against = "M5 5 V25 H25 V5 Z", island = "M8 8 V9 H9 V8 Z";
+  EXPECT_EQ(notes(alike).size(), 1u);
+  EXPECT_NE(notes(alike).at(0).find("1 element has holes that run the same way"), std::string::npos);
+  EXPECT_TRUE(notes(alike, "fill-rule='evenodd'").empty());
+  EXPECT_TRUE(notes(alike, "style='fill: none'").empty());
+  EXPECT_TRUE(notes(against).empty());
+  EXPECT_TRUE(notes(against + island).empty());  // around it they run once and back, and once again
+  EXPECT_TRUE(notes("M40 0 H50 V9 H40 Z").empty());
+}
+
+TEST(SvgLooks, OtherNamesOfNamespaces) {
+  ReadContext context;
+  context.grid = Grid(1);
+  const std::string drawing =
+      "<n:svg xmlns:n='http://www.w3.org/2000/svg' xmlns:l='http://www.w3.org/1999/xlink' xmlns:k='x'><n:style>.o "
+      "{display: none}</n:style><n:defs><n:rect id='r' width='4' height='5'/></n:defs><n:g k:label='cuts'><n:use "
+      "l:href='#r'/></n:g><n:rect class='o' width='9' height='9'/></n:svg>";
+  FileChoice cuts;
+  cuts.layer = "cuts";
+  EXPECT_EQ(read_svg(drawing, "f.svg", cuts, context)->contours.at(0).size(), 4u);
+  EXPECT_EQ(read_svg(drawing, "f.svg", {}, context)->contours.at(0).size(), 4u);
+}
+
+}  // namespace io_read_svg_looks
 }  // namespace findspace::io

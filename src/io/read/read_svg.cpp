@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// SVG drawings: path, polygon, polyline, line, rect, circle, ellipse, use, in groups, with transforms. SVG's y axis
-// points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x, -y).
-// The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
+// SVG drawings: path, polygon, polyline, line, rect, circle, ellipse, use, in groups, with transforms and styles. SVG's
+// y axis points down: a shape is read so that it stands as the picture shows it, (x, y) of the drawing becoming (x,
+// -y). The drawing has a unit when its width or height has one (mm cm in pt pc Q; px and none count as no unit). Each
 // element is the area it encloses (even-odd). Elements without a fill are outlines: where one lies in another, all of
 // them nest. Or all elements nest, or none, where that is asked. What is open is joined over all elements, where ends
-// meet or the gap is allowed. Layers are Inkscape's, groups by id, and colours.
+// meet or the gap is allowed. Layers are Inkscape's, groups by id, and colours. Clip-paths, masks, texts and images are
+// left out with a note.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,10 +37,16 @@ using plane::ShapePtr;
 
 constexpr int kMostGroupDepth = 200;
 
-std::string_view local_name(const pugi::xml_node& node) {
-  std::string_view name = node.name();
-  std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+std::string_view local_name(const pugi::xml_node& node) { return svg_local_name(node.name()); }
+
+/// An attribute of another namespace, which programs call differently.
+pugi::xml_attribute foreign(const pugi::xml_node& node, const std::string& prefix, std::string_view name) {
+  if (const pugi::xml_attribute usual = node.attribute((prefix + ':').append(name).c_str())) return usual;
+  for (const pugi::xml_attribute& one : node.attributes()) {
+    const std::string_view own = one.name();
+    if (own.find(':') != std::string_view::npos && svg_local_name(own) == name) return one;
+  }
+  return {};
 }
 
 bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
@@ -65,9 +72,7 @@ class SvgReader {
     styles_ = SvgStyles(root);
     find_ids(root, 0);
     if (choice_.layer) colour_ = svg_colour(*choice_.layer);
-    Inside whole{!choice_.id, !choice_.layer, false};
-    whole.look = styles_.look(root, {});
-    walk_children(root, Affine::scaling(1, -1), whole, 0);
+    walk_children(root, Affine::scaling(1, -1), inside_root(root), 0);
     add_elements();
     add_pooled();
     check_found();
@@ -77,6 +82,7 @@ class SvgReader {
     }
     for (const auto& [element, count] : empty_)
       context_.notes.push_back(fmt::format("{}: {} <{}> of no size left out", name_, count, element));
+    note_what_is_not_followed();
     return chosen(std::move(parts_), name_, choice_);
   }
 
@@ -86,6 +92,9 @@ class SvgReader {
     bool id, layer, undrawn;
     std::uint64_t operations = 0;  // of the transforms on the way to it
     SvgLook look{};                // of the group around it
+    SvgFrame frame{};              // of the view around it
+    bool cut = false;              // by a clip-path or a mask
+    std::string not_followed{};    // a property that would move it
     std::string name{};            // of the nearest group whose name says how many
   };
 
@@ -114,20 +123,67 @@ class SvgReader {
     }
   }
 
-  void walk_children(const pugi::xml_node& parent, const Affine& map, Inside inside, int depth) {
+  Inside inside_root(const pugi::xml_node& root) const try {
+    Inside whole{!choice_.id, !choice_.layer, false};
+    whole.look = styles_.look(root, {});
+    whole.frame = svg_frame(root);
+    whole.undrawn = whole.look.hidden;
+    see_cut(whole);
+    const std::string_view moved = root.attribute("transform").value();
+    if (whole.look.transform ? !whole.look.transform->empty() : !moved.empty() && moved != "none")
+      throw Error(ErrorCode::kUnsupported, "a transform of the whole drawing; one of a group in it is read");
+    return whole;
+  } catch (const Error& e) {
+    throw e.within(place(root));
+  }
+
+  void walk_children(const pugi::xml_node& parent, const Affine& map, const Inside& inside, int depth) {
     if (depth > kMostGroupDepth) throw Error(ErrorCode::kUnsupported, "groups nested too deeply", name_);
+    const bool chooses = local_name(parent) == "switch";  // the first that may be drawn
+    bool found = false;
     for (const pugi::xml_node& node : parent.children()) {
-      if (node.type() == pugi::node_element) walk(node, map, inside, depth);
+      if (node.type() != pugi::node_element) continue;
+      Inside own = inside;
+      own.undrawn = own.undrawn || found;
+      walk(node, node, map, std::move(own), depth);
+      found = chooses && (found || !is_conditional(node));
     }
   }
 
-  void walk(const pugi::xml_node& node, const Affine& map, Inside inside, int depth) {
+  /// Drawn by programs of some kind, or for readers of some language.
+  static bool is_conditional(const pugi::xml_node& node) {
+    return node.attribute("requiredExtensions") || node.attribute("systemLanguage");
+  }
+
+  static void see_cut(Inside& inside) {
+    const SvgLook& look = inside.look;
+    inside.cut = inside.cut || look.clipped || look.masked;
+    if (!look.not_followed.empty()) inside.not_followed = look.not_followed;
+  }
+
+  /// The look of an element; what a style says of its size stands in its attributes from here on.
+  void see_look(pugi::xml_node node, Inside& inside, int depth) const {
+    context_.work.charge(styles_.comparisons(std::size_t(depth)) / kComparisonsAUnit,
+                         "so many elements and rules of style");
+    inside.look = styles_.look(node, inside.look);
+    see_cut(inside);
+    for (const auto& [property, stated] : inside.look.size) {
+      std::string_view value = stated;
+      if (property == "d") value = svg_path_of_style(value);
+      pugi::xml_attribute to = node.attribute(property.c_str());
+      if (!to) to = node.append_attribute(property.c_str());
+      to.set_value(std::string(value).c_str());
+    }
+  }
+
+  /// `user`: the <use> that draws it, or itself.
+  void walk(const pugi::xml_node& node, const pugi::xml_node& user, const Affine& map, Inside inside, int depth) {
     std::string_view kind = local_name(node);
     std::string id = node.attribute("id").value();
     if (!id.empty()) ids_.insert(id);
     inside.id = inside.id || (choice_.id && id == *choice_.id);
-    context_.work.charge(styles_.rules() / kRulesAUnit, "so many elements and rules of style");
-    inside.look = styles_.look(node, inside.look);
+    see_look(node, inside, depth);
+    see_condition(node, inside);
     inside.undrawn = (inside.undrawn || inside.look.hidden ||
                       one_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})) &&
                      !(choice_.id && inside.id);
@@ -138,21 +194,57 @@ class SvgReader {
     if (!group && !leaf) return skip(kind, inside);
     if (leaf) see_colour(inside);
     try {
-      Affine own = map * read_svg_transform(node.attribute("transform").value(), inside.operations, context_.work);
-      if (kind == "svg") own = own * nested_view(node, node);
+      Affine own = map;
+      if (!inside.undrawn || choice_.id) own = own * transform_of(node, inside);
+      if (kind == "svg" && !inside.undrawn) own = own * enter_view(node, user, inside);
       if (group) return walk_children(node, own, inside, depth + 1);
-      if (inside.id && inside.layer && !inside.undrawn) {
+      if (is_drawn(inside)) {
         charge(node, inside.operations);
         draw(node, own, inside);
       }
     } catch (const Error& e) {
-      if (group || e.place().find(name_) != std::string::npos) throw;
+      if (e.place().find(name_) != std::string::npos) throw;
       throw e.within(place(node));
     }
   }
 
+  bool is_drawn(const Inside& inside) const {
+    const bool asked = choice_.id && inside.id;
+    return inside.id && inside.layer && !inside.undrawn && (asked || !inside.look.invisible);
+  }
+
+  void see_condition(const pugi::xml_node& node, Inside& inside) {
+    if (inside.undrawn || !is_conditional(node)) return;
+    inside.undrawn = true;
+    if (node.attribute("systemLanguage")) ++for_a_language_;
+  }
+
+  /// By an attribute or a style, about its origin.
+  Affine transform_of(const pugi::xml_node& node, Inside& inside) {
+    const SvgLook& look = inside.look;
+    const std::string_view attribute = node.attribute("transform").value();
+    const std::string_view stated = look.transform ? std::string_view(*look.transform) : attribute;
+    if (stated.empty() || stated == "none") return {};
+    const Affine own = look.transform ? read_svg_style_transform(stated, inside.operations, context_.work)
+                                      : read_svg_transform(stated, inside.operations, context_.work);
+    if (!look.box.empty() && look.box != "view-box") inside.not_followed = "transform-box";
+    if (look.origin.empty() || !inside.not_followed.empty()) return own;
+    const plane::CurvePoint origin = read_svg_origin(look.origin, inside.frame);
+    ++inside.operations;
+    return Affine::translation(origin.x, origin.y) * own * Affine::translation(-origin.x, -origin.y);
+  }
+
+  /// The map of a nested <svg> or a <symbol>.
+  static Affine enter_view(const pugi::xml_node& node, const pugi::xml_node& user, Inside& inside) {
+    SvgView view = svg_view(node, user, inside.frame);
+    inside.frame = std::move(view.frame);
+    inside.operations += 2;
+    inside.undrawn = inside.undrawn || view.empty;
+    return view.map;
+  }
+
   void see_layer(const pugi::xml_node& node, const std::string& id, Inside& inside) {
-    std::string label = node.attribute("inkscape:label").value();
+    std::string label = foreign(node, "inkscape", "label").value();
     for (const std::string& name : {label, id}) {
       if (!name.empty()) layers_.insert(name);
       if (quantity_in(name)) inside.name = name;
@@ -169,8 +261,8 @@ class SvgReader {
 
   /// Elements that draw what is not read must not vanish unnoticed.
   void skip(std::string_view kind, const Inside& inside) {
-    const bool drawn = inside.id && inside.layer && !inside.undrawn;
-    if (drawn && one_of(kind, {"text", "image", "foreignObject"})) ++left_out_[std::string(kind)];
+    if (is_drawn(inside) && one_of(kind, {"text", "flowRoot", "image", "foreignObject"}))
+      ++left_out_[std::string(kind)];
   }
 
   void find_ids(const pugi::xml_node& node, int depth) {
@@ -183,7 +275,7 @@ class SvgReader {
   void use(const pugi::xml_node& node, const Affine& map, Inside inside, int depth) {
     if (inside.undrawn) return;
     pugi::xml_attribute link = node.attribute("href");
-    if (!link) link = node.attribute("xlink:href");
+    if (!link) link = foreign(node, "xlink", "href");
     const std::string_view target = link.value();
     const auto found = target.starts_with("#") ? by_id_.find(target.substr(1)) : by_id_.end();
     if (found == by_id_.end())
@@ -192,19 +284,19 @@ class SvgReader {
     if (depth >= kMostUseDepth)
       throw Error(ErrorCode::kUnsupported, "<use> nested too deeply, or of what it stands in", place(node));
     context_.work.charge(kUse, "an element that is used so often");
-    Affine own = map * read_svg_transform(node.attribute("transform").value(), inside.operations, context_.work) *
-                 Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
-    if (local_name(found->second) != "symbol") return walk(found->second, own, inside, depth + 1);
-    inside.look = styles_.look(found->second, inside.look);
-    walk_children(found->second, own * nested_view(found->second, node), inside, depth + 1);
-  }
-
-  /// The view of a nested <svg> or a <symbol>: `frame` has its width and height.
-  Affine nested_view(const pugi::xml_node& node, const pugi::xml_node& frame) const {
-    Affine origin;
-    if (local_name(node) == "svg") origin = Affine::translation(svg_length(node, "x", 0), svg_length(node, "y", 0));
-    if (!node.attribute("viewBox")) return origin;
-    return origin * svg_view(node, frame);
+    try {
+      const Affine own =
+          map * transform_of(node, inside) *
+          Affine::translation(svg_length(node, "x", 0, inside.frame), svg_length(node, "y", 0, inside.frame));
+      const pugi::xml_node drawn = found->second;
+      if (local_name(drawn) != "symbol") return walk(drawn, node, own, inside, depth + 1);
+      see_look(drawn, inside, depth);
+      const Affine view = enter_view(drawn, node, inside);
+      walk_children(drawn, own * view, inside, depth + 1);
+    } catch (const Error& e) {
+      if (e.place().find(name_) != std::string::npos) throw;
+      throw e.within(place(node));
+    }
   }
 
   /// Many transforms make long numbers, and every point of the element costs as much as they are long.
@@ -218,15 +310,22 @@ class SvgReader {
   }
 
   void draw(const pugi::xml_node& node, const Affine& map, const Inside& inside) {
-    const std::string id = node.attribute("id").value(), label = node.attribute("inkscape:label").value();
+    const std::string id = node.attribute("id").value(), label = foreign(node, "inkscape", "label").value();
     Outline outline(context_, scale_);
     outline.set_name(part_name(id, label, inside));
-    draw_svg_element(node, local_name(node), map, outline);
+    draw_svg_element(node, local_name(node), map, inside.frame, outline);
     Drawing drawing = outline.take();
+    if (!is_empty(drawing) && !inside.not_followed.empty())
+      throw Error(
+          ErrorCode::kUnsupported,
+          fmt::format("the property {} is not read; a transform about a place in user units is", inside.not_followed));
+    if (inside.cut && !is_empty(drawing)) ++cut_;
+    const bool filled = inside.look.fill != "none";
+    if (filled && !inside.look.even_odd && !encloses_alike(drawing, context_)) ++by_even_odd_;
     if (is_empty(drawing))
       ++empty_[std::string(local_name(node))];
     else
-      elements_.push_back({std::move(drawing), id, place(node), inside.look.fill != "none"});
+      elements_.push_back({std::move(drawing), id, place(node), filled});
   }
 
   /// The label or the id, or the name of a group where that says how many.
@@ -275,6 +374,25 @@ class SvgReader {
     return true;
   }
 
+  void note_what_is_not_followed() const {
+    const auto several = [](std::size_t count, const char* one, const char* more) {
+      return fmt::format("{} {}", count, count == 1 ? one : more);
+    };
+    if (cut_ > 0)
+      context_.notes.push_back(fmt::format("{}: {} a clip-path or a mask, read whole", name_,
+                                           several(cut_, "element has", "elements have")));
+    if (by_even_odd_ > 0)
+      context_.notes.push_back(fmt::format(
+          "{}: {} holes that run the same way as the outline around, which programs fill (fill-rule nonzero)", name_,
+          several(by_even_odd_, "element has", "elements have")));
+    if (for_a_language_ > 0)
+      context_.notes.push_back(fmt::format("{}: {} for readers of one language left out", name_,
+                                           several(for_a_language_, "element", "elements")));
+    if (styles_.unread() > 0)
+      context_.notes.push_back(fmt::format("{}: {} of <style> not read, the first of '{}'", name_,
+                                           several(styles_.unread(), "rule", "rules"), styles_.first_unread()));
+  }
+
   static bool is_empty(const Drawing& drawing) { return drawing.chains.empty() && drawing.discs.empty(); }
 
   void add(Element element) try {
@@ -317,7 +435,7 @@ class SvgReader {
   ReadContext& context_;
   static constexpr int kMostUseDepth = 40;
   static constexpr std::uint64_t kUse = 10;  // units of work
-  static constexpr std::size_t kRulesAUnit = 10;
+  static constexpr std::size_t kComparisonsAUnit = 10;
 
   Real scale_;
   SvgStyles styles_{pugi::xml_node()};
@@ -328,6 +446,7 @@ class SvgReader {
   std::vector<ShapePtr> parts_;
   std::set<std::string> ids_, layers_;
   std::map<std::string, int> left_out_, empty_;  // elements of each kind
+  std::size_t cut_ = 0, by_even_odd_ = 0, for_a_language_ = 0;
 };
 
 }  // namespace

@@ -506,6 +506,20 @@ bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext&
   return plane::nesting_depths(all) != alone;
 }
 
+bool encloses_alike(const Drawing& drawing, const ReadContext& context) {
+  if (drawing.chains.size() < 2) return true;
+  const std::vector<Contour> outlines = outlines_near(drawing, context);
+  const std::vector<std::vector<std::size_t>> around = plane::rings_around(outlines);
+  std::vector<int> ways;
+  for (const Contour& outline : outlines) ways.push_back(plane::orientation(outline));
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    int turns = ways[k];
+    for (const std::size_t outer : around[k]) turns += ways[outer];
+    if ((turns != 0) != (around[k].size() % 2 == 0)) return false;
+  }
+  return true;
+}
+
 void append(Drawing& all, const Drawing& more) {
   all.chains.insert(all.chains.end(), more.chains.begin(), more.chains.end());
   all.discs.insert(all.discs.end(), more.discs.begin(), more.discs.end());

@@ -33,6 +33,9 @@ plane::ShapePtr shape_of(Drawing drawing, ReadContext& context, const std::strin
 std::vector<plane::ShapePtr> closed_parts(Drawing drawing, ReadContext& context, const std::string& name);
 /// Whether an outline of one drawing lies within that of another. (No statement where outlines cross.)
 bool any_within_another(const std::vector<Drawing>& drawings, const ReadContext& context);
+/// Whether the outlines enclose the same where they count by their direction: where no other part is enclosed by the
+/// rule nonzero than by even-odd. (No statement where outlines cross.)
+bool encloses_alike(const Drawing& drawing, const ReadContext& context);
 /// What is drawn besides.
 void append(Drawing& all, const Drawing& more);
 /// All chains as polylines, also those that come back to their first point, and the points.
