@@ -53,7 +53,8 @@ SpaceShape moved(const SpaceShape& shape, const RealVector& by) {
     out.body = shape.body.made() ? formula::LazyBody(make().or_throw()) : formula::LazyBody::later(make);
   }
   if (shape.surfaces && whole) out.surfaces = moved(*shape.surfaces, *whole);
-  if (shape.body && !whole) out.refused = "the shape stands off the grid";
+  if (shape.cut && whole) out.cut = std::make_shared<const space::CsgSolid>(translated(*shape.cut, *whole));
+  if ((shape.body || shape.cut) && !whole) out.refused = "the shape stands off the grid";
   return out;
 }
 
