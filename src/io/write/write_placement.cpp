@@ -35,7 +35,7 @@ std::string placed_json(const planning::BodyOutcome& p, const Real& step) {
     for (const Real& c : p.at) at.push_back(scaled(c, step));
     put(out, ", \"at\": [{}]", fmt::join(at, ", "));
     if (p.angle) put(out, ", {}", orientation_json(*p.angle));
-    return out + "}";
+    return out + (p.attained ? "}" : ", \"attained\": false}");
   }
   out += ", \"at\": null";
   if (!p.attained) {
@@ -111,6 +111,7 @@ std::string placement_text(const PlacementResult& result, const Real& step, std:
       for (const Real& c : p.at) at.push_back(shown((Twofold(c) * Twofold(step)).value()));
       put(out, "({}){}", fmt::join(at, ", "), suffix);
       if (p.angle) put(out, ", rotated by {}", orientation_text(*p.angle));
+      if (!p.attained) out += ", one of many: the least value is not taken";
     } else {
       out += p.attained ? "no free position" : "no best position: the least value is not taken";
     }

@@ -20,6 +20,7 @@
 #include "plane/query/summary.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
+#include "planning/order/near_grid.h"
 
 namespace findspace::planning {
 
@@ -59,6 +60,13 @@ ScaledForm scaled(const std::array<Real, 3>& form) {
   std::int64_t p = std::int64_t(*a.integer()), q = std::int64_t(*b.integer());
   const std::int64_t factor = exact::make_primitive(p, q);
   return {{p, q}, Real(factor) / scale};
+}
+
+Region on_line_of(const Goal& condition, const Real& step, const Region& positions) {
+  if (!plane::is_bounded(positions))
+    throw Error(ErrorCode::kUnsupported, "a condition on coordinates needs a bounded set of positions");
+  const ScaledForm f = scaled(*condition.form);
+  return distance::on_line(positions, f.form, *condition.equals / (step * f.factor));
 }
 
 /// What a goal is at best over some positions, and where.
@@ -181,15 +189,6 @@ class Goals {
   Roles roles_;
 };
 
-void keep_on_line(const Goal& condition, const Real& step, std::vector<AtAngle>& positions) {
-  const ScaledForm f = scaled(*condition.form);
-  for (AtAngle& p : positions) {
-    if (!plane::is_bounded(p.region))
-      throw Error(ErrorCode::kUnsupported, "a condition on coordinates needs a bounded set of positions");
-    p.region = distance::on_line(p.region, f.form, *condition.equals / (step * f.factor));
-  }
-}
-
 /// Keeps the positions with the least value of all; false where none takes it.
 bool keep_least(std::vector<AtAngle>& positions, std::vector<Best> found, Chosen& out) {
   const Best* best = nullptr;
@@ -225,19 +224,22 @@ std::optional<RealPoint> lowest_leftmost(const Region& positions) {
   return left.at.geometry.exact(left.at.vertices.front().point);
 }
 
-/// A grid point of the set within a few steps of p, or p itself.
-RealPoint near_grid(const Region& positions, const RealPoint& p) {
-  if (p.x.integer() && p.y.integer()) return p;
-  const Real x(exact::floor(p.x)), y(exact::floor(p.y));
+/// The nearest grid point of the set within a few steps of p that keeps the conditions; nothing where none does, or p
+/// is one.
+std::optional<RealPoint> near_grid(const Region& positions, const Demands& demands, const Real& step,
+                                   const RealPoint& p) {
+  if (p.x.integer() && p.y.integer()) return std::nullopt;
   plane::Locator locator(positions);
-  for (int ring = 1; ring <= kGridSteps; ++ring)
-    for (int j = 1 - ring; j <= ring; ++j)
-      for (int i = 1 - ring; i <= ring; ++i) {
-        const bool inner = i > 1 - ring && i < ring && j > 1 - ring && j < ring;
-        const RealPoint q{x + Real(i), y + Real(j)};
-        if (!inner && locator.mark(q) > 0) return q;
-      }
-  return p;
+  const auto keeps = [&](const Goal& goal, const RealPoint& q) {
+    return !goal.equals || ((*goal.form)[0] * q.x + (*goal.form)[1] * q.y) * step == *goal.equals;
+  };
+  const auto found = nearest_on_grid<2>({p.x, p.y}, kGridSteps, [&](const std::array<Real, 2>& at) {
+    const RealPoint q{at[0], at[1]};
+    return std::all_of(demands.goals.begin(), demands.goals.end(), [&](const Goal& g) { return keeps(g, q); }) &&
+           locator.mark(q) > 0;
+  });
+  if (!found) return std::nullopt;
+  return RealPoint{(*found)[0], (*found)[1]};
 }
 
 /// As near to a place in grid steps as it goes.
@@ -269,7 +271,14 @@ std::optional<RealPoint> representative(const Region& positions) {
   return first_of_all({{0, positions}}).at;
 }
 
-Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses) {
+Region keeping_conditions(const Problem& problem, Region positions) {
+  for (const Goal& goal : problem.goals)
+    if (goal.equals) positions = on_line_of(goal, problem.world.step, positions);
+  return positions;
+}
+
+Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses,
+              Pick pick) {
   std::vector<AtAngle> positions = all;
   const auto drop_empty = [&] { std::erase_if(positions, [](const AtAngle& p) { return plane::is_empty(p.region); }); };
   Chosen out;
@@ -291,11 +300,12 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
       continue;
     }
     if (goal.equals) {
-      keep_on_line(goal, relations.problem().world.step, positions);
+      for (AtAngle& p : positions) p.region = on_line_of(goal, relations.problem().world.step, p.region);
       drop_empty();
-      out.values.push_back(std::nullopt);
+      if (out.attained) out.values.push_back(std::nullopt);
       continue;
     }
+    if (!out.attained) continue;
     std::vector<Best> found;
     for (const AtAngle& p : positions) {
       if (auto o = goals.least(goal, p)) found.push_back(std::move(*o));
@@ -304,7 +314,7 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
       out.values.push_back(std::nullopt);
     } else if (!keep_least(positions, std::move(found), out)) {
       out.attained = false;
-      return out;
+      if (pick == Pick::kBest) return out;
     }
   }
   if (positions.empty()) return out;
@@ -314,8 +324,11 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   if (on_grid || is_long) {
     const auto& whole =
         *std::find_if(all.begin(), all.end(), [&](const AtAngle& p) { return p.angle == out.pose->angle; });
-    out.pose->at = near_grid(whole.region, out.pose->at);
-    out.shortened = is_long;
+    const Problem& problem = relations.problem();
+    if (auto at = near_grid(whole.region, problem, problem.world.step, out.pose->at)) {
+      out.pose->at = *std::move(at);
+      out.shortened = is_long;
+    }
   }
   return out;
 }

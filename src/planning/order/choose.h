@@ -6,8 +6,8 @@
 // value" keeps the positions on that line. An objective that is infinite everywhere (a distance that is undefined)
 // decides nothing. Tie rule: of the positions that are left the one with the least y, then the least x, at the first of
 // the angles that has it; where they have no such position (an open or unbounded set), a point of their first
-// component, inside it. With the goal "grid" the nearest grid point of the set within a few steps is taken (by rows and
-// columns, the lower, then the left one first); it belongs to the set, and lies a few steps at most from the minimiser.
+// component, inside it. With the goal "grid" the nearest grid point of the set within a few steps is taken that keeps
+// the conditions (near_grid.h); where there is none the minimiser stays.
 // A chain of positions would otherwise have numbers that grow with every body; where a sign about one could need 4096
 // bits the grid point is taken without that goal. Guarantee: exact where the objectives are (solve_region.h). Keywords:
 // bottom-left, argmin, tie breaking.
@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "planning/order/placement.h"
 #include "planning/order/relations.h"
 
 namespace findspace::planning {
@@ -28,7 +29,7 @@ struct AtAngle {
 };
 
 struct Chosen {
-  std::optional<Pose> pose;
+  std::optional<Pose> pose;  // none: no position, or no best one where that is wanted
   /// False where there are positions, but none takes the least values: `values` ends with the infimum that none takes.
   bool attained = true;
   /// Of the objectives, in the scene's unit; none: infinite, or a condition.
@@ -38,7 +39,11 @@ struct Chosen {
 };
 
 /// `poses`: where the other bodies stand; an objective that speaks of one without a pose decides nothing.
-Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses);
+Chosen choose(const Relations& relations, std::size_t body, const std::vector<AtAngle>& all, const Poses& poses,
+              Pick pick = Pick::kBest);
+
+/// The positions that keep all conditions on coordinates. Throws Error(kUnsupported) for an unbounded set.
+plane::Region keeping_conditions(const Problem& problem, plane::Region positions);
 
 /// The tie rule: a position of the set, none if it is empty.
 std::optional<exact::RealPoint> representative(const plane::Region& positions);

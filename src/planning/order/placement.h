@@ -14,6 +14,9 @@
 
 namespace findspace::planning {
 
+/// A minimiser alone; or, where no position takes the least values, any that keeps the conditions on coordinates.
+enum class Pick { kBest, kAny };
+
 /// One after another: `Step` is what was found for one body.
 template <class Step, class V>
 struct SequenceOf {
@@ -41,7 +44,13 @@ template <class Positions, class V>
 struct TogetherOf {
   std::vector<Positions> positions;     // by body
   PosesOf<V> witness;                   // complete, or all empty: each at its best place after those before it
+  std::vector<char> attained;           // by body: 0 where no place is best, so that it stands at any
   std::optional<std::string> unproven;  // why the positions are not known to be all
+
+  void begin(std::size_t bodies) {
+    witness.resize(bodies);
+    attained.assign(bodies, 1);
+  }
 };
 
 }  // namespace findspace::planning

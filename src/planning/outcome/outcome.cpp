@@ -50,8 +50,11 @@ Outcome all_together(const Demands& demands, const TogetherOf<Positions, V>& fou
   Outcome out;
   out.method = "simultaneous";
   out.unproven = found.unproven;
-  for (std::size_t b = 0; b < demands.bodies.size(); ++b)
-    out.placed.push_back(stands(demands.bodies[b], found.witness[b]));
+  for (std::size_t b = 0; b < demands.bodies.size(); ++b) {
+    BodyOutcome& placed = out.placed.emplace_back(stands(demands.bodies[b], found.witness[b]));
+    placed.attained = !found.witness[b] || found.attained[b] != 0;
+    out.attained = out.attained && placed.attained;
+  }
   return out;
 }
 

@@ -19,11 +19,11 @@ namespace findspace::planning {
 /// Of one body, in the plane or in space; lengths in grid steps, values in the scene's unit.
 struct BodyOutcome {
   std::string shape;
-  int copy = 0;                      // 0: the only one
-  std::optional<Orientation> angle;  // where other angles than 0 are allowed
-  std::vector<exact::Real> at;       // none: it has no position
-  bool attained = true;
-  std::vector<std::optional<exact::Real>> infimum;  // of the objectives, where it is not attained
+  int copy = 0;                                     // 0: the only one
+  std::optional<Orientation> angle;                 // where other angles than 0 are allowed
+  std::vector<exact::Real> at;                      // none: it has no position
+  bool attained = true;                             // false with a position: all at once, where none is best
+  std::vector<std::optional<exact::Real>> infimum;  // of the objectives, where it has no position for that
 };
 
 struct Outcome {

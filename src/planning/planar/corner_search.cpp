@@ -54,7 +54,7 @@ class CornerSearch {
     }
     std::vector<const Region*> all;
     for (const Region& r : sets) all.push_back(&r);
-    return plane::intersect(all);
+    return keeping_conditions(problem_, plane::intersect(all));
   }
 
   /// The vertices of the set by rows and columns, those with short numbers first, and a position of it besides.

@@ -3,8 +3,8 @@
 //
 // One complete placement, where no better method decides: body after body is tried at the corners of what those before
 // it leave (and at one more position of it), with backtracking. Guarantee: what is found satisfies every condition
-// exactly; finding nothing proves nothing. Cost: a few regions for each try; at most 3,000 tries, or the limit.
-// Keywords: backtracking, depth-first search, bottom-left.
+// exactly, those on coordinates included; finding nothing proves nothing. Cost: a few regions for each try; at most
+// 3,000 tries, or the limit. Keywords: backtracking, depth-first search, bottom-left.
 #pragma once
 
 #include "planning/order/choose.h"

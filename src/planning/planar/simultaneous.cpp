@@ -36,20 +36,28 @@ class Simultaneous {
     Poses fixed(problem_.bodies.size());
     out.positions = projections(fixed);
     out.unproven = unproven_;
-    out.witness.resize(fixed.size());
+    out.begin(fixed.size());
     if (!possible(out.positions)) {
       if (unproven_) try_sequence(out);
       return out;
     }
     std::vector<std::vector<AtAngle>> left = out.positions;
+    const auto& goals = problem_.goals;
+    on_lines_ = std::any_of(goals.begin(), goals.end(), [](const formula::Goal& g) { return g.equals.has_value(); });
     for (std::size_t b = 0; b < fixed.size(); ++b) {
-      if (b > 0) left = projections(fixed);
-      if (!possible(left)) {  // only where something is undecided
+      if (b > 0 || on_lines_) left = projections(fixed);
+      if (!possible(left)) {  // something is undecided, or a condition on coordinates is kept nowhere
         out.unproven = unproven_;
         return out;
       }
-      Chosen chosen = choose(relations_, b, left[b], fixed);
-      fixed[b] = chosen.pose ? chosen.pose : any(left[b]);
+      const Chosen chosen = choose(relations_, b, left[b], fixed, Pick::kAny);
+      if (!chosen.pose) {
+        if (b > 0)
+          out.unproven = "a condition on coordinates leaves a shape no position after the choices for those before it";
+        return out;
+      }
+      fixed[b] = chosen.pose;
+      out.attained[b] = chosen.attained;
     }
     out.witness = std::move(fixed);
     return out;
@@ -88,12 +96,6 @@ class Simultaneous {
     out.witness = std::move(found.poses);
   }
 
-  static std::optional<Pose> any(const std::vector<AtAngle>& positions) {
-    for (const AtAngle& p : positions)
-      if (auto at = representative(p.region)) return Pose{p.angle, *at};
-    return std::nullopt;
-  }
-
   /// P of every body at every angle, some bodies standing already.
   std::vector<std::vector<AtAngle>> projections(const Poses& fixed) {
     std::vector<std::vector<AtAngle>> out(problem_.bodies.size());
@@ -129,7 +131,8 @@ class Simultaneous {
     Region at = CellComplex::uniform(1);
     if (fixed[body]) at = convex_region(std::span(&fixed[body]->at, 1), true);
     all.push_back(&at);
-    return plane::intersect(all);
+    Region both = plane::intersect(all);
+    return on_lines_ && plane::is_bounded(both) ? keeping_conditions(problem_, std::move(both)) : both;
   }
 
   void add(const Alternative& alternative, const Poses& fixed, const Poses& poses,
@@ -163,6 +166,7 @@ class Simultaneous {
   const Limit& limit_;
   std::vector<Alternative> alternatives_;
   std::optional<std::string> unproven_;
+  bool on_lines_ = false;  // the projections keep the conditions on coordinates
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "planning/order/near_grid.h"
 
 namespace findspace::planning {
 
@@ -14,6 +15,8 @@ using formula::Objective;
 using space::RealVector;
 
 namespace {
+
+constexpr int kRings = 2;  // of grid points
 
 [[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::kUnsupported, what); }
 
@@ -28,8 +31,12 @@ void add_condition(const Goal& goal, const Real& step, SpaceGoals& out) {
   const auto& form = *goal.form;
   if (std::count_if(form.begin(), form.end(), [](const Real& c) { return c.sign() != 0; }) != 1)
     refuse("in 3D a condition is on one coordinate");
-  for (std::size_t k = 0; k < 3; ++k)
-    if (form[k].sign() != 0) out.fixed[k] = *goal.equals / (form[k] * step);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (form[k].sign() == 0) continue;
+    const Real value = *goal.equals / (form[k] * step);
+    out.none = out.none || (out.fixed[k] && *out.fixed[k] != value);
+    out.fixed[k] = value;
+  }
 }
 
 SpaceGoal goal_of(const Objective& objective, bool negated, const Real& step) {
@@ -50,6 +57,16 @@ SpaceGoal goal_of(const Objective& objective, bool negated, const Real& step) {
 }  // namespace
 
 std::array<RealVector, 3> tie_forms() { return {axis_form(2), axis_form(1), axis_form(0)}; }
+
+void SpaceGoals::put_on_grid(std::optional<RealVector>& at, const std::function<bool(const RealVector&)>& holds) const {
+  if (!grid || !at || ((*at)[0].integer() && (*at)[1].integer() && (*at)[2].integer())) return;
+  const auto keeps = [&](const RealVector& p) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (fixed[k] && p[k] != *fixed[k]) return false;
+    return holds(p);
+  };
+  if (auto found = nearest_on_grid(*at, kRings, keeps)) at = std::move(found);
+}
 
 std::optional<std::vector<RealVector>> SpaceGoals::forms() const {
   std::vector<RealVector> out;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,9 +22,15 @@ struct SpaceGoal {
 
 struct SpaceGoals {
   std::array<std::optional<exact::Real>, 3> fixed;  // in grid steps
+  bool none = false;                                // two conditions contradict each other
   std::vector<SpaceGoal> all;
   bool grid = false;
 
+  bool has_fixed() const { return none || fixed[0] || fixed[1] || fixed[2]; }
+  /// Where "grid" is wanted: to the nearest grid point within a few steps that holds(p) and keeps what is fixed, if
+  /// there is one.
+  void put_on_grid(std::optional<space::RealVector>& at,
+                   const std::function<bool(const space::RealVector&)>& holds) const;
   /// The goals and the rule for ties, where all are forms.
   std::optional<std::vector<space::RealVector>> forms() const;
 };

@@ -83,7 +83,10 @@ Real inside(const Interval& i) {
   return i.from ? *i.from + Real(1) : i.to ? *i.to - Real(1) : Real();
 }
 
+}  // namespace
+
 Boxes with_fixed(Boxes boxes, const SpaceGoals& goals) {
+  if (goals.none) return {};
   for (std::size_t k = 0; k < 3; ++k) {
     if (!goals.fixed[k]) continue;
     const Real& c = *goals.fixed[k];
@@ -97,9 +100,7 @@ Boxes with_fixed(Boxes boxes, const SpaceGoals& goals) {
   return boxes;
 }
 
-}  // namespace
-
-SpaceBest best_on_boxes(const BoxComplex& positions, const SpaceGoals& goals, const Real& step) {
+SpaceBest best_on_boxes(const BoxComplex& positions, const SpaceGoals& goals, const Real& step, Pick pick) {
   SpaceBest out;
   Boxes boxes = with_fixed(positions.boxes(), goals);
   for (const auto& f : goals.fixed)
@@ -111,7 +112,8 @@ SpaceBest best_on_boxes(const BoxComplex& positions, const SpaceGoals& goals, co
     out.unbounded = best.unbounded;
     if (best.at.empty()) {
       out.attained = false;
-      return out;
+      if (pick == Pick::kBest) return out;
+      break;
     }
     boxes = std::move(best.at);
   }

@@ -16,8 +16,6 @@ using space::RealVector;
 
 namespace {
 
-constexpr int kGridSteps = 2;
-
 /// Whether a condition holds nowhere by itself, which one convex set tells.
 bool one_fails(const SpaceStage& stage) {
   const formula::Formula& formula = stage.formula();
@@ -71,36 +69,19 @@ std::optional<SpaceBest> best_in_flat(const FlatPositions& flat, const SpaceGoal
   return out;
 }
 
-/// A grid point of the set within a few steps of p, the nearest by rows of z, y, x; or p itself.
-template <class Holds>
-RealVector near_grid(const RealVector& p, const Holds& holds) {
-  if (p[0].integer() && p[1].integer() && p[2].integer()) return p;
-  const RealVector base{Real(exact::floor(p[0])), Real(exact::floor(p[1])), Real(exact::floor(p[2]))};
-  for (int ring = 1; ring <= kGridSteps; ++ring)
-    for (int z = 1 - ring; z <= ring; ++z)
-      for (int y = 1 - ring; y <= ring; ++y)
-        for (int x = 1 - ring; x <= ring; ++x) {
-          const RealVector q = space::plus(base, RealVector{Real(x), Real(y), Real(z)});
-          if (holds(q)) return q;
-        }
-  return p;
-}
-
 SpaceBest best_in(const SpacePositions& positions, const SpaceGoals& goals, const SpaceProblem& problem) {
+  if (positions.none || goals.none) return {};
   if (positions.boxes) {
     SpaceBest best = best_on_boxes(*positions.boxes, goals, problem.step);
-    if (goals.grid && best.at)
-      best.at = near_grid(*best.at, [&](const RealVector& q) { return positions.boxes->mark(q) != 0; });
+    goals.put_on_grid(best.at, [&](const RealVector& q) { return positions.boxes->mark(q) != 0; });
     return best;
   }
   if (positions.flat) {
     if (auto best = best_in_flat(*positions.flat, goals, problem.step)) {
-      if (goals.grid && best->at)
-        best->at = near_grid(*best->at, [&](const RealVector& q) { return positions.flat->holds(q); });
+      goals.put_on_grid(best->at, [&](const RealVector& q) { return positions.flat->holds(q); });
       return *best;
     }
   }
-  if (positions.none) return {};
   const formula::RayWindow box = positions.window();
   const LinesAsked lines{[&](const space::RayGrid& grid) { return positions.lines(grid).rays; }, box.low, box.high,
                          problem.lines};

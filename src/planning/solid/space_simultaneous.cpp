@@ -139,24 +139,34 @@ IntervalBox point_box(const RealVector& p) {
   return out;
 }
 
-/// Body after body at its best place, the sets of the others made anew each time.
-void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, const std::vector<Boxes>& found,
-                  const Limit& limit, SpaceSimultaneous& out) {
-  std::vector<Boxes> left = found;
-  SpacePoses poses(found.size());
+/// Body after body at its best place, or at any where none is best, the sets of the others made anew each time.
+void take_witness(const SpaceProblem& problem, std::vector<Choice> choices, std::vector<Boxes> left, const Limit& limit,
+                  SpaceSimultaneous& out) {
+  const std::size_t n = problem.bodies.size();
+  SpacePoses poses(n);
   bool stopped = false;
-  for (std::size_t b = 0; b < found.size(); ++b) {
-    const SpaceBest best =
-        best_on_boxes(BoxComplex::of_boxes(left[b]).checked().or_throw(), space_goals(problem, b), problem.step);
+  const auto narrow = [&] {
+    TogetherSearch search(choices, n, limit);
+    left = search.run();
+    stopped = stopped || search.stopped();
+  };
+  if (space_goals(problem, 0).has_fixed()) {
+    for (std::size_t b = 0; b < n; ++b) choices[b].boxes = with_fixed(choices[b].boxes, space_goals(problem, b));
+    narrow();
+  }
+  for (std::size_t b = 0; b < n; ++b) {
+    if (b > 0) narrow();
+    const BoxComplex positions = BoxComplex::of_boxes(left[b]).checked().or_throw();
+    const SpaceGoals goals = space_goals(problem, b);
+    SpaceBest best = best_on_boxes(positions, goals, problem.step, Pick::kAny);
     if (!best.at) {
       if (stopped) out.unproven = kStopped;
       return;
     }
+    goals.put_on_grid(best.at, [&](const RealVector& p) { return positions.mark(p) != 0; });
     poses[b] = SpacePose{0, *best.at};
+    out.attained[b] = best.attained;
     choices[b].boxes = {point_box(*best.at)};
-    TogetherSearch search(choices, found.size(), limit);
-    left = search.run();
-    stopped = stopped || search.stopped();
   }
   out.witness = poses;
 }
@@ -169,7 +179,7 @@ SpaceSimultaneous place_together_in_space(const SpaceProblem& problem, const Lim
   TogetherSearch search(choices, problem.bodies.size(), limit);
   const std::vector<Boxes> found = search.run();
   SpaceSimultaneous out;
-  out.witness.resize(problem.bodies.size());
+  out.begin(problem.bodies.size());
   if (search.stopped()) out.unproven = kStopped;
   for (const Boxes& boxes : found)
     out.positions.push_back(BoxComplex::of_boxes(boxes).checked().or_throw().simplified());

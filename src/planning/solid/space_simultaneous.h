@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // All bodies placed at once in space (distances.md 6.3), where the faces of all shapes are parallel to the axes: for
-// every body the set of all positions for which the others can still be placed, and one complete placement. Every
+// every body the set of all positions for which the others can still be placed, and one complete placement, which
+// keeps the conditions on coordinates: body after body at its best place, or at any where there is none. Every
 // condition is a set of boxes for one position or for the difference of two; a choice of one box of each leaves boxes
 // for all positions (difference_boxes.h). Choices that can add nothing to what was found are passed over. Guarantee:
 // exact for any number of bodies and conditions, strict ones included; where the time limit comes first the regions
