@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Phi-functions of rounded bodies in space against closed forms: balls, a box and a ball, rounded boxes (the signed
-// distance to the box of the summed half sides, less the radii), and their least value for unions; roles exchanged.
+// Phi-functions of rounded bodies in space against closed forms: balls, capsules, pillows, a box and a ball, rounded
+// boxes (the signed distance to the box of the summed half sides, less the radii), and their least value for unions;
+// roles exchanged.
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -50,13 +52,20 @@ ShapePtr node(Kind kind, std::vector<ShapePtr> children, const Real& amount = Re
   return std::make_shared<const Shape>(std::move(shape));
 }
 
-/// A box about a centre with rounded corners; a ball where the sides are 0.
+/// A box about a centre with rounded corners; a ball, a capsule or a pillow where sides are 0.
 struct Rounded {
   Point center, half;
   Real radius;
   ShapePtr shape() const {
     if (half == Point{0, 0, 0}) return ball(center, radius);
+    if (half.x == 0 || half.y == 0 || half.z == 0) return hull_of_balls();
     return radius.sign() > 0 ? node(Kind::kOffset, {box(center, half)}, radius) : box(center, half);
+  }
+  ShapePtr hull_of_balls() const {
+    std::vector<ShapePtr> balls;
+    const ShapePtr frame = box(center, half);
+    for (const Point& corner : solid_of(*frame)->mesh.vertices) balls.push_back(ball(corner, radius));
+    return node(Kind::kHull, std::move(balls));
   }
 };
 
@@ -83,7 +92,9 @@ TEST(RoundedPhi, HasTheClosedForms) {
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   const auto draw = [&] {
     Rounded r{{pick(-3, 3), pick(-3, 3), pick(-3, 3)}, {0, 0, 0}, Real(pick(0, 3))};
-    if (r.radius.sign() == 0 || pick(0, 2) > 0) r.half = {pick(1, 4), pick(1, 4), pick(1, 4)};
+    const int least = r.radius.sign() == 0 ? 1 : -2;
+    const auto side = [&] { return std::max(pick(least, 4), 0); };
+    if (r.radius.sign() == 0 || pick(0, 2) > 0) r.half = {side(), side(), side()};
     return r;
   };
   int contacts = 0;
@@ -115,6 +126,33 @@ TEST(RoundedPhi, HasTheClosedForms) {
     }
   }
   EXPECT_GT(contacts, 50);
+}
+
+TEST(RoundedPhi, OfATiltedTriangleAndABallIsTheDistance) {
+  std::mt19937 random(9);
+  const auto pick = [&] { return std::uniform_int_distribution<int>(-9, 9)(random); };
+  int tried = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Point> corners;
+    std::vector<Vector> near;
+    for (int k = 0; k < 3; ++k) {
+      corners.push_back({pick(), pick(), pick()});
+      near.push_back(exact::approx(corners.back()));
+    }
+    const Vector n = cross(near[1] - near[0], near[2] - near[0]);
+    if (length(n) == 0) continue;
+    const BodyPart plate = part_of(corners, Real(2)), small{{}, {}, Real(1)};
+    const RoundedPhi phi(std::span(&plate, 1), std::span(&small, 1));
+    ASSERT_FALSE(phi.pair(0).phi.has_value());
+    const Vector u{double(pick()), double(pick()), double(pick())};
+    const Vector off = u - nearest_on_polygon(u, scaled(1 / length(n), n), near);
+    const RoundedAt at = phi.at(real(u)).at;
+    ASSERT_NEAR(at.phi, length(off) - 3, 1e-12);
+    ASSERT_NEAR(dot(at.gradient, off), length(off), 1e-12);
+    ASSERT_NEAR(length(at.gradient), 1, 1e-12);
+    ++tried;
+  }
+  EXPECT_GT(tried, 150);
 }
 
 TEST(RoundedPhi, OfAUnionIsTheLeastOfItsParts) {
@@ -149,6 +187,17 @@ TEST(ContactSurface, OfAPolytopeAndAPointIsClosed) {
   EXPECT_FALSE(fixed.fault().has_value());
   EXPECT_FALSE(moving.fault().has_value());
   EXPECT_EQ(moving.facet_count(), p.facet_count());
+}
+
+TEST(ContactSurface, WithASegmentIsClosed) {
+  const Polytope p = Polytope::hull(std::vector<Point>{{0, 0, 0}, {5, 0, 1}, {0, 4, 0}, {1, 1, 6}, {4, 4, 4}});
+  const std::vector<Point> ends{{0, 0, 0}, {2, 1, 7}};
+  const ContactSurface surface(p.vertices(), ends);
+  EXPECT_FALSE(surface.fault().has_value());
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    const auto [i, j] = surface.vertex_pair(v);
+    EXPECT_EQ(surface.vertices()[v], p.vertices()[i] - ends[j]);
+  }
 }
 
 TEST(RoundedPhi, RefusesPositionsWhoseSquaresAreNoDoubles) {

@@ -60,8 +60,14 @@ void put_surface(std::string& out, const ContactSurface& s, const Real& step) {
   put(out, "]");
 }
 
+std::string corners_text(const std::vector<Point>& corners, const Real& step) {
+  std::string out;
+  for (const Point& p : corners) put(out, "{}{}", out.empty() ? "[" : ",", point_text(p, step));
+  return out + "]";
+}
+
 const char* form_name(const RoundedPair& pair) {
-  return !pair.phi ? "balls" : pair.radius.sign() > 0 ? "rounded" : "polytopes";
+  return pair.balls() ? "balls" : !pair.phi || pair.radius.sign() > 0 ? "rounded" : "polytopes";
 }
 
 void put_pair(std::string& out, const RoundedPair& pair, const Real& step) {
@@ -69,14 +75,16 @@ void put_pair(std::string& out, const RoundedPair& pair, const Real& step) {
   if (pair.radius.sign() > 0) put(out, "\"radius\":{},", (pair.radius * step).text());
   if (pair.phi)
     put_surface(out, pair.phi->surface(), step);
+  else if (pair.balls())
+    put(out, "\"center\":{},\"vertices\":[],\"facets\":[]", point_text(pair.flat[0], step));
   else
-    put(out, "\"center\":{},\"vertices\":[],\"facets\":[]", point_text(pair.apex, step));
+    put(out, "\"vertices\":{},\"facets\":[]", corners_text(pair.flat, step));
 }
 
 /// Of two balls: |u|^2 - R^2.
 Real square_form(const PhiReport& r) {
   const RoundedPair& pair = r.phi->pair(0);
-  const Point& apex = pair.apex;
+  const Point& apex = pair.flat[0];
   const Real x = *r.at[0] - Real(apex.x) * r.step, y = *r.at[1] - Real(apex.y) * r.step,
              z = *r.at[2] - Real(apex.z) * r.step, radius = pair.radius * r.step;
   return x * x + y * y + z * z - radius * radius;
@@ -89,14 +97,19 @@ std::string position_text(const PhiReport& r, const char* separator) {
 void put_value(std::string& out, const PhiReport& r) {
   const space::RoundedAt& at = r.value->at;
   put_at(out, r, position_text(r, ","), fmt::format("{},{},{}", at.gradient.x, at.gradient.y, at.gradient.z));
-  if (r.phi->pair_count() == 1 && !r.phi->pair(0).phi) put(out, ",\"square\":{}", square_form(r).text());
+  if (r.phi->pair_count() == 1 && r.phi->pair(0).balls()) put(out, ",\"square\":{}", square_form(r).text());
   put(out, "{}}}", limits_json(r.limits));
 }
 
 void put_table(std::string& out, const RoundedPair& pair, const Real& step) {
   const std::string radius = (pair.radius * step).text();
+  if (pair.balls()) {
+    put(out, "two balls: the sphere about {} with radius {}\n", point_text(pair.flat[0], step), radius);
+    return;
+  }
   if (!pair.phi) {
-    put(out, "two balls: the sphere about {} with radius {}\n", point_text(pair.apex, step), radius);
+    put(out, "the surface at distance {} around the {} {}\n", radius, pair.flat.size() == 2 ? "segment" : "polygon",
+        corners_text(pair.flat, step));
     return;
   }
   if (pair.radius.sign() > 0) put(out, "the surface at distance {} around:\n", radius);

@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/body/rounded_phi.h"
 
-#include <findspace/error.h>
-
+#include "space/body/flat_core.h"
 #include "space/phi/phi_level.h"
 
 namespace findspace::space {
@@ -11,23 +10,29 @@ namespace {
 
 using exact::Real;
 
+/// From the nearest point of a difference without interior to u.
+RealVector off_flat(const RoundedPair& pair, const RealVector& u) {
+  if (pair.balls()) return minus(u, real(pair.flat[0]));
+  if (const auto off = off_border(pair.flat, pair.normal, u)) return *off;
+  const Real height = dot(pair.normal, minus(u, real(pair.flat[0])));
+  return scaled(height / dot(pair.normal, pair.normal), pair.normal);
+}
+
 /// The squared distance of the cores at u; 0 where they meet.
 Real squared_gap(const RoundedPair& pair, const RealVector& u) {
   if (pair.phi) return squared_distance(*pair.phi, u);
-  const RealVector way = minus(u, real(pair.apex));
+  const RealVector way = off_flat(pair, u);
   return dot(way, way);
 }
 
-/// The unit vector from the nearest point of the cores' difference to u, which is outside.
-Vector direction(const RoundedPair& pair, const RealVector& u) {
-  if (pair.phi) return pair.phi->normalised_gradient(rounded(u));
-  const Vector way = rounded(minus(u, real(pair.apex)));
-  const double size = length(way);
-  return size > 0 ? scaled(1 / size, way) : Vector{1, 0, 0};
-}
-
+/// At a u that is not inside the cores' difference.
 RoundedAt by_distance(const RoundedPair& pair, const RealVector& u) {
-  return at_distance(squared_gap(pair, u), pair.radius, direction(pair, u));
+  if (pair.phi)
+    return at_distance(squared_distance(*pair.phi, u), pair.radius, pair.phi->normalised_gradient(rounded(u)));
+  const RealVector off = off_flat(pair, u);
+  const Vector way = rounded(off);
+  const double size = length(way);
+  return at_distance(dot(off, off), pair.radius, size > 0 ? scaled(1 / size, way) : pair.aside);
 }
 
 RoundedAt value_at(const RoundedPair& pair, const RealVector& u) {
@@ -41,10 +46,29 @@ RoundedAt value_at(const RoundedPair& pair, const RealVector& u) {
       });
 }
 
-PhiFunction function_of(const BodyPart& p, const BodyPart& q) {
-  if (!q.core) return PhiFunction(ContactSurface(*p.core, q.center));
-  if (!p.core) return PhiFunction(ContactSurface(p.center, *q.core));
-  return PhiFunction(*p.core, *q.core);
+/// Of the cores' difference.
+void make_pair_of(RoundedPair& pair, const BodyPart& p, const BodyPart& q) {
+  if (p.core && q.core) {
+    pair.phi.emplace(*p.core, *q.core);
+  } else if (p.core && q.point()) {
+    pair.phi.emplace(ContactSurface(*p.core, q.center));
+  } else if (p.point() && q.core) {
+    pair.phi.emplace(ContactSurface(p.center, *q.core));
+  } else {
+    std::vector<Point> differences;
+    for (const Point& v : p.vertices())
+      for (const Point& w : q.vertices()) differences.push_back(v - w);
+    auto corners = flat_corners(differences);
+    if (!corners) {
+      pair.phi.emplace(ContactSurface(p.vertices(), q.vertices()));
+      return;
+    }
+    pair.flat = *std::move(corners);
+    if (pair.balls()) return;
+    const HalfSpace side = flat_planes(pair.flat)[0];
+    pair.aside = side.unit;
+    if (pair.flat.size() > 2) pair.normal = side.normal;
+  }
 }
 
 void check_reach(const RealVector& u) {
@@ -55,14 +79,8 @@ void check_reach(const RealVector& u) {
 }  // namespace
 
 RoundedPhi::RoundedPhi(std::span<const BodyPart> a, std::span<const BodyPart> b)
-    : pairs_(all_pairs<RoundedPair>(a, b, [](RoundedPair& pair, const BodyPart& p, const BodyPart& q) {
-        if (!p.flat.empty() || !q.flat.empty())
-          throw Error(ErrorCode::kUnsupported, "the Phi-function of a capsule, or of a flat core, is not made");
-        if (p.core || q.core)
-          pair.phi.emplace(function_of(p, q));
-        else
-          pair.apex = p.center - q.center;
-      })) {}
+    : pairs_(all_pairs<RoundedPair>(
+          a, b, [](RoundedPair& pair, const BodyPart& p, const BodyPart& q) { make_pair_of(pair, p, q); })) {}
 
 RoundedPhi::At RoundedPhi::at(const RealVector& u) const {
   check_reach(u);

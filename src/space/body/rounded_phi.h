@@ -4,11 +4,13 @@
 // The Phi-function of two bodies of space that are finite unions of rounded convex parts (body.h), at exact
 // positions: the least of the pairs' Phi-functions. For a pair with cores P, Q and R the sum of their radii it is
 //   R = 0   the max form of the two polytopes (phi_function.h);
-//   R > 0   the normalised one: the distance of the cores less R outside, the max form of the cores less R inside.
+//   R > 0   the normalised one: the distance of the cores less R outside, the max form of the cores less R inside;
+//   where
+//           P - Q has no interior (of balls and capsules often) the distance less R everywhere.
 // `normalised` is normalised in both cases. Guarantee: state, active facets and compare_distance() are exact at every
 // real position up to 2^500 steps away (Error(kBadValue) beyond); values have a relative error of 2^-50, also next to
 // contact. Inside, minus the value of a union is a lower bound of the true depth (docs/phi.md). Cost: pairs times the
-// cost of a pair. Keywords: ball, sphere, rounded box, phi-function of composed objects.
+// cost of a pair. Keywords: ball, sphere, capsule, rounded box, phi-function of composed objects.
 #pragma once
 
 #include <optional>
@@ -22,9 +24,14 @@
 namespace findspace::space {
 
 struct RoundedPair {
-  std::optional<PhiFunction> phi;  // of the cores; nothing for two points
-  Point apex;                      // of two points: their difference
+  std::optional<PhiFunction> phi;  // of the cores, where their difference has interior
+  std::vector<Point> flat;         // else its corners: a point, the two ends of a segment, or a polygon's
+  RealVector normal;               // of that polygon, which runs counter-clockwise about it; else 0
+  Vector aside{1, 0, 0};           // a unit vector along which the difference has no extent
   exact::Real radius;
+
+  /// Of two points.
+  bool balls() const { return flat.size() == 1; }
 };
 
 using RoundedAt = PairAt<Vector>;

@@ -3,6 +3,8 @@
 #include "space/phi/contact_surface.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "plane/base/result_store.h"
@@ -144,6 +146,39 @@ ContactSurface::ContactSurface(const Point& a, const Polytope& b) : first_{0} {
     std::vector<int> circuit = b.circuit(g);
     std::reverse(circuit.begin(), circuit.end());  // the reflection reverses it
     add_facet(std::move(circuit), {-plane.normal, plane.offset + exact::dot(plane.normal, a)}, Contact::kVF, {0, g});
+  }
+}
+
+namespace {
+
+/// By how many corners of A and of B meet in a facet.
+Contact contact_of(std::size_t a, std::size_t b) {
+  if (a > 2) return b > 2 ? Contact::kFF : b == 2 ? Contact::kFE : Contact::kFV;
+  if (a == 2) return b > 2 ? Contact::kEF : Contact::kEE;
+  return Contact::kVF;
+}
+
+}  // namespace
+
+ContactSurface::ContactSurface(std::span<const Point> a, std::span<const Point> b) : first_{0} {
+  std::map<Point, std::array<int, 2>> pair_of;
+  std::vector<Point> differences;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      differences.push_back(a[i] - b[j]);
+      pair_of[differences.back()] = {static_cast<int>(i), static_cast<int>(j)};
+    }
+  const Polytope hull = Polytope::hull(differences);
+  for (const Point& v : hull.vertices()) {
+    vertices_.push_back(v);
+    pairs_.push_back(pair_of.at(v));
+  }
+  for (int f = 0; f < hull.facet_count(); ++f) {
+    std::vector<int> circuit = hull.circuit(f);
+    std::array<std::set<int>, 2> meet;
+    for (const int v : circuit)
+      for (std::size_t k = 0; k < 2; ++k) meet[k].insert(pairs_[v][k]);
+    add_facet(std::move(circuit), hull.planes()[f], contact_of(meet[0].size(), meet[1].size()), {-1, -1});
   }
 }
 

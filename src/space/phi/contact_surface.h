@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,9 @@ class ContactSurface {
   /// The same where one of the two is a point, the core of a ball: FV or VF facets only.
   ContactSurface(const Polytope& a, const Point& b);
   ContactSurface(const Point& a, const Polytope& b);
+  /// The same of two convex hulls of any dimension whose difference has interior, one of them flat: by the hull of all
+  /// differences. The points are the corners of each.
+  ContactSurface(std::span<const Point> a, std::span<const Point> b);
 
   int vertex_count() const { return static_cast<int>(vertices_.size()); }
   int facet_count() const { return static_cast<int>(contacts_.size()); }
@@ -53,7 +57,8 @@ class ContactSurface {
   /// The same plane with integers that may have a common factor (EE facets), as it was built: enough for every sign.
   const Plane& raw_plane(int f) const { return planes_[f]; }
   Contact contact(int f) const { return contacts_[f]; }
-  /// The features of A and of B that meet in facet f: the index of a facet or a vertex, or a half-edge for an edge.
+  /// The features of A and of B that meet in facet f: the index of a facet or a vertex, or a half-edge for an edge; -1
+  /// where one of the two is flat.
   std::array<int, 2> features(int f) const { return features_[f]; }
 
   /// Every directed edge occurs once and its reverse once, V - E + F = 2, and every vertex lies below every plane.

@@ -23,24 +23,31 @@ Level level(const Plane& plane, const RealVector& u) {
 /// The squared distance of u to the polygon of facet f: to its plane where the projection is inside, else to its
 /// border.
 Real squared_distance_to(const PhiFunction& phi, int f, const RealVector& u) {
-  const auto ring = phi.surface().circuit(f);
-  const RealVector n = real(phi.surface().raw_plane(f).normal);
-  std::optional<Real> best;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const RealVector p = real(phi.surface().vertices()[ring[i]]);
-    const RealVector e = minus(real(phi.surface().vertices()[ring[(i + 1) % ring.size()]]), p), w = minus(u, p);
-    if (dot(cross(e, w), n).sign() >= 0) continue;
-    const Real t = dot(e, w), size = dot(e, e);
-    const RealVector off = t.sign() <= 0 ? w : t >= size ? minus(w, e) : along(w, -t / size, e);
-    const Real d = dot(off, off);
-    if (!best || d < *best) best = d;
-  }
-  if (best) return *best;
-  const Level l = level(phi.surface().raw_plane(f), u);
+  const Plane& plane = phi.surface().raw_plane(f);
+  std::vector<Point> corners;
+  for (const int v : phi.surface().circuit(f)) corners.push_back(phi.surface().vertices()[v]);
+  if (const auto off = off_border(corners, real(plane.normal), u)) return dot(*off, *off);
+  const Level l = level(plane, u);
   return l.value * l.value / l.square;
 }
 
 }  // namespace
+
+std::optional<RealVector> off_border(std::span<const Point> corners, const RealVector& n, const RealVector& u) {
+  std::optional<RealVector> best;
+  Real least;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const RealVector p = real(corners[i]), e = minus(real(corners[(i + 1) % corners.size()]), p), w = minus(u, p);
+    if (dot(cross(e, w), n).sign() > 0) continue;
+    const Real t = dot(e, w), size = dot(e, e);
+    const RealVector off = t.sign() <= 0 ? w : t >= size ? minus(w, e) : along(w, -t / size, e);
+    const Real d = dot(off, off);
+    if (best && !(d < least)) continue;
+    best = off;
+    least = d;
+  }
+  return best;
+}
 
 PhiAt phi_at(const PhiFunction& phi, const RealVector& u) {
   const Vector near = rounded(u);

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "exact/number/real.h"
@@ -31,5 +33,9 @@ int sign_at(const PhiFunction& phi, const RealVector& u);
 
 /// The squared distance of A and B + u; 0 unless they are apart.
 exact::Real squared_distance(const PhiFunction& phi, const RealVector& u);
+
+/// From the nearest point on the border of a convex polygon, counter-clockwise about the normal n, to u; nothing where
+/// u is strictly above or below its inside. Of a point or of the two ends of a segment, n = 0, the nearest point of it.
+std::optional<RealVector> off_border(std::span<const Point> corners, const RealVector& n, const RealVector& u);
 
 }  // namespace findspace::space
