@@ -7,6 +7,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,6 +27,22 @@ class Doubles : public Array {
  public:
   Doubles() : Array(py::reinterpret_steal<Array>(py::handle())) {}
   explicit Doubles(Array array) : Array(std::move(array)) {}
+};
+
+/// Indices as an argument: nothing is cut off or wrapped to make some of other numbers.
+class WholeNumbers : public Indices {
+ public:
+  WholeNumbers() : Indices(py::reinterpret_steal<Indices>(py::handle())) {}
+  explicit WholeNumbers(const py::array& from) : Indices(py::reinterpret_steal<Indices>(py::handle())) {
+    const char kind = from.dtype().kind();
+    if (from.size() > 0 && kind != 'i' && kind != 'u') throw py::type_error("indices are whole numbers");
+    const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(from);
+    if (!wide) throw py::error_already_set();
+    for (py::ssize_t k = 0; k < wide.size(); ++k)
+      if (wide.data()[k] != std::int32_t(wide.data()[k]))
+        throw py::value_error("the index " + std::to_string(wide.data()[k]) + " is too large");
+    static_cast<Indices&>(*this) = Indices::ensure(wide);
+  }
 };
 
 /// Rows of `Row` of an array of shape (n, columns).
@@ -62,6 +79,18 @@ class pybind11::detail::type_caster<findspace::python::Doubles> {
   bool load(handle from, bool convert) {
     if (!convert && !findspace::python::Array::check_(from)) return false;
     value = findspace::python::Doubles(findspace::python::Array::ensure(from));
+    return bool(value);
+  }
+};
+
+template <>
+class pybind11::detail::type_caster<findspace::python::WholeNumbers> {
+ public:
+  PYBIND11_TYPE_CASTER(findspace::python::WholeNumbers, handle_type_name<findspace::python::Indices>::name);
+
+  bool load(handle from, bool) {
+    const auto all = pybind11::array::ensure(from);
+    if (all) value = findspace::python::WholeNumbers(all);
     return bool(value);
   }
 };

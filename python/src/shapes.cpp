@@ -40,6 +40,21 @@ py::list polygons(const py::object& rings, const py::object& step) {
   return out;
 }
 
+/// What an arc is given by; what it has besides is refused.
+std::string way_of_arc(const py::dict& arc) {
+  std::string way;
+  for (const auto& [key, value] : arc) {
+    const std::string name = py::str(key);
+    if (name == "to" || (name == "ccw" && arc.contains("center"))) continue;
+    if (name != "bulge" && name != "through" && name != "center")
+      throw py::value_error("an arc to a point has no \"" + name + "\"");
+    if (!way.empty()) throw py::value_error("an arc has \"" + way + "\" or \"" + name + "\", not both");
+    way = name;
+  }
+  if (way.empty()) throw py::value_error("an arc has \"bulge\", \"through\" or \"center\"");
+  return way;
+}
+
 /// A list of steps: (x, y) is a segment; a dict with "to" and "bulge", "through", or "center" an arc.
 Contour contour(const py::list& steps) {
   if (steps.empty()) throw py::value_error("a contour needs points");
@@ -50,15 +65,14 @@ Contour contour(const py::list& steps) {
       continue;
     }
     const py::dict arc = steps[k];
+    const std::string way = way_of_arc(arc);
     const Point end = point(arc["to"]);
-    if (arc.contains("bulge"))
+    if (way == "bulge")
       out.bulge_to(number(arc["bulge"]), end);
-    else if (arc.contains("through"))
+    else if (way == "through")
       out.arc_through(point(arc["through"]), end);
-    else if (arc.contains("center"))
-      out.arc_about(point(arc["center"]), end, !arc.contains("ccw") || arc["ccw"].cast<bool>());
     else
-      throw py::value_error("an arc has \"bulge\", \"through\" or \"center\"");
+      out.arc_about(point(arc["center"]), end, !arc.contains("ccw") || arc["ccw"].cast<bool>());
   }
   return out;
 }
@@ -185,7 +199,7 @@ void bind_solids(py::class_<Shape>& shape) {
           py::arg("polygon"), py::arg("low"), py::arg("high"), "A polygon of the plane between two heights.")
       .def_static(
           "mesh",
-          [](const Doubles& vertices, const Indices& faces, const py::object& step) {
+          [](const Doubles& vertices, const WholeNumbers& faces, const py::object& step) {
             using Triangle = std::array<std::int32_t, 3>;
             return Shape::mesh(rows<Position3>(vertices, "vertices"), rows<Triangle>(faces, "faces"), grid(step));
           },

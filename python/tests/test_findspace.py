@@ -168,6 +168,22 @@ def test_solids():
     assert fs.Shape.mesh(vertices, faces).dimension == 3
     with pytest.raises(fs.Error):
         fs.Shape.mesh(vertices, faces[:3])
+    assert fs.Shape.mesh(vertices, faces.tolist()).dimension == 3
+    with pytest.raises(TypeError, match="whole numbers"):
+        fs.Shape.mesh(vertices, faces + 0.5)
+    with pytest.raises(ValueError, match="too large"):
+        fs.Shape.mesh(vertices, faces + 2**32)
+
+
+def test_contours():
+    half = [(-1, 0), {"to": (1, 0), "center": (0, 0), "ccw": False}]
+    assert fs.Shape.contour(half).region.area == pytest.approx(np.pi / 2)
+    with pytest.raises(ValueError, match='"bulge" or "center", not both'):
+        fs.Shape.contour([(-1, 0), {"to": (1, 0), "bulge": 1, "center": (0, 0)}])
+    with pytest.raises(ValueError, match='no "centre"'):
+        fs.Shape.contour([(-1, 0), {"to": (1, 0), "bulge": 1, "centre": (0, 0)}])
+    with pytest.raises(ValueError, match='no "ccw"'):
+        fs.Shape.contour([(-1, 0), {"to": (1, 0), "bulge": 1, "ccw": True}])
 
 
 def test_values_of_many_positions(world):
