@@ -6,8 +6,11 @@
 // positions.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "distance/planar/translation_value.h"
 #include "distance/rays/ray_directional.h"
+#include "distance/rays/ray_directional_least.h"
 #include "distance/rays/ray_signs.h"
 #include "distance/solid/box_maps.h"
 #include "space/rays/oblique_line.h"
@@ -235,6 +238,96 @@ TEST(RayDirectional, LeastOfBoxesAlongAnAxis) {
   }
   EXPECT_GT(attained, 20);
   EXPECT_GT(infima, 5);
+}
+
+/// The exact grid of boxes tells the value, and whether a position takes it.
+TEST(RayDirectional, LeastOfUnionsOfBoxesAlongAnAxis) {
+  std::mt19937 random(7);
+  int attained = 0, infima = 0, contacts = 0;
+  for (int n = 0; n < 40; ++n) {
+    const std::vector<space::Corners> boxes = space::random_boxes(random, 4, 5);
+    const std::vector<space::Corners> moving{{{{0, 0, 0}, {1, 1 + n % 2, 1}}}};
+    const BoxMaps pair(space::box_set(moving), space::box_set(boxes));
+    const Body a = box_body(boxes), b = box_body(moving);
+    for (const Which which : {Which::kGamma1, Which::kEta1, Which::kDelta1}) {
+      const int axis = n % 3;
+      for (const int way : {0, 1, -1}) {
+        const auto by_boxes = pair.directional_least(which, axis, way).or_throw();
+        RealVector direction;
+        direction[static_cast<std::size_t>(axis)] = Real(way < 0 ? -3 : 3);
+        const auto least = ray_directional_least(which, direction, way == 0, b, a).or_throw();
+        ASSERT_EQ(by_boxes.has_value(), least.has_value()) << n << ' ' << static_cast<int>(which);
+        if (!least) continue;
+        EXPECT_EQ(least->value, by_boxes->value) << n << ' ' << static_cast<int>(which) << ' ' << way;
+        EXPECT_EQ(is_taken(*least), !by_boxes->at.empty()) << n << ' ' << static_cast<int>(which) << ' ' << way;
+        if (is_taken(*least)) EXPECT_NE(by_boxes->at.mark(least->at), 0) << n << ' ' << static_cast<int>(which);
+        ++(least->value.sign() == 0 ? contacts : is_taken(*least) ? attained : infima);
+      }
+    }
+  }
+  EXPECT_GT(attained, 40);
+  EXPECT_GT(infima, 80);
+  EXPECT_GT(contacts, 10);
+}
+
+/// No place of a lattice has less than the least value; where a position takes it that one does.
+TEST(RayDirectional, LeastOfSlantedUnions) {
+  Body octahedron;
+  octahedron.parts.push_back(
+      {space::Polytope::hull(std::vector<space::Point>{
+           {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}),
+       {},
+       Real()});
+  std::mt19937 random(3);
+  int negative = 0;
+  for (int n = 0; n < 12; ++n) {
+    const Body a = box_body(space::random_boxes(random, 3, 6));
+    const RealVector direction{Real(n % 3 - 1), Real(2), Real(n % 4 - 2)};
+    for (const Which which : {Which::kGamma1, Which::kEta1}) {
+      const auto least = ray_directional_least(which, direction, true, octahedron, a).or_throw();
+      if (!least) continue;
+      Case c{"least", which, direction, true, least->value};
+      for (int k = 0; k < 150; ++k) {
+        const RealVector p = space::place(k * 7 % 29 - 4, k * 5 % 27 - 3, k * 11 % 31 - 4, 4);
+        EXPECT_GE(sign_of_value(c, octahedron, a, p), 0) << n << ' ' << static_cast<int>(which);
+      }
+      if (is_taken(*least)) EXPECT_EQ(sign_of_value(c, octahedron, a, least->at), 0) << n << ' ' << static_cast<int>(which);
+      if (least->value.sign() < 0) ++negative;
+      c.both_ways = false;
+      const auto one_way = ray_directional_least(which, direction, false, octahedron, a).or_throw();
+      EXPECT_EQ(one_way->value, Real(2) * least->value);
+      EXPECT_EQ(is_taken(*one_way), least->value.sign() == 0);
+    }
+  }
+  EXPECT_GT(negative, 8);
+}
+
+/// The bound holds on a lattice, and the place found has nearly as little.
+TEST(RayDirectional, LeastOfRoundUnions) {
+  std::mt19937 random(11);
+  int near = 0, all = 0;
+  for (int n = 0; n < 8; ++n) {
+    const Body a = box_body(space::random_boxes(random, 3, 6));
+    const Body ball = ball_of({0, 0, 0}, n % 2 == 0 ? Real(1) : Real::ratio(1, 2));
+    const RealVector direction{Real(1), Real(n % 3 - 1), Real(n % 2)};
+    for (const Which which : {Which::kGamma1, Which::kEta1}) {
+      const auto tried = ray_directional_least(which, direction, true, ball, a);
+      if (!tried || !*tried) continue;
+      const Answer& least = **tried;
+      const Real lower = *least.bounds().lower, upper = least.value;
+      ++all;
+      if ((upper - lower).to_double() < 1e-6) ++near;  // no sign: test
+      const Case below{"round", which, direction, true, lower};
+      for (int k = 0; k < 60; ++k) {
+        const RealVector p = space::place(k * 7 % 29 - 4, k * 5 % 27 - 3, k * 11 % 31 - 4, 4);
+        EXPECT_GE(sign_of_value(below, ball, a, p), 0) << n << ' ' << static_cast<int>(which);
+      }
+      const Case above{"round", which, direction, true, upper + Real::from_double(1e-6)};  // no sign: test
+      EXPECT_LT(sign_of_value(above, ball, a, least.at), 0) << n << ' ' << static_cast<int>(which);
+    }
+  }
+  EXPECT_GT(all, 8);
+  EXPECT_GT(near, all / 2);
 }
 
 }  // namespace distance_ray_directional

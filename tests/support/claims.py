@@ -29,13 +29,12 @@ from questions import IN_PLANE, IN_SPACE
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SECONDS = int(os.environ.get("CASE_SECONDS", "600"))  # for one answer
 MARKS = ("outer", "bound", "bounds", "within")  # of a result that is not exact; and lower, upper of a value
-EXACT = {"exact", "exact, one distance", "exact along an axis", "exact both ways"}
+EXACT = {"exact", "exact, one distance"}
 UNMARKED = "nothing says that the lines have an error"
 KINDS = {
     "not computed": "(is|are) not computed|rotation is about",
     "no convex parts": "is not a union of convex parts",
     "no least value": "has no least value",
-    "not convex": "are computed in 3D for convex polyhedra",
     "slanted faces": "faces are all parallel to the axes",
 }
 

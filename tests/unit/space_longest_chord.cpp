@@ -84,5 +84,28 @@ TEST(LongestChord, AsInBruteForce) {
   }
 }
 
+/// Of a point grown the diameter; of a box where the direction leaves a box twice as large grown by twice the radius.
+TEST(LongestChord, OfGrownSets) {
+  const ConvexRegion point(vector(1, 2, 3), vector(1, 2, 3)), box(vector(0, 0, 0), vector(2, 4, 6)),
+      segment(vector(0, 0, 0), vector(0, 0, 6));
+  const LongestChord ball = longest_chord(point, Real(3), vector(1, 2, 2));
+  EXPECT_EQ(ball.length, Real(2));
+  EXPECT_EQ(ball.middle, vector(1, 2, 3));
+  const LongestChord at_edge = longest_chord(box, Real(1), vector(3, 4, 0));
+  EXPECT_EQ(at_edge.length * Real(5), (Real(22) + Real(2) * sqrt(Real(21))) / Real(5));  // at a cylinder
+  EXPECT_TRUE(at_edge.inside);
+  EXPECT_EQ(longest_chord(box, Real(1), vector(0, 0, 2)).length, Real(4));      // at a face
+  EXPECT_EQ(longest_chord(segment, Real(1), vector(0, 0, 1)).length, Real(8));  // at an end
+  EXPECT_EQ(longest_chord(segment, Real(1), vector(1, 0, 0)).length, Real(2));  // about the segment
+  EXPECT_EQ(longest_chord(segment, Real(1), vector(1, 0, 1)).length, Real(2));
+  // Half the face and the other edge of a tetrahedron: z at most 1 less twice what is across.
+  ConvexRegion tetrahedron(vector(-1, -1, 0), vector(1, 1, 1));
+  for (const int side : {-1, 1}) {
+    tetrahedron.cut(half_space(side, 0, 1, -1));
+    tetrahedron.cut(half_space(0, side, -1, 0));
+  }
+  EXPECT_EQ(longest_chord(tetrahedron, Real(1), vector(0, 0, 1)).length, Real(3));  // between two edges
+}
+
 }  // namespace space_longest_chord
 }  // namespace findspace::space

@@ -44,16 +44,23 @@ void OptimalValue::set_nearby(Real value, std::optional<Real> bound, Way way) {
 
 void OptimalValue::set_found(SceneAnswer least) {
   if (least.minus_infinity) return set_lowest(least.way);
+  const bool taken = least.side != Side::kNone;
   if (!least.proven) {
     const Enclosure ends = least.bounds();
-    set_enclosed(ends.upper, ends.lower, least.way);
+    if (taken)
+      set_enclosed(ends.upper, ends.lower, least.way);
+    else
+      set_nearby(*ends.upper, ends.lower, least.way);
     least.value = answer->value;
     least.side = answer->side;
     least.error = answer->error;
     least.enclosed = answer->enclosed;
   }
+  attained = taken;
   answer = std::move(least);
-  attained = true;
+  if (attained) return;
+  if (proven()) answer->side = Side::kExact;
+  answer->at.clear();
 }
 
 void OptimalValue::set_lowest(Way way) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "distance/rays/ray_directional_least.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 
@@ -40,7 +41,8 @@ QuestionOnLines question_on_lines(const RayWorld& world, const std::function<con
   const Formula& asked = out.levels.formula;
   out.window = window(world, asked);
   out.unbounded = holds_far_away(world, asked);
-  out.somewhere = asked.atoms().size() == 1 && !out.levels.minima.empty() && out.levels.minima[0].least;
+  out.somewhere = asked.atoms().size() == 1 && !out.levels.minima.empty() && out.levels.minima[0].least &&
+                  is_taken(*out.levels.minima[0].least);
   const space::Point low = out.window.low;
   if (out.somewhere && !try_ray_region(world, asked, {2, 1, low.x, low.y, 1, 1, 1, 1})) {
     out.one_position = true;

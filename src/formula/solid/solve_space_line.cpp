@@ -10,18 +10,16 @@
 #include <algorithm>
 
 #include "distance/planar/translation_value.h"
+#include "distance/rays/ray_directional_least.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/text.h"
 #include "formula/language/which.h"
 #include "formula/solid/prepared_space.h"
 #include "space/box/box_section.h"
-#include "space/polytope/longest_chord.h"
 #include "space/rays/oblique_line.h"
 
 namespace findspace::formula {
 namespace {
-
-constexpr const char* kNotTaken = "no position takes a least value, so that lines do not show it";
 
 using distance::Answer;
 using exact::Real;
@@ -132,27 +130,36 @@ Tried<Axial> axial(const PreparedSpace& prepared, const Distance& wanted) {
   return Axial{*n, axis, d.mode == Mode::kAlong ? 0 : direction[static_cast<std::size_t>(axis)].sign()};
 }
 
-/// Where the positions of level 0 are a convex polytope: minus half its longest chord both ways; one way only, the
-/// whole of it, which no position takes, as it ends in contact.
-Tried<std::optional<distance::Answer>> convex_directional_least(const PreparedSpace& prepared, const Distance& wanted) {
+/// A least value that a search found in numbers, as the place that it found has it: one way all of what that has both
+/// ways.
+Tried<std::optional<Answer>> confirmed(const PreparedSpace& prepared, const Distance& wanted, Answer least) {
+  Distance both = wanted;
+  both.mode = Mode::kAlong;
+  const auto there = directional_value(prepared, both, least.at);
+  if (!there) return there.refusal();
+  const std::optional<Real> upper = *there ? (*there)->bounds().upper : std::nullopt;
+  if (!upper || upper->sign() >= 0)
+    return refused(wanted, "the least value that the search found was not confirmed at its place");
+  least.value = *upper * Real(wanted.mode == Mode::kAlong ? 1 : 2);
+  least.enclosed->upper = least.value;
+  if (least.value < *least.enclosed->lower) least.enclosed->lower = least.value;
+  return std::optional(std::move(least));
+}
+
+/// Where the positions of level 0 are convex by their longest chord, else by bodies.
+Tried<std::optional<distance::Answer>> least_of_parts(const PreparedSpace& prepared, const Distance& wanted) {
   const Distance d = moving_first(wanted, prepared.world.moving);
   const Tried<PreparedSpace::Named> plain = prepared.named(level_zero(d).distance);
   if (!plain) return plain.refusal();
-  const auto zero = is_farthest(d.kind) ? std::nullopt : plain->pair->sublevel(plain->which, Real());
-  if (!zero || zero->radius.sign() != 0)
-    return refused(wanted,
-                   "least values along a direction are computed in 3D for convex polyhedra, and where faces are "
-                   "axis-parallel along an axis, only");
-  if (zero->region.empty()) return std::nullopt;
-  const Real unit = prepared.world.step / zero->scale;
-  if (zero->region.dimension() < 3)
-    return distance::least_answer(Real(), Real(), true, space::scaled(unit, zero->region.vertices()[0].at),
-                                  distance::Way::kConvex);
+  if (is_farthest(d.kind))
+    return refused(wanted, "the least of the farthest distance along a direction is computed in 3D along an axis only");
   const RealVector direction{d.vector.at(0), d.vector.at(1), d.vector.at(2)};
-  const space::LongestChord chord = longest_chord(zero->region, direction);
-  if (d.mode != Mode::kAlong || !chord.inside) return refused(wanted, kNotTaken);
-  const Real value = -chord.length * sqrt(space::dot(direction, direction)) / Real(2) * unit;
-  return distance::least_answer(value, value, true, space::scaled(unit, chord.middle), distance::Way::kConvex);
+  auto found = plain->pair->directional_least(plain->which, direction, d.mode == Mode::kAlong);
+  if (!found) return found.refusal().within(written(wanted));
+  if (!*found) return found;
+  if (!(*found)->proven) found = confirmed(prepared, wanted, **found);
+  if (!found) return found;
+  return distance::in_unit(**found, prepared.world.step);
 }
 
 }  // namespace
@@ -186,16 +193,21 @@ Tried<std::optional<distance::BoxMaps::Least>> directional_least(const PreparedS
 /// On lines the least value stands for where it is taken.
 Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSpace& prepared, const Distance& wanted) {
   const auto tried = directional_least(prepared, wanted);
-  if (!tried) return convex_directional_least(prepared, wanted);
+  if (!tried) return least_of_parts(prepared, wanted);
   const std::optional<distance::BoxMaps::Least>& found = *tried;
-  if (!found || found->at.empty()) return refused(wanted, kNotTaken);
+  if (!found) return is_farthest(wanted.kind) ? Tried<std::optional<Answer>>(std::nullopt) : least_of_parts(prepared, wanted);
+  const Real value = found->value * prepared.world.step;
+  if (found->at.empty()) {
+    distance::Answer out = distance::least_answer(value, value, true, {}, distance::Way::kBoxes);
+    out.side = distance::Side::kNone;
+    return out;
+  }
   RealVector at;
   const space::IntervalBox box = found->at.boxes()[0];
   for (std::size_t k = 0; k < 3; ++k) {
     const auto &from = box[k].from, &to = box[k].to;
     at[k] = from && to ? (*from + *to) / Real(2) : from ? *from + Real(1) : to ? *to - Real(1) : Real();
   }
-  const Real value = found->value * prepared.world.step;
   return distance::least_answer(value, value, true, space::scaled(prepared.world.step, at), distance::Way::kBoxes);
 }
 
@@ -206,7 +218,11 @@ Tried<bool> takes_least(const PreparedSpace& prepared, const Distance& wanted, c
   const auto nearly = directional_nearly_least(prepared, wanted);
   if (!nearly) return nearly.refusal();
   const std::optional<distance::Answer>& least = *nearly;
-  return v && least && !v->minus_infinity && v->value * prepared.world.step == least->value;
+  if (!v || v->minus_infinity || !least || !is_taken(*least)) return false;
+  const Real value = v->value * prepared.world.step;
+  if (least->proven && v->proven) return value == least->value;
+  if (least->value < value) return false;
+  return refused(wanted, "the value is too near the least one, which is not exact, to tell whether it is that");
 }
 
 Tried<std::optional<Answer>> directional_value(const PreparedSpace& prepared, const Distance& wanted,

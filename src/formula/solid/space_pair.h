@@ -39,6 +39,10 @@ class SpacePair {
   exact::Tried<std::optional<distance::BoxMaps::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
   exact::Tried<std::optional<distance::Answer>> nearly_least(distance::Which which) const;
+  /// The same of gamma1, eta1 or delta1 along a direction, of any length; no position may take it.
+  exact::Tried<std::optional<distance::Answer>> directional_least(distance::Which which,
+                                                                  const space::RealVector& direction,
+                                                                  bool both_ways) const;
   /// {distance <= level}, if it is a convex polytope, or one grown by a ball: gamma1 of convex shapes, eta1 in a convex
   /// polytope or of a ball in a ball, delta1 of such, mu to these at levels up to 0, gamma2 of balls. Its coordinates
   /// and radius are in grid steps times `scale`.

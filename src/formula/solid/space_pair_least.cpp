@@ -4,6 +4,7 @@
 // SpacePair: sublevel sets that are convex, and least values.
 #include <algorithm>
 
+#include "distance/rays/ray_directional_least.h"
 #include "formula/solid/space_pair.h"
 #include "space/polytope/deepest.h"
 
@@ -168,6 +169,18 @@ Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) cons
   auto found = *slot;
   if (!found) return found;
   return distance::in_unit(*found, Real::ratio(1, all().scale));
+}
+
+Tried<std::optional<distance::Answer>> SpacePair::directional_least(Which which, const RealVector& direction,
+                                                                    bool both_ways) const {
+  if (const auto zero = sublevel(which, Real())) {
+    const auto found = distance::convex_directional_least(zero->region, zero->radius, direction, both_ways);
+    return found ? std::optional(distance::in_unit(*found, Real(1) / zero->scale)) : std::nullopt;
+  }
+  if (!all().pair) return *all().refused;
+  auto found = distance::ray_directional_least(which, direction, both_ways, *all().b, *all().a);
+  if (!found || !*found) return found;
+  return distance::in_unit(**found, Real::ratio(1, all().scale));
 }
 
 }  // namespace findspace::formula

@@ -88,6 +88,10 @@ std::string ray_optimum_text(const distance::OptimalValue& found) {
   const bool on_lines = found.answer->way == distance::Way::kLines;
   const auto at = [&](std::size_t k) { return found.answer->at.at(k).to_double(); };
   const auto bound = found.bound();
+  if (found.answer->at.empty()) {
+    return fmt::format("  least over all positions: {}, which no position takes{}\n", found.value()->to_double(),
+                       bound ? fmt::format("; none is beyond {}", bound->to_double()) : "");
+  }
   return fmt::format("  {}{}: {} at ({}, {}, {}){}\n", found.maximum() ? "greatest" : "least",
                      on_lines ? " on the lines" : " over all positions", found.value()->to_double(), at(0), at(1),
                      at(2), bound ? fmt::format("; none is beyond {}", bound->to_double()) : "");

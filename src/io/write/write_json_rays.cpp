@@ -150,7 +150,8 @@ void rays_json(const space::RaySummary& summary, const space::RayGrid& grid, dou
     out += fmt::format("  \"bbox\": [{}, {}],\n", place(summary.low, step), place(summary.high, step));
   if (text.optimum) {
     put_optimum(out, *text.optimum);
-    if (text.optimum->exists()) put(out, "  \"at\": {},\n", coordinates_text(text.optimum->answer->at));
+    if (text.optimum->exists() && !text.optimum->answer->at.empty())
+      put(out, "  \"at\": {},\n", coordinates_text(text.optimum->answer->at));
   }
   put_components(summary, step, text.axes, out);
   put_grid(summary, grid, step, text, out);

@@ -3,8 +3,10 @@
 //
 // The longest segments of a direction in a convex polytope with interior. Their length, as a function of the line, is
 // concave and linear between the edges that the line meets, so one is at a vertex, or at two edges that cross seen
-// along the direction. Guarantee: exact. Cost: for each pair of edges some exact signs; Error(kUnsupported) beyond
-// kMostPairs. Keywords: width in a direction, difference body, gauge.
+// along the direction. Of the polytope grown by a ball: as far as the direction leaves the differences of two of its
+// points grown by twice the radius, so the farthest exit from the balls, cylinders and slabs about differences of its
+// vertices, edges and facets; of a set of any dimension. Guarantee: exact. Cost: for each pair of edges some exact
+// signs; Error(kUnsupported) beyond kMostPairs. Keywords: width in a direction, difference body, gauge.
 #pragma once
 
 #include <cstddef>
@@ -22,5 +24,7 @@ struct LongestChord {
 };
 
 LongestChord longest_chord(const ConvexRegion& region, const RealVector& direction);
+/// Of the set grown by a ball; radius > 0. The one found is inside.
+LongestChord longest_chord(const ConvexRegion& set, const exact::Real& radius, const RealVector& direction);
 
 }  // namespace findspace::space
