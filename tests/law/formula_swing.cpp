@@ -153,6 +153,28 @@ TEST(Swing, TurningTogetherIsStandingStill) {
   }
 }
 
+TEST(Swing, ALapIsNoStandingStill) {
+  World w;
+  w.step = Real(1);
+  w.moving = {"B"};
+  w.shapes.emplace("B", plane::box(-3, -1, 3, 1));
+  w.shapes.emplace("A", plane::box(-3, -3, 3, 3));
+  w.motion.start = 0;
+  w.motion.end = 1;
+  w.motion.of["B"] = {{0, 1}, {RealPoint{}, RealPoint{}}, {0, 360}};
+  Context context;
+  context.shapes = {"A", "B"};
+  context.moving = {"B"};
+  context.motion = true;
+  const Formula fits = parse_formula("sup eta1(B, A) <= 0", context),
+                meets = parse_formula("inf gamma1(B, A) < 0", context);
+  for (const int laps : {1, 1'000'000}) {
+    w.motion.of["B"].angles[1] = Real(360) * Real(laps);
+    EXPECT_FALSE(Solver(w).holds(fits, {})) << laps;
+    EXPECT_TRUE(Solver(w).holds(meets, {})) << laps;
+  }
+}
+
 TEST(Swing, IsNothingWhereSomethingElseMoves) {
   std::mt19937 random(5);
   World away = random_world(random), both = away;

@@ -122,26 +122,41 @@ RotationMap signs_over_angles(const PreparedWorld& world, const Swing& swing) {
   return RotationMaps(*without_motion(world), RealPoint{}, swing.at).sign_map(swing.wanted);
 }
 
-double laps(const Swing& swing) {
-  double out = 0;
+/// The longest turn between two of its times.
+Real longest_turn(const Swing& swing) {
+  Real out;
   for (std::size_t k = 0; k + 1 < swing.angles.size(); ++k)
-    out += std::abs((swing.angles[k + 1] - swing.angles[k]).to_double()) / 360;
+    out = std::max(out, abs(swing.angles[k + 1] - swing.angles[k]));
   return out;
 }
 
-/// The marks of the angles in time; nothing where they change too often.
-std::optional<Section> in_time(const RotationMap& map, const Swing& swing) {
-  constexpr double kMostStops = 1e5;  // no sign: how many are listed
-  if ((laps(swing) + 1) * double(map.at.size()) > kMostStops) return std::nullopt;
+/// The marks of the angles in time.
+Section in_time(const RotationMap& map, const Swing& swing) {
   Section out;
   for (std::size_t k = 0; k + 1 < swing.times.size(); ++k)
     Leg(out, swing.times[k], swing.times[k + 1]).rotation(map, swing.angles[k], swing.angles[k + 1]);
   return out;
 }
 
+/// Those that occur.
+std::vector<Mark> marks_of(const RotationMap& map, const Swing& swing) {
+  std::vector<Mark> out;
+  if (longest_turn(swing) >= Real(360)) {
+    out = map.here;
+    out.insert(out.end(), map.after.begin(), map.after.end());
+    if (out.empty()) out.push_back(map.everywhere);
+    return out;
+  }
+  const Section line = in_time(map, swing);
+  for (const Section::Stop& s : line.stops) out.insert(out.end(), {s.at, s.after});
+  out.pop_back();  // beyond the end
+  return out;
+}
+
 }  // namespace
 
 std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formula, const RealPoint& p) {
+  constexpr int kMostLaps = 1000;  // of a leg: each has its stops
   if (world.world().instant || formula.sign_maps().empty()) return std::nullopt;
   std::vector<Swing> swings;
   for (const SignMap& wanted : formula.sign_maps()) {
@@ -151,6 +166,7 @@ std::optional<Section> swing_at(const PreparedWorld& world, const Formula& formu
     swings.push_back(*std::move(swing));
     if (swings.back().times != swings[0].times || swings.back().angles != swings[0].angles) return std::nullopt;
   }
+  if (longest_turn(swings[0]) > Real(360 * kMostLaps)) return std::nullopt;
   std::vector<RotationMap> maps;
   for (const Swing& swing : swings) maps.push_back(signs_over_angles(world, swing));
   std::vector<const RotationMap*> operands;
@@ -165,21 +181,17 @@ std::optional<std::int8_t> swing_sign(const PreparedWorld& world, const SignMap&
   if (!swing) return std::nullopt;
   const RotationMap map = signs_over_angles(world, *swing);
   if (swing->times.size() == 1) return mark_at(map, Angle::of_degrees(swing->angles[0]));
-  std::optional<Section> line = in_time(map, *swing);
-  if (!line) return std::nullopt;
-  line->stops.back().after = line->stops.back().at;
-  const bool least = natural_extremum(wanted.distance) == Extremum::kInf;
-  Mark best = line->stops[0].at;
-  for (const Section::Stop& s : line->stops)
-    best = least ? std::min({best, s.at, s.after}) : std::max({best, s.at, s.after});
-  return best;
+  const std::vector<Mark> marks = marks_of(map, *swing);
+  const auto [least, greatest] = std::minmax_element(marks.begin(), marks.end());
+  return natural_extremum(wanted.distance) == Extremum::kInf ? *least : *greatest;
 }
 
 std::optional<AtRest> at_rest(const PreparedWorld& world, const Distance& wanted, const RealPoint& p) {
   const std::optional<Swing> swing = swing_of(world, {wanted, Real()}, p);
-  const auto upright = [](const Real& degrees) { return (degrees / Real(360)).integer().has_value(); };
-  if (!swing || wanted.mode != Mode::kPlain || !std::all_of(swing->angles.begin(), swing->angles.end(), upright))
-    return std::nullopt;
+  if (!swing || wanted.mode != Mode::kPlain) return std::nullopt;
+  const Real& first = swing->angles[0];
+  const bool still = std::all_of(swing->angles.begin(), swing->angles.end(), [&](const Real& a) { return a == first; });
+  if (!still || !(first / Real(360)).integer()) return std::nullopt;
   return AtRest{without_motion(world), swing->wanted.distance, swing->at};
 }
 
