@@ -273,11 +273,10 @@ TEST(RayDirectional, LeastOfUnionsOfBoxesAlongAnAxis) {
 /// No place of a lattice has less than the least value; where a position takes it that one does.
 TEST(RayDirectional, LeastOfSlantedUnions) {
   Body octahedron;
-  octahedron.parts.push_back(
-      {space::Polytope::hull(std::vector<space::Point>{
-           {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}),
-       {},
-       Real()});
+  octahedron.parts.push_back({space::Polytope::hull(std::vector<space::Point>{
+                                  {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}),
+                              {},
+                              Real()});
   std::mt19937 random(3);
   int negative = 0;
   for (int n = 0; n < 12; ++n) {
@@ -291,7 +290,8 @@ TEST(RayDirectional, LeastOfSlantedUnions) {
         const RealVector p = space::place(k * 7 % 29 - 4, k * 5 % 27 - 3, k * 11 % 31 - 4, 4);
         EXPECT_GE(sign_of_value(c, octahedron, a, p), 0) << n << ' ' << static_cast<int>(which);
       }
-      if (is_taken(*least)) EXPECT_EQ(sign_of_value(c, octahedron, a, least->at), 0) << n << ' ' << static_cast<int>(which);
+      if (is_taken(*least))
+        EXPECT_EQ(sign_of_value(c, octahedron, a, least->at), 0) << n << ' ' << static_cast<int>(which);
       if (least->value.sign() < 0) ++negative;
       c.both_ways = false;
       const auto one_way = ray_directional_least(which, direction, false, octahedron, a).or_throw();

@@ -9,6 +9,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/search/grown_set.h"
 #include "exact/margins/rounding.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
 #include "space/body/position_covers.h"
 #include "space/body/union_frontier.h"
@@ -121,7 +122,8 @@ std::optional<Answer> least_fit(const Body& b, const Body& a, const RealVector& 
 /// Found by search, to be confirmed at `at`.
 TriedAnswer least_of_search(const RoundRunQuery& query, bool both_ways) {
   const RoundRun run = longest_round_run(query);
-  if (!(run.length > 0)) return Refusal("no position of depth was found along the direction");
+  const double noise = margin::kRayCertain * space::length(query.box.high - query.box.low);
+  if (run.length <= noise) return Refusal("no position of depth was found along the direction");
   const auto value = [&](double length) { return -Real::from_double(length) / Real(both_ways ? 2 : 1); };
   Answer out = least_answer(value(run.length), value(run.bound), false, space::real(run.middle));
   if (!both_ways) out.side = Side::kNone;
@@ -142,8 +144,7 @@ TouchingConstraint grown_constraint(const GrownSet& set) {
 
 TriedAnswer round_gap(const Body& b, const Body& a, const RealVector& direction, bool both_ways) {
   const space::Bounds3 of_a = bounds(a), of_b = bounds(b);
-  RoundRunQuery query =
-      round_query(space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low), direction);
+  RoundRunQuery query = round_query(space::minus(of_a.low, of_b.high), space::minus(of_a.high, of_b.low), direction);
   for (const GrownSet& set : differences_of_parts(a, b)) query.sets.push_back(grown_constraint(set));
   return least_of_search(query, both_ways);
 }

@@ -46,25 +46,34 @@ struct RunCorner {
 };
 using RunCornerPointer = std::shared_ptr<const RunCorner>;
 
+/// What is greatest on a triangle, at most, and by which weights of the corners.
+struct RunBound {
+  double value = 0;
+  RunValues weights{1, 0, 0};
+};
+
 struct RunTriangle {
   std::array<RunCornerPointer, 3> corners;
   std::vector<int> sets;
-  double bound = 0;
-  bool operator<(const RunTriangle& other) const { return bound < other.bound; }
+  RunBound bound;
+  double rank = 0;  // of the bound: among those as good the larger is first
+  double longest = 0;
+  bool operator<(const RunTriangle& other) const {
+    return rank != other.rank ? rank < other.rank : longest < other.longest;
+  }
 };
 
 RunValues less(const RunValues& a, const RunValues& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double most_of(const RunValues& v) { return std::max({v[0], v[1], v[2]}); }
 
-/// The greatest that the least of the columns is on the triangle, at most.
-double most_of_least(const std::vector<RunValues>& columns) {
-  double bound = kInfinity;
+/// The greatest that the least of the columns, of which there is one, is on the triangle.
+RunBound most_of_least(const std::vector<RunValues>& columns) {
   std::vector<Column> all;
-  for (const RunValues& c : columns) {
-    bound = std::min(bound, most_of(c));
-    all.push_back({c[0], c[1], c[2], c[2]});
-  }
-  return columns.size() < 2 ? bound : std::min(bound, bounding_lp(std::move(all), std::nullopt).value);
+  for (const RunValues& c : columns) all.push_back({c[0], c[1], c[2], c[2]});
+  const LpBound found = bounding_lp(std::move(all), std::nullopt);
+  RunBound out{found.value, {found.rows[0], found.rows[1], found.rows[2] + found.rows[3]}};
+  for (const RunValues& c : columns) out.value = std::min(out.value, most_of(c));
+  return out;
 }
 
 class RoundRunSearch {
@@ -96,12 +105,13 @@ class RoundRunSearch {
     std::iota(all.begin(), all.end(), 0);
     std::array<RunCornerPointer, 4> corner;
     for (std::size_t k = 0; k < 4; ++k) corner[k] = made({ends_[0][k & 1], ends_[1][k >> 1]}, all);
-    add({{corner[0], corner[1], corner[2]}, all, kInfinity});
-    add({{corner[3], corner[1], corner[2]}, all, kInfinity});
+    add({corner[0], corner[1], corner[2]}, all, kInfinity);
+    add({corner[3], corner[1], corner[2]}, all, kInfinity);
     queue_.run(
-        kMostRunCells, [&](const RunTriangle& top) { return top.bound <= best_.length + enough(); },
+        kMostRunCells, [&](const RunTriangle& top) { return top.bound.value <= best_.length + enough(); },
         [&](const RunTriangle& top) { divide(top); });
-    best_.bound = std::max(best_.length, queue_.empty() ? dropped_ : std::max(dropped_, queue_.best().bound));
+    best_.bound = std::max(best_.length, dropped_);
+    for (const RunTriangle& left : queue_.left()) best_.bound = std::max(best_.bound, left.bound.value);
     best_.bound += noise_;
     return best_;
   }
@@ -229,32 +239,49 @@ class RoundRunSearch {
   }
 
   void divide(const RunTriangle& cell) {
-    std::size_t longest = 0;
-    double most = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double edge = apart_of(*cell.corners[(k + 1) % 3], *cell.corners[(k + 2) % 3]);
-      if (edge > most) longest = k;
-      most = std::max(most, edge);
-    }
-    if (most <= 4 * noise_) {
-      dropped_ = std::max(dropped_, cell.bound);
+    if (cell.bound.value <= best_.length) return;
+    if (cell.longest <= 4 * noise_) {
+      dropped_ = std::max(dropped_, cell.bound.value);
       return;
     }
-    const RunCornerPointer &top = cell.corners[longest], &a = cell.corners[(longest + 1) % 3],
-                           &b = cell.corners[(longest + 2) % 3];
+    try_line(cell);
+    std::size_t across = 0;
+    while (edge(cell.corners, across) < cell.longest) ++across;
+    const RunCornerPointer &top = cell.corners[across], &a = cell.corners[(across + 1) % 3],
+                           &b = cell.corners[(across + 2) % 3];
     const RunCornerPointer middle = made({(a->at[0] + b->at[0]) / 2, (a->at[1] + b->at[1]) / 2}, cell.sets);
-    add({{top, a, middle}, cell.sets, cell.bound});
-    add({{top, b, middle}, cell.sets, cell.bound});
+    add({top, a, middle}, cell.sets, cell.bound.value);
+    add({top, b, middle}, cell.sets, cell.bound.value);
+  }
+
+  /// The line that the bound is taken on, which may pass a corner of the positions, and two a little aside.
+  void try_line(const RunTriangle& cell) {
+    for (const double aside : {0.0, kAside, kAside * kAside}) {
+      RunLine y{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double weight = cell.bound.weights[c] + aside * (1.0 / 3 - cell.bound.weights[c]);
+        for (std::size_t k = 0; k < 2; ++k) y[k] += weight * cell.corners[c]->at[k];
+      }
+      made(y, cell.sets);
+    }
+  }
+
+  /// The side that is across from a corner.
+  static double edge(const std::array<RunCornerPointer, 3>& corners, std::size_t k) {
+    return apart_of(*corners[(k + 1) % 3], *corners[(k + 2) % 3]);
   }
 
   static double apart_of(const RunCorner& a, const RunCorner& b) {
     return std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]);
   }
 
-  void add(RunTriangle cell) {
+  void add(const std::array<RunCornerPointer, 3>& corners, const std::vector<int>& sets, double bound) {
+    RunTriangle cell{corners, sets, {}, 0, std::max({edge(corners, 0), edge(corners, 1), edge(corners, 2)})};
     std::erase_if(cell.sets, [&](int k) { return passes(cell, k); });
-    cell.bound = std::min({cell.bound, ends_[2][1] - ends_[2][0], query_.between ? between(cell) : within(cell)});
-    if (cell.bound > best_.length) queue_.push(std::move(cell));
+    cell.bound = query_.between ? between(cell) : within(cell);
+    cell.bound.value = std::min({cell.bound.value, bound, ends_[2][1] - ends_[2][0]});
+    cell.rank = std::ceil(cell.bound.value / enough());
+    if (cell.bound.value > best_.length) queue_.push(std::move(cell));
   }
 
   /// No line of the triangle meets the set.
@@ -303,7 +330,7 @@ class RoundRunSearch {
   }
 
   /// Of stretches within the union: sets that may meet on some line are taken to meet on all.
-  double within(RunTriangle& cell) const {
+  RunBound within(RunTriangle& cell) const {
     std::vector<Heights> sets;
     std::vector<int> kept;
     for (const int k : cell.sets) {
@@ -321,29 +348,33 @@ class RoundRunSearch {
         std::replace(group.begin(), group.end(), std::size_t(group[i]), std::size_t(group[k]));
       }
     }
-    double bound = 0;
+    RunBound bound;
     for (std::size_t i = 0; i < sets.size(); ++i) {
       for (std::size_t k = 0; k < sets.size(); ++k) {
-        if (group[i] == group[k]) bound = std::max(bound, longest(sets[k].below, sets[i].above, bound));
+        if (group[i] == group[k]) take(longest(sets[k].below, sets[i].above, bound.value), bound);
       }
     }
     return bound;
   }
 
+  static void take(const RunBound& next, RunBound& bound) {
+    if (next.value > bound.value) bound = next;
+  }
+
   /// From the highest of some heights to the lowest of others, if that is more than `least`.
-  double longest(const std::vector<RunValues>& from, const std::vector<RunValues>& to, double least) const {
+  RunBound longest(const std::vector<RunValues>& from, const std::vector<RunValues>& to, double least) const {
     std::vector<RunValues> columns;
     for (const RunValues& b : to) {
       for (const RunValues& a : from) {
         columns.push_back(less(b, a));
-        if (most_of(columns.back()) <= std::max(least, best_.length)) return most_of(columns.back());
+        if (most_of(columns.back()) <= std::max(least, best_.length)) return {most_of(columns.back())};
       }
     }
-    return columns.empty() ? kInfinity : most_of_least(columns);
+    return columns.empty() ? RunBound{kInfinity} : most_of_least(columns);
   }
 
   /// Of stretches between the sets: those that are met by all lines of the triangle are above the stretch or below it.
-  double between(const RunTriangle& cell) const {
+  RunBound between(const RunTriangle& cell) const {
     struct Blocking {
       RunValues from, to;  // all lines of the triangle are in the set between these
       Heights heights;
@@ -356,18 +387,18 @@ class RoundRunSearch {
                       {chord_of(0).to, chord_of(1).to, chord_of(2).to},
                       heights(cell, k)});
     }
-    if (sets.empty()) return kInfinity;
+    if (sets.empty()) return {kInfinity};
     // Stretches that no set is below, then those just above each set.
     std::vector<RunValues> lowest;
     const double bottom = ends_[2][0];
     for (const Blocking& s : sets) lowest.push_back(less(s.from, {bottom, bottom, bottom}));
-    double bound = most_of_least(lowest);
-    for (const Blocking& last : sets) bound = std::max(bound, above(last, sets));
+    RunBound bound = most_of_least(lowest);
+    for (const Blocking& last : sets) take(above(last, sets), bound);
     return bound;
   }
 
   template <class Blocking>
-  double above(const Blocking& last, const std::vector<Blocking>& sets) const {
+  RunBound above(const Blocking& last, const std::vector<Blocking>& sets) const {
     const double top = ends_[2][1];
     std::vector<RunValues> from{last.to}, to{{top, top, top}};
     for (const Blocking& s : sets) {
@@ -375,7 +406,7 @@ class RoundRunSearch {
       const bool can_follow = most_of(less(s.from, last.to)) > 0;
       const bool can_end_before = std::all_of(last.heights.above.begin(), last.heights.above.end(),
                                               [&](const RunValues& h) { return most_of(less(h, s.to)) >= 0; });
-      if (!can_follow && !can_end_before) return 0;
+      if (!can_follow && !can_end_before) return {};
       if (!can_end_before) to.push_back(s.from);
       if (!can_follow) from.push_back(s.to);
     }
@@ -388,6 +419,7 @@ class RoundRunSearch {
 
   static constexpr int kMostSteps = 60;
   static constexpr std::size_t kMostHeights = 6;
+  static constexpr double kAside = 1.0 / 4096;  // no sign: lines that are tried
 
   const RoundRunQuery& query_;
   Vector unit_, first_, second_;

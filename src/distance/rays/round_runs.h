@@ -17,7 +17,7 @@
 
 namespace findspace::distance {
 
-inline constexpr int kMostRunCells = 20000;
+inline constexpr int kMostRunCells = 10000;
 
 /// Sets {g <= 0} of convex functions that no step changes by more than its length.
 struct RoundRunQuery {

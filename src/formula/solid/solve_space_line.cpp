@@ -195,7 +195,8 @@ Tried<std::optional<distance::Answer>> directional_nearly_least(const PreparedSp
   const auto tried = directional_least(prepared, wanted);
   if (!tried) return least_of_parts(prepared, wanted);
   const std::optional<distance::BoxMaps::Least>& found = *tried;
-  if (!found) return is_farthest(wanted.kind) ? Tried<std::optional<Answer>>(std::nullopt) : least_of_parts(prepared, wanted);
+  if (!found)
+    return is_farthest(wanted.kind) ? Tried<std::optional<Answer>>(std::nullopt) : least_of_parts(prepared, wanted);
   const Real value = found->value * prepared.world.step;
   if (found->at.empty()) {
     distance::Answer out = distance::least_answer(value, value, true, {}, distance::Way::kBoxes);

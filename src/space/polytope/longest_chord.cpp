@@ -59,8 +59,7 @@ std::optional<RealVector> crossing(const RealVector& a, const RealVector& b, con
 
 std::vector<RealVector> candidates(const ConvexRegion& region, const RealVector& u) {
   const auto edges = region.edges();
-  if (edges.size() * edges.size() / 2 > kMostPairs)
-    refuse_pairs();
+  if (edges.size() * edges.size() / 2 > kMostPairs) refuse_pairs();
   std::vector<RealVector> out;
   const auto at = [&](int v) -> const RealVector& { return region.vertices()[static_cast<std::size_t>(v)].at; };
   for (const ConvexRegion::Vertex& v : region.vertices()) out.push_back(v.at);
@@ -161,7 +160,8 @@ std::optional<ChordExit<T>> exit_of(const ChordEnds& ends, std::span<const Tripl
   if (ways.size() == 1) out.shares = {near::dot(off, ways[0]) / near::dot(ways[0], ways[0])};
   if (ways.size() == 2) {
     const T square = near::dot(normal, normal);
-    out.shares = {near::dot(cross_of(off, ways[1]), normal) / square, near::dot(cross_of(ways[0], off), normal) / square};
+    out.shares = {near::dot(cross_of(off, ways[1]), normal) / square,
+                  near::dot(cross_of(ways[0], off), normal) / square};
   }
   for (const T& share : out.shares) {
     if (share < zero - tolerance || one + tolerance < share) return std::nullopt;

@@ -129,8 +129,8 @@ class RunSearch {
     for (std::size_t k = 1; k < vertices.size(); ++k) {
       const double tolerance = start_->plane.error(vertices[k].near) + start_->plane.error(vertices[part.top].near);
       const double more = away(vertices[k]) - away(vertices[part.top]);
-      if (more > tolerance || (more >= -tolerance && start_->plane.value(vertices[part.top].at) <
-                                                         start_->plane.value(vertices[k].at)))
+      if (more > tolerance ||
+          (more >= -tolerance && start_->plane.value(vertices[part.top].at) < start_->plane.value(vertices[k].at)))
         part.top = k;
     }
     part.key = away(vertices[part.top]);
