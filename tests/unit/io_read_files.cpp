@@ -287,7 +287,7 @@ TEST(SvgLooks, TransformsOfStyles) {
   EXPECT_NE(refusal(moved("translate(10, 5)")).find("'10' in the transform of a style"), std::string::npos);
   EXPECT_NE(refusal(moved("translate(50%)")), "");
   EXPECT_NE(refusal(moved("rotate3d(1, 1, 1, 45deg)")), "");
-  EXPECT_NE(refusal(square(0, "style='rotate: 45deg'")).find("the property rotate is not read"), std::string::npos);
+  EXPECT_NE(refusal(square(0, "style='rotate: 45deg'")).find("\"rotate\" of a style is not read"), std::string::npos);
   EXPECT_NE(refusal("<g style='transform: translate(5)'>" + square(0, "") + "</g>").find("<g> (f.svg"),
             std::string::npos);
   EXPECT_NE(refusal(square(0, ""), kPage + " transform='rotate(90)'").find("of the whole drawing"), std::string::npos);
@@ -301,13 +301,24 @@ TEST(SvgLooks, OriginsOfTransforms) {
   expect_box(turned("transform-origin='center'"), {90, -90, 100, -80});
   expect_box(turned("transform-origin='bottom 50%'"), {140, -140, 150, -130});
   expect_box(square(80, "transform-origin='center' style='transform-box: fill-box'"), {80, -10, 90, 0});
-  EXPECT_NE(refusal(turned("style='transform-box: fill-box'")).find("transform-box is not read"), std::string::npos);
+  EXPECT_NE(refusal(turned("style='transform-box: fill-box'")).find("\"transform-box\" of a style"), std::string::npos);
 }
 
 TEST(SvgLooks, SizesOfStyles) {
   expect_box("<rect width='1' height='1' style='width: 20px; height: 5mm; x: 3px'/>", {3, -5 * 960 / 254.0, 23, 0});
   EXPECT_NEAR(read("<style>circle {r: 10px}</style><circle cx='20' cy='20'/>").area, 100 * 3.14159265, 1e-4);
   expect_box("<path style='d: path(\"M0 0 H9 V4 Z\")'/>", {0, -4, 9, 0});
+}
+
+TEST(SvgLooks, SizesOfViewsInStylesAreRefused) {
+  const std::string inner = "<rect width='9' height='4'/>";
+  EXPECT_NE(refusal("<svg style='width: 5px'>" + inner + "</svg>").find("\"width\" of a style"), std::string::npos);
+  EXPECT_NE(refusal("<svg style='x: 5px'>" + inner + "</svg>"), "");
+  expect_box("<defs><g id='g'>" + inner + "</g></defs><use href='#g' style='x: 5px'/>", {5, -4, 14, 0});
+}
+
+TEST(SvgLooks, LinesWithoutLengthDrawNothing) {
+  EXPECT_DOUBLE_EQ(read("<line/><path d='M3 3 L3 3'/>" + square(0, "")).area, 100);
 }
 
 TEST(SvgLooks, Percentages) {

@@ -167,7 +167,10 @@ class SvgReader {
                          "so many elements and rules of style");
     inside.look = styles_.look(node, inside.look);
     see_cut(inside);
+    const std::string_view kind = local_name(node);
     for (const auto& [property, stated] : inside.look.size) {
+      const bool of_a_view = property == "width" || property == "height" || (kind != "use" && property != "d");
+      if (of_a_view && one_of(kind, {"svg", "symbol", "use"})) inside.not_followed = property;  // programs differ
       std::string_view value = stated;
       if (property == "d") value = svg_path_of_style(value);
       pugi::xml_attribute to = node.attribute(property.c_str());
@@ -315,10 +318,10 @@ class SvgReader {
     outline.set_name(part_name(id, label, inside));
     draw_svg_element(node, local_name(node), map, inside.frame, outline);
     Drawing drawing = outline.take();
+    std::erase_if(drawing.chains, is_point);
     if (!is_empty(drawing) && !inside.not_followed.empty())
-      throw Error(
-          ErrorCode::kUnsupported,
-          fmt::format("the property {} is not read; a transform about a place in user units is", inside.not_followed));
+      throw Error(ErrorCode::kUnsupported,
+                  fmt::format("the property \"{}\" of a style is not read here", inside.not_followed));
     if (inside.cut && !is_empty(drawing)) ++cut_;
     const bool filled = inside.look.fill != "none";
     if (filled && !inside.look.even_odd && !encloses_alike(drawing, context_)) ++by_even_odd_;

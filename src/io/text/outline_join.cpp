@@ -284,14 +284,6 @@ std::pair<Gap, std::size_t> close_gaps(std::vector<Chain>& chains, double most, 
   return {widest, count};
 }
 
-/// Drops segments without length, which count as repeated points.
-void drop_points(std::vector<Chain>& chains, ReadContext& context) {
-  context.repeated_points += std::int64_t(std::erase_if(chains, [](const Chain& c) {
-    return c.curves.empty() && std::all_of(c.edges.begin(), c.edges.end(),
-                                           [&](const ContourEdge& e) { return !e.arc && e.start == c.edges[0].start; });
-  }));
-}
-
 /// Drops open chains of segments that fit into a square of this side: CAD programs leave such lines behind.
 std::size_t drop_debris(std::vector<Chain>& chains, double most) {
   return std::erase_if(chains, [&](const Chain& c) {
@@ -355,6 +347,11 @@ void join_open_chains(Drawing& drawing, double step) {
   drawing.chains = joiner.join();
 }
 
+bool is_point(const Chain& c) {
+  return c.curves.empty() && std::all_of(c.edges.begin(), c.edges.end(),
+                                         [&](const ContourEdge& e) { return !e.arc && e.start == c.edges[0].start; });
+}
+
 int open_chains(const Drawing& drawing) {
   return static_cast<int>(
       std::count_if(drawing.chains.begin(), drawing.chains.end(), [](const Chain& c) { return !c.closed; }));
@@ -362,7 +359,7 @@ int open_chains(const Drawing& drawing) {
 
 void close_outlines(Drawing& drawing, ReadContext& context, const std::string& name) {
   const double step = context.grid.step_size();
-  drop_points(drawing.chains, context);
+  context.repeated_points += std::int64_t(std::erase_if(drawing.chains, is_point));
   if (const std::size_t doubled = drop_doubled(drawing); doubled > 0)
     context.notes.push_back(fmt::format("{}: {} drawn twice, taken once", name,
                                         doubled == 1 ? "1 outline is" : fmt::format("{} outlines are", doubled)));

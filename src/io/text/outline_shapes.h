@@ -17,6 +17,8 @@ namespace findspace::io {
 /// `step`: of the grid, for the message.
 void join_open_chains(Drawing& drawing, double step);
 int open_chains(const Drawing& drawing);
+/// Whether it has segments without length alone.
+bool is_point(const Chain& chain);
 
 /// What the rules say of open chains: joins ends that are the same grid point, then those no farther apart than the
 /// gap, the nearest first, and notes how many and the widest gap. Throws Error(kGeometry) for chains that stay open,
