@@ -493,6 +493,22 @@ TEST(PublicPacking, HolesMayOverlap) {
 }
 
 /// Turned parts have corners off the grid of the numbers. With conditions the grid stays coarse enough for them.
+/// Between holes that touch along an edge, or a hole and the outline, there is no wall: a block lies across.
+TEST(PublicPacking, HolesThatTouchLeaveNoWall) {
+  const auto holes_hold = [](std::vector<Ring> holes, Ring block) {
+    PackProblem problem;
+    problem.height = 10;
+    holes.insert(holes.begin(), box_ring(0, 0, 10, 10));
+    problem.parts = {{"plate", std::move(holes)}, {"block", {std::move(block)}}};
+    const auto layout = pack(problem, {.threads = 1, .work = 1});
+    return layout && layout_faults(problem, *layout).empty() && layout->length.text() == "10";
+  };
+  EXPECT_TRUE(holes_hold({box_ring(2, 2, 5, 8), box_ring(5, 3, 8, 9)}, box_ring(0, 0, 6, 5)));
+  EXPECT_TRUE(holes_hold({box_ring(2, 0, 8, 8)}, box_ring(0, 0, 6, 7)));
+  EXPECT_TRUE(holes_hold({box_ring(2, 2, 5, 8), box_ring(5, 2, 8, 8), box_ring(3, 8, 7, 10)}, box_ring(0, 0, 4, 8)));
+  EXPECT_FALSE(holes_hold({box_ring(2, 2, 4, 8), box_ring(5, 2, 8, 8)}, box_ring(0, 0, 6, 6)));
+}
+
 TEST(PublicPacking, ConditionsOfLongParts) {
   PackProblem problem;
   problem.height = 40;

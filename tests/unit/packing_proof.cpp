@@ -55,6 +55,15 @@ TEST(Interiors, HolesThatTouchAtACorner) {
   EXPECT_TRUE(interiors_meet(box(3, 2, 4, 3), plate));
 }
 
+TEST(Interiors, EdgesThatRunAlongEachOther) {
+  const Polygon slope = make_polygon({{{0, 0}, {6, 3}, {0, 3}}}, "slope");
+  EXPECT_TRUE(run_along(box(0, 0, 2, 2), box(2, 1, 4, 9)));
+  EXPECT_FALSE(run_along(box(0, 0, 2, 2), box(2, 2, 4, 4)));  // a corner
+  EXPECT_FALSE(run_along(box(0, 0, 2, 2), box(3, 0, 5, 2)));  // on one line, apart
+  EXPECT_TRUE(run_along(slope, make_polygon({{{4, 2}, {8, 4}, {8, 0}}}, "beside it")));
+  EXPECT_FALSE(run_along(slope, make_polygon({{{6, 3}, {8, 4}, {8, 0}}}, "behind it")));
+}
+
 TEST(Interiors, CornersThatCrossAtVertices) {
   const Polygon diamond = make_polygon({{{0, -2}, {2, 0}, {0, 2}, {-2, 0}}}, "diamond");
   EXPECT_TRUE(interiors_meet(diamond, box(-2, -2, 2, 2)));

@@ -83,17 +83,21 @@ packing::Polygon outside_of(const packing::Polygon& outline, const packing::Poly
   return {{{low, {high.x, low.y}, high, {low.x, high.y}}, packing::Ring(ring.rbegin(), ring.rend())}};
 }
 
-/// Whether two holes overlap, such as a defect that is marked twice, or one reaches beyond the outline.
+/// Whether two holes overlap, such as a defect that is marked twice, or one reaches beyond the outline; or whether there
+/// is a wall without width between two, or between one and the outline: it belongs to no part.
 bool holes_overlap(const std::vector<packing::Polygon>& sets) {
   std::vector<packing::LatticeBox> boxes;
   for (const packing::Polygon& set : sets) boxes.push_back(box_of(set));
   const auto meet = [](const packing::LatticeBox& a, const packing::LatticeBox& b) {
-    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
   };
   for (std::size_t i = 1; i < sets.size(); ++i) {
-    if (packing::interiors_meet(outside_of(sets[0], sets[i]), sets[i])) return true;
+    if (packing::interiors_meet(outside_of(sets[0], sets[i]), sets[i]) || packing::run_along(sets[0], sets[i]))
+      return true;
     for (std::size_t j = 1; j < i; ++j)
-      if (meet(boxes[i], boxes[j]) && packing::interiors_meet(sets[i], sets[j])) return true;
+      if (meet(boxes[i], boxes[j]) &&
+          (packing::interiors_meet(sets[i], sets[j]) || packing::run_along(sets[i], sets[j])))
+        return true;
   }
   return false;
 }

@@ -144,6 +144,14 @@ bool are_nearer(const RingEdge& e, const RingEdge& f, int128 distance) {
          exact::is_nearer(f.start(), e.start(), e.end(), distance);
 }
 
+/// Whether they have more than a point in common.
+bool run_along(const RingEdge& e, const RingEdge& f) {
+  const bool overlap_in_x = std::max(e.low_x(), f.low_x()) < std::min(e.high_x(), f.high_x());
+  const bool overlap_in_y = std::max(e.low_y(), f.low_y()) < std::min(e.high_y(), f.high_y());
+  return (overlap_in_x || overlap_in_y) && e.meets_box(f) && turn_sign(e.start(), e.end(), f.start()) == 0 &&
+         turn_sign(e.start(), e.end(), f.end()) == 0;
+}
+
 /// How often the rings run counter-clockwise about a point on none of them.
 int winding(const Polygon& shape, const LatticePoint& point) {
   int result = 0;
@@ -170,6 +178,13 @@ bool are_nearer(const Polygon& a, const Polygon& b, int128 distance) {
     for (const RingEdge& f : of_b)
       if (are_nearer(e, f, distance)) return true;
   return false;
+}
+
+bool run_along(const Polygon& a, const Polygon& b) {
+  const std::vector<RingEdge> of_a = edges_of(a), of_b = edges_of(b);
+  return std::any_of(of_a.begin(), of_a.end(), [&](const RingEdge& e) {
+    return std::any_of(of_b.begin(), of_b.end(), [&](const RingEdge& f) { return run_along(e, f); });
+  });
 }
 
 bool are_apart(const Polygon& a, const Polygon& b, int128 distance) {

@@ -17,6 +17,9 @@ bool interiors_meet(const Polygon& a, const Polygon& b);
 /// Whether two polygons whose interiors do not meet are nearer than `distance`.
 bool are_nearer(const Polygon& a, const Polygon& b, int128 distance);
 
+/// Whether edges of two polygons have more than a point in common.
+bool run_along(const Polygon& a, const Polygon& b);
+
 /// Whether two sets are farther apart than `distance` for certain, each in or on the rings of a polygon: where the
 /// winding number is not 0. Rings may cross themselves and each other.
 bool are_apart(const Polygon& a, const Polygon& b, int128 distance);
