@@ -401,6 +401,9 @@ TEST(Containment, HollowsAreOutside) {
   EXPECT_TRUE(outside(problem, {2, 2, 2}));
   EXPECT_FALSE(outside(problem, {1, 2, 2}));
   EXPECT_TRUE(outside(problem, {1 + kTiny, 2, 2}));
+  problem.parts[0] = box("block", 1, 3, 2, 2);
+  EXPECT_DOUBLE_EQ(*outside(problem, {1, Fraction(3, 2), Fraction(3, 2)}), 0.5);  // the hollow lies in it
+  problem.parts[0] = box("cube", 1, 1, 1, 1);
   problem.edge = Fraction(1, 2);
   EXPECT_FALSE(outside(problem, {Fraction(1, 2), 2, 2}));
   EXPECT_TRUE(outside(problem, {Fraction(1, 2) + kTiny, 2, 2}));

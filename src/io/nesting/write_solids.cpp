@@ -301,12 +301,14 @@ std::string fault_text(const packing::SolidProblem& problem, const packing::Soli
     return fmt::format("a fixed {} does not stand at {}", problem.parts[fault.first].name, place);
   const std::string where = " near " + place;
   const std::string first = item_name(problem, layout, fault.first);
-  if (fault.kind == Kind::kOutside) return fmt::format("{} is outside by {:.6g}", first, fault.depth) + where;
+  // Where edges alone cross, and of surfaces, no depth is measured.
+  const auto by = [&](const char* words) { return fault.depth > 0 ? fmt::format("{}{:.6g}", words, fault.depth) : ""; };
+  if (fault.kind == Kind::kOutside) return first + " is outside" + by(" by ") + where;
   const std::string second = item_name(problem, layout, fault.second);
   if (fault.kind == Kind::kGap) return fmt::format("{} and {} are nearer than the gap", first, second) + where;
   if (fault.kind == Kind::kCondition)
     return fmt::format("a condition of {} and {} does not hold", first, second) + where;
-  return fmt::format("{} and {} overlap, depth {:.6g}", first, second, fault.depth) + where;
+  return first + " and " + second + " overlap" + by(", depth ") + where;
 }
 
 }  // namespace findspace::io

@@ -52,10 +52,23 @@ class InSurface : public SolidContainment {
     for (const auto& sheet : form_->sheets())
       for (const space::Point& q : sheet->body.points) look_at(q, 0);
     for (const space::SurfaceSet::Ball& ball : form_->balls()) look_at(ball.center, ball.radius.to_double());
-    return most;
+    return most > 0 ? most : depth_of_walls(p) / steps;
   }
 
  private:
+  /// How deep a corner of the walls lies in the form at p, as that of a hollow that it covers; of balls look_at()
+  /// tells.
+  double depth_of_walls(const space::RealVector& p) const {
+    double most = 0;
+    for (const space::Point& q : container_->sheets()[0]->body.points) {
+      const space::RealVector x = space::minus(space::real(q), p);
+      for (const auto& sheet : form_->sheets())
+        if (space::side_of(sheet->body, sheet->tree, x, space::rounded(x)) == space::SurfaceSide::kInside)
+          most = std::max(most, space::length(space::rounded(space::way_to(*sheet, x))));
+    }
+    return most;
+  }
+
   int128 steps_;  // in a unit
   std::shared_ptr<const space::SurfaceSet> container_, form_;
   space::SurfaceGaps gaps_;

@@ -21,8 +21,8 @@ class SolidContainment {
 
   /// The form moved to `at`, in units, where it keeps to the box within the edge.
   virtual bool holds(const std::array<Fraction, 3>& at, const Fraction& edge) const = 0;
-  /// Where it does not hold: how far the farthest corner or ball is outside, or by how much it is too near; 0 where
-  /// only edges cross. In units, as doubles find it.
+  /// Where it does not hold: how far the farthest corner or ball is outside, or how deep a corner of the walls lies in
+  /// it, or by how much it is too near; 0 where only edges cross. In units, as doubles find it.
   virtual double excess(const std::array<Fraction, 3>& at, const Fraction& edge) const = 0;
 };
 
