@@ -68,7 +68,8 @@ TEST(PairFormula, ThatIsNone) {
   EXPECT_THROW(parse_condition("gap(self, other) <="), Error);
   for (const char* asked : {"gap(self, other, rotating=(0, 0)) >= 120", "2 * gap(self, other) <= reach(self, other)"})
     EXPECT_THROW(parse_condition(asked), Error) << asked;
-  EXPECT_THROW(parse_condition("gap(self, other, toward=(1, 0, 0)) >= 5", 3), Error);
+  EXPECT_THROW(parse_condition("2 * gap(self, other) <= reach(self, other)", 3), Error);
+  EXPECT_THROW(parse_condition("gap(self, other) <= 1e29"), Error);  // no place of a layout is so far away
 }
 
 TEST(Conditions, AGreatestDistance) {

@@ -257,6 +257,30 @@ TEST(PackingLeastHeight, WhatIsNotTriedKeepsTheBoundOfVolumes) {
   EXPECT_TRUE(is_provable(few, SolidTable(few)));
 }
 
+/// What was found may keep no gap or condition: then it is no layout, and a higher one may be the lowest.
+TEST(PackingLeastHeight, IsProvedWhereALayoutWasFound) {
+  const SolidProblem problem = problem_of(3, 3, {box("slab", 2, 2, 2, 1)});
+  const SolidTable table(problem);
+  for (const bool is_layout : {true, false}) {
+    LeastHeight proof(problem, table, 5);
+    while (!proof.is_over())
+      if (proof.search() && is_layout) proof.set_height(2);
+    EXPECT_EQ(proof.is_proved(), is_layout);
+    EXPECT_NEAR(proof.bound(), 2, 1e-6);
+  }
+}
+
+/// Conditions that the first search does not come to keep have all the work that is left.
+TEST(PackingLeastHeight, ConditionsThatAreHardToKeep) {
+  SolidProblem problem = problem_of(6, 6, {box("a", 1, 3, 4, 1), box("b", 1, 3, 1, 1), box("c", 1, 3, 2, 4)});
+  const char* const window = "gap(self, other) >= 1 and gap(self, other) <= 1.2";
+  problem.conditions = {{2, 0, window}, {2, 1, window}};
+  EXPECT_FALSE(packed(problem, 5e5));  // the share of the first search, below
+  const auto layout = packed(problem, 5e6);
+  ASSERT_TRUE(layout);
+  EXPECT_NEAR(layout->height.to_double(), 6, 0.01);
+}
+
 /// With a gap the bound is that without it; it stays below the layout.
 TEST(PackingLeastHeight, GapsAreAboveTheBound) {
   SolidProblem problem = problem_of(3, 3, {box("slab", 3, 2, 2, 1)});

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "packing/solid_depth/solid_table.h"
+#include "packing/solid_problem/solid_pair_formula.h"
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_proof/verify_solids.h"
 #include "packing/solid_search/solid_search.h"
@@ -177,6 +178,55 @@ TEST(SolidVerify, ConditionsHaveAnOrder) {
   EXPECT_TRUE(verify(problem, layout).is_feasible());
   problem.conditions = {{1, 0, "protrusion(self, other) <= 1"}};
   EXPECT_EQ(first_fault(problem, layout), Kind::kCondition);
+}
+
+/// Farther than the floor is wide: one stands high above the other.
+TEST(SolidSearch, SolidsThatMustBeFarApart) {
+  SolidProblem problem = problem_of(5, 5, {box("a", 1, 4, 4, 4), box("b", 1, 4, 4, 4)});
+  problem.conditions = {{0, 1, "gap(self, other) >= 300"}};
+  EXPECT_LT(found(problem, 20e6).height.to_double(), 308.01);
+  problem.containers = {{"tower", 1, {}, 5, 5, 310}};
+  const SolidLayout layout = found(problem, 4e6);
+  EXPECT_EQ(layout.items.size(), 2U);
+}
+
+/// Along a direction, exactly, and one way as `self` goes, whichever comes first in the layout.
+TEST(SolidVerify, ConditionsAlongADirection) {
+  SolidPart angle = part_of("angle", 1, {block({0, 0, 0}, {4, 1, 1}), block({0, 0, 1}, {1, 1, 4})});
+  SolidProblem problem = problem_of(10, 10, {angle, box("b", 1, 2, 1, 1)});
+  const auto holds = [&](const char* where, Fraction z) {
+    problem.conditions = {{0, 1, where}};
+    SolidLayout layout{9, {{0, 1, 0, {0, 0, 0}}, {1, 1, 0, {2, 0, z}}}};
+    const bool result = verify(problem, layout).is_feasible();
+    std::swap(layout.items[0], layout.items[1]);
+    EXPECT_EQ(verify(problem, layout).is_feasible(), result) << where;
+    return result;
+  };
+  EXPECT_TRUE(holds("gap(self, other, along=(0, 0, 1)) >= 2", 3));  // over the foot, beside the leg
+  EXPECT_FALSE(holds("gap(self, other, along=(0, 0, 1)) >= 2.000001", 3));
+  EXPECT_TRUE(holds("gap(self, other, along=(1, 0, 0)) <= 1", 3));
+  EXPECT_TRUE(holds("gap(self, other, along=(0, 1, 0)) > 1000", 6));
+  EXPECT_FALSE(holds("gap(self, other, toward=(0, 0, 1)) >= 3", 3));
+  EXPECT_TRUE(holds("gap(self, other, toward=(0, 0, -1)) >= 3", 3));
+  check_conditions(problem, "");
+  problem.parts[1] = ball("b", 1, 1);
+  EXPECT_THROW(check_conditions(problem, ""), Error);
+}
+
+/// What holds in contact alone, or at one level.
+TEST(SolidSearch, KeepsConditionsThatAreTight) {
+  SolidProblem problem = problem_of(6, 6, {box("a", 1, 2, 2, 2), box("b", 1, 1, 1, 1), box("c", 1, 1, 2, 1)});
+  for (const char* where : {"gap(self, other) <= 0", "touches(self, other)", "gap(self, other) = 1",
+                            "not gap(self, other) > 0", "gap(self, other) >= 1 and gap(self, other) <= 1.01"}) {
+    problem.conditions = {{0, 1, where}, {0, 2, where}};
+    EXPECT_EQ(found(problem, 4e6).height, Fraction(2)) << where;
+  }
+}
+
+TEST(SolidSearch, KeepsConditionsAlongADirection) {
+  SolidProblem problem = problem_of(4, 4, {box("a", 1, 4, 4, 1), box("b", 2, 2, 2, 1)});
+  problem.conditions = {{0, 1, "gap(self, other, along=(0, 0, 1)) >= 2"}, {1, 1, "gap(self, other) <= 1"}};
+  EXPECT_NEAR(found(problem, 2e6).height.to_double(), 4, 0.2);
 }
 
 TEST(SolidSearch, SaysWhereNoConditionCanHold) {

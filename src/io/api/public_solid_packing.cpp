@@ -18,8 +18,8 @@
 #include "io/api/public_search.h"
 #include "io/nesting/read_solids.h"
 #include "io/nesting/write_solids.h"
-#include "packing/problem/pair_formula.h"
 #include "packing/solid_problem/container_shape.h"
+#include "packing/solid_problem/solid_pair_formula.h"
 #include "packing/solid_proof/solid_bound.h"
 #include "packing/solid_search/make_solid_room.h"
 #include "packing/solid_search/proved_search.h"
@@ -173,7 +173,7 @@ SolidProblem on_grid(const SolidPackProblem& problem) {
   const io::StatedConditions stated = io::stated_of(problem, result.parts);
   result.pair_gaps = stated.gaps;
   result.conditions = io::conditions_of(stated, result.parts.size(), io::farthest_gap(result), "pack");
-  for (const packing::PairCondition& condition : result.conditions) packing::parse_condition(condition.where, 3);
+  packing::check_conditions(result, "pack");
   packing::check(result, "pack");
   for (const FixedSolid& fixed : problem.fixed) result.fixed.push_back(fixed_of(result, fixed));
   io::check_fixed(result, "pack");

@@ -24,6 +24,7 @@
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
 #include "packing/solid_problem/container_shape.h"
+#include "packing/solid_problem/solid_pair_formula.h"
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
@@ -94,6 +95,7 @@ class SolidReader : private NestingJson {
     result.problem.pair_gaps = result.stated.gaps;
     result.problem.conditions =
         conditions_of(result.stated, result.problem.parts.size(), farthest_gap(result.problem), name());
+    packing::check_conditions(result.problem, name());
     result.shapes = std::move(shapes_);
     packing::check(result.problem, name());
     if (const JsonValue* fixed = tree().find("fixed")) {

@@ -19,10 +19,12 @@ namespace {
 
 constexpr const char* kSelf = "self";
 constexpr const char* kOther = "other";
+constexpr double kMostLevel = 1e15;  // below 2^53: parts in different containers are farther apart
 
 exact::Real real(const Fraction& value) { return exact::Real(value.numerator()) / exact::Real(value.denominator()); }
 
-/// One way is that of `self`: where `other` moves it goes back.
+}  // namespace
+
 formula::Formula for_other(const formula::Formula& where) {
   std::vector<formula::Atom> atoms = where.atoms();
   for (formula::Atom& atom : atoms) {
@@ -31,8 +33,6 @@ formula::Formula for_other(const formula::Formula& where) {
   }
   return {where.root(), std::move(atoms)};
 }
-
-}  // namespace
 
 formula::Formula parse_condition(const std::string& where, int dimension) {
   formula::Context context;
@@ -43,10 +43,10 @@ formula::Formula parse_condition(const std::string& where, int dimension) {
   for (const formula::Atom& atom : result.atoms()) {
     if (atom.distance.mode == formula::Mode::kRotation)
       throw Error(ErrorCode::kUnsupported, "parts that are packed are not rotated by a condition");
-    if (atom.distance.mode == formula::Mode::kToward && dimension == 3)
-      throw Error(ErrorCode::kUnsupported, "one way of a part is not looked at where solids are packed");
     if (dimension == 2 && !atom.more.empty())
       throw Error(ErrorCode::kUnsupported, "sums of distances are not taken between parts that are packed");
+    if (std::abs(atom.level.to_double()) > kMostLevel)
+      throw Error(ErrorCode::kOutOfRange, "a condition of parts has a number above 1e15");
   }
   return result;
 }

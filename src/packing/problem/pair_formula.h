@@ -20,6 +20,9 @@ namespace findspace::packing {
 /// The formula of a condition; throws Error with line and column.
 formula::Formula parse_condition(const std::string& where, int dimension = 2);
 
+/// The same where `other` moves: one way is that of `self`, so it goes back.
+formula::Formula for_other(const formula::Formula& where);
+
 /// The greatest level that a condition compares a distance with, or 0. Two parts farther apart than that are as good
 /// as infinitely far apart.
 double greatest_level(const std::vector<PairCondition>& conditions, int dimension = 2);

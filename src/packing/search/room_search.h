@@ -86,10 +86,10 @@ class RoomSearch {
   bool find_first(First& first) {
     if (options_.start != nullptr) {
       first = start_layout();
-      if (!first.overlaps || separated(first.layout, kLonger.size())) return true;
+      if (!first.overlaps || separated(first.layout, kLonger.size(), kFirstPatience.passes)) return true;
     }
     first = Kit::first_layout(problem_, table_, row_, options_.seed);
-    return !first.overlaps || separated(first.layout, std::numeric_limits<std::size_t>::max());
+    return !first.overlaps || separated(first.layout, std::numeric_limits<std::size_t>::max(), Core::kFirstPasses);
   }
 
   /// It overlaps where it cannot be proved. On a strip nothing is left out.
@@ -128,17 +128,20 @@ class RoomSearch {
     return found;
   }
 
-  /// Moves parts until none overlap and the conditions of pairs hold, in a strip as much longer as that needs.
-  bool separated(Found& layout, std::size_t most) {
+  /// Moves parts until none overlap and the conditions of pairs hold, in a strip as much longer as that needs. So many
+  /// passes without progress end a try; twice as many after each round of the lengths, up to the usual patience.
+  bool separated(Found& layout, std::size_t most, int passes) {
     Random random(options_.seed);
     SeparationOf<Core> separation(table_, row_, layout.poses, kLonger.back() * layout.length, random);
     using State = typename SeparationOf<Core>::State;
     for (std::size_t tried = 0; tried < most && !is_over(); ++tried) {
       const double length = kLonger[tried % kLonger.size()] * layout.length;
       separation.begin(tried == 0 ? layout.poses : separation.nearest(), length, kLonger.back() * layout.length);
+      if (tried > 0 && tried % kLonger.size() == 0) passes = std::min(2 * passes, kFirstPatience.passes);
+      const Patience patience = passes < kFirstPatience.passes ? Patience{passes, 0} : kFirstPatience;
       State state = State::kUnderWay;
       while (state == State::kUnderWay && !is_over()) {
-        state = separation.pass(kFirstPatience);
+        state = separation.pass(patience);
         work_ = separation.work();
       }
       if (state != State::kFree) continue;

@@ -60,6 +60,7 @@ struct PlaneKit {
   static constexpr double kExploration = 0.95;  // of the whole search
   static constexpr double kApart = 0.005;       // of the length: so much islands that explore may differ
   static constexpr Changes kChanges{2, 3, 2};
+  static constexpr int kFirstPasses = 100;  // of a first try to keep conditions
 
   static std::size_t part_of(const FieldTable& table, const Pose& pose) { return table.variants()[pose.variant].part; }
   static Vec middle(const FieldTable& table, const Pose& pose) {

@@ -85,6 +85,7 @@ SolidTable::SolidTable(const SolidProblem& problem)
   }
   if (has_ties()) greatest_level_ = packing::greatest_level(problem.conditions, 3);
   room_ = size_ * margin::kSolidTie;
+  contact_ = size_ * margin::kNoOverlap;
   of_part_.resize(problem.parts.size());
   for (std::size_t p = 0; p < problem.parts.size(); ++p) add_variants(p);
   add_fixed();

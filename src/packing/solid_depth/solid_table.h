@@ -9,6 +9,7 @@
 // it. Keywords: penetration depth, configuration-space obstacle, no-fit polyhedron.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -107,10 +108,14 @@ class SolidTable {
   bool are_tied(std::size_t a, std::size_t b) const { return problem_.are_tied(variants_[a].part, variants_[b].part); }
   bool has_ties() const { return !problem_.conditions.empty(); }
   /// By how much their conditions hold with a copy of b at u from one of a, in doubles; below 0 where they fail. What
-  /// is put onto the grid of a layout then holds exactly.
+  /// is put onto the grid of a layout then holds exactly, contacts where they are contacts on the grid.
   double slack(std::size_t a, std::size_t b, const Vector& u) const {
     const auto [pair, sign] = link(a, b);
-    return pair.tie->slack(sign * u) - room_;
+    return pair.tie->slack(sign * u, room_, contact_);
+  }
+  /// How far one of them may be moved for certain.
+  double free_move(std::size_t a, std::size_t b, const Vector& u) const {
+    return link(a, b).pair.tie->jumps() ? 0 : std::max(slack(a, b, u), 0.0);
   }
   /// Parts of different containers are farther apart than any condition asks.
   double greatest_level() const { return greatest_level_; }
@@ -125,7 +130,7 @@ class SolidTable {
   std::unique_ptr<OverlapPair> of_walls(std::size_t part, std::size_t wall) const;
 
   const SolidProblem& problem_;
-  double size_ = 0, gap_, edge_, tallest_ = 0, greatest_level_ = 0, room_ = 0;
+  double size_ = 0, gap_, edge_, tallest_ = 0, greatest_level_ = 0, room_ = 0, contact_ = 0;
   std::vector<SolidVariant> variants_;
   std::vector<std::vector<std::size_t>> of_part_;
   std::vector<std::size_t> fixed_;

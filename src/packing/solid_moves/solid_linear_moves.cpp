@@ -74,8 +74,8 @@ void SolidLinearMoves::collect_pair(const std::vector<SolidPose>& poses, std::si
 
 void SolidLinearMoves::collect_tie(const std::vector<SolidPose>& poses, std::size_t a, std::size_t b, double reach) {
   const SolidPose &first = poses[a], &second = pose(poses, b);
-  const double slack = std::max(table_.slack(first.variant, second.variant, second.at - first.at), 0.0);
-  const double side = slack / std::numbers::sqrt3;  // half that of the greatest cube in a ball
+  const double way = table_.free_move(first.variant, second.variant, second.at - first.at);
+  const double side = way / std::numbers::sqrt3;  // half that of the greatest cube in a ball
   if (side >= reach) return;
   for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}})
     for (const double sign : {1.0, -1.0}) rows_.push_back({a, b, sign * axis, -side, 0, false});

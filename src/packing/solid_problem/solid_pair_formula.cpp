@@ -5,13 +5,18 @@
 #include "packing/solid_problem/solid_pair_formula.h"
 
 #include <findspace/error.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "formula/language/parse.h"
+#include "formula/language/which.h"
 #include "packing/problem/pair_formula.h"
+#include "space/polytope/solid.h"
+#include "space/shape/box_shape.h"
 
 namespace findspace::packing {
 namespace {
@@ -23,13 +28,53 @@ bool is_flat(const SolidForm& form) {
                                         [](const space::BodyPart& p) { return p.core && p.radius.sign() == 0; });
 }
 
-formula::SpaceShape shape_of(const SolidForm& form) {
-  formula::SpaceShape shape;
-  shape.body = std::make_shared<const space::Body>(form.body);
-  if (form.is_exact()) return shape;
-  if (form.surface_scale != 1)
+/// As a set of boxes: its surface, or its convex parts.
+std::optional<space::BoxComplex> boxes_of(const SolidForm& form) {
+  plane::Shape whole;
+  whole.kind = plane::Shape::Kind::kUnion;
+  const auto add = [&](space::Solid::Form kind, space::Mesh mesh) {
+    space::Solid solid;
+    solid.form = kind;
+    solid.mesh = std::move(mesh);
+    plane::Shape piece;
+    piece.solid = std::make_shared<const space::Solid>(std::move(solid));
+    whole.children.push_back(std::make_shared<const plane::Shape>(std::move(piece)));
+  };
+  for (const space::RaySolid& solid : form.surface) {
+    space::Mesh mesh{solid.surface.points, {}};
+    for (const auto& face : solid.surface.faces) mesh.faces.emplace_back(face.begin(), face.end());
+    add(space::Solid::Form::kMesh, std::move(mesh));
+  }
+  if (form.surface.empty()) {
+    if (!is_flat(form)) return std::nullopt;
+    for (const space::BodyPart& part : form.body.parts) {
+      const auto corners = part.vertices();
+      add(space::Solid::Form::kPolytope, {{corners.begin(), corners.end()}, {}});
+    }
+  }
+  const std::int64_t scale = form.surface.empty() ? form.body.scale : form.surface_scale;
+  return scale == 1 ? space::box_complex(whole) : std::nullopt;
+}
+
+bool has_direction(const formula::Formula& where) {
+  return std::any_of(where.atoms().begin(), where.atoms().end(),
+                     [](const formula::Atom& atom) { return formula::is_directional(atom.distance); });
+}
+
+/// Throws Error where no distances of the form are known, or none along a direction.
+void check_known(const SolidForm& form, bool with_direction) {
+  if (!form.is_exact() && form.surface_scale != 1)
     throw Error(ErrorCode::kUnsupported, "conditions of a mesh that is turned off the axes are not known");
-  shape.surfaces = std::make_shared<const std::vector<space::RaySolid>>(form.surface);
+  if (with_direction && !boxes_of(form))
+    throw Error(ErrorCode::kUnsupported, "a condition along a direction is of solids with faces parallel to the axes");
+}
+
+/// With a direction as boxes too, which tell it.
+formula::SpaceShape shape_of(const SolidForm& form, bool with_direction) {
+  formula::SpaceShape shape;
+  if (with_direction) shape.boxes = boxes_of(form);
+  shape.body = std::make_shared<const space::Body>(form.body);
+  if (!form.is_exact()) shape.surfaces = std::make_shared<const std::vector<space::RaySolid>>(form.surface);
   return shape;
 }
 
@@ -53,9 +98,30 @@ exact::Real real(const Fraction& value) { return exact::Real(value.numerator()) 
 
 }  // namespace
 
+void check_conditions(const SolidProblem& problem, const std::string& place) {
+  enum Asked : char { kNothing, kDistance, kDirection };
+  std::vector<Asked> asked(problem.parts.size(), kNothing);
+  std::map<std::string, Asked> known;  // a formula of all pairs is stated for each
+  for (const PairCondition& condition : problem.conditions) {
+    const auto [formula, is_new] = known.try_emplace(condition.where, kDistance);
+    if (is_new && has_direction(parse_condition(condition.where, 3))) formula->second = kDirection;
+    const Asked here = formula->second;
+    for (const std::size_t part : {condition.first, condition.second}) asked[part] = std::max(asked[part], here);
+  }
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const SolidPart& part = problem.parts[k];
+    try {
+      if (asked[k] == kNothing) continue;
+      for (const SolidForm& form : part.forms) check_known(form, asked[k] == kDirection);
+    } catch (const Error& e) {
+      throw e.within(fmt::format("{}: part '{}'", place, part.name));
+    }
+  }
+}
+
 SolidPairFormula::SolidPairFormula(const SolidProblem& problem, std::size_t first, const SolidForm& a,
                                    std::size_t second, const SolidForm& b)
-    : steps_(double(problem.steps())) {
+    : steps_(double(problem.steps())), gap_(problem.gap_of(first, second).to_double()) {
   const std::optional<std::int64_t> common = common_scale(a.body, b.body);
   if (is_flat(a) && is_flat(b) && common) {
     phi_.emplace(polytopes_of(a.body, *common), polytopes_of(b.body, *common));
@@ -64,17 +130,20 @@ SolidPairFormula::SolidPairFormula(const SolidProblem& problem, std::size_t firs
     corners_b_ = corners_of(b, steps_);
   }
   const auto add = [&](const PairCondition& condition, bool reversed) {
-    formula::SpaceWorld world;
-    world.shapes.emplace("self", shape_of(reversed ? b : a));
-    world.shapes.emplace("other", shape_of(reversed ? a : b));
-    world.moving = {reversed ? "self" : "other"};
-    world.step = exact::Real(1) / exact::Real(problem.steps());
     formula::Context context;
     context.dimension = 3;
     context.shapes = {"self", "other"};
-    context.moving = world.moving;
-    conditions_.push_back({std::make_shared<const formula::SpaceSolver>(std::move(world)),
-                           formula::parse_formula(condition.where, context), reversed});
+    context.moving = {reversed ? "self" : "other"};
+    const formula::Formula asked = formula::parse_formula(condition.where, context);
+    const bool with_direction = has_direction(asked);
+    jumps_ = jumps_ || with_direction;
+    formula::SpaceWorld world;
+    world.shapes.emplace("self", shape_of(reversed ? b : a, with_direction));
+    world.shapes.emplace("other", shape_of(reversed ? a : b, with_direction));
+    world.moving = context.moving;
+    world.step = exact::Real(1) / exact::Real(problem.steps());
+    conditions_.push_back(
+        {std::make_shared<const formula::SpaceSolver>(std::move(world)), reversed ? asked : for_other(asked)});
   };
   for (const PairCondition& condition : problem.conditions) {
     if (condition.first == first && condition.second == second) add(condition, false);
@@ -88,45 +157,46 @@ bool SolidPairFormula::holds(const std::array<Fraction, 3>& u) const {
                      [&](const Condition& c) { return c.solver->check(c.where, at).holds; });
 }
 
-double SolidPairFormula::slack(const space::Vector& u) const {
+double SolidPairFormula::slack(const space::Vector& u, double room, double contact) const {
   double least = kInfinite;
-  for (const Condition& c : conditions_) least = std::min(least, slack(c, c.where.root(), u));
+  for (const Condition& c : conditions_) least = std::min(least, slack(c, c.where.root(), true, u, {room, contact}));
   return least;
 }
 
-double SolidPairFormula::slack(const Condition& c, const formula::Node& node, const space::Vector& u) const {
+double SolidPairFormula::slack(const Condition& c, const formula::Node& node, bool wanted, const space::Vector& u,
+                               const Margins& margins) const {
   using Op = formula::Node::Op;
-  if (node.op == Op::kTrue || node.op == Op::kFalse) return node.op == Op::kTrue ? kInfinite : -kInfinite;
-  if (node.op == Op::kAtom) return slack(c, c.where.atoms()[node.atom], u);
-  if (node.op == Op::kNot) return -slack(c, node.operands[0], u);
-  double result = node.op == Op::kAnd ? kInfinite : -kInfinite;
+  if (node.op == Op::kTrue || node.op == Op::kFalse) return (node.op == Op::kTrue) == wanted ? kInfinite : -kInfinite;
+  if (node.op == Op::kAtom) return slack(c, c.where.atoms()[node.atom], wanted, u, margins);
+  if (node.op == Op::kNot) return slack(c, node.operands[0], !wanted, u, margins);
+  const bool of_all = (node.op == Op::kAnd) == wanted;
+  double result = of_all ? kInfinite : -kInfinite;
   for (const formula::Node& operand : node.operands) {
-    const double one = slack(c, operand, u);
-    result = node.op == Op::kAnd ? std::min(result, one) : std::max(result, one);
+    const double one = slack(c, operand, wanted, u, margins);
+    result = of_all ? std::min(result, one) : std::max(result, one);
   }
   return result;
 }
 
-double SolidPairFormula::slack(const Condition& c, const formula::Atom& atom, const space::Vector& u) const {
-  double sum = value(c, atom.distance, u) - atom.level.to_double(), weights = 1;
-  for (const formula::SumTerm& term : atom.more) {
-    sum += term.weight.to_double() * value(c, term.distance, u);
-    weights += std::abs(term.weight.to_double());
-  }
-  const double above = sum / weights;
-  switch (atom.relation) {
-    case formula::Relation::kLess:
-    case formula::Relation::kLessEqual:
-      return -above;
-    case formula::Relation::kGreater:
-    case formula::Relation::kGreaterEqual:
-      return above;
-    case formula::Relation::kNotEqual:
-      return std::abs(above);
-    case formula::Relation::kEqual:
-      break;
-  }
-  return -std::abs(above);
+double SolidPairFormula::slack(const Condition& c, const formula::Atom& atom, bool wanted, const space::Vector& u,
+                               const Margins& margins) const {
+  using Relation = formula::Relation;
+  const double above = value(c, atom.distance, u) - atom.level.to_double();
+  double result = above;
+  if (atom.relation == Relation::kLess || atom.relation == Relation::kLessEqual) result = -above;
+  if (atom.relation == Relation::kEqual) result = -std::abs(above);
+  if (atom.relation == Relation::kNotEqual) result = std::abs(above);
+  const double beyond = is_tight(atom, wanted, margins.room) ? -margins.contact : margins.room;
+  return (wanted ? result : -result) - beyond;
+}
+
+bool SolidPairFormula::is_tight(const formula::Atom& atom, bool wanted, double room) const {
+  using Relation = formula::Relation;
+  if (atom.relation == (wanted ? Relation::kEqual : Relation::kNotEqual)) return true;
+  const bool is_gap = atom.distance.mode == formula::Mode::kPlain &&
+                      (atom.distance.kind == formula::Kind::kGamma1 || atom.distance.kind == formula::Kind::kD1);
+  return is_gap && atom.relation == (wanted ? Relation::kLessEqual : Relation::kGreater) &&
+         atom.level.to_double() <= gap_ + room;
 }
 
 double SolidPairFormula::value(const Condition& c, const formula::Distance& distance, const space::Vector& u) const {

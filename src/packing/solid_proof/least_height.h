@@ -32,6 +32,8 @@ class LeastHeight {
   void set_height(double height) { below_ = std::min(below_, below(height)); }
 
   bool is_over() const { return trees_.empty(); }
+  /// Whether none is lower than the height by more than a ten millionth of it.
+  bool is_proved() const { return is_over() && over_ >= below_; }
   /// No layout is lower. When all is over it is less than the height by a ten millionth of it, or what was found last
   /// was not proved.
   double bound() const;

@@ -43,11 +43,12 @@ class ProvedSearch {
     SolidSearchOptions first = of_share(kFirstShare);
     first.work = options_.work > 0 ? std::min(first.work, kFirstWork) : kFirstWork;
     search(first);
-    if (!layout_ || is_done()) return layout_;
+    if (!layout_) return found_late(first.work);
+    if (is_done()) return layout_;
     const bool is_proved = prove();
     if (is_proved || is_done()) return layout_;
     SolidSearchOptions rest = of_share(1 - kFirstShare - kProofShare);
-    if (options_.seconds > 0) rest.seconds = std::max(0.001, options_.seconds - limits_.seconds());
+    set_seconds_left(rest);
     const SolidLayout start = *layout_;
     rest.start = &start;
     search(rest);
@@ -57,6 +58,20 @@ class ProvedSearch {
  private:
   bool is_unlimited() const { return options_.seconds <= 0 && options_.work <= 0; }
   bool is_done() const { return limits_.is_out_of_time() || layout_->height <= bound_; }
+
+  /// Where conditions are hard to keep, all that is left goes into the search.
+  std::optional<SolidLayout> found_late(double work) {
+    if (limits_.is_out_of_time()) return layout_;
+    SolidSearchOptions rest = options_;
+    if (options_.work > 0) rest.work -= work;
+    set_seconds_left(rest);
+    search(rest);
+    return layout_;
+  }
+
+  void set_seconds_left(SolidSearchOptions& options) const {
+    if (options_.seconds > 0) options.seconds = std::max(0.001, options_.seconds - limits_.seconds());
+  }
 
   SolidSearchOptions of_share(double share) const {
     SolidSearchOptions result = options_;
@@ -94,7 +109,7 @@ class ProvedSearch {
     return options_.work <= 0 || kWorkOfProgram * double(programs) < kProofShare * options_.work;
   }
 
-  /// Whether it came to its end.
+  /// Whether no layout is lower. Where gaps or conditions are not part of the proof it may end without that.
   bool prove() {
     const SolidTable table(problem_);
     const SolidColumn column(problem_, table, {});
@@ -108,7 +123,7 @@ class ProvedSearch {
     }
     bound_ = std::max(bound_, rounded_down(proof.bound()));
     layout_->lower_bound = bound_;
-    return proof.is_over();
+    return proof.is_proved();
   }
 
   static double top_of(const SolidTable& table, const std::vector<SolidPose>& poses) {

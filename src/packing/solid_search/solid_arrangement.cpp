@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "exact/margins/packing.h"
@@ -16,7 +17,27 @@ namespace findspace::packing {
 namespace {
 
 constexpr double kMostLacking = 4;  // of the floor: also of parts that no position is near enough for
-constexpr int kPlacesOfTie = 8, kHalvings = 24;
+constexpr int kPlacesOfTie = 8, kHalvings = 24, kGoldenSteps = 48;
+
+/// Where a function with one lowest place between `from` and `to` is lowest, by golden sections.
+template <class Function>
+double lowest_place(const Function& value, double from, double to) {
+  constexpr double kRatio = 1 / std::numbers::phi;
+  double left = to - kRatio * (to - from), right = from + kRatio * (to - from);
+  double of_left = value(left), of_right = value(right);
+  for (int step = 0; step < kGoldenSteps && std::min(of_left, of_right) > 0; ++step) {
+    if (of_left <= of_right) {
+      to = right;
+      right = std::exchange(left, right - kRatio * (right - from));
+      of_right = std::exchange(of_left, value(left));
+    } else {
+      from = left;
+      left = std::exchange(right, left + kRatio * (to - left));
+      of_left = std::exchange(of_right, value(right));
+    }
+  }
+  return of_left <= of_right ? left : right;
+}
 
 }  // namespace
 
@@ -217,25 +238,35 @@ double SolidArrangement::cost_at(double t, double bound) const {
   return sum;
 }
 
-/// A line is looked at in some places; between two that differ the end is found by halving.
+/// A line is looked at in some places; between two that differ the end is found by halving. Where a condition holds at
+/// none of them it may hold where it lacks least.
 void SolidArrangement::add_ends_of_ties(std::size_t i, const SolidPose& pose, const Vector& way, double start,
                                         double end, double sense) const {
+  const auto place = [&](int k) { return start + (end - start) * k / kPlacesOfTie; };
   for (const std::uint32_t j : tied_[i]) {
-    const auto holds = [&](double t) { return lacks(i, {pose.variant, pose.at + sense * t * way}, j) <= 0; };
-    bool before = holds(start);
+    const auto lacking = [&](double t) { return lacks(i, {pose.variant, pose.at + sense * t * way}, j); };
+    double before = lacking(start), least = before;
+    int best = 0;
     for (int k = 1; k <= kPlacesOfTie; ++k) {
-      double from = start + (end - start) * (k - 1) / kPlacesOfTie, to = start + (end - start) * k / kPlacesOfTie;
+      double from = place(k - 1), to = place(k);
       events_.push_back({to, kNoStretch, false});
-      const bool behind = holds(to);
-      if (behind != before) {
+      const double behind = lacking(to);
+      if ((behind <= 0) != (before <= 0)) {
         for (int step = 0; step < kHalvings; ++step) {
           const double middle = 0.5 * (from + to);
-          (holds(middle) == before ? from : to) = middle;
+          ((lacking(middle) <= 0) == (before <= 0) ? from : to) = middle;
         }
-        events_.push_back({before ? from : to, kNoStretch, false});
+        events_.push_back({before <= 0 ? from : to, kNoStretch, false});
+      }
+      if (behind < least) {
+        least = behind;
+        best = k;
       }
       before = behind;
     }
+    if (least > 0)
+      events_.push_back({lowest_place(lacking, place(std::max(best - 1, 0)), place(std::min(best + 1, kPlacesOfTie))),
+                         kNoStretch, false});
   }
 }
 

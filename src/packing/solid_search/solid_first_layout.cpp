@@ -26,6 +26,7 @@ constexpr std::size_t kMostFailures = 4;            // of copies of a part in a 
 constexpr double kBoxRoom = 64;                     // for containers as many times as high as the floor is wide
 constexpr std::uint64_t kWorkOfFirst = 20'000'000;  // boxes and planes: some tenths of a second
 constexpr std::size_t kMostOrders = 32;
+constexpr double kFarther = 0.01;  // of the floor: than a condition asks
 
 /// What parts are sorted by: their boxes' volumes, heights, bases, longest sides, values, values for their volume; then
 /// the first or the last of these times random factors. Values count where parts may be left out.
@@ -106,6 +107,7 @@ class SolidBuilder {
       for (std::size_t k = 0; k < variants.size() && forms < kMostForms; ++k) {
         if (!fits(variants[k], column_.rooms()[room])) continue;
         try_form(variants[k], room);
+        if (best_fails_ && table_.has_ties()) try_far(variants[k], room);
         ++forms;
       }
       if (best_top_ == std::numeric_limits<double>::infinity()) {
@@ -143,13 +145,13 @@ class SolidBuilder {
       return attempt_on_line(variant, room, {start.x, start.y, floor}, {0, 0, 1}, room.high.z - v.high.z - floor);
     // Above all that stands it is free.
     if (start.z + v.low.z < tops_[room_number] + table_.gap() && !is_free(variant, start)) return;
-    offer(variant, settled(variant, room, start));
+    offer_from(variant, room, start);
   }
 
   /// At the first free place of a line, at + t way, t up to `most`.
   void attempt_on_line(std::size_t variant, const Room<Vector>& room, const Vector& at, const Vector& way,
                        double most) {
-    if (const auto t = first_free(variant, at, way, most)) offer(variant, settled(variant, room, at + *t * way));
+    if (const auto t = first_free(variant, at, way, most)) offer_from(variant, room, at + *t * way);
   }
 
   /// Where walls bend inwards, corners of the box are not free: the first places from its left and back on.
@@ -160,6 +162,13 @@ class SolidBuilder {
                     high.x - low.x);
     attempt_on_line(variant, room, {std::clamp(x, low.x, std::max(low.x, high.x)), low.y, low.z}, {0, 1, 0},
                     high.y - low.y);
+  }
+
+  /// Where it settles; before it slides a condition may hold that contacts break.
+  void offer_from(std::size_t variant, const Room<Vector>& room, const Vector& start) {
+    const Vector down = start - Vector{0, 0, free_fall(variant, room, start)};
+    if (table_.has_ties()) offer(variant, down);
+    offer(variant, settled(variant, room, down));
   }
 
   void offer(std::size_t variant, const Vector& at) {
@@ -214,6 +223,17 @@ class SolidBuilder {
     }
   }
 
+  /// As far above all that stands as any condition asks, or under the lid: there solids that must be apart are so.
+  void try_far(std::size_t variant, std::size_t room_number) {
+    const SolidVariant& v = table_.variants()[variant];
+    const Room<Vector>& room = column_.rooms()[room_number];
+    const double far = table_.gap() + table_.greatest_level() + kFarther * table_.size();
+    const double z = std::min(tops_[room_number] + far - v.low.z, room.high.z - v.high.z);
+    for (const double x : {-v.low.x, room.high.x - v.high.x})
+      for (const double y : {-v.low.y, room.high.y - v.high.y})
+        if (is_free(variant, {x, y, z})) offer(variant, {x, y, z});
+  }
+
   /// Behind or beside the box of what stands in a room.
   void try_beside(std::size_t variant, std::size_t room_number, const SolidPose& other, std::size_t room_of_other) {
     const SolidVariant &v = table_.variants()[variant], &w = table_.variants()[other.variant];
@@ -246,15 +266,17 @@ class SolidBuilder {
     });
   }
 
-  /// It falls, then slides back and left, as long as that lets it fall again.
+  double free_fall(std::size_t variant, const Room<Vector>& room, const Vector& at) const {
+    return free_way(variant, at, {0, 0, -1}, at.z + table_.variants()[variant].low.z - room.low.z);
+  }
+
+  /// Where it has come down it slides back and left, as long as that lets it fall again.
   Vector settled(std::size_t variant, const Room<Vector>& room, Vector at) const {
     const SolidVariant& v = table_.variants()[variant];
-    const auto way_down = [&] { return free_way(variant, at, {0, 0, -1}, at.z + v.low.z - room.low.z); };
-    at = at - Vector{0, 0, way_down()};
     for (int k = 0; k < kMostFalls; ++k) {
       at = at - Vector{0, free_way(variant, at, {0, -1, 0}, at.y + v.low.y), 0};
       at = at - Vector{free_way(variant, at, {-1, 0, 0}, at.x + v.low.x), 0, 0};
-      const double fall = way_down();
+      const double fall = free_fall(variant, room, at);
       if (fall <= table_.size() * margin::kSolidContact) break;
       at = at - Vector{0, 0, fall};
     }
