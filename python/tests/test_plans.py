@@ -83,6 +83,11 @@ def test_motion(passing):
         passing.in_motion({"post": [(2, (0, 0))]})
     with pytest.raises(ValueError, match="way point"):
         passing.in_motion({"post": [(0,)]})
+    thirds = fs.Scene.json(json.dumps({
+        "findspace": 1, "shapes": {name: {"disc": {"center": [0, 0], "radius": 1}} for name in ("cart", "post")}, "moving": "cart",
+        "motion": {"time": [0, 1], "post": {"path": [[0, 0], [1, 0], [2, 0], [3, 0]]}}}))
+    for world in (thirds.world, pickle.loads(pickle.dumps(thirds.world))):
+        assert world.at_time("1/3").distance("gap(cart, post)", (4, 0)).value == 1
 
 
 def test_poses():
