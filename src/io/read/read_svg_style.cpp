@@ -335,6 +335,8 @@ void SvgStyles::add(std::string_view selector, std::string_view declarations, bo
     rule.specificity[2] += one.element.empty() ? 0 : 1;
   }
   rule.declarations = declarations;
+  rule.important = declarations.find('!') != std::string_view::npos;
+  important_ = important_ || rule.important;
   (rule.path.size() == 1 ? single_ : nested_) += rule.path.size();
   rules_.push_back(std::move(rule));
 }
@@ -349,12 +351,13 @@ SvgLook SvgStyles::look(const pugi::xml_node& node, const SvgLook& outer) const 
     if (const pugi::xml_attribute given = node.attribute(property.data()))
       declare(own, outer, std::string(property), given.value());
   const std::string_view style = node.attribute("style").value();
+  const bool marked = important_ || style.find('!') != std::string_view::npos;
+  const auto take = [&](const std::string& p, std::string_view v) { declare(own, outer, p, v); };
   for (const bool important : {false, true}) {
-    const auto take = [&](const std::string& p, std::string_view v) { declare(own, outer, p, v); };
+    if (important && !marked) break;
     for (const Rule& rule : rules_)
-      if ((!important || rule.declarations.find('!') != std::string::npos) && rule.of(node))
-        for_declarations(rule.declarations, important, take);
-    if (!style.empty()) for_declarations(style, important, take);
+      if ((!important || rule.important) && rule.of(node)) for_declarations(rule.declarations, important, take);
+    for_declarations(style, important, take);
   }
   return own;
 }

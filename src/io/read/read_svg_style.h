@@ -66,6 +66,7 @@ class SvgStyles {
     std::vector<Compound> path;
     std::array<std::size_t, 3> specificity{};  // ids, classes, elements
     std::string declarations;
+    bool important = false;  // some of them
     bool of(const pugi::xml_node& node) const;
     pugi::xml_node top_of(std::size_t begin, std::size_t end, pugi::xml_node node) const;
   };
@@ -79,6 +80,7 @@ class SvgStyles {
   std::vector<Rule> rules_;  // the weakest first
   std::size_t single_ = 0, nested_ = 0, unread_ = 0;
   std::string first_unread_;
+  bool important_ = false;  // some rule
 };
 
 }  // namespace findspace::io
