@@ -141,7 +141,8 @@ void declare(SvgLook& look, const SvgLook& outer, const std::string& property, s
   if (property == "transform") look.transform = value == "none" ? "" : value;
   if (property == "transform-origin") look.origin = value;
   if (property == "transform-box") look.box = value;
-  if (is_among(kNotFollowed, property)) look.not_followed = value == "none" ? "" : property;
+  if (is_among(kNotFollowed, property) && (value != "none" || look.not_followed == property))
+    look.not_followed = value == "none" ? "" : property;
   if (is_among(kSizes, property)) look.size[property] = stated;
 }
 
@@ -317,12 +318,12 @@ SvgStyles::Reach SvgStyles::read_selector(std::string_view text, std::vector<Com
 }
 
 void SvgStyles::add(std::string_view selector, std::string_view declarations, bool known) {
-  bool matters = false;
-  for (const bool important : {false, true})
-    for_declarations(declarations, important,
-                     [&](const std::string& property, std::string_view) { matters = matters || is_read(property); });
-  if (!matters) return;
   Rule rule;
+  for (const bool important : {false, true})
+    for_declarations(declarations, important, [&](const std::string& property, std::string_view value) {
+      if (is_read(property)) (important ? rule.important : rule.usual)[property] = value;
+    });
+  if (rule.usual.empty() && rule.important.empty()) return;
   const Reach reach = read_selector(selector, rule.path);
   if (reach == Reach::kNone) return;
   if (reach == Reach::kUnknown || !known) {
@@ -334,9 +335,7 @@ void SvgStyles::add(std::string_view selector, std::string_view declarations, bo
     rule.specificity[1] += one.classes.size();
     rule.specificity[2] += one.element.empty() ? 0 : 1;
   }
-  rule.declarations = declarations;
-  rule.important = declarations.find('!') != std::string_view::npos;
-  important_ = important_ || rule.important;
+  important_ = important_ || !rule.important.empty();
   (rule.path.size() == 1 ? single_ : nested_) += rule.path.size();
   rules_.push_back(std::move(rule));
 }
@@ -355,8 +354,11 @@ SvgLook SvgStyles::look(const pugi::xml_node& node, const SvgLook& outer) const 
   const auto take = [&](const std::string& p, std::string_view v) { declare(own, outer, p, v); };
   for (const bool important : {false, true}) {
     if (important && !marked) break;
-    for (const Rule& rule : rules_)
-      if ((!important || rule.important) && rule.of(node)) for_declarations(rule.declarations, important, take);
+    for (const Rule& rule : rules_) {
+      const auto& declared = important ? rule.important : rule.usual;
+      if (declared.empty() || !rule.of(node)) continue;
+      for (const auto& [property, value] : declared) take(property, value);
+    }
     for_declarations(style, important, take);
   }
   return own;

@@ -64,9 +64,8 @@ class SvgStyles {
   };
   struct Rule {
     std::vector<Compound> path;
-    std::array<std::size_t, 3> specificity{};  // ids, classes, elements
-    std::string declarations;
-    bool important = false;  // some of them
+    std::array<std::size_t, 3> specificity{};             // ids, classes, elements
+    std::map<std::string, std::string> usual, important;  // what it declares, by the property
     bool of(const pugi::xml_node& node) const;
     pugi::xml_node top_of(std::size_t begin, std::size_t end, pugi::xml_node node) const;
   };
