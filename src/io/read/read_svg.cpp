@@ -197,8 +197,7 @@ class SvgReader {
     if (!group && !leaf) return skip(kind, inside);
     if (leaf) see_colour(inside);
     try {
-      Affine own = map;
-      if (!inside.undrawn || choice_.id) own = own * transform_of(node, inside);
+      Affine own = !inside.undrawn || choice_.id ? within(map, node, inside) : map;
       if (kind == "svg" && !inside.undrawn) own = own * enter_view(node, user, inside);
       if (group) return walk_children(node, own, inside, depth + 1);
       if (is_drawn(inside)) {
@@ -222,19 +221,19 @@ class SvgReader {
     if (node.attribute("systemLanguage")) ++for_a_language_;
   }
 
-  /// By an attribute or a style, about its origin.
-  Affine transform_of(const pugi::xml_node& node, Inside& inside) {
+  /// The map around an element with its own transform, by an attribute or a style, about its origin.
+  Affine within(const Affine& map, const pugi::xml_node& node, Inside& inside) {
     const SvgLook& look = inside.look;
     const std::string_view attribute = node.attribute("transform").value();
     const std::string_view stated = look.transform ? std::string_view(*look.transform) : attribute;
-    if (stated.empty() || stated == "none") return {};
+    if (stated.empty() || stated == "none") return map;
     const Affine own = look.transform ? read_svg_style_transform(stated, inside.operations, context_.work)
                                       : read_svg_transform(stated, inside.operations, context_.work);
     if (!look.box.empty() && look.box != "view-box") inside.not_followed = "transform-box";
-    if (look.origin.empty() || !inside.not_followed.empty()) return own;
+    if (look.origin.empty() || !inside.not_followed.empty()) return map * own;
     const plane::CurvePoint origin = read_svg_origin(look.origin, inside.frame);
     ++inside.operations;
-    return Affine::translation(origin.x, origin.y) * own * Affine::translation(-origin.x, -origin.y);
+    return map * Affine::translation(origin.x, origin.y) * own * Affine::translation(-origin.x, -origin.y);
   }
 
   /// The map of a nested <svg> or a <symbol>.
@@ -288,9 +287,8 @@ class SvgReader {
       throw Error(ErrorCode::kUnsupported, "<use> nested too deeply, or of what it stands in", place(node));
     context_.work.charge(kUse, "an element that is used so often");
     try {
-      const Affine own =
-          map * transform_of(node, inside) *
-          Affine::translation(svg_length(node, "x", 0, inside.frame), svg_length(node, "y", 0, inside.frame));
+      const Real x = svg_length(node, "x", 0, inside.frame), y = svg_length(node, "y", 0, inside.frame);
+      const Affine own = within(map, node, inside) * Affine::translation(x, y);
       const pugi::xml_node drawn = found->second;
       if (local_name(drawn) != "symbol") return walk(drawn, node, own, inside, depth + 1);
       see_look(drawn, inside, depth);

@@ -346,9 +346,8 @@ SvgLook SvgStyles::look(const pugi::xml_node& node, const SvgLook& outer) const 
   own.fill = outer.fill;
   own.invisible = outer.invisible;
   own.even_odd = outer.even_odd;
-  for (const std::string_view property : kLookAttributes)
-    if (const pugi::xml_attribute given = node.attribute(property.data()))
-      declare(own, outer, std::string(property), given.value());
+  for (const pugi::xml_attribute& given : node.attributes())
+    if (is_among(kLookAttributes, given.name())) declare(own, outer, given.name(), given.value());
   const std::string_view style = node.attribute("style").value();
   const bool marked = important_ || style.find('!') != std::string_view::npos;
   const auto take = [&](const std::string& p, std::string_view v) { declare(own, outer, p, v); };
