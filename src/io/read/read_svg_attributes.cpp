@@ -244,12 +244,13 @@ Affine chain_of(std::string_view text, std::uint64_t& operations, plane::WorkBud
 }  // namespace
 
 Real svg_length(const pugi::xml_node& node, const char* name, const Real& missing, const SvgFrame& frame) {
-  if (!states(node, name)) return missing;
   std::string_view text = trim(node.attribute(name).value());
+  if (text.empty() || text == "auto") return missing;
   std::size_t length = scan_number(text);
   std::string_view unit = text.substr(length);
   if (length == 0)
     throw Error(ErrorCode::kSyntax, fmt::format("'{}' of attribute {} is not a number", text.substr(0, 20), name));
+  if (unit.empty()) return Real::parse_decimal(text);
   if (const auto fixed = fixed_length(text)) return *fixed;
   const std::optional<Real> whole = whole_of(name, frame);
   if (unit == "%" && whole) return Real::parse_decimal(text.substr(0, length)) / Real(100) * *whole;
