@@ -93,7 +93,7 @@ std::optional<Real> fixed_length(std::string_view text) {
   return *millimetres * Real::ratio(960, 254);
 }
 
-bool states(const pugi::xml_node& node, const char* name) {
+bool states_length(const pugi::xml_node& node, const char* name) {
   const std::string_view text = trim(node.attribute(name).value());
   return !text.empty() && text != "auto";
 }
@@ -326,7 +326,7 @@ SvgView svg_view(const pugi::xml_node& node, const pugi::xml_node& user, const S
   view.map = Affine::translation(svg_length(node, "x", 0, around), svg_length(node, "y", 0, around));
   const auto side = [&](const char* name, const std::optional<Real>& whole) -> std::optional<Real> {
     for (const pugi::xml_node& one : {user, node}) {
-      if (!states(one, name)) continue;
+      if (!states_length(one, name)) continue;
       const Real length = svg_length(one, name, 0, around);
       if (length.sign() < 0) throw Error(ErrorCode::kGeometry, fmt::format("'{}' must not be less than 0", name));
       view.empty = view.empty || length.sign() == 0;
