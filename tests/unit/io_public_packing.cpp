@@ -504,7 +504,7 @@ TEST(PublicPacking, HolesThatTouchLeaveNoWall) {
     return layout && layout_faults(problem, *layout).empty() && layout->length.text() == "10";
   };
   EXPECT_TRUE(holes_hold({box_ring(2, 2, 5, 8), box_ring(5, 3, 8, 9)}, box_ring(0, 0, 6, 5)));
-  EXPECT_TRUE(holes_hold({box_ring(2, 0, 8, 8)}, box_ring(0, 0, 6, 7)));
+  EXPECT_TRUE(holes_hold({box_ring(2, 0, 8, 8)}, box_ring(0, 0, 6, 8)));
   EXPECT_TRUE(holes_hold({box_ring(2, 2, 5, 8), box_ring(5, 2, 8, 8), box_ring(3, 8, 7, 10)}, box_ring(0, 0, 4, 8)));
   EXPECT_FALSE(holes_hold({box_ring(2, 2, 4, 8), box_ring(5, 2, 8, 8)}, box_ring(0, 0, 6, 6)));
 }

@@ -107,9 +107,13 @@ class Builder {
     const NoFitPolygon& polygon = link.field().polygon();
     const Vec shift = link.in_field({});
     const std::size_t stride = (polygon.edges.size() + most - 1) / most;
-    for (std::size_t e = 0; e < polygon.edges.size(); e += std::max<std::size_t>(stride, 1)) {
-      const Vec at = other.at + link.rotated(polygon.edges[e].from - shift);
+    const auto add = [&](Vec corner) {
+      const Vec at = other.at + link.rotated(corner - shift);
       if (is_in_room(shape, at)) corners.push_back(at);
+    };
+    for (std::size_t e = 0; e < polygon.edges.size(); e += std::max<std::size_t>(stride, 1)) {
+      add(polygon.edges[e].from);
+      if (polygon.edges[e].slit) add(polygon.edges[e].to);  // no edge goes on from its end
     }
     // The right end of the polygon at the lower side: a place beside the other part.
     const double beside = std::max(link.rotated(polygon.high - shift).x, link.rotated(polygon.low - shift).x);
