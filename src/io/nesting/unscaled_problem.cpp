@@ -83,8 +83,8 @@ packing::Polygon outside_of(const packing::Polygon& outline, const packing::Poly
   return {{{low, {high.x, low.y}, high, {low.x, high.y}}, packing::Ring(ring.rbegin(), ring.rend())}};
 }
 
-/// Whether two holes overlap, such as a defect that is marked twice, or one reaches beyond the outline; or whether there
-/// is a wall without width between two, or between one and the outline: it belongs to no part.
+/// Whether two holes overlap, such as a defect that is marked twice, or one reaches beyond the outline; or whether
+/// there is a wall without width between two, or between one and the outline: it belongs to no part.
 bool holes_overlap(const std::vector<packing::Polygon>& sets) {
   std::vector<packing::LatticeBox> boxes;
   for (const packing::Polygon& set : sets) boxes.push_back(box_of(set));

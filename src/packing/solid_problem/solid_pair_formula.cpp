@@ -66,7 +66,8 @@ void check_known(const SolidForm& form, bool with_direction) {
   if (!form.is_exact() && form.surface_scale != 1)
     throw Error(ErrorCode::kUnsupported, "conditions of a mesh that is turned off the axes are not known");
   if (with_direction && !boxes_of(form))
-    throw Error(ErrorCode::kUnsupported, "a condition along a direction is of solids with faces parallel to the axes");
+    throw Error(ErrorCode::kUnsupported,
+                "a condition along a direction is of solids with faces parallel to the axes, or unions of boxes");
 }
 
 /// With a direction as boxes too, which tell it.
