@@ -47,10 +47,7 @@ void OptimalValue::set_found(SceneAnswer least) {
   const bool taken = least.side != Side::kNone;
   if (!least.proven) {
     const Enclosure ends = least.bounds();
-    if (taken)
-      set_enclosed(ends.upper, ends.lower, least.way);
-    else
-      set_nearby(*ends.upper, ends.lower, least.way);
+    set_enclosed(ends.upper, ends.lower, least.way);
     least.value = answer->value;
     least.side = answer->side;
     least.error = answer->error;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "findspace/error.h"
+#include "formula/solid/ray_minima.h"
 #include "planning/solid/space_on_boxes.h"
 #include "planning/solid/space_on_lines.h"
 #include "space/body/lowest_in_complement.h"
@@ -31,6 +32,17 @@ bool one_fails(const SpaceStage& stage) {
   });
 }
 
+/// On lines `-> min` is a level.
+formula::Formula formula_on_lines(const SpaceStage& stage) {
+  if (!formula::has_minima(stage.formula())) return stage.formula();
+  formula::MinimaAsLevels levels = formula::minima_as_levels(formula::SpaceSolver(stage.world()), stage.formula());
+  if (levels.side != distance::Side::kExact) {
+    throw Error(ErrorCode::kUnsupported,
+                levels.minima[0].text + ": a placement needs the exact least value, which is not known");
+  }
+  return std::move(levels.formula);
+}
+
 SpacePositions positions_of(const SpaceStage& stage, std::size_t angle) {
   SpacePositions out;
   out.angle = angle;
@@ -45,6 +57,7 @@ SpacePositions positions_of(const SpaceStage& stage, std::size_t angle) {
   }
   out.rays = std::make_shared<const formula::RayWorld>(stage.rays());
   out.none = one_fails(stage);
+  out.formula = std::make_shared<const formula::Formula>(formula_on_lines(stage));
   return out;
 }
 
