@@ -260,7 +260,9 @@ TEST(RayDirectional, LeastOfUnionsOfBoxesAlongAnAxis) {
         if (!least) continue;
         EXPECT_EQ(least->value, by_boxes->value) << n << ' ' << static_cast<int>(which) << ' ' << way;
         EXPECT_EQ(is_taken(*least), !by_boxes->at.empty()) << n << ' ' << static_cast<int>(which) << ' ' << way;
-        if (is_taken(*least)) EXPECT_NE(by_boxes->at.mark(least->at), 0) << n << ' ' << static_cast<int>(which);
+        if (is_taken(*least)) {
+          EXPECT_NE(by_boxes->at.mark(least->at), 0) << n << ' ' << static_cast<int>(which);
+        }
         ++(least->value.sign() == 0 ? contacts : is_taken(*least) ? attained : infima);
       }
     }
@@ -290,8 +292,9 @@ TEST(RayDirectional, LeastOfSlantedUnions) {
         const RealVector p = space::place(k * 7 % 29 - 4, k * 5 % 27 - 3, k * 11 % 31 - 4, 4);
         EXPECT_GE(sign_of_value(c, octahedron, a, p), 0) << n << ' ' << static_cast<int>(which);
       }
-      if (is_taken(*least))
+      if (is_taken(*least)) {
         EXPECT_EQ(sign_of_value(c, octahedron, a, least->at), 0) << n << ' ' << static_cast<int>(which);
+      }
       if (least->value.sign() < 0) ++negative;
       c.both_ways = false;
       const auto one_way = ray_directional_least(which, direction, false, octahedron, a).or_throw();
