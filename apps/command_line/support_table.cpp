@@ -180,6 +180,7 @@ Some cells need more words:
 | containment in "round" along a direction, other lines | level 0 only |
 | containment in "round", B about an inner edge at which walls of parts meet aslant | level 0 is not decided; along a direction mostly refused |
 | least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
+| least values along a direction, round | fits in unions of round parts are refused. Where sets of positions touch without overlapping, `bound` is far from the value |
 | orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |
 
