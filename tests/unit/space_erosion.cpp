@@ -165,6 +165,96 @@ TEST(Erosion, RefusesASlotOfNoWidth) {
   }
 }
 
+const ShapePtr kCube = block({-1, -1, -1}, {1, 1, 1});
+
+/// Along a face of the room.
+TEST(Erosion, RefusesASlotOfNoWidthBesideAFace) {
+  const auto left = [](std::int64_t wide, bool round) {
+    const ShapePtr room = prism({{0, 0}, {20, 0}, {20, wide}, {10, wide}, {10, 10}, {0, 12}}, 10);
+    const ShapePtr holed = round ? node(Kind::kDifference, {room, ball({0, 0, 0}, 2)}) : room;
+    return try_csg_solid(*node(Kind::kMinkowskiDifference, {holed, kCube}));
+  };
+  for (const bool round : {false, true}) {
+    EXPECT_TRUE(left(1, round));
+    EXPECT_FALSE(left(2, round));
+    EXPECT_TRUE(left(3, round));
+  }
+}
+
+/// A ball that takes all of the slot away leaves none; one that takes a part leaves the rest.
+TEST(Erosion, OfASlotThatABallTakesAway) {
+  const ShapePtr room = prism({{0, 0}, {10, 0}, {10, 4}, {20, 4}, {20, 6}, {10, 6}, {10, 10}, {0, 12}}, 10);
+  const auto left = [&](const Point& center) {
+    const ShapePtr holed = node(Kind::kDifference, {room, ball(center, 12)});
+    return try_csg_solid(*node(Kind::kMinkowskiDifference, {holed, kCube}));
+  };
+  const auto taken = left({20, 5, 5});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(bounds(*taken).high[0], Real(9) * Real(taken->scale));
+  EXPECT_FALSE(left({25, 5, 5}));
+  const ShapePtr within = node(Kind::kIntersection, {room, ball({0, 5, 5}, 9)});  // does not reach the slot
+  EXPECT_TRUE(try_csg_solid(*node(Kind::kMinkowskiDifference, {within, kCube})));
+}
+
+/// A pocket is taken away with its floor: what is below it, as thick as the cube, is gone.
+TEST(Erosion, OfAWallBesideAPocketLeavesNoSheet) {
+  const ShapePtr plate = prism({{0, 0}, {20, 0}, {24, 10}, {20, 20}, {0, 20}, {-4, 10}}, 4);
+  const ShapePtr pocket = node(Kind::kTranslate, {prism({{5, 5}, {15, 5}, {15, 15}, {6, 15}}, 4)}, {0, 0, 2});
+  const ShapePtr part = node(Kind::kDifference, {plate, pocket});
+  EXPECT_TRUE(try_csg_solid(*node(Kind::kMinkowskiDifference, {part, kCube})));
+  EXPECT_TRUE(try_csg_solid(*offset(part, Real(-1))));
+  const ShapePtr whole = node(Kind::kClosure, {part});
+  EXPECT_FALSE(try_csg_solid(*node(Kind::kMinkowskiDifference, {whole, kCube})));
+}
+
+/// The plate is less than a step thick then.
+TEST(Erosion, KeepsWhatIsThinnerThanAStep) {
+  const ShapePtr plate = prism({{0, 0}, {100, 0}, {103, 20}, {3, 20}}, 100);
+  const Real by = -Real::ratio(98, 10);
+  const Body thin = body(*offset(plate, by));
+  ASSERT_EQ(thin.parts.size(), 1u);
+  EXPECT_EQ(bounds(thin).high[1], Real::ratio(102, 10) * Real(thin.scale));
+  EXPECT_GT(thin.rounded, 0);
+  EXPECT_LT(thin.moved, 0.001);
+  const Body both = body(*node(Kind::kUnion, {offset(plate, by), ball({200, 0, 0}, 10)}));
+  EXPECT_EQ(both.parts.size(), 2u);
+  const ShapePtr holed = node(Kind::kDifference, {plate, ball({50, 20, 50}, 5)});
+  EXPECT_EQ(csg_solid(*offset(holed, by)).parts.size(), 1u);
+}
+
+/// The hull of a drilled part has all its corners, and with them its faces.
+TEST(ConvexParts, OfAShapeLessAHull) {
+  const ShapePtr column = prism({{0, 0}, {10, 0}, {12, 5}, {10, 10}, {0, 10}, {-2, 5}}, 30),
+                 low = prism({{0, 0}, {10, 0}, {12, 5}, {10, 10}, {0, 10}, {-2, 5}}, 5);
+  const auto left = [&](const ShapePtr& hole) {
+    const ShapePtr drilled = node(Kind::kDifference, {low, hole});
+    return try_convex_parts(*node(Kind::kDifference, {column, node(Kind::kHull, {drilled})}));
+  };
+  const auto above = left(prism({{3, 3}, {6, 3}, {7, 5}, {6, 7}, {3, 7}}, 20));
+  ASSERT_TRUE(above);
+  EXPECT_EQ(above->parts.size(), 1u);
+  EXPECT_FALSE(left(prism({{8, -1}, {13, -1}, {13, 3}, {8, 4}}, 20)));  // takes a corner
+}
+
+/// What a drilled part lacks leaves nothing thin where another part, or it itself, is in its place.
+TEST(ConvexParts, OfAShapeLessWhatIsMadeOfADrilledPart) {
+  const ShapePtr plate = prism({{0, 0}, {20, 0}, {24, 10}, {20, 20}, {0, 20}, {-4, 10}}, 8);
+  const ShapePtr hole = prism({{6, 8}, {8, 6}, {12, 6}, {14, 8}, {14, 12}, {12, 14}, {8, 14}, {6, 12}}, 10);
+  const ShapePtr drilled = node(Kind::kDifference, {plate, node(Kind::kTranslate, {hole}, {0, 0, -1})});
+  const auto left = [](const ShapePtr& from, const ShapePtr& away) {
+    return try_convex_parts(*node(Kind::kDifference, {from, away}));
+  };
+  const ShapePtr around = block({-30, -30, -30}, {50, 50, 50});
+  EXPECT_TRUE(left(around, node(Kind::kMinkowskiSum, {drilled, kCube})));  // walls of the sum are within others
+  EXPECT_TRUE(left(plate, node(Kind::kMinkowskiDifference, {drilled, block({0, 0, 0}, {1, 1, 1})})));
+  const auto step = left(drilled, node(Kind::kTranslate, {drilled}, {0, 0, 4}));
+  ASSERT_TRUE(step);  // the wall of the hole is in neither
+  Real six;
+  for (const Polytope& part : step->parts) six += space::six_volumes(part);
+  const Real scale(step->scale);
+  EXPECT_EQ(six, Real(6 * 4 * (480 - 56)) * scale * scale * scale);
+}
+
 /// Each cut lies on a grid of its own, and both have none in common.
 TEST(ConvexParts, AreRoundedAndCountedWithoutACommonGrid) {
   constexpr std::int64_t kUnit = 1000000;
@@ -192,6 +282,18 @@ TEST(CsgSolid, RefusesAFaceInCommon) {
   const auto held = both(node(Kind::kUnion, {round, high, low}), node(Kind::kUnion, {whole, low}));
   ASSERT_TRUE(held);
   EXPECT_EQ(held->parts.size(), 2u);
+}
+
+/// What the round solid has in common with the set that is put back is a sheet.
+TEST(CsgSolid, RefusesTheSkinOfASetThatIsPutBack) {
+  const ShapePtr low = prism({{0, 0}, {4, 0}, {5, 3}, {0, 3}}, 2), all = block({-9, -9, -9}, {19, 19, 19});
+  const ShapePtr dome = node(Kind::kIntersection, {low, ball({2, 1, 1}, 2)});
+  const auto left = [&](std::int64_t up) {
+    const ShapePtr back = node(Kind::kTranslate, {low}, {0, 0, up});
+    return try_csg_solid(*node(Kind::kDifference, {dome, node(Kind::kDifference, {all, back})}));
+  };
+  EXPECT_FALSE(left(2));
+  EXPECT_TRUE(left(1));
 }
 
 TEST(CsgSolid, CountsRoundedVertices) {

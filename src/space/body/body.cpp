@@ -10,8 +10,9 @@
 #include "exact/margins/rounding.h"
 #include "space/body/cell_parts.h"
 #include "space/body/erosion.h"
-#include "space/body/flat_core.h"
+#include "space/body/open_union.h"
 #include "space/body/shape_topology.h"
+#include "space/polytope/flat_core.h"
 
 namespace findspace::space {
 
@@ -67,8 +68,13 @@ Tried<Body> offset(Body body, const Real& by) {
   return body;
 }
 
+/// Whether the shape is no union of polytopes for this or another reason.
 bool holds_ball(const plane::Shape& shape) {
   if (const Solid* solid = solid_of(shape)) return solid->form == Solid::Form::kBall;
+  if (shape.kind == Kind::kIntersection) {
+    return std::any_of(shape.children.begin(), shape.children.end(),
+                       [](const auto& c) { return holds_ball(c->kind == Kind::kComplement ? *c->children[0] : *c); });
+  }
   return shape.kind == Kind::kOffset || shape.kind == Kind::kComplement ||
          std::any_of(shape.children.begin(), shape.children.end(), [](const auto& c) { return holds_ball(*c); });
 }
@@ -278,6 +284,16 @@ Body mirrored(Body body) {
   return body;
 }
 
+int side(const BodyPart& part, const RealVector& at) {
+  const std::vector<HalfSpace> planes = part.planes();
+  const Vector near = space::rounded(at);
+  int most = part.core ? -1 : 0;  // of a core without interior all is surface
+  for (const HalfSpace& h : planes) most = std::max(most, h.sign(at, near));
+  if (most < 0 || part.radius.sign() == 0) return part.point() ? (at == real(part.center) ? 0 : 1) : most;
+  const RealVector off = minus(at, part.point() ? real(part.center) : *nearest_in(planes, at));
+  return (dot(off, off) - part.radius * part.radius).sign();
+}
+
 Real support(const BodyPart& part, const RealVector& n) {
   const Vector near = space::rounded(n);
   double highest = -exact::kInfinity, size = 0;
@@ -304,16 +320,24 @@ Real support(const Body& body, const RealVector& n) {
   return *best;
 }
 
-Bounds3 bounds(const Body& body) {
+namespace {
+
+template <class Set>
+Bounds3 bounds_by_support(const Set& set) {
   Bounds3 box;
   for (int k = 0; k < 3; ++k) {
     RealVector n;
     n[k] = Real(1);
-    box.high[k] = support(body, n);
+    box.high[k] = support(set, n);
     n[k] = Real(-1);
-    box.low[k] = -support(body, n);
+    box.low[k] = -support(set, n);
   }
   return box;
 }
+
+}  // namespace
+
+Bounds3 bounds(const BodyPart& part) { return bounds_by_support(part); }
+Bounds3 bounds(const Body& body) { return bounds_by_support(body); }
 
 }  // namespace findspace::space

@@ -80,7 +80,11 @@ Body minkowski_sum(const Body& a, const Body& b);
 struct Bounds3 {
   RealVector low, high;
 };
+Bounds3 bounds(const BodyPart& part);
 Bounds3 bounds(const Body& body);
+
+/// -1 within, 0 on its surface, 1 outside.
+int side(const BodyPart& part, const RealVector& at);
 
 /// n . x + offset <= 0 for all x of the part: the least offset.
 exact::Real support(const BodyPart& part, const RealVector& n);

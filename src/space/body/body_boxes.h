@@ -5,6 +5,7 @@
 // Minkowski difference of boxes.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "space/body/body.h"
@@ -34,6 +35,30 @@ inline std::optional<Bounds3> fitting(const Bounds3& b, const Bounds3& a) {
   }
   return out;
 }
+
+/// What both have in common; may be no box.
+inline Bounds3 in_both(Bounds3 a, const Bounds3& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    a.low[k] = std::max(a.low[k], b.low[k]);
+    a.high[k] = std::min(a.high[k], b.high[k]);
+  }
+  return a;
+}
+/// Whether such a box may hold a place, or have interior.
+inline bool holds_places(const Bounds3& box) {
+  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
+}
+inline bool bulky(const Bounds3& box) {
+  return box.low[0] < box.high[0] && box.low[1] < box.high[1] && box.low[2] < box.high[2];
+}
+/// Whether the interior of one may hold a place of the other.
+inline bool open_meet(const Bounds3& a, const Bounds3& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;
+  }
+  return true;
+}
+inline bool meet_or_touch(const Bounds3& a, const Bounds3& b) { return holds_places(in_both(a, b)); }
 
 /// The half spaces that it is made of.
 inline std::vector<HalfSpace> walls(const Bounds3& box) {

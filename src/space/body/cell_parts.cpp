@@ -10,10 +10,14 @@
 #include <optional>
 
 #include "space/mesh/mesh.h"
+#include "space/polytope/flat_core.h"
+#include "space/polytope/polytope_sets.h"
 
 namespace findspace::space {
 
 using exact::Real;
+using exact::Refusal;
+using exact::Tried;
 
 Error too_fine() {
   return {ErrorCode::kOutOfRange,
@@ -35,7 +39,7 @@ Real six_volumes(const Polytope& p) {
 namespace {
 
 /// The least number by which all coordinates become whole, or 0 if that exceeds `limit`.
-std::int64_t common_scale(const std::vector<std::vector<RealVector>>& cells, std::int64_t limit) {
+std::int64_t common_scale(const CellCorners& cells, std::int64_t limit) {
   int128 scale = 1;
   for (const std::vector<RealVector>& cell : cells) {
     for (const RealVector& v : cell) {
@@ -50,7 +54,7 @@ std::int64_t common_scale(const std::vector<std::vector<RealVector>>& cells, std
   return static_cast<std::int64_t>(scale);
 }
 
-std::int64_t largest_coordinate(const std::vector<std::vector<RealVector>>& cells) {
+std::int64_t largest_coordinate(const CellCorners& cells) {
   double largest = 1;
   for (const std::vector<RealVector>& cell : cells) {
     for (const RealVector& v : cell) {
@@ -92,48 +96,110 @@ void join_neighbours(std::vector<Polytope>& parts) {
 
 }  // namespace
 
-ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells) {
-  std::vector<std::vector<RealVector>> corners;
+CellCorners cell_corners(const std::vector<ConvexRegion>& cells) {
+  CellCorners corners;
   for (const ConvexRegion& cell : cells) {
     std::vector<RealVector>& of = corners.emplace_back();
     for (const ConvexRegion::Vertex& v : cell.vertices()) of.push_back(v.at);
   }
-  return parts_of_corners(corners);
+  return corners;
 }
 
-ConvexParts rounded_corners(const std::vector<std::vector<RealVector>>& cells, std::int64_t scale) {
-  ConvexParts result;
-  result.scale = scale;
+namespace {
+
+struct RoundedCells {
+  ConvexParts made;
+  std::vector<std::vector<Point>> flat;  // the vertices of those without interior
+};
+
+RoundedCells rounded_cells(const CellCorners& cells, std::int64_t scale) {
+  RoundedCells out;
+  ConvexParts& made = out.made;
+  made.scale = scale;
   for (const std::vector<RealVector>& cell : cells) {
     std::vector<Point> points;
     for (const RealVector& v : cell) {
       std::array<std::int64_t, 3> c{};
       double square = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Real at = v[k] * Real(result.scale);
+        const Real at = v[k] * Real(scale);
         c[k] = static_cast<std::int64_t>(round(at));
         const double rest = (at - Real(c[k])).to_double();
         square += rest * rest;
       }
       if (square > 0) {
-        ++result.rounded;
-        result.moved = std::max(result.moved, std::sqrt(square));
+        ++made.rounded;
+        made.moved = std::max(made.moved, std::sqrt(square) / static_cast<double>(scale));
       }
       points.push_back({c[0], c[1], c[2]});
     }
-    // A cell without volume, of a mesh that crosses itself or made flat by rounding, is left out. The volume check has
-    // the last word.
-    if (auto hull = Polytope::try_hull(points)) result.parts.push_back(*std::move(hull));
+    if (auto hull = Polytope::try_hull(points))
+      made.parts.push_back(*std::move(hull));
+    else
+      out.flat.push_back(std::move(points));
   }
-  return result;
+  return out;
 }
 
-ConvexParts parts_of_corners(const std::vector<std::vector<RealVector>>& cells) {
-  const std::int64_t scale = common_scale(cells, kCoordinateLimit / largest_coordinate(cells));
-  if (scale == 0) return rounded_corners(cells, 1);
-  ConvexParts result = rounded_corners(cells, scale);
-  join_neighbours(result.parts);
-  return result;
+ConvexRegion box_of_points(std::span<const Point> points) {
+  Point low = points[0], high = low;
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {real(low), real(high)};
+}
+
+bool beside(const Polytope& p, const ConvexRegion& flat) {
+  return std::any_of(p.planes().begin(), p.planes().end(), [&](const Plane& plane) {
+    const ConvexRegion::Sides sides = flat.sides(HalfSpace(plane));
+    return !sides.inside && !sides.on;
+  });
+}
+
+/// Whether the parts hold the hull of points that lie in one plane.
+bool hold(const std::vector<Polytope>& parts, std::span<const Point> points) {
+  const std::vector<Point> corners = *flat_corners(points);
+  ConvexRegion flat = box_of_points(corners);
+  if (corners.size() > 1) {
+    for (const HalfSpace& h : flat_planes(corners)) flat.cut(h);
+  }
+  std::vector<ConvexRegion> near;
+  for (const Polytope& p : parts) {
+    if (!beside(p, flat)) near.push_back(common_region({&p, 1}));
+  }
+  return uncovered(flat, near).empty();
+}
+
+}  // namespace
+
+ConvexParts parts_of_cells(const std::vector<ConvexRegion>& cells) {
+  const CellCorners corners = cell_corners(cells);
+  const std::int64_t scale = common_scale(corners, kCoordinateLimit / largest_coordinate(corners));
+  ConvexParts made = rounded_cells(corners, std::max<std::int64_t>(scale, 1)).made;
+  if (scale > 0) join_neighbours(made.parts);
+  return made;
+}
+
+Tried<ConvexParts> rounded_corners(const CellCorners& cells, std::int64_t scale) {
+  RoundedCells out = rounded_cells(cells, scale);
+  const bool all = std::all_of(out.flat.begin(), out.flat.end(),
+                               [&](const std::vector<Point>& flat) { return hold(out.made.parts, flat); });
+  if (!all) return Refusal("a part of the shape is thinner than the grid; choose a finer grid");
+  return std::move(out.made);
+}
+
+Tried<ConvexParts> all_parts(const CellCorners& cells) {
+  const std::int64_t limit = kCoordinateLimit / largest_coordinate(cells), scale = common_scale(cells, limit);
+  if (scale > 0) {
+    ConvexParts made = rounded_cells(cells, scale).made;
+    join_neighbours(made.parts);
+    return made;
+  }
+  constexpr std::int64_t kFiner = 1000;
+  Tried<ConvexParts> made = rounded_corners(cells, 1);
+  for (std::int64_t finer = kFiner; !made && finer <= limit; finer *= kFiner) made = rounded_corners(cells, finer);
+  return made;
 }
 
 double surface_area(const Polytope& p) {

@@ -101,19 +101,20 @@ bool fits(const ConvexParts& parts, const int128& scale) {
                      [&](const Polytope& p) { return std::all_of(p.vertices().begin(), p.vertices().end(), within); });
 }
 
-/// On a coarser grid, with vertices rounded and counted.
+/// On a coarser grid, with vertices rounded and counted; throws too_fine() where a part would be lost.
 void put_on_grid(ConvexParts& parts, std::int64_t scale) {
-  std::vector<std::vector<RealVector>> corners;
+  CellCorners corners;
   const Real step = Real::ratio(1, parts.scale);
   for (const Polytope& p : parts.parts) {
     std::vector<RealVector>& of = corners.emplace_back();
     for (const Point& v : p.vertices()) of.push_back(scaled(step, real(v)));
   }
-  ConvexParts made = rounded_corners(corners, scale);
-  parts.parts = std::move(made.parts);
+  Tried<ConvexParts> made = rounded_corners(corners, scale);
+  if (!made) throw too_fine();
+  parts.parts = std::move(made->parts);
   parts.scale = scale;
-  parts.rounded += made.rounded;
-  parts.moved = std::max(parts.moved, made.moved / static_cast<double>(scale));
+  parts.rounded += made->rounded;
+  parts.moved = std::max(parts.moved, made->moved);
   parts.around.clear();
 }
 
@@ -187,6 +188,7 @@ Tried<ConvexParts> sum_of(const plane::Shape& a, const plane::Shape& b) {
 
 ConvexParts mirrored(ConvexParts parts) {
   for (Polytope& p : parts.parts) p = p.mirrored();
+  for (auto& l : parts.lacking) l = std::make_shared<const ConvexParts>(mirrored(*l));
   enlarge(parts.around, -1);
   return parts;
 }
@@ -198,18 +200,26 @@ Tried<ConvexParts> changed(Tried<ConvexParts> parts, const Change& change) {
   return change(*std::move(parts));
 }
 
-ConvexParts moved_by(ConvexParts parts, const Point& t) {
-  const auto shifted = [&](std::int64_t c, std::int64_t by) {
+bool fits_moved(const ConvexParts& parts, const Point& t) {
+  const auto within = [&](std::int64_t c, std::int64_t by) {
     const int128 sum = c + int128(by) * parts.scale;
-    if (sum > kCoordinateLimit || sum < -kCoordinateLimit) {
-      throw Error(ErrorCode::kOutOfRange, "a translation takes a vertex beyond 2^40 grid steps");
-    }
-    return static_cast<std::int64_t>(sum);
+    return sum <= kCoordinateLimit && sum >= -kCoordinateLimit;
   };
-  displace(parts.around, {t.x * parts.scale, t.y * parts.scale, t.z * parts.scale});
+  return std::all_of(parts.parts.begin(), parts.parts.end(), [&](const Polytope& p) {
+    return std::all_of(p.vertices().begin(), p.vertices().end(),
+                       [&](const Point& v) { return within(v.x, t.x) && within(v.y, t.y) && within(v.z, t.z); });
+  });
+}
+
+ConvexParts moved_by(ConvexParts parts, const Point& t) {
+  if (!fits_moved(parts, t)) throw Error(ErrorCode::kOutOfRange, "a translation takes a vertex beyond 2^40 grid steps");
+  std::erase_if(parts.lacking, [&](const auto& l) { return !fits_moved(*l, t); });
+  for (auto& l : parts.lacking) l = std::make_shared<const ConvexParts>(moved_by(*l, t));
+  const Point by{t.x * parts.scale, t.y * parts.scale, t.z * parts.scale};
+  displace(parts.around, by);
   for (Polytope& p : parts.parts) {
     std::vector<Point> points;
-    for (const Point& v : p.vertices()) points.push_back({shifted(v.x, t.x), shifted(v.y, t.y), shifted(v.z, t.z)});
+    for (const Point& v : p.vertices()) points.push_back(v + by);
     p = Polytope::hull(points);
   }
   return parts;
@@ -221,7 +231,9 @@ Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
   if (!first) return first;
   Tried<ConvexParts> second = try_convex_parts(b);
   if (!second) return second;
-  Tried<Body> left = eroded(body_of(*std::move(first)), body_of(*std::move(second)));
+  std::vector<Body> lacking;
+  for (const auto& set : first->lacking) lacking.push_back(body_of(*set));
+  Tried<Body> left = eroded(body_of(*std::move(first)), body_of(*std::move(second)), lacking);
   if (!left) return left.refusal();
   Body& made = *left;
   ConvexParts result;
@@ -232,18 +244,28 @@ Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
   return result;
 }
 
-/// Keeps what is inside the other shape, or what is not. What both have in common may be thin where `beside` covers it.
+/// Keeps what is inside the other shape, or what is not. What both have in common may be thin where `beside` covers it,
+/// or a set that one of them lacks.
 Tried<ConvexParts> clip(const ConvexParts& kept, const plane::Shape& by, bool inside,
                         const ConvexParts* beside = nullptr);
 
 /// Keeps what is in one of the children, or, after the first one, out of it.
 Tried<ConvexParts> clip_each(const ConvexParts& kept, const plane::Shape& by, bool inside) {
-  Tried<ConvexParts> sum = clip(kept, *by.children[0], false);
-  for (std::size_t k = 1; sum && k < by.children.size(); ++k) {
-    Tried<ConvexParts> next = clip(kept, *by.children[k], inside, &*sum);
-    if (!next) return next;
+  std::vector<plane::ShapePtr> others(by.children.begin() + 1, by.children.end());
+  const auto outside = [&](const plane::Shape& c) { return !inside && c.kind == Kind::kComplement; };
+  const auto of = [&](const plane::Shape& c, bool in, const ConvexParts* beside) {
+    return outside(c) ? clip(kept, *c.children[0], true, beside) : clip(kept, c, in, beside);
+  };
+  Tried<ConvexParts> sum = of(*by.children[0], false, nullptr);
+  if (!sum) return sum;
+  const auto add_next = [&](const plane::Shape& c) -> std::optional<Refusal> {
+    Tried<ConvexParts> next = of(c, inside, &*sum);
+    if (!next) return next.refusal();
     add(*sum, *std::move(next));
-  }
+    return std::nullopt;
+  };
+  if (auto why = in_any_order(std::move(others), add_next)) return *std::move(why);
+  sum->lacking = kept.lacking;
   return sum;
 }
 
@@ -274,28 +296,54 @@ Tried<ConvexParts> clip(const ConvexParts& kept, const plane::Shape& by, bool in
     if (auto left = clip_by_sets(kept, by)) return *std::move(left);
     if (may_lack_walls(by)) return walls_are_lacking();
   }
-  const Tried<ConvexParts> clipping = made(by);
-  if (!clipping) return clipping;
-  const ConvexParts& other = *clipping;
+  Tried<ConvexParts> clipping = made(by);
+  if (!clipping) {
+    const bool thin = !inside && by.kind == Kind::kIntersection && !clipping.refusal().fault();
+    return thin ? clip_each(kept, by, false) : clipping;  // of what is taken away a thin piece does not count
+  }
+  const auto taken = std::make_shared<const ConvexParts>(*std::move(clipping));
+  const ConvexParts& other = *taken;
   const std::int64_t scale = joint_scale(joint_scale(kept.scale, other.scale), beside ? beside->scale : 1);
   const std::vector<Polytope> a = at_scale(kept, scale), b = at_scale(other, scale);
-  const std::vector<Polytope> covers = beside ? at_scale(*beside, scale) : std::vector<Polytope>();
+  std::vector<std::shared_ptr<const ConvexParts>> lacking = kept.lacking;
+  if (inside) lacking.insert(lacking.end(), other.lacking.begin(), other.lacking.end());
+  std::vector<Polytope> covers = beside ? at_scale(*beside, scale) : std::vector<Polytope>();
+  for (const auto& l : lacking) {
+    if ((!inside && !open) || scale % l->scale != 0 || !fits(*l, scale)) continue;
+    const std::vector<Polytope> none = at_scale(*l, scale);
+    covers.insert(covers.end(), none.begin(), none.end());
+  }
   Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(a, b, covers)
-                                           : open ? outside_cells(a, b)
+                                           : open ? outside_cells(a, b, covers)
                                                   : difference_cells(a, b);
-  if (!cells) return cells.refusal();
-  ConvexParts next = parts_of_cells(*std::move(cells));
-  next.scale *= scale;
-  next.rounded += kept.rounded + other.rounded;
-  next.moved = std::max({next.moved / static_cast<double>(scale), kept.moved, other.moved});
+  if (!cells) return open && !is_open(by) ? boundary_stays() : cells.refusal();
+  Tried<ConvexParts> next = all_parts(cell_corners(*cells));
+  if (!next) return next;
+  next->scale *= scale;
+  next->rounded += kept.rounded + other.rounded;
+  next->moved = std::max({next->moved / static_cast<double>(scale), kept.moved, other.moved});
+  if (!inside && !open) lacking.push_back(taken);
+  next->lacking = std::move(lacking);
   return next;
 }
 
-/// a n b n .., or the closure of a without the others.
+/// a n b n .., or the closure of a without the others. Complements are taken away last.
 Tried<ConvexParts> clipped(const plane::Shape& shape) {
-  Tried<ConvexParts> result = made(*shape.children[0]);
-  for (std::size_t i = 1; result && i < shape.children.size(); ++i)
-    result = clip(*result, *shape.children[i], shape.kind == Kind::kIntersection);
+  const bool common = shape.kind == Kind::kIntersection;
+  const auto outside = [&](const plane::ShapePtr& c) { return common && c->kind == Kind::kComplement; };
+  std::vector<plane::ShapePtr> children = shape.children;
+  std::stable_partition(children.begin(), children.end(), [&](const auto& c) { return !outside(c); });
+  if (outside(children[0])) return Refusal("an intersection of complements is not computed in 3D");
+  Tried<ConvexParts> result = made(*children[0]);
+  if (!result) return result;
+  const auto clip_next = [&](const plane::Shape& c) -> std::optional<Refusal> {
+    const bool away = common && c.kind == Kind::kComplement;
+    Tried<ConvexParts> next = clip(*result, away ? *c.children[0] : c, common && !away);
+    if (!next) return next.refusal();
+    result = std::move(next);
+    return std::nullopt;
+  };
+  if (auto why = in_any_order({children.begin() + 1, children.end()}, clip_next)) return *std::move(why);
   return result;
 }
 
@@ -308,9 +356,13 @@ Tried<ConvexParts> node_parts(const plane::Shape& shape) {
     case Kind::kDifference:
       return clipped(shape);
     case Kind::kInterior:
+      return made(*shape.children[0]);
     case Kind::kRegularize:
     case Kind::kClosure:
-      return made(*shape.children[0]);
+      return changed(made(*shape.children[0]), [](ConvexParts parts) {
+        parts.lacking.clear();
+        return parts;
+      });
     case Kind::kHull:
       return changed(all_children(shape), hull_of);
     case Kind::kMinkowskiSum:

@@ -13,6 +13,7 @@
 // rule). Keywords: convex decomposition, convex pieces, BSP.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,11 @@ namespace findspace::space {
 
 struct ConvexParts {
   std::vector<Polytope> parts;
-  std::int64_t scale = 1;                    // coordinates are in steps / scale
-  int rounded = 0;                           // vertices that had to be rounded
-  double moved = 0;                          // the farthest, in grid steps
-  std::vector<PlacedSurroundings> around{};  // of the parts of each mesh that is one of a union
+  std::int64_t scale = 1;                                     // coordinates are in steps / scale
+  int rounded = 0;                                            // vertices that had to be rounded
+  double moved = 0;                                           // the farthest, in grid steps
+  std::vector<PlacedSurroundings> around{};                   // of the parts of each mesh that is one of a union
+  std::vector<std::shared_ptr<const ConvexParts>> lacking{};  // closed sets that were taken away: it holds none of them
 };
 
 /// Of a clean mesh. Throws Error(kUnsupported) for non-convex meshes of more than 100,000 faces.

@@ -8,7 +8,9 @@
 #include <array>
 #include <numeric>
 
+#include "space/body/body_boxes.h"
 #include "space/body/cell_parts.h"
+#include "space/body/csg_thin.h"
 #include "space/body/erosion.h"
 #include "space/body/open_union.h"
 #include "space/body/union_frontier.h"
@@ -65,40 +67,13 @@ CsgSolid changed(const CsgSolid& body, std::int64_t scale, Change&& change) {
   return out;
 }
 
-bool meet(const Bounds3& a, const Bounds3& b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;
-  }
-  return true;
-}
-
-/// Whether a set whose boxes have this in common may have interior.
-bool bulky(const Bounds3& box) {
-  return box.low[0] < box.high[0] && box.low[1] < box.high[1] && box.low[2] < box.high[2];
-}
-
-/// Whether it may hold a place.
-bool holds_places(const Bounds3& box) {
-  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
-}
-
-Bounds3 in_both(Bounds3 a, const Bounds3& b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    a.low[k] = std::max(a.low[k], b.low[k]);
-    a.high[k] = std::min(a.high[k], b.high[k]);
-  }
-  return a;
-}
-
-bool meet_or_touch(const Bounds3& a, const Bounds3& b) { return holds_places(in_both(a, b)); }
-
 Refusal too_many() { return Refusal("shapes cut by round ones into more than 10,000 parts are not computed"); }
 
 /// False where there are too many already.
 bool keep(CsgPart part, FlatParts flats, std::vector<CsgPart>& out) {
   const Bounds3 box = bounds(part);
   if (flats == FlatParts::kDropped ? !bulky(box) : !holds_places(box)) return true;
-  std::erase_if(part.without, [&](const BodyPart& o) { return !meet(bounds(one(o)), box); });
+  std::erase_if(part.without, [&](const BodyPart& o) { return !open_meet(bounds(o), box); });
   if (out.size() == kMostParts) return false;
   out.push_back(std::move(part));
   return true;
@@ -136,73 +111,14 @@ Tried<std::vector<CsgPart>> less(std::vector<CsgPart> all, const std::vector<Csg
   return left;
 }
 
-Refusal thin_in_common() {
-  return Refusal("an intersection has a part without interior; in 3D only shapes with axis-parallel faces may");
-}
-
-bool flat_sided(const BodyPart& set) { return set.core && set.radius.sign() == 0; }
+Refusal thin_in_common() { return thin_part("an intersection"); }
 
 /// Whether the interior of the set holds the box.
 bool covers(const BodyPart& set, const Bounds3& box) {
-  const std::vector<HalfSpace> planes = set.planes();
   for (int i = 0; i < 8; ++i) {
     RealVector at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = (i >> k & 1) != 0 ? box.high[k] : box.low[k];
-    const auto beneath = [&](const HalfSpace& h) { return h.value(at).sign() < 0; };
-    if (!set.point() && std::all_of(planes.begin(), planes.end(), beneath)) continue;
-    const RealVector off = minus(at, set.point() ? real(set.center) : *nearest_in(planes, at));
-    if (dot(off, off) >= set.radius * set.radius) return false;
-  }
-  return true;
-}
-
-/// What the polytopes of the part have in common; nothing where it has round sets.
-std::optional<ConvexRegion> region_of(const CsgPart& part) {
-  if (!std::all_of(part.within.begin(), part.within.end(), flat_sided)) return std::nullopt;
-  std::vector<Polytope> sets;
-  for (const BodyPart& set : part.within) sets.push_back(*set.core);
-  return common_region(sets);
-}
-
-bool same_set(const BodyPart& a, const BodyPart& b) {
-  return a.radius == b.radius && a.core.has_value() == b.core.has_value() &&
-         std::ranges::equal(a.vertices(), b.vertices());
-}
-
-/// Of the parts leaves those with interior. False where polytopes have a piece without interior in common that no other
-/// part holds.
-bool drop_thin(std::vector<CsgPart>& parts) {
-  std::vector<ConvexRegion> thin, held;
-  std::vector<Bounds3> around;
-  std::vector<std::vector<BodyPart>> lacking;
-  std::erase_if(parts, [&](const CsgPart& part) {
-    const Bounds3 box = bounds(part);
-    const bool flat = !bulky(box);
-    if (!flat && part.within.size() == 1) return false;
-    std::optional<ConvexRegion> region = region_of(part);
-    if (!region) return flat;
-    if (region->dimension() == 3) return false;
-    const bool taken =
-        std::any_of(part.without.begin(), part.without.end(), [&](const BodyPart& set) { return covers(set, box); });
-    if (region->empty() || taken) return true;
-    thin.push_back(*std::move(region));
-    around.push_back(box);
-    lacking.push_back(part.without);
-    return true;
-  });
-  for (std::size_t k = 0; k < thin.size(); ++k) {
-    held.clear();
-    for (const CsgPart& part : parts) {
-      // What is taken from the thin piece as well need not be held.
-      const auto away = [&](const BodyPart& set) {
-        return !meet_or_touch(bounds(one(set)), around[k]) ||
-               std::any_of(lacking[k].begin(), lacking[k].end(), [&](const BodyPart& o) { return same_set(o, set); });
-      };
-      if (!meet_or_touch(bounds(part), around[k]) || !std::all_of(part.without.begin(), part.without.end(), away))
-        continue;
-      if (auto region = region_of(part)) held.push_back(*std::move(region));
-    }
-    if (!covered(thin[k], held)) return false;
+    if (side(set, at) >= 0) return false;
   }
   return true;
 }
@@ -306,25 +222,6 @@ std::vector<RealVector> face_normals(const BodyPart& set) {
     out.push_back(negated(out[0]));
   }
   return out;
-}
-
-/// The box about the places of the set that are farthest along n.
-Bounds3 face_box(const BodyPart& set, const RealVector& n) {
-  const RealVector out = scaled(set.radius / sqrt(dot(n, n)), n);
-  std::optional<Bounds3> box;
-  const auto corners = set.vertices();
-  Real top = dot(n, real(corners[0]));
-  for (const Point& v : corners) top = std::max(top, dot(n, real(v)));
-  for (const Point& v : corners) {
-    if (dot(n, real(v)) < top) continue;
-    const RealVector at = plus(real(v), out);
-    if (!box) box = Bounds3{at, at};
-    for (std::size_t k = 0; k < 3; ++k) {
-      box->low[k] = std::min(box->low[k], at[k]);
-      box->high[k] = std::max(box->high[k], at[k]);
-    }
-  }
-  return *box;
 }
 
 /// Whether the faces of both sets, farthest along their normals, share a place of the part that no third set that is
@@ -450,8 +347,8 @@ std::int64_t most_finer(const CsgSolid& body) {
     for (std::size_t k = 0; k < 3; ++k) far = std::max({far, abs(box.low[k]), abs(box.high[k])});
   };
   for (const CsgPart& part : body.parts) {
-    for (const BodyPart& set : part.within) extend(bounds(one(set)));
-    for (const BodyPart& set : part.without) extend(bounds(one(set)));
+    for (const BodyPart& set : part.within) extend(bounds(set));
+    for (const BodyPart& set : part.without) extend(bounds(set));
   }
   for (const Body& container : body.containers) extend(bounds(container));
   for (const Body& obstacle : body.obstacles) extend(bounds(obstacle));
@@ -459,23 +356,15 @@ std::int64_t most_finer(const CsgSolid& body) {
 }
 
 /// What the polytopes of the part leave, cell by cell, each with its round sets; nothing where cells do not come to lie
-/// on a grid that is at most `most` times finer. Refuses a slot of no width that is to stay.
-Tried<std::optional<CsgSolid>> cells_of(const CsgPart& part, std::int64_t scale, std::int64_t most, FlatParts flats) {
+/// on a grid that is at most `most` times finer.
+std::optional<CsgSolid> cells_of(const CsgPart& part, std::int64_t scale, std::int64_t most) {
   std::vector<Polytope> kept, taken;
   CsgPart round;
   for (const BodyPart& set : part.within) flat_sided(set) ? kept.push_back(*set.core) : round.within.push_back(set);
   for (const BodyPart& set : part.without) flat_sided(set) ? taken.push_back(*set.core) : round.without.push_back(set);
   if (kept.empty()) kept.push_back(box_about(part));
-  std::vector<ConvexRegion> cells = difference_cells(std::span(kept).first(1), taken);
-  for (const Polytope& other : std::span(kept).subspan(1)) {
-    for (ConvexRegion& cell : cells) {
-      for (const Plane& plane : other.planes()) cell.cut(HalfSpace(plane));
-    }
-  }
-  std::erase_if(cells, [](const ConvexRegion& cell) { return cell.dimension() < 3; });
-  if (flats == FlatParts::kRefused && leaves_thin(kept, taken, cells)) return thin_left_over();
-  ConvexParts made = parts_of_cells(cells);
-  if (made.rounded > 0 || made.scale > most) return std::optional<CsgSolid>();
+  ConvexParts made = parts_of_cells(cells_between(kept, taken));
+  if (made.rounded > 0 || made.scale > most) return std::nullopt;
   CsgSolid out;
   out.scale = scale;
   out.parts.push_back(std::move(round));
@@ -488,7 +377,7 @@ Tried<std::optional<CsgSolid>> cells_of(const CsgPart& part, std::int64_t scale,
 }
 
 /// Where cells need finer steps than those of the solid, they are taken if it may have such.
-Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer, FlatParts flats) {
+Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer) {
   CsgSolid out = bare(body);
   out.containers = body.containers;
   out.obstacles = body.obstacles;
@@ -496,11 +385,7 @@ Tried<CsgSolid> cut_where_flush(const CsgSolid& body, bool finer, FlatParts flat
   for (const CsgPart& part : body.parts) {
     out.walls = out.walls || has_round_flush(part);
     std::optional<CsgSolid> cells;
-    if (has_flush(part)) {
-      Tried<std::optional<CsgSolid>> made = cells_of(part, body.scale, most, flats);
-      if (!made) return made.refusal();
-      cells = *std::move(made);
-    }
+    if (has_flush(part)) cells = cells_of(part, body.scale, most);
     const std::int64_t had = out.scale / body.scale, more = cells ? cells->scale / body.scale : 1;
     if (!cells || exact::int128(had) / std::gcd(had, more) * more > most) cells = CsgSolid{{part}, {}, {}, body.scale};
     const std::int64_t scale = joint_scale(out.scale, cells->scale);
@@ -533,13 +418,7 @@ bool may_be_flush(const CsgSolid& first, const CsgSolid& second) {
   });
 }
 
-Tried<CsgSolid> without_flat_places(const CsgSolid& body, FlatParts flats) {
-  if (flats == FlatParts::kRefused) {
-    std::vector<CsgPart> parts = body.parts;
-    if (!drop_thin(parts) && !parts.empty()) return thin_in_common();
-  }
-  return cut_where_flush(body, true, flats);
-}
+Tried<CsgSolid> without_flat_places(const CsgSolid& body) { return cut_where_flush(body, true); }
 
 CsgSolid translated(const CsgSolid& body, const Point& by) {
   return changed(body, body.scale, [&](Body b) { return translated(std::move(b), by); });
@@ -557,7 +436,7 @@ Tried<CsgSolid> left_in_box(const CsgSolid& body, const Point& low, const Point&
     out.parts = *std::move(left);
   else
     return left.refusal();
-  return cut_where_flush(out, false, FlatParts::kDropped);
+  return cut_where_flush(out, false);
 }
 
 CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {
@@ -566,8 +445,8 @@ CsgSolid at_scale(const CsgSolid& body, std::int64_t scale) {
 }
 
 Bounds3 bounds(const CsgPart& part) {
-  Bounds3 box = bounds(one(part.within[0]));
-  for (const BodyPart& p : part.within) box = in_both(std::move(box), bounds(one(p)));
+  Bounds3 box = bounds(part.within[0]);
+  for (const BodyPart& p : part.within) box = in_both(std::move(box), bounds(p));
   return box;
 }
 

@@ -55,9 +55,8 @@ bool may_be_flush(const CsgSolid& first, const CsgSolid& second);
 /// The closure of the interior. Polytopes that are taken away are cut out as cells where they touch each other or are
 /// flush with a face of what they are taken from. Where round surfaces do so `walls` is set. Still left are an edge or
 /// a corner on a round face of what is taken away, and lines and points in which only faces of several sets meet. So is
-/// what is flush where cells do not come to lie on a grid. `flats` says what becomes of a slot of no width between
-/// polytopes that are taken away.
-exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body, FlatParts flats);
+/// what is flush where cells do not come to lie on a grid.
+exact::Tried<CsgSolid> without_flat_places(const CsgSolid& body);
 CsgSolid translated(const CsgSolid& body, const Point& by);
 CsgSolid mirrored(const CsgSolid& body);
 /// What the solid leaves of a box; without containers, in the same steps. More than 10,000 parts are refused.

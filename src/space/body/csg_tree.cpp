@@ -6,9 +6,12 @@
 
 #include <algorithm>
 
+#include "space/body/cell_parts.h"
 #include "space/body/csg_solid.h"
+#include "space/body/csg_thin.h"
 #include "space/body/erosion.h"
 #include "space/body/shape_topology.h"
+#include "space/polytope/polytope_sets.h"
 
 namespace findspace::space {
 
@@ -18,8 +21,46 @@ using Kind = plane::Shape::Kind;
 
 namespace {
 
-Refusal boundary_stays() {
-  return Refusal("boundary of an open set that is taken away may stay, without interior; let it stick out");
+template <class Taken>
+Tried<CsgSolid> less(const CsgSolid& from, const plane::Shape& set, FlatParts flats, Taken&& taken);
+
+/// The solid, which is what the second leaves of the first, with the form that serves containment if these have it.
+Tried<CsgSolid> as_container(const CsgSolid& solid, CsgSolid first, const CsgSolid& second) {
+  first.parts.clear();
+  const Tried<CsgSolid> form = space::less(first, second, FlatParts::kDropped);
+  if (!form) return form;
+  const std::int64_t scale = joint_scale(solid.scale, form->scale);
+  CsgSolid out = at_scale(solid, scale), other = at_scale(*form, scale);
+  out.containers = std::move(other.containers);
+  out.obstacles = std::move(other.obstacles);
+  return out;
+}
+
+/// What a set leaves that may lack boundary, by the sets that it is made of; nothing where it is not taken apart.
+template <class Taken>
+std::optional<Tried<CsgSolid>> less_by_sets(const CsgSolid& from, const plane::Shape& set, FlatParts flats,
+                                            Taken&& taken) {
+  const auto& c = set.children;
+  if (const plane::ShapePtr inward = moved_inward(set)) return less_by_sets(from, *inward, flats, taken);
+  if (set.kind == Kind::kInterior && is_open(*c[0])) return less_by_sets(from, *c[0], flats, taken);
+  Tried<CsgSolid> out = from;
+  if (set.kind == Kind::kUnion) {
+    for (std::size_t k = 0; out && k < c.size(); ++k) out = less(*out, *c[k], flats, taken);
+    return out;
+  }
+  const bool differs = set.kind == Kind::kDifference;
+  if (!differs && set.kind != Kind::kIntersection) return std::nullopt;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const bool outside = c[k]->kind == Kind::kComplement, stays = differs ? k > 0 : outside;
+    Tried<CsgSolid> next =
+        stays ? taken(outside && !differs ? *c[k]->children[0] : *c[k]) : less(from, *c[k], flats, taken);
+    if (next && stays) next = common(from, *next, FlatParts::kKept);
+    if (!next) return next;
+    out = k > 0 ? united(*out, *next) : *std::move(next);
+  }
+  if (!drop_thin(out->parts)) return Tried<CsgSolid>(thin_part("the difference"));
+  const Tried<CsgSolid> whole = from.containers.empty() ? out : taken(set);
+  return from.containers.empty() || !whole ? out : as_container(*out, from, *whole);
 }
 
 /// What a set leaves that is taken away; `taken` makes it. Where it lacks boundary, that of it which is flat would
@@ -27,17 +68,14 @@ Refusal boundary_stays() {
 template <class Taken>
 Tried<CsgSolid> less(const CsgSolid& from, const plane::Shape& set, FlatParts flats, Taken&& taken) {
   const bool open = flats != FlatParts::kKept && !is_closed(set);
-  const plane::ShapePtr inward = open ? moved_inward(set) : nullptr;
-  if (inward) return less(from, *inward, flats, taken);
-  if (open && set.kind == Kind::kUnion) {
-    Tried<CsgSolid> left = from;
-    for (std::size_t k = 0; left && k < set.children.size(); ++k) left = less(*left, *set.children[k], flats, taken);
-    return left;
+  if (open) {
+    if (auto left = less_by_sets(from, set, flats, taken)) return *std::move(left);
   }
   const Tried<CsgSolid> other = taken(set);
+  if (!other && flats != FlatParts::kKept && set.kind == Kind::kIntersection && !other.refusal().fault())
+    return *less_by_sets(from, set, flats, taken);  // of what is taken away a thin piece does not count
   if (!other) return other;
-  if (open && set.kind != Kind::kDifference && (may_lack_walls(set) || may_be_flush(from, *other)))
-    return boundary_stays();
+  if (open && (may_lack_walls(set) || may_be_flush(from, *other))) return boundary_stays();
   return space::less(from, *other, flats);
 }
 
@@ -46,27 +84,24 @@ Tried<CsgSolid> less(const CsgSolid& from, const plane::Shape& set, FlatParts fl
 template <class Kept, class Taken>
 Tried<CsgSolid> clipped(const plane::Shape& shape, FlatParts flats, Kept&& kept, Taken&& taken) {
   const bool differs = shape.kind == Kind::kDifference;
-  std::optional<CsgSolid> out;
-  std::vector<const plane::Shape*> away;
-  for (const plane::ShapePtr& c : shape.children) {
-    if (differs && out) {
-      away.push_back(c.get());
-    } else if (!differs && c->kind == Kind::kComplement) {
-      away.push_back(c->children[0].get());
-    } else {
-      Tried<CsgSolid> next = kept(*c);
-      if (next && out) next = common(*out, *next, flats);
-      if (!next) return next;
-      out = *std::move(next);
-    }
-  }
-  if (!out) return Refusal("an intersection of complements is not computed in 3D", shape.place);
-  for (const plane::Shape* c : away) {
-    Tried<CsgSolid> left = less(*out, *c, flats, taken);
-    if (!left) return left;
-    out = *std::move(left);
-  }
-  return *std::move(out);
+  const auto outside = [&](const plane::Shape& c) { return !differs && c.kind == Kind::kComplement; };
+  std::vector<plane::ShapePtr> children = shape.children;
+  std::stable_partition(children.begin(), children.end(), [&](const auto& c) { return !outside(*c); });
+  if (outside(*children[0])) return Refusal("an intersection of complements is not computed in 3D", shape.place);
+  Tried<CsgSolid> out = kept(*children[0]);
+  if (!out) return out;
+  const auto clip = [&](const plane::Shape& c) -> std::optional<Refusal> {
+    Tried<CsgSolid> next = *out;
+    if (differs || outside(c))
+      next = less(*out, outside(c) ? *c.children[0] : c, flats, taken);
+    else if (next = kept(c); next)
+      next = common(*out, *next, flats);
+    if (!next) return next.refusal();
+    out = std::move(next);
+    return std::nullopt;
+  };
+  if (auto why = in_any_order({children.begin() + 1, children.end()}, clip)) return *std::move(why);
+  return out;
 }
 
 /// By the translation or reflection that the node is.
@@ -159,9 +194,64 @@ Tried<CsgSolid> union_of(const plane::Shape& shape) {
 }
 
 /// As distances see it.
-Tried<CsgSolid> bulk_of(Tried<CsgSolid> made, const plane::Shape& shape, FlatParts flats) {
-  if (made) made = without_flat_places(*made, flats);
+Tried<CsgSolid> bulk_of(Tried<CsgSolid> made, const plane::Shape& shape) {
+  if (made) made = without_flat_places(*made);
   return made ? std::move(made) : made.refusal().at(shape.place);
+}
+
+plane::ShapePtr without_closed(const plane::ShapePtr& shape);
+
+/// The intersection or difference without closed sets that are taken away.
+plane::ShapePtr kept_sets(const plane::ShapePtr& shape) {
+  const bool differs = shape->kind == Kind::kDifference;
+  plane::Shape out = *shape;
+  out.children.clear();
+  for (std::size_t k = 0; k < shape->children.size(); ++k) {
+    const plane::ShapePtr& c = shape->children[k];
+    const bool outside = !differs && c->kind == Kind::kComplement, away = outside || (differs && k > 0);
+    if (!away)
+      out.children.push_back(without_closed(c));
+    else if (!is_closed(outside ? *c->children[0] : *c))
+      out.children.push_back(c);
+  }
+  if (out.children == shape->children) return shape;
+  return out.children.size() == 1 ? out.children[0] : std::make_shared<const plane::Shape>(std::move(out));
+}
+
+/// A shape that is shrunk, without closed sets that are taken away: these leave nothing thin where they end. The shape
+/// itself where there are none.
+plane::ShapePtr without_closed(const plane::ShapePtr& shape) {
+  switch (shape->kind) {
+    case Kind::kIntersection:
+    case Kind::kDifference:
+      return kept_sets(shape);
+    case Kind::kInterior:
+    case Kind::kTranslate:
+    case Kind::kMirror:
+    case Kind::kMinkowskiDifference:
+    case Kind::kOffset: {
+      if (shape->kind == Kind::kOffset && shape->amount.sign() > 0) return shape;
+      const plane::ShapePtr child = without_closed(shape->children[0]);
+      if (child == shape->children[0]) return shape;
+      plane::Shape out = *shape;
+      out.children[0] = child;
+      return std::make_shared<const plane::Shape>(std::move(out));
+    }
+    default:
+      return shape;
+  }
+}
+
+/// A shrunk shape as distances see it.
+Tried<CsgSolid> shrunk_bulk(const plane::Shape& shape) {
+  Tried<CsgSolid> made = cut_erosion(shape);
+  if (!made) return made;
+  const auto self = std::make_shared<const plane::Shape>(shape);
+  const plane::ShapePtr open = without_closed(self);
+  const Tried<CsgSolid> left = open == self ? made : cut_erosion(*open);
+  if (!left) return left;
+  if (keeps_thin(*left, *made)) return thin_left_over().at(shape.place);
+  return bulk_of(std::move(made), shape);
 }
 
 Tried<CsgSolid> node(const plane::Shape& shape) {
@@ -171,7 +261,7 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
       return union_of(shape);
     case Kind::kDifference:
     case Kind::kIntersection:
-      return bulk_of(clipped(shape, FlatParts::kRefused, try_csg_solid, try_csg_solid), shape, FlatParts::kDropped);
+      return bulk_of(clipped(shape, FlatParts::kRefused, try_csg_solid, try_csg_solid), shape);
     case Kind::kInterior:
     case Kind::kClosure:
     case Kind::kRegularize:
@@ -180,9 +270,9 @@ Tried<CsgSolid> node(const plane::Shape& shape) {
     case Kind::kMirror:
       return displaced(try_csg_solid(*children[0]), shape);
     case Kind::kMinkowskiDifference:
-      return bulk_of(cut_erosion(shape), shape, FlatParts::kRefused);
+      return shrunk_bulk(shape);
     case Kind::kOffset:
-      if (shape.amount.sign() < 0) return bulk_of(cut_erosion(shape), shape, FlatParts::kRefused);
+      if (shape.amount.sign() < 0) return shrunk_bulk(shape);
       break;
     default:
       break;

@@ -27,6 +27,13 @@ Body of_part(BodyPart part) {
   return out;
 }
 
+/// A body of cells with interior.
+Tried<Body> in_cells(const CellCorners& cells) {
+  Tried<ConvexParts> made = all_parts(cells);
+  if (!made) return made.refusal();
+  return body_of(*std::move(made));
+}
+
 /// Where a box moved by all of b is; nothing if that has no interior.
 std::optional<ConvexRegion> box_of(const Bounds3& a, const Body& b) {
   const Bounds3 by = bounds(b);
@@ -48,7 +55,7 @@ Tried<Body> between_planes(const Polytope& a, const Body& b) {
     out->cut(HalfSpace(h.normal, h.offset + support(b, negated(h.normal))));
   }
   if (out->dimension() < 3) return nothing_left();
-  return body_of(parts_of_cells({*std::move(out)}));
+  return in_cells(cell_corners({*std::move(out)}));
 }
 
 /// Of one convex part: a copy for each corner of the parts of b that are less round; by the others the core shrinks.
@@ -83,15 +90,18 @@ Tried<Erosion> of_union(const Body& a, const Body& b) {
   const auto round = [](const BodyPart& p) { return p.radius.sign() > 0; };
   if (std::any_of(a.parts.begin(), a.parts.end(), round))
     return Refusal("a union with round parts is not shrunk in 3D");
-  std::vector<std::vector<RealVector>> corners;
+  CellCorners corners;
   for (OutsideCell& cell : outside_cells(a)) {
     if (cell.bounded()) corners.push_back(std::move(cell.vertices));
   }
   std::optional<ConvexRegion> within = box_of(bounds(a), b);
   if (!within) return nothing_left();
-  Erosion out{{body_of(parts_of_cells({*std::move(within)}))}};
-  const Body left = body_of(parts_of_corners(corners));
-  if (!left.parts.empty()) out.obstacles = minkowski_sum(left, b);
+  Tried<Body> box = in_cells(cell_corners({*std::move(within)}));
+  if (!box) return box.refusal();
+  Erosion out{{*std::move(box)}};
+  const Tried<Body> left = in_cells(corners);
+  if (!left) return left.refusal();
+  if (!left->parts.empty()) out.obstacles = minkowski_sum(*left, b);
   return out;
 }
 
@@ -105,10 +115,7 @@ Body at(Body body, std::int64_t scale) {
 
 Refusal shrunk_by_complement() { return Refusal("a Minkowski difference by a complement is empty or all of space"); }
 
-Refusal thin_left_over() {
-  return Refusal(
-      "what is left of the shape has a part without interior; in 3D only shapes with axis-parallel faces may");
-}
+Refusal thin_left_over() { return thin_part("what is left of the shape"); }
 
 Tried<Erosion> erosion(const Body& a, const Body& b) {
   if (b.outside) return shrunk_by_complement();
@@ -145,18 +152,40 @@ Tried<std::vector<Polytope>> polytopes(const Body& body, std::int64_t scale) {
   return out;
 }
 
+/// Whether one of the pieces is not in the closed sets.
+bool any_stays(const std::vector<ConvexRegion>& thin, std::span<const Body> taken, std::int64_t scale) {
+  if (thin.empty()) return false;
+  std::vector<ConvexRegion> regions;
+  for (const Body& body : taken) {
+    if (scale % body.scale != 0) continue;  // others may hold it
+    const Tried<std::vector<Polytope>> parts = polytopes(body, scale);
+    if (!parts) continue;
+    for (const Polytope& p : *parts) regions.push_back(common_region({&p, 1}));
+  }
+  return std::any_of(thin.begin(), thin.end(),
+                     [&](const ConvexRegion& piece) { return !uncovered(piece, regions).empty(); });
+}
+
+struct Cut {
+  const Body& by;
+  bool inside;                    // what is kept
+  std::span<const Body> taken{};  // closed sets that are not kept
+};
+
 /// What both bodies have in common, or what is left of the first one, which is convex.
-Tried<Body> cut(const Body& body, const Body& by, bool inside) {
+Tried<Body> cut(const Body& body, const Cut& how) {
+  const Body& by = how.by;
   const std::int64_t scale = joint_scale(body.scale, by.scale);
   const Tried<std::vector<Polytope>> p = polytopes(body, scale), q = polytopes(by, scale);
   if (!p) return p.refusal();
   if (!q) return q.refusal();
-  Tried<std::vector<ConvexRegion>> cells = inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
+  Tried<std::vector<ConvexRegion>> cells = how.inside ? intersection_cells(*p, *q) : difference_cells(*p, *q);
   if (!cells) return cells.refusal();
   if (cells->empty()) return nothing_left();
-  if (!inside && leaves_thin(*p, *q, *cells)) return thin_left_over();
-  Body next = at(body_of(parts_of_cells(*std::move(cells))), scale);
-  if (next.parts.empty()) return nothing_left();
+  if (!how.inside && any_stays(thin_pieces(*p, *q, *cells), how.taken, scale)) return thin_left_over();
+  Tried<Body> made = in_cells(cell_corners(*cells));
+  if (!made) return made;
+  Body next = at(*std::move(made), scale);
   next.rounded += body.rounded + by.rounded;
   next.moved = std::max({next.moved, body.moved, by.moved});
   return next;
@@ -164,17 +193,20 @@ Tried<Body> cut(const Body& body, const Body& by, bool inside) {
 
 }  // namespace
 
-Tried<Body> eroded(const Body& a, const Body& b) {
+Tried<Body> eroded(const Body& a, const Body& b, std::span<const Body> lacking) {
   Tried<Erosion> made = erosion(a, b);
   if (!made) return made.refusal();
   Body out = std::move(made->containers[0]);
   if (made->containers.size() == 1 && !made->obstacles) return out;
   for (std::size_t k = 1; k < made->containers.size(); ++k) {
-    Tried<Body> next = cut(out, made->containers[k], true);
+    Tried<Body> next = cut(out, {made->containers[k], true});
     if (!next) return next;
     out = *std::move(next);
   }
-  return made->obstacles ? cut(out, *made->obstacles, false) : out;
+  if (!made->obstacles) return out;
+  std::vector<Body> taken;
+  for (const Body& set : lacking) taken.push_back(minkowski_sum(set, b));
+  return cut(out, {*made->obstacles, false, taken});
 }
 
 Body ball(const Real& radius) { return of_part({std::nullopt, {}, radius, {}}); }

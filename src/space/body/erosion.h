@@ -10,6 +10,7 @@
 // Serra 1982 (erosion). Keywords: erosion, inner offset, shrink, inset.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/number/tried.h"
@@ -28,8 +29,9 @@ exact::Tried<Erosion> erosion(const Body& a, const Body& b);
 exact::Refusal shrunk_by_complement();
 exact::Refusal thin_left_over();
 
-/// As a body. Refuses, besides, where no union of convex parts is one, as where a slot is as wide as b.
-exact::Tried<Body> eroded(const Body& a, const Body& b);
+/// As a body. Refuses, besides, where no union of convex parts is one, as where a slot is as wide as b. `lacking`:
+/// closed sets of which a holds nothing, though they may meet its closure.
+exact::Tried<Body> eroded(const Body& a, const Body& b, std::span<const Body> lacking = {});
 
 /// A ball about the origin, in grid steps.
 Body ball(const exact::Real& radius);

@@ -3,6 +3,7 @@
 #include "space/body/union_frontier.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "exact/margins/rounding.h"
 #include "space/polytope/polytope_sets.h"
@@ -33,7 +34,8 @@ bool apart(const Box& a, const Box& b) {
          b.high.z < a.low.z;
 }
 
-/// Closed pieces whose union is the piece less the open set.
+}  // namespace
+
 void subtract(ConvexRegion piece, const std::vector<HalfSpace>& set, std::vector<ConvexRegion>& out) {
   for (const HalfSpace& h : set) {
     if (!piece.sides(h).inside) {  // nothing of it lies in the open set
@@ -51,8 +53,6 @@ void subtract(ConvexRegion piece, const std::vector<HalfSpace>& set, std::vector
     if (!piece.sides(h).inside) return;
   }
 }
-
-}  // namespace
 
 std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
                                          const RealVector& high) {
@@ -106,16 +106,22 @@ bool flush_facets(std::span<const Polytope> kept, std::span<const Polytope> take
 
 }  // namespace
 
-bool leaves_thin(std::span<const Polytope> kept, std::span<const Polytope> taken, std::span<const ConvexRegion> cells) {
-  if (!flush_facets(kept, taken)) return false;
+std::vector<ConvexRegion> thin_pieces(std::span<const Polytope> kept, std::span<const Polytope> taken,
+                                      std::span<const ConvexRegion> cells) {
+  if (!flush_facets(kept, taken)) return {};
   const ConvexRegion region = common_region(kept);
-  if (region.empty()) return false;
+  if (region.empty()) return {};
+  std::vector<ConvexRegion> out;
   RealVector low = region.vertices()[0].at, high = low;
   for (const ConvexRegion::Vertex& v : region.vertices()) {
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], v.at[k]);
       high[k] = std::max(high[k], v.at[k]);
     }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {  // so that faces of the region count as those of the sets
+    low[k] -= exact::Real(1);
+    high[k] += exact::Real(1);
   }
   std::vector<std::vector<HalfSpace>> sets;
   for (const Polytope& p : taken) sets.emplace_back(p.planes().begin(), p.planes().end());
@@ -129,9 +135,10 @@ bool leaves_thin(std::span<const Polytope> kept, std::span<const Polytope> taken
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (!apart(around, boxes[k])) near.push_back(cells[k]);
     }
-    if (!covered(piece, near)) return true;
+    std::vector<ConvexRegion> left = uncovered(piece, near);
+    std::move(left.begin(), left.end(), std::back_inserter(out));
   }
-  return false;
+  return out;
 }
 
 std::vector<ConvexRegion> complement_pieces(const OpenUnion& cover, const RealVector& low, const RealVector& high) {

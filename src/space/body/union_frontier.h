@@ -21,9 +21,13 @@ namespace findspace::space {
 std::vector<ConvexRegion> cover_frontier(std::span<const std::vector<HalfSpace>> sets, const RealVector& low,
                                          const RealVector& high);
 
-/// Whether what all of `kept` have in common, less the open polytopes `taken`, has a piece without interior that none
-/// of its `cells` holds: a piece between faces that lie on each other. Lines and points elsewhere are not looked for.
-bool leaves_thin(std::span<const Polytope> kept, std::span<const Polytope> taken, std::span<const ConvexRegion> cells);
+/// Of what all of `kept` have in common, less the open polytopes `taken`, the pieces without interior that its `cells`
+/// do not hold: those between faces that lie on each other. Lines and points elsewhere are not looked for.
+std::vector<ConvexRegion> thin_pieces(std::span<const Polytope> kept, std::span<const Polytope> taken,
+                                      std::span<const ConvexRegion> cells);
+
+/// Adds closed pieces whose union is the region less the open set.
+void subtract(ConvexRegion piece, const std::vector<HalfSpace>& set, std::vector<ConvexRegion>& out);
 
 /// What of the box the sets leave complement, as far as it has an interior: closed convex pieces whose interiors do not
 /// meet. The box has low <= high.

@@ -5,7 +5,6 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <string>
 
 namespace findspace::space {
 
@@ -89,8 +88,7 @@ std::optional<exact::Refusal> thin_left(std::span<const ConvexRegion> thin, std:
                                         const char* of) {
   if (std::all_of(thin.begin(), thin.end(), [&](const ConvexRegion& t) { return is_covered(t, cells); }))
     return std::nullopt;
-  return exact::Refusal(std::string("the ") + of +
-                        " has a part without interior; in 3D only shapes with axis-parallel faces may");
+  return thin_part(std::string("the ") + of);
 }
 
 std::vector<Cell> without(std::vector<Cell> cells, std::span<const Polytope> b) {
@@ -152,6 +150,12 @@ std::vector<ConvexRegion> regions_of(std::vector<Cell> cells) {
 
 }  // namespace
 
+exact::Refusal thin_part(const std::string& of) {
+  return exact::Refusal(of +
+                        " has a part without interior (a sheet, a line or a point); in 3D that is computed only "
+                        "where all faces of all shapes are flat and parallel to the axes");
+}
+
 exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b,
                                                            std::span<const Polytope> beside) {
   Common both = common(cells_of(a), cells_of(b));
@@ -167,11 +171,14 @@ std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::spa
   return regions_of(without(cells_of(a), b));
 }
 
-exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b) {
+exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b,
+                                                      std::span<const Polytope> beside) {
   std::vector<Cell> left = without(cells_of(a), b);
   if (!a.empty()) {
-    const Common thin = common(cells_of(a), without({around(a, b)}, b));
-    if (auto why = thin_left(thin.thin, left, "difference")) return *std::move(why);
+    const Common both = common(cells_of(a), without({around(a, b)}, b));
+    std::vector<Cell> covers = cells_of(beside);
+    covers.insert(covers.end(), left.begin(), left.end());
+    if (auto why = thin_left(both.thin, covers, "difference")) return *std::move(why);
   }
   return regions_of(std::move(left));
 }
@@ -184,10 +191,10 @@ ConvexRegion common_region(std::span<const Polytope> polytopes) {
   return region;
 }
 
-bool covered(const ConvexRegion& thin, std::span<const ConvexRegion> by) {
+std::vector<ConvexRegion> uncovered(const ConvexRegion& thin, std::span<const ConvexRegion> by) {
   std::vector<ConvexRegion> left{thin};
   for (std::size_t k = 0; k < by.size() && !left.empty(); ++k) take_away(by[k].planes(), thin.dimension(), left);
-  return left.empty();
+  return left;
 }
 
 /// What each has and those before it lack.

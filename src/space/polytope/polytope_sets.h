@@ -11,6 +11,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "exact/number/tried.h"
@@ -23,11 +24,15 @@ namespace findspace::space {
 exact::Tried<std::vector<ConvexRegion>> intersection_cells(std::span<const Polytope> a, std::span<const Polytope> b,
                                                            std::span<const Polytope> beside = {});
 std::vector<ConvexRegion> difference_cells(std::span<const Polytope> a, std::span<const Polytope> b);
-exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b);
+exact::Tried<std::vector<ConvexRegion>> outside_cells(std::span<const Polytope> a, std::span<const Polytope> b,
+                                                      std::span<const Polytope> beside = {});
+/// Says that a shape, `of`, has a thin piece.
+exact::Refusal thin_part(const std::string& of);
 /// What all have in common.
 ConvexRegion common_region(std::span<const Polytope> polytopes);
-/// Whether a region without interior lies in the union of the others.
-bool covered(const ConvexRegion& thin, std::span<const ConvexRegion> by);
+/// Pieces of a region without interior that hold all of it that is not in the others, and may hold more; none where it
+/// lies in their union.
+std::vector<ConvexRegion> uncovered(const ConvexRegion& thin, std::span<const ConvexRegion> by);
 /// Six times the volume of the union.
 exact::Real six_volumes_of_union(std::span<const Polytope> polytopes);
 

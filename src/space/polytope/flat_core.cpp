@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-#include "space/body/flat_core.h"
+#include "space/polytope/flat_core.h"
 
 #include <algorithm>
 #include <array>
