@@ -67,7 +67,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `reach` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
-`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | refused: not computed | exact · quick
+`diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact or enclosed 2^-16 · fast | exact · quick
 along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact or enclosed 2^-30 · fast | `gap` enclosed, others refused · slow | exact · slow
 # Truth at a position
 where the value is exact | exact
@@ -86,14 +86,14 @@ formulas of [commands](commands.md#exact-maps) | exact · quick | exact, one dis
 `protrusion` above 0, `h` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · long | enclosed 2^-30 · slow
 `hausdorff` | enclosed 2^-30 · quick | exact · quick | exact · quick | enclosed 2^-30 · slow | enclosed 2^-30 · slow | enclosed 2^-30 · slow | exact · quick
 along a direction, lines that way | exact · quick | exact · quick | exact · quick | exact · quick | enclosed 2^-30 · quick | enclosed 2^-30 · slow | exact · fast
-along a direction, other lines | exact · quick | exact · quick | exact or enclosed 2^-30 · quick | exact · slow | enclosed 2^-30 · quick | refused: no convex parts | exact · slow
+along a direction, other lines | exact · quick | exact · quick | exact or enclosed 2^-30 · quick | exact · slow | enclosed 2^-30 · quick | `gap` from 0 up and `reach` enclosed, others refused · slow | exact · slow
 a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · quick | exact · quick | exact · slow | exact · quick | enclosed 2^-30 · fast | exact · quick
 # Least values (`-> min`)
-`distance`, `depth`, `dstar` | exact · quick | exact · quick | exact · quick | exact · fast | exact · fast | refused: no convex parts | refused: no least value
-`reach`, `eta2`, `delta2` | exact · quick | exact · quick | exact · quick | exact · slow | enclosed 2^-30 · slow | refused: no convex parts | refused: no least value
-`gap`, `eta1`, `delta1` | exact or enclosed 2^-40 · quick | exact or enclosed 2^-40 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | refused: no convex parts | refused: no least value
-`protrusion`, where B fits | enclosed 2^-40 · slow | enclosed 2^-36 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | refused: no convex parts | refused: no least value
-`hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | refused: no convex parts | refused: no least value
+`distance`, `depth`, `dstar` | exact · quick | exact · quick | exact · quick | exact · fast | exact · fast | exact · fast | refused: no least value
+`reach`, `eta2`, `delta2` | exact · quick | exact · quick | exact · quick | exact · slow | enclosed 2^-36 · slow | enclosed 2^-36 · fast | refused: no least value
+`gap`, `eta1`, `delta1` | exact or enclosed 2^-40 · quick | exact or enclosed 2^-40 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
+`protrusion`, where B fits | enclosed 2^-40 · slow | enclosed 2^-36 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed 2^-36 · slow | refused: no least value
+`hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
 `gap`, `eta1`, `delta1` along a direction | exact · quick | exact · quick | exact or enclosed 2^-30 · fast | exact · slow | enclosed 2^-30 · slow | refused: no convex parts | refused: no least value
 # Rotation, motion, placement
 orientations: `check` at one | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick

@@ -18,6 +18,14 @@ using space::Body;
 using space::RealVector;
 using Kind = plane::Shape::Kind;
 
+plane::ShapePtr rounded(const plane::ShapePtr& shape) {
+  plane::Shape out;
+  out.kind = Kind::kOffset;
+  out.amount = Real(1);
+  out.children = {shape};
+  return std::make_shared<const plane::Shape>(std::move(out));
+}
+
 struct Moving {
   Body body;
   std::function<double(const Vector&)> level;
@@ -28,8 +36,12 @@ std::vector<Moving> moving() {
            [](const Vector& x) {
              return to_box(x, {-3, -3, -3}, {3, 3, 3});
            }},
-          {space::body(*space::ball({1, 0, 0}, 4)), [](const Vector& x) {
+          {space::body(*space::ball({1, 0, 0}, 4)),
+           [](const Vector& x) {
              return to_ball(x, {1, 0, 0}, 4);
+           }},
+          {space::body(*rounded(box({-3, -2, -1}, {2, 2, 2}))), [](const Vector& x) {
+             return to_box(x, {-3, -2, -1}, {2, 2, 2}) - 1;
            }}};
 }
 
@@ -98,6 +110,18 @@ TEST(CsgDepth, IsTheOneOfFormulas) {
   EXPECT_TRUE(pair_of(*pockets, cube).value(Which::kGamma1, place(0, 0, 3))->proven);
   // (20 - x + 3)^2 twice and 9 make 289.
   EXPECT_NEAR(-v.value.to_double(), std::sqrt(2.0) * (23 - std::sqrt(140.0)), 1e-10);
+}
+
+/// Up into a pocket, by the lower corners of the core, whichever of the two is rounded.
+TEST(CsgDepth, IsThatOfRoundedPolyhedra) {
+  using space::ball, space::node, space::place;
+  const auto bowl = node(Kind::kDifference, {box({-20, -20, -20}, {20, 20, 20}), ball({0, 0, 20}, 15)});
+  const auto cube = box({-2, -2, -2}, {2, 2, 2});
+  EXPECT_NEAR(depth(*bowl, space::body(*rounded(cube)), place(0, 0, 3)), 17 - std::sqrt(188.0) + 2, 1e-10);
+  // A dome with a rounded rim is as deep above as its ball.
+  const auto dome = node(Kind::kIntersection, {ball({0, 0, 0}, 20), rounded(box({-30, -30, 1}, {30, 30, 30}))});
+  EXPECT_NEAR(depth(*dome, space::body(*ball({0, 0, 0}, 4)), place(0, 0, 15)), 9, 1e-10);
+  EXPECT_NEAR(depth(*dome, space::body(*rounded(cube)), place(1, 1, 4)), 7, 1e-10);
 }
 
 TEST(CsgDepth, HasLines) {

@@ -226,7 +226,7 @@ TEST(CutValues, AreTheSameWhicheverShapeMoves) {
   }
 }
 
-/// A cube that is cut in two is the same set: how far the solid protrudes from it is the same, but for depths.
+/// A cube that is cut in two is the same set: how the solid fits into it, and protrudes from it, is the same.
 TEST(CutValues, OfUnionsAreThoseOfTheirSets) {
   std::mt19937 random(12);
   int out = 0, inside = 0;
@@ -243,18 +243,90 @@ TEST(CutValues, OfUnionsAreThoseOfTheirSets) {
         const RealVector p = on_grid(any(random, 12));
         const Answer one = *whole.value(Which::kMuBack, p), other = *cut.value(Which::kHBack, p);
         EXPECT_NEAR(std::max(0.0, one.value.to_double()), other.value.to_double(), 1e-9) << c.name;
-        if (one.value.sign() > 0) {
-          ++out;
-          EXPECT_NEAR(cut.value(Which::kMuBack, p)->value.to_double(), one.value.to_double(), 1e-9) << c.name;
-        } else {
-          ++inside;
-          EXPECT_FALSE(cut.try_value(Which::kMuBack, p)) << c.name;
+        one.value.sign() > 0 ? ++out : ++inside;
+        EXPECT_NEAR(cut.value(Which::kMuBack, p)->value.to_double(), one.value.to_double(), 1e-9) << c.name;
+        for (const Which which : {Which::kDelta1, Which::kDelta2}) {
+          if (which == Which::kDelta2 && k > 0) continue;  // it takes longer
+          const auto fit = whole.value(which, p), of_cut = cut.value(which, p);
+          ASSERT_EQ(fit.has_value(), of_cut.has_value()) << c.name;
+          if (fit)
+            EXPECT_NEAR(fit->value.to_double(), of_cut->value.to_double(), 1e-9 + fit->slack() + of_cut->slack());
         }
       }
     }
   }
   EXPECT_GT(out, 10);
   EXPECT_GT(inside, 2);
+}
+
+/// Of the solid alone: no two samples are farther apart.
+TEST(CutValues, HaveDiameters) {
+  std::mt19937 random(14);
+  for (const Case& c : cases()) {
+    const Answer v = **side_of(c)->own_diameter();
+    const double low = v.bounds().lower->to_double(), high = v.bounds().upper->to_double();
+    EXPECT_LT(high - low, 0.01) << c.name;
+    std::vector<Vector> solid;
+    while (solid.size() < 3000) {
+      const Vector x = any(random, 30);
+      if (c.level(x) < 0) solid.push_back(x);
+    }
+    double most = 0;
+    for (const Vector& x : solid) {
+      for (const Vector& y : solid) most = std::max(most, space::length(x - y));
+    }
+    EXPECT_GE(high, most) << c.name;
+    EXPECT_LE(low, most + 4) << c.name;
+  }
+  const std::vector<Case> all = cases();
+  const auto exact = [](const Case& c) { return **side_of(c)->own_diameter(); };
+  EXPECT_TRUE(exact(all[0]).proven);
+  EXPECT_EQ(exact(all[0]).value, sqrt(Real(4800)));
+  EXPECT_TRUE(exact(all[3]).proven);
+  EXPECT_EQ(exact(all[3]).value, Real(48));
+  // The rim of the lens: two spheres, 409 apart by squares.
+  const double ahead = (409 + 400 - 361) / (2 * std::sqrt(409.0));
+  EXPECT_NEAR(exact(all[2]).value.to_double(), 2 * std::sqrt(400 - ahead * ahead), 1e-9);
+  // Of both shapes together.
+  EXPECT_EQ(pair_of(all[3]).value(Which::kDiameter, {})->value, Real(48));
+  EXPECT_EQ(pair_of(all[3]).value(Which::kDiameter, space::place(90, 0, 0))->value,
+            pair_of(all[3]).value(Which::kGamma2, space::place(90, 0, 0))->value);
+}
+
+/// Of a ball and a lens with a rim of radius 12 about the origin, whose height is 12.
+TEST(CutValues, HaveLeastOnes) {
+  const auto lens = std::make_shared<const CsgSolid>(
+      space::csg_solid(*node(Kind::kIntersection, {ball({0, 0, -9}, 15), ball({0, 0, 9}, 15)})));
+  const auto least_of = [&](Which which, const plane::ShapePtr& other, bool cut_moves) {
+    const auto side = std::make_shared<const CsgSide>(space::shared(space::body(*other)), lens);
+    const Answer v = *csg_least(cut_moves ? exchanged(which) : which, side, cut_moves).or_throw();
+    const TriedAnswer there = csg_pair(side, cut_moves).try_value(cut_moves ? exchanged(which) : which, v.at);
+    EXPECT_EQ((*there)->value, v.value);
+    return v;
+  };
+  const auto least = [&](Which which, std::int64_t radius, bool cut_moves = false) {
+    return least_of(which, ball({1, 0, 0}, radius), cut_moves);
+  };
+  const auto is = [](const Answer& v, double value, double wide) {
+    const double low = v.bounds().lower->to_double(), high = v.bounds().upper->to_double();
+    EXPECT_LE(low, value + 1e-9);
+    EXPECT_GE(high, value - 1e-9);
+    EXPECT_LE(high - low, wide);
+  };
+  for (const bool moves : {false, true}) {
+    is(least(Which::kGamma2, 4, moves), 16, 1e-8);
+    is(least(Which::kDiameter, 4, moves), 24, 1e-8);
+    is(least(Which::kEta1, 2, moves), -4, 1e-8);
+    is(least(Which::kMu, 2, moves), -4, 1e-8);
+    is(least(Which::kH, 2, moves), 0, 0);
+    is(least(Which::kEta2, 2, moves), std::sqrt(88.0), 0.1);
+    is(least(Which::kD1, 2, moves), 0, 0);
+    is(least(Which::kPenetration, 2, moves), 0, 0);
+    is(least(Which::kMuBack, 20, moves), -8, 1);  // of a rim that is as far everywhere
+    is(least_of(Which::kMuBack, box({-20, -16, -17}, {20, 16, 17}), moves), -4, 3);
+    is(least_of(Which::kDelta1, box({-20, -16, -17}, {20, 16, 17}), moves), -4, 3);
+  }
+  is(least(Which::kGamma1, 4), -10, 3);
 }
 
 /// A ball out of which a piece is cut that no plane along the axes touches fits where the ball does.
@@ -304,6 +376,39 @@ TEST(CutValues, AreThoseOfLines) {
     }
   }
   EXPECT_GT(certain, 200);
+}
+
+/// Along x, on lines along z: B touches the solid on its way, or does so beyond the level.
+TEST(CutValues, AreThoseOfLinesAlongADirection) {
+  std::mt19937 random(15);
+  const space::RayGrid grid{2, 1, -17, -13, 11, 9, 4, 4};
+  int certain = 0;
+  const std::vector<Case> all = cases();
+  for (const Case& c : {all[0], all[3]}) {
+    const auto side = side_of(c);
+    const PairDistances pair = csg_pair(side, false);
+    for (const bool both : {true, false}) {
+      const AlongWay way{space::place(2, 0, 0), both};
+      const auto gap = cut_map_along(Which::kGamma1, Real(5), way, side, 1, grid),
+                 reach = cut_map_along(Which::kGamma2, Real(5), way, side, 1, grid);
+      EXPECT_EQ(cut_map_along(Which::kGamma1, Real(-5), way, side, 1, grid), nullptr);
+      for (int k = 0; k < 3; ++k) {
+        const int i = static_cast<int>(random() % 4);
+        const RealVector p{Real(grid.u_at(i)), Real(grid.v_at(1)), on_grid(any(random, 30))[2]};
+        bool near = false, far = false;
+        for (int t = both ? -99 : 1; t <= 99; t += 2) {
+          if (pair.value(Which::kD1, space::plus(p, space::place(t, 0, 0, 2)))->value.sign() > 0) continue;
+          (std::abs(t) < 10 ? near : far) = true;
+        }
+        const int of_gap = space::sign_at(gap->row(1), i, p[2]), of_reach = space::sign_at(reach->row(1), i, p[2]);
+        if (of_gap != 0) ++certain;
+        if (near) EXPECT_LE(of_gap, 0) << c.name;
+        if (far || !near) EXPECT_GE(of_reach, 0) << c.name;
+        if (near && !far) EXPECT_LE(of_reach, 0) << c.name;
+      }
+    }
+  }
+  EXPECT_GT(certain, 6);
 }
 
 /// Where a line's sign changes the value is the level, whichever shape moves.

@@ -231,6 +231,11 @@ def values_along(shapes):
     return check3("apart", *formulas)(shapes)
 
 
+def other_lines(shapes):
+    other = "reach(B, A, along=(1, 1, 0)) <= 9" if shapes == "cut" else "gap(B, A, along=(1, 1, 0)) <= -0.5"
+    return map3("gap(B, A, along=(1, 1, 0)) >= 1", other, lines=3)(shapes)
+
+
 def nearest3(shapes):
     """Where the feasible positions are one convex polytope, and elsewhere."""
     convex = shapes in ("convex", "round convex")
@@ -268,7 +273,7 @@ IN_SPACE = {
         "protrusion above 0, h": map3("mu(B, A) <= 0.5", lines=3),
         "hausdorff": map3("hausdorff(B, A) <= 12", lines=3),
         "along a direction, lines that way": along_lines,
-        "along a direction, other lines": map3("gap(B, A, along=(1, 1, 0)) >= 1", "gap(B, A, along=(1, 1, 0)) <= -0.5", lines=3),
+        "along a direction, other lines": other_lines,
         'a line of any direction ("free": {"line": ..})': map3("gap(B, A) >= 0.5", free=LINE3),
     },
     "Least values (-> min)": {

@@ -5,6 +5,8 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "formula/solid/solve_rays.h"
 #include "formula/solid/solve_space.h"
 #include "unit/solid_shapes.h"
@@ -56,6 +58,20 @@ TEST(CutSolid, HasValuesWhicheverShapeMoves) {
   EXPECT_EQ(solver.value(named(K::kGamma1), space::place(0, 0, -12))->value, Real(-11));
   EXPECT_EQ(back.value(named(K::kPenetration, true), space::place(0, 0, 12))->value, Real(11));
   EXPECT_EQ(solver.value(named(K::kD1), space::place(0, 0, 3))->value, Real());
+}
+
+TEST(CutSolid, HasLeastValuesAndADiameter) {
+  using K = findspace::formula::Kind;
+  for (const char* moving : {"B", "A"}) {
+    const SpaceSolver solver(world(moving));
+    const bool back = std::string(moving) == "A";
+    const auto least = solver.nearly_least(named(K::kGamma2, back));
+    ASSERT_TRUE(least);
+    EXPECT_NEAR(least->value.to_double(), 23 * std::sqrt(3.0), 1e-8);
+    EXPECT_LE(least->bounds().lower->to_double(), 23 * std::sqrt(3.0));
+    EXPECT_EQ(solver.nearly_least(named(K::kD1, back))->value, Real());
+    EXPECT_EQ(solver.value(named(K::kDiameter, back), space::place(0, 0, 0))->value, sqrt(Real(4800)));
+  }
 }
 
 /// All places of a sphere are as near to its centre, and as far.

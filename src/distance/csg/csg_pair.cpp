@@ -118,9 +118,7 @@ TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
   const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
-  TriedAnswer v = (*fits)->farthest(p);
-  if (v && *v) (*v)->nearest.reset();
-  return v;
+  return (*fits)->farthest(p);
 }
 
 TriedAnswer CsgSide::protrusion(const RealVector& p, Depth /*depth*/) const {
@@ -156,10 +154,6 @@ TriedAnswer CsgSide::gap(const RealVector& p, Depth depth) const {
   if (!found) return found.refusal();
   if (found->depth > 0 && depth == Depth::kValue) return overlapping(p);
   return std::optional(std::move(found->value));
-}
-
-TriedAnswer CsgSide::diameter(const RealVector& /*p*/) const {
-  return Refusal("this distance to a shape that round ones are cut out of is not computed");
 }
 
 /// How far B + p is from fitting, less a level above 0.
@@ -215,7 +209,9 @@ class CsgBackSide : public PairSide {
     return exchanged_back(side_->gap(space::negated(p), depth), p);
   }
   TriedAnswer reach(const RealVector& p) const override { return exchanged_back(side_->reach(space::negated(p)), p); }
-  TriedAnswer diameter(const RealVector& p) const override { return side_->diameter(p); }
+  TriedAnswer diameter(const RealVector& p) const override {
+    return exchanged_back(side_->diameter(space::negated(p)), p);
+  }
   TriedAnswer protrusion(const RealVector& p, Depth depth) const override;
   TriedAnswer clearance(const RealVector& p) const override {
     TriedAnswer v = protrusion(p, Depth::kValue);
@@ -235,13 +231,18 @@ class CsgBackSide : public PairSide {
   const exact::Tried<Fits>& fits() const {
     return fits_.of([this] { return made_fits(); });
   }
+  /// Where B is a union: by what that leaves, at positions of B; null: A is larger than the box about B.
+  CsgSide::TriedAmong made_among() const;
+  const CsgSide::TriedAmong& among() const {
+    return among_.of([this] { return made_among(); });
+  }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
 
   std::shared_ptr<const CsgSide> side_;
   plane::Lazy<exact::Tried<Fits>> fits_;
+  plane::Lazy<CsgSide::TriedAmong> among_;
 };
 
-/// In a union that is told up to 0.
 TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
   if (side_->a_->walls) return left_walls();
   const Body& b = *side_->b_;
@@ -258,7 +259,7 @@ TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
   }
   TriedAnswer most = bound.best(std::move(best));
   if (!most || b.convex() || depth == Depth::kSign || (*most)->value.to_double() > (*most)->error) return most;
-  return Refusal("how deep a shape that round ones are cut out of lies in a union is not computed");
+  return fit(p);
 }
 
 /// A set of A protrudes from a convex B by no less than A; where it does so at a place of A, by as much.
@@ -317,13 +318,31 @@ Refusal not_fitting() {
 
 }  // namespace
 
+CsgSide::TriedAmong CsgBackSide::made_among() const {
+  const exact::Tried<Fits>& fits = this->fits();
+  if (!fits) return fits.refusal();
+  // A's walls are those of a box, above and below on each axis.
+  space::Bounds3 places;
+  for (std::size_t k = 0; k < 3; ++k) {
+    places.low[k] = fits->holding[2 * k].offset;
+    places.high[k] = -fits->holding[2 * k + 1].offset;
+    if (places.high[k] < places.low[k]) return std::shared_ptr<const CsgSide::Among>();
+  }
+  return CsgSide::among_cells(*side_->b_, *side_->a_, places);
+}
+
 TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
+  if (!side_->b_->convex()) {
+    const CsgSide::TriedAmong& among = this->among();
+    if (!among) return among.refusal();
+    if (!*among) return std::nullopt;
+    return exchanged_back(CsgSide::fit_among(**among, space::negated(p)), p);
+  }
   const exact::Tried<Fits>& fits = this->fits();
   if (!fits) return fits.refusal();
   const auto outer = nearest_in(fits->holding, p);
   if (!outer) return std::nullopt;
-  if (!side_->b_->convex()) return not_fitting();
   TriedAnswer v = protrusion(p, Depth::kValue);
   if (!v || (*v)->value.to_double() <= (*v)->error) return v;
   const auto inner = fits->exact ? nearest_in(fits->held, p) : std::nullopt;
@@ -335,6 +354,12 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
 
 TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
+  if (!side_->b_->convex()) {
+    const CsgSide::TriedAmong& among = this->among();
+    if (!among) return among.refusal();
+    if (!*among) return std::nullopt;
+    return exchanged_back(CsgSide::farthest_among(**among, space::negated(p)), p);
+  }
   const exact::Tried<Fits>& fits = this->fits();
   if (!fits) return fits.refusal();
   const space::Bounds3 box = space::meeting(bounds(*side_->a_), bounds(*side_->b_));

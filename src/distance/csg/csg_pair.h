@@ -3,14 +3,16 @@
 //
 // T-distances of a body B and a solid A that round ones are cut out of (csg_solid.h), at a position of either:
 //   gamma1, d1, penetration
-//                   the depth by search (csg_positions.cpp), of B and parts of A without round polyhedra;
+//                   the depth by search (csg_positions.cpp);
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by set_protrusion.h; hausdorff where the
 //   other one is known; eta2  where all containers are convex;
 //                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
 //                   that;
-//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A.
+//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A;
+//   diameter   exact where two places of A are as far from each other as two of the sets that hold it, else enclosed;
+//   least values (csg_least)   gamma1 and eta1 by the deepest place of a set of positions, others as solid_least.h.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (boundary_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
 // refused; so is what walls in parts of A (CsgSolid::walls) may change. Threads: safe. Keywords: bowl, spherical
@@ -48,6 +50,16 @@ class CsgSide : public PairSide {
   TriedAnswer protrusion(const space::RealVector& p, Depth depth) const override;
   TriedAnswer clearance(const space::RealVector& p) const override;
   double protrudes_at_most(const space::RealVector& p) const override;
+
+  /// A least value, with its position, where the deepest place of a set of positions says it; nothing where none does.
+  TriedAnswer least_gap() const;
+  TriedAnswer least_fit() const;
+  /// A position at which the two meet.
+  exact::Tried<space::RealVector> meeting() const;
+  /// Of A alone.
+  const TriedAnswer& own_diameter() const {
+    return diameter_.of([&] { return made_diameter(); });
+  }
 
   const space::Body& complete() const { return *b_; }
   const space::CsgSolid& cut() const { return *a_; }
@@ -93,7 +105,10 @@ class CsgSide : public PairSide {
   const TriedAmong& among() const {
     return among_.of([&] { return made_among(); });
   }
-  exact::Tried<bool> in_union(const Among& all, const space::RealVector& p, Answer& depth) const;
+  static TriedAnswer fit_among(const Among& all, const space::RealVector& p);
+  static TriedAnswer farthest_among(const Among& all, const space::RealVector& p);
+  /// Of a body and a solid that moves against it, at positions of the body in that box; both of one scale.
+  static TriedAmong among_cells(const space::Body& fixed, const space::CsgSolid& moving, const space::Bounds3& places);
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
@@ -105,6 +120,8 @@ class CsgSide : public PairSide {
     return fits_.of([&] { return made_fits(); });
   }
   std::vector<NearSet> near_sets() const;
+  bool holds_ends(const Answer& widest, const space::Body& sets) const;
+  TriedAnswer made_diameter() const;
   /// Of B + p out of A, where it is not in A.
   TriedAnswer protrusion_out(const space::RealVector& p) const;
   /// Less the level; as near as tells about how far it is from that.
@@ -116,6 +133,7 @@ class CsgSide : public PairSide {
   std::vector<PairDistances> containers_, obstacles_;
   double size_ = 1;
   bool point_ = false, points_ = false;  // B is a single one, or has one among its parts
+  plane::Lazy<TriedAnswer> diameter_;
   plane::Lazy<TriedFits> fits_;
   plane::Lazy<exact::Tried<PositionSet>> free_;
   plane::Lazy<TriedAmong> among_;
@@ -123,6 +141,8 @@ class CsgSide : public PairSide {
 
 /// B moves, or with `cut_moves` A.
 PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves);
+/// As solid_least().
+TriedAnswer csg_least(Which which, const std::shared_ptr<const CsgSide>& side, bool cut_moves);
 /// As CsgSide::nearly, or by the value.
 TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const exact::Real& level,
                      const space::RealVector& p);
@@ -131,5 +151,16 @@ TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, co
 /// the sign.
 std::unique_ptr<space::RaySource> cut_map(Which which, const exact::Real& level, std::shared_ptr<const CsgSide> side,
                                           std::int64_t scale, const space::RayGrid& grid);
+
+/// A direction along which B may go, both ways or one way.
+struct AlongWay {
+  space::RealVector direction;
+  bool both = true;
+};
+/// The same of a distance along a direction, by what B covers on its way: gamma1 at levels from 0 on, gamma2 and what
+/// follows; null for others.
+std::unique_ptr<space::RaySource> cut_map_along(Which which, const exact::Real& level, const AlongWay& way,
+                                                std::shared_ptr<const CsgSide> side, std::int64_t scale,
+                                                const space::RayGrid& grid);
 
 }  // namespace findspace::distance

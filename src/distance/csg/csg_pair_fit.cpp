@@ -2,13 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // How deep B of a CsgSide is in A. And where it fits into a union of solids that balls are cut out of: it is in the
-// union where it is free of what that leaves of a box about both.
+// union where it is free of what that leaves of a box about both. And the least values of all distances.
 #include <algorithm>
 #include <cmath>
 
 #include "distance/csg/csg_pair.h"
 #include "distance/csg/csg_part.h"
+#include "distance/search/set_protrusion.h"
+#include "distance/solid/solid_least.h"
 #include "exact/margins/space_distance.h"
+#include "space/body/cell_parts.h"
+#include "space/body/outside_cells.h"
 
 namespace findspace::distance {
 
@@ -65,6 +69,7 @@ bool inside(const RealVector& p, const space::Bounds3& box) {
 struct CsgSide::Among {
   space::Bounds3 places;  // beyond this B protrudes from the box about A
   std::unique_ptr<const CsgSide> left;
+  Real parts{1};  // of a step, that `places` and `left` are in
 
   /// Of B in A.
   Tried<PositionSet> fits() const {
@@ -72,7 +77,30 @@ struct CsgSide::Among {
     if (!free) return free.refusal();
     return free->within(space::rounded(places));
   }
+  TriedAnswer in_steps(TriedAnswer v) const {
+    if (!v || !*v) return v;
+    return std::optional(in_unit(**v, Real(1) / parts));
+  }
 };
+
+/// How far B + p is from fitting, or minus how deep it is in A.
+TriedAnswer CsgSide::fit_among(const Among& all, const RealVector& position) {
+  const RealVector p = space::scaled(all.parts, position);
+  if (inside(p, all.places)) {
+    Tried<Gap> gap = all.left->gap_at(p);
+    if (!gap) return gap.refusal();
+    if (!(gap->depth > 0)) return all.in_steps(std::optional(minus(std::move(gap->value))));
+  }
+  const Tried<PositionSet> fits = all.fits();
+  if (!fits) return fits.refusal();
+  return all.in_steps(fits->nearest(p, false));
+}
+
+TriedAnswer CsgSide::farthest_among(const Among& all, const RealVector& position) {
+  const Tried<PositionSet> fits = all.fits();
+  if (!fits) return fits.refusal();
+  return all.in_steps(fits->farthest(space::scaled(all.parts, position)));
+}
 
 CsgSide::TriedAmong CsgSide::made_among() const {
   const space::Bounds3 outer = bounds(*a_), inner = bounds(*b_);
@@ -93,15 +121,41 @@ CsgSide::TriedAmong CsgSide::made_among() const {
   return std::shared_ptr<const Among>(std::move(out));
 }
 
-/// Whether B + p is in A, and how deep.
-Tried<bool> CsgSide::in_union(const Among& all, const RealVector& p, Answer& depth) const {
-  if (!inside(p, all.places)) return false;
-  Tried<Gap> gap = all.left->gap_at(p);
-  if (!gap) return gap.refusal();
-  if (gap->depth > 0) return false;
-  depth = std::move(gap->value);
-  depth.value = -depth.value;
-  return true;
+/// Cells of the outside, and what bounds the box about the fixed one on each side.
+CsgSide::TriedAmong CsgSide::among_cells(const space::Body& fixed, const space::CsgSolid& moving,
+                                         const space::Bounds3& places) {
+  if (fixed.round())
+    return exact::Refusal(
+        "how far a shape that round ones are cut out of is from fitting into a union with round parts is not computed");
+  const space::Bounds3 box = bounds(fixed);
+  const RealVector wide = space::minus(box.high, box.low);
+  const space::Bounds3 around{space::minus(box.low, wide), space::plus(box.high, wide)};
+  std::vector<space::ConvexRegion> cells;
+  for (const space::HalfSpace& wall : space::walls(box)) {
+    space::ConvexRegion beyond(around.low, around.high);
+    beyond.cut(wall.opposite());
+    cells.push_back(std::move(beyond));
+  }
+  for (const space::OutsideCell& cell : space::outside_cells(fixed)) {
+    if (!cell.bounded()) continue;
+    space::ConvexRegion region(box.low, box.high);
+    for (const space::HalfSpace& h : cell.planes) region.cut(h);
+    if (region.dimension() == 3) cells.push_back(std::move(region));
+  }
+  const space::Body left = space::body_of(space::parts_of_cells(cells));
+  if (left.rounded > 0)
+    return exact::Refusal(
+        "the outside of the shape has corners off every fine grid: whether another fits is not computed");
+  auto out = std::make_shared<Among>();
+  out->parts = Real(left.scale);
+  out->places = {space::scaled(out->parts, places.low), space::scaled(out->parts, places.high)};
+  auto solid = moving;
+  solid.scale = 1;
+  space::Body finer = left;
+  finer.scale = 1;
+  out->left = std::make_unique<const CsgSide>(std::make_shared<const space::Body>(std::move(finer)),
+                                              std::make_shared<const space::CsgSolid>(at_scale(solid, left.scale)));
+  return std::shared_ptr<const Among>(std::move(out));
 }
 
 TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
@@ -115,25 +169,14 @@ TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
     TriedAnswer apart = this->apart(p);
     if (!apart || away(**apart)) return apart;
   }
-  Answer out;
-  const Tried<bool> in = in_union(*all, p, out);
-  if (!in) return in.refusal();
-  if (*in) return std::optional(std::move(out));
-  const Tried<PositionSet> fits = all->fits();
-  if (!fits) return fits.refusal();
-  return fits->nearest(p, false);
+  return fit_among(*all, p);
 }
 
 TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
   const TriedAmong& made = among();
   if (!made) return made.refusal();
-  const std::shared_ptr<const Among>& all = *made;
-  if (!all) return std::nullopt;
-  const Tried<PositionSet> fits = all->fits();
-  if (!fits) return fits.refusal();
-  TriedAnswer v = fits->farthest(p);
-  if (v && *v) (*v)->nearest.reset();
-  return v;
+  if (!*made) return std::nullopt;
+  return farthest_among(**made, p);
 }
 
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
@@ -160,6 +203,138 @@ TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
   const BoundaryPlace found = fits->nearest_to(distance_to_point(space::rounded(p)), {0, {}, &until});
   if (!found.found && !found.unresolved && found.complete && found.bound == exact::kInfinity) return std::nullopt;
   return Between{found.bound - error - level, found.value + error - level};
+}
+
+namespace {
+
+constexpr int kMostCutValues = 200, kMostGapCells = 150;  // each takes a search of its own
+
+}  // namespace
+
+/// A point of B at a place within A.
+Tried<RealVector> CsgSide::meeting() const {
+  for (const CsgPartSearch& part : parts_) {
+    const Slack most = part.places.deepest({});
+    const RealVector at = space::real(most.place);
+    if (most.value > 0 && holds(*part.sets, at)) return space::minus(at, space::real(b_->parts[0].vertices()[0]));
+  }
+  return not_found_in_part();
+}
+
+/// Minus the slack of E.
+TriedAnswer CsgSide::least_fit() const {
+  if (containers_.empty()) return std::nullopt;
+  const TriedFits& fits = this->fits();
+  if (!fits || !*fits) return std::nullopt;
+  const double error = margin::kFoundError * size_;
+  const Slack most = (*fits)->deepest({0, 1, error});
+  if (!(most.value > 0)) return std::nullopt;
+  const RealVector at = space::real(most.place);
+  const TriedAnswer v = fit(at);
+  if (!v || !*v) return v;
+  return std::optional(least_taken(at, **v, Real::from_double(-most.bound - error)));
+}
+
+/// Minus how far a position is from being free: of all within a box, out of which all are.
+TriedAnswer CsgSide::least_gap() const {
+  if (a_->walls) return left_walls();
+  if (points_) return std::nullopt;
+  const Tried<PositionSet>& free = this->free();
+  if (!free) return free.refusal();
+  const PositionSet around = free->within(grown(free->box(), size_ / 8));
+  const Tried<SetProtrusion> out = set_protrusion({tetrahedra_of_box(free->box())}, {NearSet{&around}}, size_,
+                                                  margin::kDeepestGap * size_, nullptr, kMostGapCells);
+  if (!out)
+    return exact::Refusal(
+        "the deepest overlap with a shape that round ones are cut out of was not found within the limit of the search");
+  const RealVector at = space::real(out->found.place);
+  const TriedAnswer v = gap(at, Depth::kValue);
+  if (!v) return v;
+  return std::optional(least_taken(at, **v, Real::from_double(-out->found.bound - margin::kFoundError * size_)));
+}
+
+namespace {
+
+/// Of B that moves.
+class CutLeast {
+ public:
+  explicit CutLeast(const std::shared_ptr<const CsgSide>& side)
+      : side_(*side),
+        pair_(csg_pair(side, false)),
+        box_(space::meeting(bounds(side->complete()), bounds(side->cut()))) {}
+
+  TriedAnswer of(Which which) const {
+    switch (which) {
+      case Which::kD1:
+      case Which::kPenetration:
+      case Which::kDstar:
+      case Which::kDstarBack:
+        return zero(which);
+      case Which::kGamma1:
+        return or_searched(side_.least_gap(), which);
+      case Which::kEta1:
+      case Which::kMu:  // where B fits they are equal
+        return or_searched(side_.least_fit(), which);
+      case Which::kH:
+        return at_least(which, of(Which::kMu), Real());
+      case Which::kHBack:
+        return side_.complete().convex() ? at_least(which, of(Which::kMuBack), Real()) : searched(which);
+      case Which::kDiameter:
+        return diameter();
+      default:
+        return searched(which);
+    }
+  }
+
+ private:
+  TriedAnswer or_searched(TriedAnswer v, Which which) const { return !v || *v ? std::move(v) : searched(which); }
+
+  TriedAnswer searched(Which which) const {
+    const bool back = which == Which::kMuBack || which == Which::kDelta1;
+    LeastQuery query;
+    query.convex = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2 ||
+                   (back && side_.complete().convex());
+    if (which == Which::kHausdorff || which == Which::kHBack) query.floor = 0;
+    query.most = kMostCutValues;
+    return least_of_values(which, pair_, box_, query);
+  }
+
+  TriedAnswer zero(Which which) const {
+    const Tried<RealVector> meeting = which == Which::kD1 ? side_.meeting() : Tried<RealVector>(box_.high);
+    if (!meeting) return meeting.refusal();
+    return std::optional(least_zero(which, box_, *meeting));
+  }
+
+  /// Of a distance that is the greater one of `floor` and another, where that is least.
+  TriedAnswer at_least(Which which, TriedAnswer base, const Real& floor) const {
+    if (!base || !*base) return base;
+    const TriedAnswer v = pair_.try_value(which, (*base)->at);
+    if (!v || !*v) return v;
+    return std::optional(least_taken((*base)->at, **v, std::max(*(*base)->bounds().lower, floor)));
+  }
+
+  TriedAnswer diameter() const {
+    TriedAnswer reach = of(Which::kGamma2);
+    if (!reach) return reach;
+    const TriedAnswer& own = side_.own_diameter();
+    if (!own) return own;
+    return at_least(Which::kDiameter, std::move(reach),
+                    std::max(*(*own)->bounds().lower, distance::diameter(side_.complete())));
+  }
+
+  const CsgSide& side_;
+  PairDistances pair_;
+  space::Bounds3 box_;
+};
+
+}  // namespace
+
+TriedAnswer csg_least(Which which, const std::shared_ptr<const CsgSide>& side, bool cut_moves) {
+  if (!cut_moves) return CutLeast(side).of(which);
+  // A + p against B is A against B - p.
+  TriedAnswer v = CutLeast(side).of(exchanged(which));
+  if (v && *v) (*v)->at = space::negated((*v)->at);
+  return v;
 }
 
 }  // namespace findspace::distance

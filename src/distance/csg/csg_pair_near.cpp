@@ -271,6 +271,17 @@ std::unique_ptr<const NearRule> CsgSide::nearness(std::shared_ptr<const CsgSide>
   return std::make_unique<FreeNear>(std::move(side), -level, unit, range);
 }
 
+namespace {
+
+/// About all positions at which the two can be nearer than the level.
+NearRange meeting_range(const CsgSide& side, const Real& level) {
+  const space::Bounds3 box = space::meeting(bounds(side.complete()), bounds(side.cut()));
+  const Vector low = space::rounded(box.low), high = space::rounded(box.high);
+  return {space::scaled(0.5, space::plus(low, high)), space::length(high - low) + std::fabs(level.to_double()) + 1};
+}
+
+}  // namespace
+
 std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::shared_ptr<const CsgSide> side,
                                           std::int64_t scale, const space::RayGrid& grid) {
   if (const auto cut = cut_off_of(which); cut && cut->base == Which::kGamma1) {
@@ -278,11 +289,7 @@ std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::s
     return space::cut_off_rays(cut_map(cut->base, cut->negated ? -level : level, std::move(side), scale, grid),
                                cut->negated, level);
   }
-  // About all positions at which the two can meet.
-  const space::Bounds3 box = space::meeting(bounds(side->complete()), bounds(side->cut()));
-  const space::Vector low = space::rounded(box.low), high = space::rounded(box.high);
-  const double size = space::length(high - low) + std::fabs(level.to_double()) + 1;
-  const NearRange range{space::scaled(0.5, space::plus(low, high)), size};
+  const NearRange range = meeting_range(*side, level);
   if (auto near = CsgSide::nearness(side, which, level.to_double(), line_direction(grid), range)) {
     const bool deep = which == Which::kGamma1 && level.sign() < 0;
     auto rays = std::make_unique<NearRays>(std::move(near), range, deep ? -1 : 1, scale, grid);
@@ -290,7 +297,47 @@ std::unique_ptr<space::RaySource> cut_map(Which which, const Real& level, std::s
     return rays;
   }
   const RayRule rule = [side, which, level](const space::RealVector& p) { return between(side, which, level, p); };
-  return std::make_unique<ValueRays>(rule, range.middle, size, scale, grid);
+  return std::make_unique<ValueRays>(rule, range.middle, range.size, scale, grid);
+}
+
+std::unique_ptr<space::RaySource> cut_map_along(Which which, const Real& level, const AlongWay& way,
+                                                std::shared_ptr<const CsgSide> side, std::int64_t scale,
+                                                const space::RayGrid& grid) {
+  if (const auto cut = cut_off_of(which); cut && cut->base == Which::kGamma1) {
+    if (level.sign() < 0) return space::constant_rays(grid, 1);
+    auto base = cut_map_along(cut->base, cut->negated ? -level : level, way, std::move(side), scale, grid);
+    return base ? space::cut_off_rays(std::move(base), cut->negated, level) : nullptr;
+  }
+  const bool gap = which == Which::kGamma1;
+  if (gap && level.sign() == 0) return cut_map(which, level, std::move(side), scale, grid);
+  if (which == Which::kGamma2 && level.sign() < 0) return space::constant_rays(grid, 1);
+  if ((!gap && which != Which::kGamma2) || level.sign() < 0) return nullptr;
+  const NearRange range = meeting_range(*side, level);
+  const Vector unit = space::scaled(1 / space::length(space::rounded(way.direction)), space::rounded(way.direction));
+  std::shared_ptr<const NearRule> near = CsgSide::nearness(std::move(side), Which::kGamma1, 0, unit, range);
+  if (!near) return nullptr;
+  // How far B is from A on a stretch of its way.
+  const auto on_way = [near, unit](const RealVector& p, double from, double to) -> exact::Tried<exact::Interval> {
+    const auto least = near->least({space::rounded(p), unit}, from, to, {0, margin::kRoughShare});
+    if (!least) return least.refusal();
+    return exact::Interval{least->low, least->high};
+  };
+  const double at = level.to_double(), far = 2 * range.size;  // beyond which they do not meet
+  const RayRule rule = [=, both = way.both](const RealVector& p) -> TriedBetween {
+    const auto all = on_way(p, both ? -(gap ? at : far) : 0, gap ? at : far);
+    if (!all) return all.refusal();
+    if (gap || all->lo > 0) return Between{all->lo, all->hi};
+    // They meet: beyond the level or not.
+    auto beyond = on_way(p, at, far);
+    if (!beyond) return beyond.refusal();
+    if (both) {
+      const auto back = on_way(p, -far, -at);
+      if (!back) return back.refusal();
+      beyond = exact::Interval{std::min(beyond->lo, back->lo), std::min(beyond->hi, back->hi)};
+    }
+    return Between{std::max(all->lo, -beyond->hi), std::max(all->hi, -beyond->lo)};
+  };
+  return std::make_unique<ValueRays>(rule, range.middle, range.size, scale, grid);
 }
 
 }  // namespace findspace::distance

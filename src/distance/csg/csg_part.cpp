@@ -45,19 +45,12 @@ double cut_size(const Body& b, const space::CsgSolid& a) {
   return size;
 }
 
-TouchingConstraint convex_constraint(const BodyPart& set, const Vector& p) {
-  return flat_sided(set) ? highest_plane(set.planes(), p) : touching_distance(set, p, set.radius.to_double());
+TouchingConstraint gap_to(const BodyPart& set, const Vector& p) {
+  return touching_boundary(set, p, set.radius.to_double());
 }
 
-TouchingConstraint gap_to(const BodyPart& set, const Vector& p) {
-  TouchingConstraint away = touching_distance(set, p, set.radius.to_double());
-  if (!flat_sided(set)) return away;
-  return [inside = highest_plane(set.planes(), p), away = std::move(away)](const Vector& x) {
-    const Touching at = inside(x);
-    if (at.value < 0) return at;
-    const Touching out = away(x);
-    return space::length(out.slope) > 0 ? out : at;  // so near a face its plane says the slope
-  };
+TouchingConstraint convex_constraint(const BodyPart& set, const Vector& p) {
+  return flat_sided(set) ? highest_plane(set.planes(), p) : gap_to(set, p);
 }
 
 ConvexDistance reverse_convex_constraint(const BodyPart& set, const Vector& p) {
@@ -148,15 +141,18 @@ NearSet CsgPartSearch::near_set() const {
 }
 
 exact::Refusal no_depth() {
-  return exact::Refusal(
-      "how deep round polyhedra, or shapes without interior, are in one that round ones are cut out of is "
-      "not computed");
+  return exact::Refusal("how deep shapes without interior are in one that round ones are cut out of is not computed");
 }
 
 exact::Tried<std::vector<MeetSet>> meet_sets(const BodyPart& part) {
   if (part.point() && part.radius.sign() > 0)
     return std::vector<MeetSet>{{true, exact::approx(part.center), part.radius.to_double()}};
-  if (!part.core || part.radius.sign() != 0) return no_depth();
+  if (part.radius.sign() > 0) {
+    const double radius = part.radius.to_double();
+    return std::vector<MeetSet>{
+        {false, {}, radius, std::make_shared<const TouchingConstraint>(touching_boundary(part, {}, radius))}};
+  }
+  if (!part.core) return no_depth();
   std::vector<MeetSet> out;
   for (const space::HalfSpace& h : part.planes()) out.push_back({false, h.unit, h.shift});
   return out;

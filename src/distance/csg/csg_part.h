@@ -40,9 +40,9 @@ bool in_a_cut(const space::BodyPart& set, const space::CsgPart& part, const spac
 double depth_in_cuts(const space::BodyPart& set, const space::CsgPart& part, const space::RealVector& p, double size);
 /// The part has to outlive it.
 CsgPartSearch csg_part_search(const space::CsgPart& part, double size);
-/// Why: of round polyhedra and of what has no interior.
+/// Why: of what has no interior.
 exact::Refusal no_depth();
-/// A polytope by its planes, or a ball. Refused for other sets.
+/// A polytope by its planes, a ball, or a grown set. Refused where it has no interior.
 exact::Tried<std::vector<MeetSet>> meet_sets(const space::BodyPart& part);
 /// Why: a search found no place of a part, or of what two parts have in common, and did not show that there is none.
 exact::Refusal not_found_in_part();
@@ -74,8 +74,7 @@ bool holds(const space::CsgPart& part, const space::RealVector& x);
 std::vector<Answer> named_gaps(const space::CsgPart& a, const space::BodyPart& s, const space::RealVector& p,
                                const space::Vector& place, double size);
 
-/// The positions at which B is free of the parts, which have to outlive it. Refused for round polyhedra and for what
-/// has no interior.
+/// The positions at which B is free of the parts, which have to outlive it. Refused for what has no interior.
 exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector<CsgPartSearch>& parts, double size);
 
 }  // namespace findspace::distance

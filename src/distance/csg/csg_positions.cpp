@@ -9,11 +9,9 @@
 // below the slack that is the slack itself where x is the deepest place: each cell of the search makes those that it
 // needs (LazyConstraints), right to the square of its size. Guarantee: doubles; the place is one at which common slack
 // is at most 2^-42 of the sizes, no such position is nearer than `bound`; the search may end before (`complete`), so
-// where edges of B lie on edges of what is cut out. Sets cut out may be anything convex; others polytopes and balls.
+// where edges of B lie on edges of what is cut out. Sets may be anything convex with interior.
 // Cost: some hundred cells, each some dozen slacks. Keywords: penetration depth, reverse convex programming, cutting
 // planes.
-/// The positions at which B is free of the parts, which have to outlive it. Refused for round polyhedra and for what
-/// has no interior.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -167,10 +165,10 @@ class CsgConstraints : public LazyConstraints {
     std::vector<MeetSet> sets;
     sets.reserve(pair.moving.size() + pair.fixed.size() + cut.planes.size());
     for (MeetSet set : pair.moving) {
-      if (set.ball)
-        set.at = space::plus(set.at, p);
-      else
+      if (set.plane())
         set.by -= space::dot(set.at, p);
+      else
+        set.at = space::plus(set.at, p);
       sets.push_back(set);
     }
     sets.insert(sets.end(), pair.fixed.begin(), pair.fixed.end());

@@ -39,8 +39,9 @@ struct BoundaryCell : TetrahedralCell {
 class BoundarySearch {
  public:
   BoundarySearch(const Constraints& constraints, const TouchingConstraint* distance,
-                 std::span<const ConvexDistance> far, double size, const Incumbent& known)
-      : constraints_(constraints), distance_(distance), far_(far), size_(size), known_(known) {
+                 std::span<const ConvexDistance> far, double size, const Incumbent& known,
+                 double nearer = margin::kNearerAtAll)
+      : constraints_(constraints), distance_(distance), far_(far), size_(size), nearer_(nearer), known_(known) {
     best_.value = exact::kInfinity;
     if (!constraints.more) return;
     nearer_ = constraints.more->nearer();
@@ -55,7 +56,7 @@ class BoundarySearch {
     std::iota(all.in.begin(), all.in.end(), 0);
     domain_ = domain;
     until_ = until;
-    if (constraints_.more) ask();
+    if (constraints_.more || nearer_ > margin::kNearerAtAll) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
     long count = 0;
@@ -301,7 +302,7 @@ class BoundarySearch {
   std::span<const Tetrahedron> domain_;
   const TouchingConstraint* distance_;
   std::span<const ConvexDistance> far_;
-  double size_, nearer_ = margin::kNearerAtAll, last_cell_ = 0;
+  double size_, nearer_, last_cell_ = 0;
   const Incumbent& known_;
   BoundaryPlace best_;
   const Until* until_ = nullptr;
@@ -318,8 +319,10 @@ BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constra
 }
 
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
-                               std::span<const ConvexDistance> distances, double size, const Incumbent& known) {
-  BoundaryPlace out = BoundarySearch(constraints, nullptr, distances, size, known).run(domain, -exact::kInfinity);
+                               std::span<const ConvexDistance> distances, double size, const Incumbent& known,
+                               const FarEnd& end) {
+  BoundaryPlace out =
+      BoundarySearch(constraints, nullptr, distances, size, known, end.nearer).run(domain, -end.ceiling);
   out.value = -out.value;
   out.bound = -out.bound;
   return out;

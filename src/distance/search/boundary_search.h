@@ -23,6 +23,7 @@
 #include "distance/search/boundary_cells.h"
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
+#include "exact/number/interval.h"
 
 namespace findspace::distance {
 
@@ -69,7 +70,7 @@ struct Constraints {
 };
 
 /// The objective at a place of zero clearance that is known to be allowed; asked once, where the search comes to one or
-/// is long, or first where there are LazyConstraints.
+/// is long, or first where there are LazyConstraints or a FarEnd is coarse.
 using Incumbent = std::function<std::optional<double>()>;
 
 inline constexpr int kMostSearchCells = 60000;
@@ -94,9 +95,15 @@ struct Until {
 BoundaryPlace nearest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
                               const TouchingConstraint& distance, double size, double floor,
                               const Incumbent& known = {}, const Until* until = nullptr);
+/// What a search for the farthest place knows: no place is farther than `ceiling`. What is farther than the best by
+/// less than `nearer` of the sizes is not looked for.
+struct FarEnd {
+  double ceiling = exact::kInfinity, nearer = margin::kNearerAtAll;
+};
 /// At which the least of the distances is greatest: farthest from a union.
 BoundaryPlace farthest_allowed(std::span<const Tetrahedron> domain, const Constraints& constraints,
-                               std::span<const ConvexDistance> distances, double size, const Incumbent& known = {});
+                               std::span<const ConvexDistance> distances, double size, const Incumbent& known = {},
+                               const FarEnd& end = {});
 
 /// The most slack of what functions allow: the greatest t with each of `reverse_convex` at least t and each of `convex`
 /// at most -t. More than 0 says that the allowed places have interior. The search is tetrahedral_max_min.h; the slack

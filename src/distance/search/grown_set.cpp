@@ -108,6 +108,17 @@ TouchingConstraint highest_plane(std::vector<HalfSpace> planes, const Vector& p,
   };
 }
 
+TouchingConstraint touching_boundary(const space::BodyPart& part, const Vector& p, double radius) {
+  TouchingConstraint away = touching_distance(part, p, radius);
+  if (!part.core) return away;
+  return [inside = highest_plane(part.planes(), p, -radius), away = std::move(away), radius](const Vector& x) {
+    const Touching at = inside(x);
+    if (at.value < -radius) return at;
+    const Touching out = away(x);
+    return space::length(out.slope) > 0 ? out : at;  // so near a face its plane says the slope
+  };
+}
+
 TouchingConstraint distance_to_point(const Vector& p) {
   return [p](const Vector& x) {
     const double d = space::length(x - p);

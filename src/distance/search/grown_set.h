@@ -37,6 +37,9 @@ TouchingConstraint touching_way(std::function<space::Vector(const space::Vector&
 /// d(x, core) - radius of a part moved by p, with its slope.
 TouchingConstraint touching_distance(const space::BodyPart& part, const space::Vector& p, double radius);
 
+/// The same, and inside the core the depth in that and the radius: the signed distance to the boundary.
+TouchingConstraint touching_boundary(const space::BodyPart& part, const space::Vector& p, double radius);
+
 /// The highest of the planes, moved by p and inward by `inward`.
 TouchingConstraint highest_plane(std::vector<space::HalfSpace> planes, const space::Vector& p, double inward = 0);
 

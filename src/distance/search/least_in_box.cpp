@@ -33,11 +33,11 @@ struct Box {
   }
 };
 
-using Value = std::function<Tried<Real>(const RealVector&)>;
+using Value = std::function<Tried<Answer>(const RealVector&)>;
 
 class BoxSearch {
  public:
-  explicit BoxSearch(const Value& value, double floor) : value_(value), floor_(floor) {}
+  BoxSearch(const Value& value, double floor, int most) : value_(value), floor_(floor), most_(most) {}
 
   Tried<Answer> run(const Vector& low, const Vector& high) {
     const Vector half = space::scaled(0.5, high - low);
@@ -45,17 +45,16 @@ class BoxSearch {
     take({{space::plus(low, half), half, 0}});
     std::vector<Box> parts;
     queue_.run(
-        kMostValues, kAtOnce,
+        most_, kAtOnce,
         [&](const Box& top) {
-          return refused_ || count_ >= kMostValues || least_ - top.bound <= tolerance_ || least_ <= floor_;
+          return refused_ || count_ >= most_ || least_ - top.bound <= tolerance_ + best_.slack() || least_ <= floor_;
         },
         [&](const Box& top) { divide(top, parts); }, [&] { take(std::exchange(parts, {})); });
     if (refused_) return *refused_;
     const double bound = std::max(floor_, queue_.empty() ? least_ : std::min(queue_.best().bound, least_));
     // Roundings: of the centres and of the values.
     const double noise = floor_ >= bound ? 0 : margin::kPlaceNoise * (std::fabs(bound) + space::length(half));
-    const Real least = std::min(value_at_best_, Real::from_double((floor_ >= bound ? floor_ : bound) - noise));
-    return least_answer(value_at_best_, least, least == value_at_best_, best_);
+    return least_taken(best_.at, best_, Real::from_double((floor_ >= bound ? floor_ : bound) - noise));
   }
 
  private:
@@ -68,47 +67,60 @@ class BoxSearch {
   }
 
   void take(std::vector<Box> boxes) {
-    std::vector<Tried<Real>> values(boxes.size(), Real());
+    std::vector<Tried<Answer>> values(boxes.size(), Answer());
     plane::parallel_for(boxes.size(), [&](std::size_t k) { values[k] = value_(space::real(boxes[k].center)); });
-    for (const Tried<Real>& v : values) {
+    for (const Tried<Answer>& v : values) {
       if (v) continue;
       refused_ = v.refusal();
       return;
     }
     count_ += static_cast<int>(boxes.size());
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const double value = values[k]->to_double();
+      const double value = values[k]->value.to_double();
+      boxes[k].bound = value - values[k]->slack() - space::length(boxes[k].half);
       if (value < least_ || count_ == 1) {
         least_ = value;
-        value_at_best_ = *std::move(values[k]);
-        best_ = space::real(boxes[k].center);
+        best_ = *std::move(values[k]);
+        best_.at = space::real(boxes[k].center);
       }
-      boxes[k].bound = value - space::length(boxes[k].half);
       queue_.push(boxes[k]);
     }
   }
 
   const Value& value_;
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
-  int count_ = 0;
+  int most_, count_ = 0;
   plane::Subdivision<Box> queue_{"boxes of the position with the least value"};
   std::optional<exact::Refusal> refused_;
-  Real value_at_best_;
-  RealVector best_{};
+  Answer best_;
 };
 
 }  // namespace
 
-Tried<Answer> least_in_box(const Value& value, const Vector& low, const Vector& high, double floor) {
-  return BoxSearch(value, floor).run(low, high);
+Answer least_taken(const RealVector& at, const Answer& value, const Real& bound) {
+  if (value.proven) {
+    const Real least = std::min(value.value, bound);
+    return least_answer(value.value, least, least == value.value, at);
+  }
+  Answer out = least_answer(value.value, bound, false, at);
+  out.enclosed->upper = value.bounds().upper;
+  return out;
+}
+
+Tried<Answer> least_in_box(const Value& value, const Vector& low, const Vector& high, double floor, int most) {
+  return BoxSearch(value, floor, most).run(low, high);
 }
 
 namespace {
 
-/// The unit vector along which the distance grows.
-std::optional<Vector> direction(const Answer& v) {
-  if (v.witness.empty()) return std::nullopt;
-  const Vector w = space::rounded(space::minus(v.witness[0].at, v.witness[1].at));
+/// The unit vector along which the distance at p grows: from what p, or a point of B, is so far from.
+std::optional<Vector> direction(const Answer& v, const RealVector& p) {
+  RealVector way;
+  if (!v.witness.empty())
+    way = space::minus(v.witness[0].at, v.witness[1].at);
+  else if (v.farthest || v.nearest)
+    way = space::minus(p, v.farthest ? *v.farthest : *v.nearest);
+  const Vector w = space::rounded(way);
   const double length = space::length(w), value = v.value.to_double();
   // The points of a signed value may be others.
   if (!(length > 0) || std::fabs(length - std::fabs(value)) > margin::kWitnessAgrees * length) return std::nullopt;
@@ -128,24 +140,27 @@ class TangentSearch {
 
   TriedAnswer run() {
     double bound = -exact::kInfinity;
-    for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_); ++k) {
+    for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_ + off()); ++k) {
       if (!add_tangent()) break;
       const LpBound lowest = bounding_lp(columns_, std::nullopt);
       bound = -lowest.value - margin::kTangentNoise * size_;
       Vector to{};
       for (std::size_t c = 0; c < 4; ++c) to = space::plus(to, space::scaled(lowest.rows[c], corners_[c]));
       // Between the best and the lowest: where tangents are nearly level the lowest is anywhere.
-      const Vector best = space::rounded(out_.at);
+      const Vector best = space::rounded(best_.at);
       next_ = space::plus(best, space::scaled(k % 4 == 3 ? 1.0 : 0.3, to - best));
     }
     if (refused_) return *refused_;
-    if (least_ - bound > margin::kTangentsApart * size_) return std::nullopt;
+    if (least_ - bound > margin::kTangentsApart * size_ + off()) return std::nullopt;
     offer_near();
     if (refused_) return *refused_;
-    return least_answer(out_.value, std::min(out_.value, Real::from_double(bound)), false, out_.at);
+    return least_taken(best_.at, best_, Real::from_double(bound));
   }
 
  private:
+  /// What the best value, and tangents like its own, may be off.
+  double off() const { return best_.proven ? 0 : 2 * best_.error; }
+
   bool add_tangent() {
     const RealVector p = space::real(next_);
     const exact::Tried<Answer> found = value_(p);
@@ -157,28 +172,31 @@ class TangentSearch {
     const double value = v.value.to_double();
     if (value < least_) {
       least_ = value;
-      out_.value = v.value;
-      out_.at = p;
+      take(v, p);
     }
-    const auto along = direction(v);
+    const auto along = direction(v, p);
     if (!along) return false;
     std::array<double, 4> column{};
-    for (std::size_t c = 0; c < 4; ++c) column[c] = -(value + space::dot(*along, corners_[c] - next_));
+    for (std::size_t c = 0; c < 4; ++c) column[c] = v.error - value - space::dot(*along, corners_[c] - next_);
     columns_.push_back(column);
     return true;
   }
 
   /// A position in whole steps may well be the true one.
   void offer_near() {
-    RealVector even = out_.at;
+    RealVector even = best_.at;
     for (Real& c : even) c = Real(exact::round(c));
     const exact::Tried<Answer> v = value_(even);
     if (!v) {
       refused_ = v.refusal();
-    } else if (v->value <= out_.value + Real::from_double(margin::kNoBetter * size_)) {
-      out_.value = v->value;
-      out_.at = even;
+    } else if (v->value <= best_.value + Real::from_double(margin::kNoBetter * size_)) {
+      take(*v, even);
     }
+  }
+
+  void take(const Answer& v, const RealVector& at) {
+    best_ = v;
+    best_.at = at;
   }
 
   const ConvexValue& value_;
@@ -187,7 +205,7 @@ class TangentSearch {
   Vector next_;
   std::vector<std::array<double, 4>> columns_;
   std::optional<exact::Refusal> refused_;
-  Answer out_ = least_answer({}, {}, false, {});
+  Answer best_;
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ class LeastSlack {
   LeastSlack(std::span<const MeetSet> sets, const Tetrahedron& about) : sets_(sets), about_(about) {
     best_.value = -exact::kInfinity;
     for (const MeetSet& set : sets_) {
-      if (!set.ball) add(set, {});
+      if (set.plane()) add(set, {});
       for (const Vector& v : about_) size_ = std::max(size_, std::fabs(set.beyond(v)));
     }
   }
@@ -69,7 +69,7 @@ class LeastSlack {
       const Vector& x = high.place;
       const double bound = high.value;
       const double value = offer(x);
-      if (bound - best_.value <= margin::kMeetEnough * size_ || !any_ball()) break;
+      if (bound - best_.value <= margin::kMeetEnough * size_ || all_planes()) break;
       finish(x, bound, bound - value, start);
       touch(x);
       touch(best_.place);
@@ -79,14 +79,17 @@ class LeastSlack {
   }
 
  private:
-  bool any_ball() const {
-    return std::any_of(sets_.begin(), sets_.end(), [](const MeetSet& s) { return s.ball; });
+  bool all_planes() const {
+    return std::all_of(sets_.begin(), sets_.end(), [](const MeetSet& s) { return s.plane(); });
   }
 
   /// How deep in the set the corners are, by the tangent at x.
   void add(const MeetSet& set, const Vector& x) {
     Column c{};
-    if (!set.ball) {
+    if (set.grown) {
+      const Touching at = (*set.grown)(x - set.at);
+      for (std::size_t v = 0; v < 4; ++v) c[v] = -at.value - space::dot(at.slope, about_[v] - x);
+    } else if (!set.ball) {
       for (std::size_t v = 0; v < 4; ++v) c[v] = -set.beyond(about_[v]);
     } else {
       const Vector off = x - set.at;
@@ -98,7 +101,7 @@ class LeastSlack {
 
   void touch(const Vector& x) {
     for (const MeetSet& set : sets_) {
-      if (set.ball) add(set, x);
+      if (!set.plane()) add(set, x);
     }
   }
 
@@ -113,7 +116,16 @@ class LeastSlack {
   /// The places that are as deep in each of some sets that bound the slack near x.
   void finish(const Vector& x, double bound, double gap, const Vector& start) {
     std::vector<std::pair<double, const MeetSet*>> near;
-    for (const MeetSet& set : sets_) near.emplace_back(-set.beyond(x), &set);
+    std::vector<MeetSet> local;
+    local.reserve(2 * sets_.size());
+    for (const MeetSet& set : sets_) {
+      const double deep = -set.beyond(x);
+      if (!set.grown) {
+        near.emplace_back(deep, &set);
+        continue;
+      }
+      for (const MeetSet& one : like(set, x)) near.emplace_back(deep, &local.emplace_back(one));
+    }
     std::sort(near.begin(), near.end());
     while (near.size() > kFew || (near.size() > 1 && near.back().first > near.front().first + 4 * gap)) near.pop_back();
     for (unsigned mask = 1; mask < 1u << near.size(); ++mask) {
@@ -126,6 +138,16 @@ class LeastSlack {
       }
       if (count <= 4) offer_between({some.data(), count}, bound, start);
     }
+  }
+
+  /// What a grown set is like at x: the half-space behind its tangent, and out of its core the ball about the nearest
+  /// place of that.
+  static std::vector<MeetSet> like(const MeetSet& set, const Vector& x) {
+    const Touching at = (*set.grown)(x - set.at);
+    if (!(space::length(at.slope) > 0)) return {};
+    std::vector<MeetSet> out{{false, at.slope, at.value - space::dot(at.slope, x)}};
+    if (at.value > -set.by) out.push_back({true, x - space::scaled(at.value + set.by, at.slope), set.by});
+    return out;
   }
 
   void offer_between(std::span<const MeetSet* const> some, double bound, const Vector& start) {

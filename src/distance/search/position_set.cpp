@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
@@ -89,7 +90,7 @@ PositionSet PositionSet::inside(const space::Body& b, const space::BodyPart& a, 
     for (const space::Point& v : part.vertices()) {
       out.size_ = std::max(out.size_, space::length(exact::approx(v)));
       const bool round = a.point() || tolerance > 0;  // else planes say how deep a place is, distances do not
-      out.constraints_.convex.push_back(round ? touching_distance(a, exact::approx(-v), tolerance)
+      out.constraints_.convex.push_back(round ? touching_boundary(a, exact::approx(-v), tolerance)
                                               : highest_plane(a.planes(), exact::approx(-v), -tolerance));
     }
   }
@@ -170,10 +171,11 @@ BoundaryPlace PositionSet::nearest_to(const TouchingConstraint& to, const Query&
   return nearest_allowed(domain, lazy->constraints(), to, size_, query.floor, query.known, query.until);
 }
 
-BoundaryPlace PositionSet::farthest_from(std::span<const ConvexDistance> from, const Incumbent& known) const {
-  if (!lazy_) return farthest_allowed(cells(box_), constraints_, from, size_, known);
+BoundaryPlace PositionSet::farthest_from(std::span<const ConvexDistance> from, const Incumbent& known,
+                                         const FarEnd& end) const {
+  if (!lazy_) return farthest_allowed(cells(box_), constraints_, from, size_, known, end);
   const std::unique_ptr<LazyConstraints> lazy = lazy_();
-  return farthest_allowed(cells(box_), lazy->constraints(), from, size_, known);
+  return farthest_allowed(cells(box_), lazy->constraints(), from, size_, known, end);
 }
 
 /// A place of zero clearance that belongs all the same, with simple coordinates.
@@ -287,7 +289,13 @@ TriedAnswer PositionSet::farthest(const RealVector& p) const {
       return decided ? std::optional(-decided->value.to_double()) : std::nullopt;
     };
   }
-  return settled(farthest_from(space::rounded(p), ask), p, decided);
+  const BoundaryPlace found = farthest_from(space::rounded(p), ask);
+  // Where many places are nearly as far the search ends before: the value lies between what it found and the bound.
+  const bool early = found.found && !found.complete && !found.unresolved && holds(space::real(found.place));
+  TriedAnswer v = early ? TriedAnswer(searched_answer(found, size_)) : settled(found, p, decided);
+  if (early) (*v)->nearest = space::real(found.place);
+  if (v && *v) (*v)->farthest = std::exchange((*v)->nearest, std::nullopt);
+  return v;
 }
 
 }  // namespace findspace::distance

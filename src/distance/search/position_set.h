@@ -84,9 +84,10 @@ class PositionSet {
     std::optional<Box> box{};  // instead of the set's own
   };
   BoundaryPlace nearest_to(const TouchingConstraint& to, const Query& query) const;
-  BoundaryPlace farthest_from(std::span<const ConvexDistance> from, const Incumbent& known = {}) const;
-  BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}) const {
-    return farthest_from(std::span(&from, 1), known);
+  BoundaryPlace farthest_from(std::span<const ConvexDistance> from, const Incumbent& known = {},
+                              const FarEnd& end = {}) const;
+  BoundaryPlace farthest_from(const ConvexDistance& from, const Incumbent& known = {}, const FarEnd& end = {}) const {
+    return farthest_from(std::span(&from, 1), known, end);
   }
   BoundaryPlace farthest_from(const space::Vector& p, const Incumbent& known = {}) const {
     return farthest_from([p](const space::Vector& x) { return space::length(x - p); }, known);
@@ -99,6 +100,8 @@ class PositionSet {
   /// Of the coordinates.
   double size() const { return size_; }
   const Constraints& constraints() const { return constraints_; }
+  /// Whether there are more than these, made by each search.
+  bool has_more() const { return lazy_ != nullptr; }
 
  private:
   PositionSet(const space::RealVector& low, const space::RealVector& high);

@@ -15,7 +15,6 @@ using space::Vector;
 
 namespace {
 
-constexpr int kMostProtrusionCells = 4000;
 constexpr std::size_t kMostPlaces = 6;  // that bound a cell
 constexpr int kPlaceRounds = 3;
 
@@ -153,7 +152,7 @@ class PlacesOfSets : public MaxMinTarget {
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       const NearSet& set = sets_[k];
       if (set.places->box().distance(x) >= best.value) continue;
-      auto found = projected(set, x, size_);
+      auto found = set.places->has_more() ? std::nullopt : projected(set, x, size_);
       if (!found) found = searched(*set.places, x, missed);
       if (!found) continue;
       best.least = std::min(best.least, found->least);
@@ -236,11 +235,11 @@ Answer SetProtrusion::answer(double size) const {
 }
 
 exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
-                                           double near, const SolidMaxMin* known) {
+                                           double near, const SolidMaxMin* known, int most) {
   const PlacesOfSets target(sets, size, near);
   MaxMinBest start(-exact::kInfinity, 0, 0, near);
   if (known) start.offer(known->place, known->value);
-  SetProtrusion out{tetrahedral_max_min(solids, target, start, kMostProtrusionCells), {}, 0};
+  SetProtrusion out{tetrahedral_max_min(solids, target, start, most), {}, 0};
   if (target.missed()) return not_protruding();
   if (known) out.found.bound = std::min(out.found.bound, known->bound);
   const NearestPlace nearest = target.nearest(out.found.place);

@@ -43,8 +43,11 @@ struct SetProtrusion {
 
 /// Why: the search ended, or found no place of a set.
 exact::Refusal not_protruding();
-/// Until value and bound are so near. At least one set. `known`: what an earlier search of the same found.
+inline constexpr int kMostProtrusionCells = 4000;
+/// Until value and bound are so near, or with so many cells. At least one set. `known`: what an earlier search of the
+/// same found.
 exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
-                                           double near, const SolidMaxMin* known = nullptr);
+                                           double near, const SolidMaxMin* known = nullptr,
+                                           int most = kMostProtrusionCells);
 
 }  // namespace findspace::distance

@@ -14,11 +14,6 @@ TriedAnswer cut(TriedAnswer v, bool negated) {
   return cut_off(*std::move(v), negated);
 }
 
-/// By numbers.
-bool surely_below(const Answer& a, const Answer& b) {
-  return a.value.to_double() + a.slack() < b.value.to_double() - b.slack();
-}
-
 }  // namespace
 
 Which exchanged(Which which) {
@@ -67,9 +62,19 @@ std::optional<CutOff> cut_off_of(Which which) {
   }
 }
 
+Answer greatest(Answer a, Answer b) {
+  const auto below = [](const Answer& x, const Answer& y) {
+    return x.value.to_double() + x.slack() < y.value.to_double() - y.slack();  // by numbers
+  };
+  if (below(b, a)) return a;
+  if (below(a, b)) return b;
+  return greater(std::move(a), std::move(b));
+}
+
 TriedAnswer exchanged_back(TriedAnswer v, const SpacePosition& p) {
   if (!v || !*v) return v;
   if ((*v)->nearest) (*v)->nearest = space::negated(*(*v)->nearest);
+  if ((*v)->farthest) (*v)->farthest = space::negated(*(*v)->farthest);
   exchange_roles(**v, p);
   return v;
 }
@@ -85,9 +90,7 @@ TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {
   if (most < (*back)->value.to_double() - (*back)->error) return back;
   TriedAnswer forth = forth_->protrusion(p, PairSide::Depth::kSign);
   if (!forth || !*forth) return forth;
-  if (surely_below(**back, **forth)) return forth;
-  if (surely_below(**forth, **back)) return back;
-  return std::optional(greater(**std::move(forth), **std::move(back)));
+  return std::optional(greatest(**std::move(forth), **std::move(back)));
 }
 
 TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const {

@@ -78,6 +78,9 @@ class PairDistances {
   SidePointer forth_, back_;
 };
 
+/// The greater of two values, by itself where the other one is surely less.
+Answer greatest(Answer a, Answer b);
+
 /// What was said of A moved by -p against B, said of B moved by p.
 TriedAnswer exchanged_back(TriedAnswer v, const SpacePosition& p);
 

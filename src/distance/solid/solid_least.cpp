@@ -123,7 +123,8 @@ class Least {
       case Which::kD1:
       case Which::kPenetration:
       case Which::kDstarBack:
-        return zero(which);
+        return least_zero(which, {low_, high_},
+                          space::minus(space::real(a_.parts[0].vertices()[0]), space::real(b_.parts[0].vertices()[0])));
       case Which::kH:
         return at_least(of(Which::kMu), Real());
       case Which::kHausdorff:
@@ -229,15 +230,6 @@ class Least {
     return least_answer(value, value, true, ball.center);
   }
 
-  /// 0, at a place where the bodies touch or lie apart.
-  std::optional<Answer> zero(Which which) const {
-    RealVector at = which == Which::kD1
-                        ? space::minus(space::real(a_.parts[0].vertices()[0]), space::real(b_.parts[0].vertices()[0]))
-                        : high_;
-    if (which != Which::kD1) at[0] += Real(1);
-    return least_answer(Real(), Real(), true, at);
-  }
-
   static TriedAnswer at_least(TriedAnswer found, const Real& floor) {
     if (!found) return found;
     std::optional<Answer> v = *std::move(found);
@@ -265,26 +257,9 @@ class Least {
   }
 
   TriedAnswer searched(Which which, double floor) const {
-    const TriedAnswer corner = pair_.try_value(which, low_);
-    if (!corner || !*corner) return corner;
-    const Vector low = space::rounded(low_), high = space::rounded(high_);
-    const auto value = [&](const RealVector& p) -> exact::Tried<Answer> {
-      TriedAnswer v = pair_.try_value(which, p);
-      if (!v) return v.refusal();
-      return **std::move(v);
-    };
-    if (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex()))) {
-      TriedAnswer v = convex_least(value, low, high);
-      if (!v || *v) return v;
-    }
-    const auto number = [&](const RealVector& p) -> exact::Tried<Real> {
-      exact::Tried<Answer> v = value(p);
-      if (!v) return v.refusal();
-      return std::move(v->value);
-    };
-    exact::Tried<Answer> least = least_in_box(number, low, high, floor);
-    if (!least) return least.refusal();
-    return *std::move(least);
+    const bool convex = which == Which::kGamma2 || which == Which::kEta2 ||
+                        (a_.convex() && (which == Which::kMu || (which == Which::kHausdorff && b_.convex())));
+    return least_of_values(which, pair_, {low_, high_}, {floor, convex});
   }
 
   const Body &b_, &a_;
@@ -298,6 +273,31 @@ bool of_back(Which which) {
 }
 
 }  // namespace
+
+TriedAnswer least_of_values(Which which, const PairDistances& pair, const space::Bounds3& box,
+                            const LeastQuery& query) {
+  const TriedAnswer corner = pair.try_value(which, box.low);
+  if (!corner || !*corner) return corner;
+  const Vector low = space::rounded(box.low), high = space::rounded(box.high);
+  const auto value = [&](const RealVector& p) -> exact::Tried<Answer> {
+    TriedAnswer v = pair.try_value(which, p);
+    if (!v) return v.refusal();
+    return **std::move(v);
+  };
+  if (query.convex) {
+    TriedAnswer v = convex_least(value, low, high);
+    if (!v || *v) return v;
+  }
+  exact::Tried<Answer> least = least_in_box(value, low, high, query.floor, query.most);
+  if (!least) return least.refusal();
+  return *std::move(least);
+}
+
+Answer least_zero(Which which, const space::Bounds3& box, const RealVector& meeting) {
+  RealVector at = which == Which::kD1 ? meeting : box.high;
+  if (which != Which::kD1) at[0] += Real(1);
+  return least_answer(Real(), Real(), true, at);
+}
 
 TriedAnswer solid_least(Which which, const Body& b, const Body& a) {
   if (a.outside) return exact::Refusal("over all positions a distance to a complement has no least value");

@@ -6,7 +6,8 @@
 //   frontier
 //                          of U, or to the open sets that cover the complement of E (solid_max_min.h); mu where B fits;
 //   gamma2, eta2, delta2   the smallest ball about the vertices of X, E, D, exactly; d1, dstar, penetration: 0;
-//   mu to a convex A, the Hausdorff distance of convex bodies: by tangents (least_in_box.h);
+//   mu to a convex A, the Hausdorff distance of convex bodies, gamma2 and eta2 of round ones: by tangents
+//   (least_in_box.h);
 //   others                 cubes of positions, divided where the least is to be expected: a distance changes by no
 //                          more than the length of a step, so none in a cube is less than that at its centre minus
 //                          half the diagonal.
@@ -24,5 +25,17 @@ namespace findspace::distance {
 
 /// Both of one scale, B not `outside`; nothing where the distance is undefined.
 TriedAnswer solid_least(Which which, const space::Body& b, const space::Body& a);
+
+/// By tangents if `convex`, where values tell them; else by cubes, of so many values.
+struct LeastQuery {
+  double floor = -exact::kInfinity;  // a bound that is known
+  bool convex = false;
+  int most = kMostValues;
+};
+/// The least value of any pair, whatever answers for it. `box`: the positions at which the boxes of both meet; beyond
+/// them every distance grows.
+TriedAnswer least_of_values(Which which, const PairDistances& pair, const space::Bounds3& box, const LeastQuery& query);
+/// 0, at a position in the box that takes it, or for distances other than d1 at one beyond it.
+Answer least_zero(Which which, const space::Bounds3& box, const space::RealVector& meeting);
 
 }  // namespace findspace::distance

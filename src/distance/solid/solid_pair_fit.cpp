@@ -157,11 +157,7 @@ TriedAnswer SolidSide::farthest_fit(const RealVector& p) const {
   const Fit& f = positions();
   if (f.none) return std::nullopt;
   if (f.in_union) return farthest_in_union(f, p);
-  if (f.round) {
-    TriedAnswer v = boundary_of(f).farthest(p);
-    if (v && *v) (*v)->nearest.reset();
-    return v;
-  }
+  if (f.round) return boundary_of(f).farthest(p);
   std::optional<RealVector> q;
   if (f.balls) {
     if (!f.balls->few())

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The margin of how far a body protrudes from a solid that others are cut out of (set_protrusion.h).
+// The margin of how far a body protrudes from a solid that others are cut out of (set_protrusion.h), and of the
+// diameter of such a solid.
 #pragma once
 
 namespace findspace::margin {

@@ -209,6 +209,9 @@ inline constexpr double kSlackOfCell = 0x1p-4, kDeeperAgain = 0x1p-1, kOneDeepes
 inline constexpr double kDeeper = 1 + 0x1p-7;
 /// Of a box: the tetrahedron about it begins so far before its corner. Searches: it only has to hold the box.
 inline constexpr double kAroundTetrahedron = 0x1p-8;
+/// Of the size: how near value and bound of the deepest overlap of two solids need come. Each place takes a search of
+/// its own. Bounds: what is left is said.
+inline constexpr double kDeepestGap = 0x1p-12;
 /// The cube about a position that is searched is widened by this, so that it holds a free position. Searches.
 inline constexpr double kAroundCube = 0x1p-20;
 

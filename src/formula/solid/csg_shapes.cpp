@@ -46,21 +46,24 @@ CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceSh
   return out;
 }
 
-std::optional<distance::PairDistances> CsgShapes::pair() const {
-  if (!cut) return std::nullopt;
-  return csg_pair(std::make_shared<const distance::CsgSide>(complete, cut), cut_moves);
+std::shared_ptr<const distance::CsgSide> CsgShapes::side() const {
+  return cut ? std::make_shared<const distance::CsgSide>(complete, cut) : nullptr;
 }
 
 std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,
-                                          const space::RayGrid& grid) {
+                                          const space::RayGrid& grid, const std::optional<distance::AlongWay>& way) {
   using distance::CsgSide;
-  if (!shapes.cut_moves)
-    return cut_map(which, level, std::make_shared<const CsgSide>(shapes.complete, shapes.cut), shapes.scale, grid);
-  // A + p in B is -B + p in -A.
-  auto complete = std::make_shared<const space::Body>(mirrored(*shapes.complete));
-  auto cut = std::make_shared<const space::CsgSolid>(mirrored(*shapes.cut));
-  return cut_map(distance::exchanged(which), level,
-                 std::make_shared<const CsgSide>(std::move(complete), std::move(cut)), shapes.scale, grid);
+  std::shared_ptr<const CsgSide> side;
+  if (!shapes.cut_moves) {
+    side = shapes.side();
+  } else {
+    // A + p in B is -B + p in -A.
+    side = std::make_shared<const CsgSide>(std::make_shared<const space::Body>(mirrored(*shapes.complete)),
+                                           std::make_shared<const space::CsgSolid>(mirrored(*shapes.cut)));
+    which = distance::exchanged(which);
+  }
+  if (way) return cut_map_along(which, level, *way, std::move(side), shapes.scale, grid);
+  return cut_map(which, level, std::move(side), shapes.scale, grid);
 }
 
 }  // namespace findspace::formula

@@ -23,11 +23,14 @@ struct CsgShapes {
   std::shared_ptr<const space::CsgSolid> cut;
   bool cut_moves = false;
 
-  std::optional<distance::PairDistances> pair() const;
+  /// Null where nothing is cut.
+  std::shared_ptr<const distance::CsgSide> side() const;
 };
 CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed);
-/// Their map on lines; the level in steps of the scale.
+/// Their map on lines, perhaps of the distance along a direction (null where that is not computed); the level in steps
+/// of the scale.
 std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,
-                                          const space::RayGrid& grid);
+                                          const space::RayGrid& grid,
+                                          const std::optional<distance::AlongWay>& way = {});
 
 }  // namespace findspace::formula

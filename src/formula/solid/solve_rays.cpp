@@ -102,7 +102,7 @@ Tried<SurfaceRays> in_container(const RayWorld& world, const SignMap& map, const
   return out;
 }
 
-/// To or from a shape that balls are cut out of, by values; null where neither is one.
+/// To or from a shape that round ones are cut out of; null where neither is one.
 Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
                                       const RayGrid& grid) {
   const auto forms = [&](const std::vector<std::string>& names) -> Tried<std::vector<SpaceShape>> {
@@ -121,7 +121,13 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   const CsgShapes shapes = csg_shapes(*b, *a);
   if (!shapes.cut) return nullptr;
   const Real level = map.level / world.step * Real(shapes.scale);
-  return csg_map(which(d.kind, second), level, shapes, grid);
+  std::optional<distance::AlongWay> way;
+  if (is_directional(d)) way = distance::AlongWay{direction_of(d), d.mode == Mode::kAlong};
+  Tried<space::RaySourcePointer> rays = csg_map(which(d.kind, second), level, shapes, grid, way);
+  if (*rays) return rays;
+  return no_map(map,
+                "of shapes that round ones are cut out of only gap at levels from 0 on and reach are computed along "
+                "a direction that is not the lines'");
 }
 
 /// Whether the direction is that of the lines, or the opposite one.
@@ -183,8 +189,7 @@ Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Dist
                            const RayGrid& grid) {
   Tried<space::RaySourcePointer> whole = by_parts(world, map, d, second, grid);
   if (whole) return SurfaceRays::of(*std::move(whole));
-  if (is_directional(d)) return whole.refusal().within(written(map.distance));
-  if (!second) {
+  if (!second && !is_directional(d)) {
     Tried<SurfaceRays> containers = in_container(world, map, d, grid);
     if (!containers || !containers->sources.empty()) return containers;
   }

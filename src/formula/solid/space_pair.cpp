@@ -72,8 +72,10 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   }
   if (moving_boxes_ && fixed_boxes_) boxes_ = std::make_unique<BoxMaps>(*moving_boxes_, *fixed_boxes_);
   const CsgShapes cut = csg_shapes(moving_, fixed_);
-  cut_ = cut.pair();
+  cut_side_ = cut.side();
+  cut_moves_ = cut.cut_moves;
   cut_scale_ = cut.scale;
+  if (cut_side_) cut_ = csg_pair(cut_side_, cut_moves_);
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();

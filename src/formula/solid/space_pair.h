@@ -88,6 +88,8 @@ class SpacePair {
   Shapes moving_, fixed_;
   std::optional<space::BoxComplex> moving_boxes_, fixed_boxes_;
   std::unique_ptr<distance::BoxMaps> boxes_;
+  std::shared_ptr<const distance::CsgSide> cut_side_;
+  bool cut_moves_ = false;
   std::optional<distance::PairDistances> cut_;
   std::int64_t cut_scale_ = 1;
   std::optional<distance::PairDistances> surfaces_;

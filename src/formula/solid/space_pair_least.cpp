@@ -158,17 +158,18 @@ Tried<std::optional<BoxMaps::Least>> SpacePair::least(Which which) const {
 }
 
 Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) const {
-  if (!all().pair) return *all().refused;
+  if (!cut_side_ && !all().pair) return *all().refused;
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
   if (!slot) {
-    auto made = distance::solid_least(which, *all().b, *all().a);
+    auto made = cut_side_ ? distance::csg_least(which, cut_side_, cut_moves_)
+                          : distance::solid_least(which, *all().b, *all().a);
     if (!made) return made;
     slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
   }
   auto found = *slot;
   if (!found) return found;
-  return distance::in_unit(*found, Real::ratio(1, all().scale));
+  return distance::in_unit(*found, Real::ratio(1, cut_side_ ? cut_scale_ : all().scale));
 }
 
 Tried<std::optional<distance::Answer>> SpacePair::directional_least(Which which, const RealVector& direction,
