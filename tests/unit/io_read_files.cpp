@@ -301,6 +301,7 @@ TEST(SvgLooks, OriginsOfTransforms) {
   expect_box(turned("transform-origin='center'"), {90, -90, 100, -80});
   expect_box(turned("transform-origin='bottom 50%'"), {140, -140, 150, -130});
   expect_box(square(80, "transform-origin='center' style='transform-box: fill-box'"), {80, -10, 90, 0});
+  expect_box(square(80, "transform='translate(5 5)' style='transform-box: fill-box'"), {85, -15, 95, -5});
   EXPECT_NE(refusal(turned("style='transform-box: fill-box'")).find("\"transform-box\" of a style"), std::string::npos);
 }
 
@@ -349,6 +350,7 @@ TEST(SvgLooks, OfASwitchTheFirstIsDrawn) {
   const std::string foreign = "<switch><foreignObject requiredExtensions='x'/><g>" + square(0, "") + square(20, "") +
                               "</g>" + square(40, "") + "</switch>";
   EXPECT_DOUBLE_EQ(read(foreign).area, 200);
+  EXPECT_DOUBLE_EQ(read("<switch><title>a</title><style>a{}</style>" + square(0, "") + "</switch>").area, 100);
   const Read spoken = read("<switch>" + square(0, "systemLanguage='de'") + square(20, "") + "</switch>");
   EXPECT_DOUBLE_EQ(spoken.box[0], 20);
   EXPECT_EQ(spoken.notes, std::vector<std::string>{"f.svg: 1 element for readers of one language left out"});

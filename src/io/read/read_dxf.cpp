@@ -176,7 +176,8 @@ class DxfReader {
     if (block == document_.blocks.end())
       throw Error(ErrorCode::kUnknownName, "it inserts an unknown block", document_.place(e));
     constexpr int kExternal = 4 | 8;
-    if ((document_.flags(block->second.head, 70) & kExternal) != 0) ++external_;
+    const bool elsewhere = block->second.entities.empty();
+    if (elsewhere && (document_.flags(block->second.head, 70) & kExternal) != 0) ++external_;
     const bool keeps = quantity_in(around.block) || block->first.starts_with('*');
     const Around within{around.layer, keeps ? around.block : std::string_view(block->first), around.depth + 1,
                         around.hidden};

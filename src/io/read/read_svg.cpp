@@ -146,13 +146,20 @@ class SvgReader {
       Inside own = inside;
       own.undrawn = own.undrawn || found;
       walk(node, node, map, std::move(own), depth);
-      found = chooses && (found || !is_conditional(node));
+      found = chooses && (found || is_choice(node));
     }
   }
 
   /// Drawn by programs of some kind, or for readers of some language.
   static bool is_conditional(const pugi::xml_node& node) {
     return node.attribute("requiredExtensions") || node.attribute("systemLanguage");
+  }
+
+  /// What a <switch> may choose: no title, style or element of another kind.
+  static bool is_choice(const pugi::xml_node& node) {
+    return one_of(local_name(node), {"g", "a", "svg", "switch", "use", "path", "polygon", "polyline", "line", "rect",
+                                     "circle", "ellipse", "text", "flowRoot", "image", "foreignObject"}) &&
+           !is_conditional(node);
   }
 
   static void see_cut(Inside& inside) {
@@ -198,7 +205,7 @@ class SvgReader {
     if (leaf) see_colour(inside);
     try {
       Affine own = !inside.undrawn || choice_.id ? within(map, node, inside) : map;
-      if (kind == "svg" && !inside.undrawn) own = own * enter_view(node, user, inside);
+      if (kind == "svg" && (!inside.undrawn || choice_.id)) own = own * enter_view(node, user, inside);
       if (group) return walk_children(node, own, inside, depth + 1);
       if (is_drawn(inside)) {
         charge(node, inside.operations);
@@ -229,6 +236,7 @@ class SvgReader {
     if (stated.empty() || stated == "none") return map;
     const Affine own = look.transform ? read_svg_style_transform(stated, inside.operations, context_.work)
                                       : read_svg_transform(stated, inside.operations, context_.work);
+    if (own.is_translation()) return map * own;  // the same about any origin
     if (!look.box.empty() && look.box != "view-box") inside.not_followed = "transform-box";
     if (look.origin.empty() || !inside.not_followed.empty()) return map * own;
     const plane::CurvePoint origin = read_svg_origin(look.origin, inside.frame);

@@ -25,6 +25,9 @@ struct Affine {
   static Affine rotation(const exact::Real& degrees);
   static Affine matrix(exact::Real a, exact::Real b, exact::Real c, exact::Real d, exact::Real e, exact::Real f);
 
+  bool is_translation() const {
+    return b.sign() == 0 && c.sign() == 0 && compare(a, exact::Real(1)) == 0 && compare(d, exact::Real(1)) == 0;
+  }
   exact::Real x_of(const exact::Real& x, const exact::Real& y) const { return a * x + c * y + e; }
   exact::Real y_of(const exact::Real& x, const exact::Real& y) const { return b * x + d * y + f; }
   plane::CurvePoint of(const plane::CurvePoint& p) const { return {x_of(p.x, p.y), y_of(p.x, p.y)}; }
