@@ -236,6 +236,16 @@ TEST(ConvexParts, OfAShapeLessAHull) {
   EXPECT_FALSE(left(prism({{8, -1}, {13, -1}, {13, 3}, {8, 4}}, 20)));  // takes a corner
 }
 
+TEST(ConvexParts, OfAnIntersectionWithAComplement) {
+  const ShapePtr column = prism({{0, 0}, {10, 0}, {12, 5}, {10, 10}, {0, 10}}, 9);
+  const ShapePtr low = node(Kind::kComplement, {block({-5, -5, -5}, {20, 20, 4})});
+  const auto both = try_convex_parts(*node(Kind::kIntersection, {low, column}));
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->parts.size(), 1u);
+  EXPECT_EQ(space::six_volumes(both->parts[0]), Real(6 * 5 * 110));
+  EXPECT_FALSE(try_convex_parts(*node(Kind::kIntersection, {low, low})));
+}
+
 /// What a drilled part lacks leaves nothing thin where another part, or it itself, is in its place.
 TEST(ConvexParts, OfAShapeLessWhatIsMadeOfADrilledPart) {
   const ShapePtr plate = prism({{0, 0}, {20, 0}, {24, 10}, {20, 20}, {0, 20}, {-4, 10}}, 8);
