@@ -215,10 +215,15 @@ def with_capsule(formula):
     return ask_lines
 
 
+def least3(formula):
+    """Of a cut shape on few lines."""
+    return lambda shapes: map3(formula, lines=3 * (shapes == "cut"))(shapes)
+
+
 def least_fit(formula):
     """As the round pair a ball and a solid of flat faces: unions of round parts take minutes."""
     def ask_least(shapes):
-        asked = map3(formula)(shapes)
+        asked = least3(formula)(shapes)
         if shapes == "round":
             asked[0][1]["shapes"] = {"A": STEPS, "B": ball(0, 0, 0, 1)}
         return asked
@@ -277,11 +282,11 @@ IN_SPACE = {
         'a line of any direction ("free": {"line": ..})': map3("gap(B, A) >= 0.5", free=LINE3),
     },
     "Least values (-> min)": {
-        "distance, depth, dstar": map3("distance(B, A) -> min"),
-        "reach, eta2, delta2": map3("reach(B, A) -> min"),
+        "distance, depth, dstar": least3("distance(B, A) -> min"),
+        "reach, eta2, delta2": least3("reach(B, A) -> min"),
         "gap, eta1, delta1": least_fit("gamma1(B, A) -> min"),
         "protrusion, where B fits": least_fit("mu(B, A) -> min"),
-        "hausdorff": map3("hausdorff(B, A) -> min"),
+        "hausdorff": least3("hausdorff(B, A) -> min"),
         "gap, eta1, delta1 along a direction": map3("gamma1(B, A, along=(1, 0, 0)) -> min"),
     },
     "Rotation, motion, placement": {
