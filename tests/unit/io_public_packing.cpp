@@ -492,7 +492,6 @@ TEST(PublicPacking, HolesMayOverlap) {
   EXPECT_THROW(Packing{problem}, Error);  // nothing is left
 }
 
-/// Turned parts have corners off the grid of the numbers. With conditions the grid stays coarse enough for them.
 /// Between holes that touch along an edge, or a hole and the outline, there is no wall: a block lies across.
 TEST(PublicPacking, HolesThatTouchLeaveNoWall) {
   const auto holes_hold = [](std::vector<Ring> holes, Ring block) {
@@ -509,6 +508,7 @@ TEST(PublicPacking, HolesThatTouchLeaveNoWall) {
   EXPECT_FALSE(holes_hold({box_ring(2, 2, 4, 8), box_ring(5, 2, 8, 8)}, box_ring(0, 0, 6, 6)));
 }
 
+/// Turned parts have corners off the grid of the numbers. With conditions the grid stays coarse enough for them.
 TEST(PublicPacking, ConditionsOfLongParts) {
   PackProblem problem;
   problem.height = 40;

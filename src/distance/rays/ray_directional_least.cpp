@@ -159,8 +159,11 @@ TriedAnswer round_fit(const Body& b, const Body& a, const RealVector& direction,
     std::vector<TouchingConstraint> corners;
     for (const space::BodyPart& of_b : b.parts) {
       const double radius = (part.radius - of_b.radius).to_double();
-      for (const space::Point& v : of_b.vertices())
-        corners.push_back(touching_distance(part, space::scaled(-1, exact::approx(v)), radius));
+      for (const space::Point& v : of_b.vertices()) {
+        const space::Vector at = space::scaled(-1, exact::approx(v));
+        corners.push_back(radius > 0 || part.point() ? touching_distance(part, at, radius)
+                                                     : highest_plane(part.planes(), at, -radius));
+      }
     }
     query.sets.push_back([corners](const space::Vector& x) {
       Touching most = corners[0](x);

@@ -91,12 +91,18 @@ bool holes_overlap(const std::vector<packing::Polygon>& sets) {
   const auto meet = [](const packing::LatticeBox& a, const packing::LatticeBox& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
   };
+  const auto in_reach = [](const packing::LatticePoint& p) {
+    constexpr packing::int128 kMost = plane::Grid::kLimit;
+    return -kMost <= p.x && p.x <= kMost && -kMost <= p.y && p.y <= kMost;
+  };
+  const bool drops_walls = in_reach(boxes[0].low) && in_reach(boxes[0].high);  // else a region could not be made
+  const auto run_along = [&](const packing::Polygon& a, const packing::Polygon& b) {
+    return drops_walls && packing::run_along(a, b);
+  };
   for (std::size_t i = 1; i < sets.size(); ++i) {
-    if (packing::interiors_meet(outside_of(sets[0], sets[i]), sets[i]) || packing::run_along(sets[0], sets[i]))
-      return true;
+    if (packing::interiors_meet(outside_of(sets[0], sets[i]), sets[i]) || run_along(sets[0], sets[i])) return true;
     for (std::size_t j = 1; j < i; ++j)
-      if (meet(boxes[i], boxes[j]) &&
-          (packing::interiors_meet(sets[i], sets[j]) || packing::run_along(sets[i], sets[j])))
+      if (meet(boxes[i], boxes[j]) && (packing::interiors_meet(sets[i], sets[j]) || run_along(sets[i], sets[j])))
         return true;
   }
   return false;

@@ -264,7 +264,7 @@ void SolidArrangement::add_ends_of_ties(std::size_t i, const SolidPose& pose, co
       }
       before = behind;
     }
-    if (least > 0)
+    if (least > 0 && least < kMostLacking * table_.size())  // else the same everywhere
       events_.push_back({lowest_place(lacking, place(std::max(best - 1, 0)), place(std::min(best + 1, kPlacesOfTie))),
                          kNoStretch, false});
   }

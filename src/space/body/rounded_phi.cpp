@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/body/rounded_phi.h"
 
-#include "space/body/flat_core.h"
 #include "space/phi/phi_level.h"
+#include "space/polytope/flat_core.h"
 
 namespace findspace::space {
 namespace {
