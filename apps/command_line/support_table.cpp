@@ -94,7 +94,7 @@ a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · qui
 `gap`, `eta1`, `delta1` | exact or enclosed 2^-40 · quick | exact or enclosed 2^-40 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
 `protrusion`, where B fits | enclosed 2^-40 · slow | enclosed 2^-36 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed 2^-36 · slow | refused: no least value
 `hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
-`gap`, `eta1`, `delta1` along a direction | exact · quick | exact · quick | exact or enclosed 2^-30 · fast | exact · slow | enclosed 2^-30 · slow | refused: no convex parts | refused: no least value
+`gap`, `eta1`, `delta1` along a direction | exact · quick | exact · quick | exact or enclosed 2^-30 · fast | exact · long | enclosed 2^-30 · slow | refused: no convex parts | refused: no least value
 # Rotation, motion, placement
 orientations: `check` at one | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `rotating`, `free` over angles or time; `motion` | refused: not computed

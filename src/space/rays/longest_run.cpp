@@ -26,10 +26,11 @@ struct RunShadow {
   }
 };
 
-/// What a piece hides of the column over a start.
+/// What a piece hides of the column over a start, made when first looked at; no planes where that is nothing.
 struct HiddenColumn {
+  std::size_t piece;
+  bool made = false;
   std::vector<HalfSpace> planes;
-  double from = 0;  // the nearest of it
 };
 
 /// A part of the column; `top` of its vertices is farthest from the start.
@@ -69,12 +70,14 @@ class RunSearch {
     ConvexRegion column(low_, high_);
     for (const HalfSpace& h : swept_piece(start.facet, {u_, Real(), height_}).planes) column.cut(h);
     if (column.dimension() < 3) return;
-    const RunShadow seen = shadow(start.facet);
+    const RunShadow over = shadow(start.facet);
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      if (shadows_[k].over(seen)) add_hidden(pieces_[k], column);
+      if (shadows_[k].over(over)) hidden_.push_back({k, false, {}});
     }
-    std::sort(hidden_.begin(), hidden_.end(),
-              [](const HiddenColumn& a, const HiddenColumn& b) { return a.from < b.from; });
+    std::sort(hidden_.begin(), hidden_.end(), [&](const HiddenColumn& a, const HiddenColumn& b) {
+      return shadows_[a.piece].low[2] < shadows_[b.piece].low[2];
+    });
+    column_ = column;
     plane::Subdivision<ColumnPart> queue;
     push(std::move(column), queue);
     queue.run([](const ColumnPart&) { return false; }, [&](ColumnPart part) { look(std::move(part), queue); });
@@ -106,18 +109,17 @@ class RunSearch {
   }
 
   /// What of the piece is beyond the start's plane; what lies in that plane hides nothing.
-  void add_hidden(ConvexRegion piece, const ConvexRegion& column) {
-    if (!piece.sides(start_->plane).outside) return;
+  std::vector<HalfSpace> hidden_by(ConvexRegion piece) const {
+    if (!piece.sides(start_->plane).outside) return {};
     piece.cut(start_->plane.opposite());
-    HiddenColumn out{swept_piece(piece, {u_, Real(), height_}).planes, exact::kInfinity};
-    ConvexRegion part = column;
-    for (const HalfSpace& h : out.planes) {
+    std::vector<HalfSpace> planes = swept_piece(piece, {u_, Real(), height_}).planes;
+    ConvexRegion part = *column_;
+    for (const HalfSpace& h : planes) {
       part.cut(h);
-      if (part.empty()) return;
+      if (part.empty()) return {};
     }
-    if (part.dimension() < 3) return;
-    for (const ConvexRegion::Vertex& v : part.vertices()) out.from = std::min(out.from, away(v));
-    hidden_.push_back(std::move(out));
+    if (part.dimension() < 3) return {};
+    return planes;
   }
 
   double away(const ConvexRegion::Vertex& v) const { return start_->plane.approx_value(v.near); }
@@ -144,8 +146,12 @@ class RunSearch {
       const int order = compare(length, found_->length);
       if (order < 0 || (order == 0 && found_->middle)) return;
     }
-    for (const HiddenColumn& hidden : hidden_) {
-      if (!hides(hidden, part.region, top)) continue;
+    const std::array<double, 3> at = seen(top.near);
+    for (HiddenColumn& hidden : hidden_) {
+      if (!shadows_[hidden.piece].holds(at)) continue;
+      if (!hidden.made) hidden.planes = hidden_by(pieces_[hidden.piece]);
+      hidden.made = true;
+      if (hidden.planes.empty() || !hides(hidden, part.region, top)) continue;
       for (const HalfSpace& h : hidden.planes) {
         const ConvexRegion::Sides sides = part.region.sides(h);
         if (!sides.outside) continue;
@@ -264,7 +270,8 @@ class RunSearch {
   std::array<Vector, 3> axes_;
   std::vector<RunShadow> shadows_;
   const RunStart* start_ = nullptr;
-  Real slope_;  // of the start's plane
+  Real slope_;                          // of the start's plane
+  std::optional<ConvexRegion> column_;  // over the start
   std::vector<HiddenColumn> hidden_;
   std::optional<LongestRun> found_;
 };
