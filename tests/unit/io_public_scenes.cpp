@@ -95,14 +95,12 @@ TEST(PublicScene, MovesInTimeAndStandsInSpace) {
   EXPECT_TRUE(moving.world().motion().has_value());
   EXPECT_EQ(moving.world().motion()->paths.at("post")[1].at.y.text(), "0.5");
   EXPECT_FALSE(moving.world().holds(moving.where(), Point{0, 1}));
-  // Way points at thirds of the time: the cart stands upon the path at an instant where the post is there.
   const Scene thirds = Scene::json(R"json({"findspace": 1, "shapes": {"cart": {"disc": {"center": [0, 0], "radius": 1}},
     "post": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "cart", "where": "gap(cart, post) >= 1",
     "motion": {"time": [0, 1], "post": {"path": [[0, 0], [1, 0], [2, 0], [3, 0]]}}})json");
   EXPECT_EQ(thirds.motion()->paths.at("post")[1].time, Number("1/3"));
   for (const Scene& scene : {thirds, thirds.prepared()}) {
     const World at = scene.world().at_time("1/3");
-    EXPECT_EQ(at.distance("gap(cart, post)", Point{4, 0}).value, 1);
     EXPECT_TRUE(at.holds("gap(cart, post) = 1", Point{4, 0}));
     World changed = scene.world();
     changed.set("pin", Shape::disc({9, 0}, 1));
