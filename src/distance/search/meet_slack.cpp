@@ -128,6 +128,10 @@ class LeastSlack {
     }
     std::sort(near.begin(), near.end());
     while (near.size() > kFew || (near.size() > 1 && near.back().first > near.front().first + 4 * gap)) near.pop_back();
+    starts_.assign(1, start);
+    for (const auto& one : near) {
+      if (one.second->ball && one.first < bound) starts_.push_back(drawn_in(*one.second, x, bound));
+    }
     for (unsigned mask = 1; mask < 1u << near.size(); ++mask) {
       std::array<const MeetSet*, 4> some{};
       std::size_t count = 0;
@@ -136,8 +140,16 @@ class LeastSlack {
         if (count < 4) some[count] = near[k].second;
         ++count;
       }
-      if (count <= 4) offer_between({some.data(), count}, bound, start);
+      if (count <= 4) offer_between({some.data(), count}, bound);
     }
+  }
+
+  /// Of a place that is not as deep in the ball as the bound, one that is deeper by twice what it lacks: where planes
+  /// leave a thin plate, the places of the linear program are all outside the ball.
+  static Vector drawn_in(const MeetSet& ball, const Vector& x, double bound) {
+    const Vector off = x - ball.at;
+    const double d = space::length(off), lacks = d - (ball.by - bound);
+    return d > 0 ? space::plus(ball.at, space::scaled(std::max(0.0, 1 - 2 * lacks / d), off)) : x;
   }
 
   /// What a grown set is like at x: the half-space behind its tangent, and out of its core the ball about the nearest
@@ -150,14 +162,17 @@ class LeastSlack {
     return out;
   }
 
-  void offer_between(std::span<const MeetSet* const> some, double bound, const Vector& start) {
+  void offer_between(std::span<const MeetSet* const> some, double bound) {
     const MeetSet* first = nullptr;
     std::array<Row, 3> rows{};
     std::size_t count = 0;
     for (const MeetSet* set : some) {
       if (set->ball && !first) first = set;
     }
-    if (!first) return offer_below(some, bound, start);
+    if (!first) {
+      for (const Vector& from : starts_) offer_below(some, bound, from);
+      return;
+    }
     for (const MeetSet* set : some) {
       if (set == first) continue;
       const Vector w = set->ball ? set->at - first->at : set->at;
@@ -192,6 +207,7 @@ class LeastSlack {
   const Tetrahedron& about_;
   double size_ = 0;
   std::vector<Column> columns_;
+  std::vector<Vector> starts_;  // near which places below planes are offered
   MeetSlack best_;
 };
 

@@ -185,7 +185,10 @@ Tried<ConvexParts> rounded_corners(const CellCorners& cells, std::int64_t scale)
   RoundedCells out = rounded_cells(cells, scale);
   const bool all = std::all_of(out.flat.begin(), out.flat.end(),
                                [&](const std::vector<Point>& flat) { return hold(out.made.parts, flat); });
-  if (!all) return Refusal("a part of the shape is thinner than the grid; choose a finer grid");
+  if (!all)
+    return Refusal(
+        "a part of the shape is thinner than the steps that its coordinates allow; let faces that lie flush overlap, "
+        "or choose a coarser grid");
   return std::move(out.made);
 }
 

@@ -225,10 +225,15 @@ ConvexParts moved_by(ConvexParts parts, const Point& t) {
   return parts;
 }
 
-Tried<ConvexParts> difference_of(const plane::Shape& a, const plane::Shape& b) {
+Tried<ConvexParts> difference_of(const plane::Shape& shape) {
+  const plane::Shape &a = *shape.children[0], &b = *shape.children[1];
   if (may_lack_walls(a)) return walls_are_lacking();
   Tried<ConvexParts> first = try_convex_parts(a);
   if (!first) return first;
+  // Between rounded parts there are cracks, which b would widen: so the sets are moved that they are made of.
+  if (first->rounded > 0) {
+    if (const plane::ShapePtr inward = moved_inward(shape)) return made(*inward);
+  }
   Tried<ConvexParts> second = try_convex_parts(b);
   if (!second) return second;
   std::vector<Body> lacking;
@@ -368,7 +373,7 @@ Tried<ConvexParts> node_parts(const plane::Shape& shape) {
     case Kind::kMinkowskiSum:
       return sum_of(*shape.children[0], *shape.children[1]);
     case Kind::kMinkowskiDifference:
-      return difference_of(*shape.children[0], *shape.children[1]);
+      return difference_of(shape);
     case Kind::kMirror:
       return changed(made(*shape.children[0]), mirrored);
     case Kind::kTranslate:
