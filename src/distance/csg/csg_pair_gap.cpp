@@ -326,15 +326,10 @@ bool CsgSide::holds_ends(const Answer& widest, const Body& sets) const {
 TriedAnswer CsgSide::made_diameter() const {
   Body sets;
   for (const CsgPartSearch& part : parts_) {
-    const BodyPart* least = nullptr;
-    Real width;
-    for (const BodyPart& set : part.sets->within) {
-      const Real d = distance::diameter(space::body_of_part(set));
-      if (least && !(d < width)) continue;
-      least = &set;
-      width = d;
-    }
-    sets.parts.push_back(*least);
+    const std::vector<BodyPart>& within = part.sets->within;
+    sets.parts.push_back(*std::min_element(within.begin(), within.end(), [](const BodyPart& s, const BodyPart& t) {
+      return distance::diameter(space::body_of_part(s)) < distance::diameter(space::body_of_part(t));
+    }));
   }
   const auto all = std::make_shared<const Body>(std::move(sets));
   const TriedAnswer widest = SolidSide(all, all).reach({});
