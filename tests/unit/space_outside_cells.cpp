@@ -2,11 +2,15 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What is outside a mesh: cells that fill its box with it, exactly, also where its convex parts are rounded; of moved,
-// enlarged, reflected and united meshes as well.
+// enlarged, reflected and united meshes as well. Of other rounded parts: no cracks between those that touched.
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
 
 #include "space/body/outside_cells.h"
 #include "space/polytope/partition.h"
+#include "unit/solid_shapes.h"
 #include "unit/space_bumps.h"
 
 namespace findspace::space {
@@ -127,6 +131,62 @@ TEST(OutsideCells, HaveInteriorBetweenFlushParts) {
       EXPECT_GT(cell.planes.size(), 3u);
     }
   }
+}
+
+plane::ShapePtr upright(const std::vector<plane::GridPoint>& polygon, std::int64_t high) {
+  Solid solid;
+  solid.form = Solid::Form::kPrism;
+  solid.high = high;
+  plane::Contour& ring = solid.contours.emplace_back();
+  for (const plane::GridPoint& p : polygon) ring.push_back({p});
+  return primitive(std::move(solid));
+}
+
+/// How deep the place is in the set; less than 0 outside.
+double depth(const BodyPart& part, const RealVector& at) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const HalfSpace& h : part.planes()) highest = std::max(highest, h.approx_value(rounded(at)));
+  return -highest;
+}
+
+/// A plate with drilled holes, in parts with rounded corners: no cell reaches into the plate.
+TEST(OutsideCells, HaveNoCracksBetweenRoundedParts) {
+  using Kind = plane::Shape::Kind;
+  const auto plate = upright({{0, 0}, {60000000, 0}, {60000000, 40000000}, {0, 40000000}}, 5000000);
+  std::vector<plane::ShapePtr> shapes{plate};
+  std::vector<BodyPart> drills;
+  for (const auto& [x, y] : {std::pair(10, 10), {50, 10}, {50, 30}, {10, 30}}) {
+    std::vector<plane::GridPoint> ring;
+    for (int k = 0; k < 16; ++k) {
+      const double angle = k * std::acos(-1.0) / 8;
+      const auto at = [](int c, double by) { return c * 1000000 + std::lround(3000 * by) * 1000; };
+      ring.push_back({at(x, std::cos(angle)), at(y, std::sin(angle))});
+    }
+    shapes.push_back(upright(ring, 5000000));
+    drills.push_back(body(*shapes.back()).parts.at(0));
+  }
+  const Body drilled = body(*node(Kind::kDifference, shapes));
+  ASSERT_GT(drilled.rounded, 0);
+  ASSERT_EQ(drilled.scale, 1);
+  const BodyPart whole = body(*plate).parts.at(0);
+  const double tolerance = 4 * std::max(1.0, drilled.moved);
+  const auto reaches_in = [&](const RealVector& at) {
+    const auto in_drill = [&](const BodyPart& d) { return depth(d, at) > -tolerance; };
+    return depth(whole, at) > tolerance && std::none_of(drills.begin(), drills.end(), in_drill);
+  };
+  for (const OutsideCell& cell : outside_cells(drilled)) {
+    for (const RealVector& v : cell.vertices) {
+      for (const RealVector& w : cell.vertices) EXPECT_FALSE(reaches_in(scaled(Real::ratio(1, 2), plus(v, w))));
+    }
+  }
+}
+
+/// One step wide, between parts that lie on the grid.
+TEST(OutsideCells, HaveSlotsBetweenExactParts) {
+  const Body b = body(*node(plane::Shape::Kind::kUnion, {upright({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 8),
+                                                         upright({{11, 0}, {20, 0}, {20, 10}, {11, 10}}, 8)}));
+  ASSERT_EQ(b.rounded, 0);
+  EXPECT_EQ(holding(outside_cells(b), {Real::ratio(21, 2), Real(5), Real(4)})[1], 1);
 }
 
 }  // namespace space_outside_cells

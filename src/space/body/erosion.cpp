@@ -122,6 +122,7 @@ Tried<Erosion> erosion(const Body& a, const Body& b) {
   const std::int64_t scale = joint_scale(a.scale, b.scale);
   Body p = at_scale(a, scale), q = at_scale(b, scale);
   p.scale = q.scale = 1;  // finer steps from here on
+  for (Body* body : {&p, &q}) body->moved *= static_cast<double>(scale);
   if (a.outside) {
     p.outside = false;
     Body sum = minkowski_sum(p, q);

@@ -3,6 +3,7 @@
 #include "space/body/outside_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "space/body/body_boxes.h"
@@ -109,6 +110,64 @@ void subtract(ConvexRegion region, const Carved& mesh, std::vector<ConvexRegion>
   }
 }
 
+void take_away(std::vector<ConvexRegion>& regions, const Convex& set) {
+  std::vector<ConvexRegion> left;
+  for (ConvexRegion& r : regions) {
+    if (overlaps(r, set))
+      subtract(r, set, left);
+    else
+      left.push_back(std::move(r));
+  }
+  regions.swap(left);
+}
+
+Convex convex_of(const BodyPart& part) {
+  std::vector<Vector> points;
+  for (const Point& v : part.vertices()) points.push_back(exact::approx(v));
+  return {space::extent_of(points), part.planes()};
+}
+
+HalfSpace moved_out(const HalfSpace& h, const Real& by) {
+  return HalfSpace(h.normal, h.offset - by * (abs(h.normal[0]) + abs(h.normal[1]) + abs(h.normal[2])));
+}
+
+/// With all points at most `by` away, and no more than that beyond the box about it.
+Convex grown(const BodyPart& part, const Real& by) {
+  Bounds3 about = bounds(part);
+  for (std::size_t k = 0; k < 3; ++k) {
+    about.low[k] -= by;
+    about.high[k] += by;
+  }
+  const ConvexRegion box(about.low, about.high);
+  Convex out{extent_of(box), {box.planes().begin(), box.planes().end()}};
+  for (const HalfSpace& h : part.planes()) out.planes.push_back(moved_out(h, by));
+  return out;
+}
+
+/// Whether along one of its facets no point is farther from it than about `width`.
+bool thin(const ConvexRegion& region, const Real& width) {
+  const std::vector<int> facets = region.facets();
+  return std::any_of(facets.begin(), facets.end(), [&](int f) {
+    return !region.sides(moved_out(region.planes()[static_cast<std::size_t>(f)], -width)).inside;
+  });
+}
+
+/// Parts that touched before their corners were rounded may be up to twice the farthest move apart. Of thin regions
+/// only what is farther from parts is left. Meshes, whose parts are skipped, have no cracks.
+void close_cracks(std::vector<ConvexRegion>& regions, const Body& body, const std::vector<bool>& skipped) {
+  const double most = 2 * body.moved * static_cast<double>(body.scale);
+  const Real width(std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(most))));
+  const auto first =
+      std::partition(regions.begin(), regions.end(), [&](const ConvexRegion& r) { return !thin(r, width + width); });
+  std::vector<ConvexRegion> cracks;
+  std::move(first, regions.end(), std::back_inserter(cracks));
+  regions.erase(first, regions.end());
+  for (std::size_t k = 0; k < body.parts.size() && !cracks.empty(); ++k) {
+    if (!skipped[k]) take_away(cracks, grown(body.parts[k], width));
+  }
+  std::move(cracks.begin(), cracks.end(), std::back_inserter(regions));
+}
+
 std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
   std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)}, next;
   if (regions[0].dimension() < 3) return {};  // of points
@@ -121,19 +180,10 @@ std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
     std::fill_n(done.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, true);
   }
   for (std::size_t k = 0; k < body.parts.size(); ++k) {
-    if (done[k] || body.parts[k].point()) continue;  // a point leaves the same closure
-    std::vector<Vector> points;
-    for (const Point& v : body.parts[k].vertices()) points.push_back(exact::approx(v));
-    const Convex part{space::extent_of(points), body.parts[k].planes()};
-    next.clear();
-    for (ConvexRegion& r : regions) {
-      if (overlaps(r, part))
-        subtract(r, part, next);
-      else
-        next.push_back(std::move(r));
-    }
-    regions.swap(next);
+    done[k] = done[k] || body.parts[k].point();  // a point leaves the same closure
+    if (!done[k]) take_away(regions, convex_of(body.parts[k]));
   }
+  if (body.rounded > 0) close_cracks(regions, body, done);
   return regions;
 }
 

@@ -5,8 +5,10 @@
 // flat, several may be points. The first ones are half spaces; the others, cells of the bounding box, do not meet in
 // their interiors. Of what is a mesh they are the empty cells of the partition that made its parts, so they leave the
 // mesh itself, also where parts were rounded to the grid: a shape may then protrude from the rounded parts by `moved`
-// and fit all the same. Guarantee: exact. Cost: of one mesh none; else a cell of the box is cut by every part, and by
-// the cells of every mesh, that it overlaps. Keywords: complement, convex decomposition.
+// and fit all the same. Between other rounded parts there may be cracks, up to twice `moved` wide, where they touched.
+// Cells so thin leave out what is as near to those parts, so such a body has no slot of its own of that width either.
+// Guarantee: exact, but for that. Cost: of one mesh none; else a cell of the box is cut by every part, and by the cells
+// of every mesh, that it overlaps. Keywords: complement, convex decomposition.
 #pragma once
 
 #include <vector>
