@@ -165,7 +165,7 @@ void StopSorter::run(std::span<const Found> found, std::size_t known) {
 void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
   std::pmr::vector<Index> at(found.size() * size(), 0, memory_);  // of a part and a curve: stops, then their place
   each_range(found.size(), [&](std::size_t k) {
-    Index* const count = &at[k * size()];
+    Index* const count = at.data() + k * size();
     for (const Stop& s : found[k].stops) ++count[s.piece];
   });
   out_.first.resize(size() + 1);
@@ -177,7 +177,7 @@ void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
   out_.first[size()] = before;
   out_.stops.resize(before);
   each_range(found.size(), [&](std::size_t k) {
-    Index* const place = &at[k * size()];
+    Index* const place = at.data() + k * size();
     for (Stop s : found[k].stops) {
       if (s.point >= known) s.point += found[k].further;
       out_.stops[place[s.piece]++] = s;
