@@ -410,10 +410,9 @@ TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {
 
 TEST_F(Program, MeasureTellsUndefinedFromNotComputed) {
   // A large lens does not fit into two balls, and how deep it is in them is not found.
-  const std::string scene = R"json({"findspace": 1, "shapes": {"A": {"union": [
-    {"ball": {"center": [0, 0, 0], "radius": 3}}, {"ball": {"center": [4, 0, 0], "radius": 3}}]},
-    "B": {"intersection": [{"ball": {"center": [0, 0, 0], "radius": 9}}, {"ball": {"center": [2, 0, 0], "radius": 9}}]}},
-    "moving": "B", "where": "true"})json";
+  const std::string scene = R"json({"findspace": 1, "moving": "B", "where": "true", "shapes": {"A": {"union": [
+    {"ball": {"center": [0, 0, 0], "radius": 3}}, {"ball": {"center": [4, 0, 0], "radius": 3}}]}, "B": {"intersection": [
+    {"ball": {"center": [0, 0, 0], "radius": 9}}, {"ball": {"center": [2, 0, 0], "radius": 9}}]}}})json";
   const json found = json::parse(run("measure scene.json --at 1,0,0 --json", scene).out);
   for (const char* name : {"gap(B, A)", "margin(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
   EXPECT_FALSE(found.at("not_computed").at("gap(B, A)").get<std::string>().empty());

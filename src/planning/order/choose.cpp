@@ -283,7 +283,8 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
   const auto drop_empty = [&] { std::erase_if(positions, [](const AtAngle& p) { return plane::is_empty(p.region); }); };
   Chosen out;
   const Goals goals(relations, body, poses);
-  for (AtAngle& p : positions) p.region = keeping_conditions(relations.problem(), std::move(p.region));
+  for (AtAngle& p : positions)
+    if (plane::is_bounded(p.region)) p.region = keeping_conditions(relations.problem(), std::move(p.region));
   drop_empty();
   bool on_grid = false;
   const Body& placed = relations.problem().bodies[body];
@@ -300,7 +301,9 @@ Chosen choose(const Relations& relations, std::size_t body, const std::vector<At
       on_grid = true;
       continue;
     }
-    if (goal.equals) {
+    if (goal.equals) {  // of an unbounded set in its turn, where it may be bounded
+      for (AtAngle& p : positions) p.region = on_line_of(goal, relations.problem().world.step, p.region);
+      drop_empty();
       if (out.attained) out.values.push_back(std::nullopt);
       continue;
     }
