@@ -11,7 +11,6 @@
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
-#include "space/body/position_covers.h"
 #include "space/body/union_frontier.h"
 #include "space/polytope/longest_chord.h"
 #include "space/rays/longest_run.h"
@@ -176,16 +175,7 @@ TriedAnswer round_fit(const Body& b, const Body& a, const RealVector& direction,
     return least_of_search(query, both_ways);
   }
   query.between = true;
-  const std::vector<space::OutsideCell> cells = space::outside_cells(a);
-  for (const space::BodyPart& part : b.parts) {
-    Body core;
-    core.scale = b.scale;
-    core.parts.push_back(part);
-    core.parts[0].radius = Real();
-    const space::OpenUnion cover = space::outside_cover(core, cells);
-    for (std::size_t k = 0; k < cover.size(); ++k)
-      query.sets.push_back(grown_constraint({cover.planes(k), {}, part.radius}));
-  }
+  for (const GrownSet& set : differences_of_outside(a, b)) query.sets.push_back(grown_constraint(set));
   return least_of_search(query, both_ways);
 }
 

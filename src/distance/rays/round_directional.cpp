@@ -16,7 +16,6 @@
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
-#include "space/body/position_covers.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -263,16 +262,7 @@ Positions fits(const Body& b, const Body& a) {
     out.in = corner_distance(b, a.parts[0]);
     return out;
   }
-  const std::vector<space::OutsideCell> cells = space::outside_cells(a);
-  for (const BodyPart& part : b.parts) {
-    Body core;
-    core.scale = b.scale;
-    core.parts.push_back(part);
-    core.parts[0].radius = Real();
-    const space::OpenUnion cover = space::outside_cover(core, cells);
-    for (std::size_t k = 0; k < cover.size(); ++k)
-      out.out.push_back(grown_distance({cover.planes(k), {}, part.radius}));
-  }
+  for (const GrownSet& set : differences_of_outside(a, b)) out.out.push_back(grown_distance(set));
   return out;
 }
 

@@ -136,6 +136,20 @@ std::vector<GrownSet> differences_of_parts(const space::Body& a, const space::Bo
   return out;
 }
 
+std::vector<GrownSet> differences_of_outside(const space::Body& a, const space::Body& b) {
+  std::vector<GrownSet> out;
+  const std::vector<space::OutsideCell> cells = space::outside_cells(a);
+  for (const space::BodyPart& part : b.parts) {
+    space::Body core;
+    core.scale = b.scale;
+    core.parts.push_back(part);
+    core.parts[0].radius = Real();
+    const space::OpenUnion cover = space::outside_cover(core, cells);
+    for (std::size_t k = 0; k < cover.size(); ++k) out.push_back({cover.planes(k), {}, part.radius});
+  }
+  return out;
+}
+
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b) {
   return {space::difference_planes(a, b), space::real(a.center - b.center), a.radius + b.radius};
 }

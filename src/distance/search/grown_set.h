@@ -50,5 +50,8 @@ GrownSet grown_set(const space::BodyPart& part);
 /// Of the positions at which the two parts meet, the open set; of two bodies those of all pairs.
 GrownSet difference(const space::BodyPart& a, const space::BodyPart& b);
 std::vector<GrownSet> differences_of_parts(const space::Body& a, const space::Body& b);
+/// Of the positions at which B leaves A, which has no radii: for each part of B those at which it meets what is
+/// outside.
+std::vector<GrownSet> differences_of_outside(const space::Body& a, const space::Body& b);
 
 }  // namespace findspace::distance
