@@ -53,7 +53,7 @@ void line(const char* name, const Triangles& a, const Triangles& b, int n, int p
 }
 
 Triangles whole(Triangles mesh) {
-  if (crossing_faces(RaySheet(mesh))) {
+  if (self_contact(RaySheet(mesh)).crossing) {
     std::fprintf(stderr, "a mesh crosses itself\n");
     std::exit(1);
   }
