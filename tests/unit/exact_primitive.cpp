@@ -60,6 +60,24 @@ TEST(Primitive, LongAndAwkwardVectors) {
   expect_as_one_by_one(all);
 }
 
+TEST(Primitive, VectorsThatFloatsJustHold) {
+  constexpr std::int64_t kMost = std::int64_t(1) << 22;
+  std::mt19937_64 rng(2);
+  std::vector<Normal> all{{kMost, 1},      {-1, kMost},        {kMost, kMost - 1}, {kMost - 1, -kMost}, {-kMost, 0},
+                          {0, kMost},      {-kMost, -kMost},   {kMost, 3},         {kMost - 1, 2},      {2, 1 - kMost},
+                          {kMost / 2, -2}, {kMost, kMost / 2}, {2796203, 1398101}};
+  for (std::int64_t a = 1, b = 1; b <= kMost; b += a, a = b - a) all.push_back({-a, b});
+  while (all.size() < 100'000) {
+    const std::int64_t d = 1 + std::int64_t(rng() % 9), most = kMost / d;
+    auto number = [&] { return d * (std::int64_t(rng() % std::uint64_t(2 * most + 1)) - most); };
+    const Normal n{number(), number()};
+    if (n.a != 0 || n.b != 0) all.push_back(n);
+  }
+  expect_as_one_by_one(all);
+  for (std::size_t count = 1; count <= 17; ++count)
+    expect_as_one_by_one({all.begin(), all.begin() + std::ptrdiff_t(count)});
+}
+
 TEST(Primitive, Nothing) { expect_as_one_by_one({}); }
 
 }  // namespace exact_primitive

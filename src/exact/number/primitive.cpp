@@ -5,70 +5,137 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
 
 namespace findspace::exact {
 namespace {
 
 constexpr std::size_t kMostAtOnce = 16;
 
-template <std::size_t kLanes>
-using Lanes = std::array<double, kLanes>;
+/// Sixteen bytes of numbers that advance together, and their bits.
+template <class Number>
+struct Pack;
+template <>
+struct Pack<float> {
+  using Lanes [[gnu::vector_size(16)]] = float;
+  using Bits [[gnu::vector_size(16)]] = std::int32_t;
+  static constexpr std::int32_t kSign = std::numeric_limits<std::int32_t>::min();
+};
+template <>
+struct Pack<double> {
+  using Lanes [[gnu::vector_size(16)]] = double;
+  using Bits [[gnu::vector_size(16)]] = std::int64_t;
+  static constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
+};
 
-/// Added and taken away again it rounds what is below 2^51 to an integer.
-constexpr double kRounding = 0x1.8p52;
+/// Normals in kPacks packs.
+template <class Number, std::size_t kPacks>
+class Euclid {
+ public:
+  static constexpr std::size_t kEach = 16 / sizeof(Number), kLanes = kEach * kPacks;
 
-/// a - q * b with q the integer nearest to a / b, or one of two nearly equally near; a where b = 0. The product is
-/// below |a| + |b|, so that nothing here is rounded but the quotient.
-template <std::size_t kLanes>
-void reduce(Lanes<kLanes>& a, const Lanes<kLanes>& b) {
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    const double by = b[l] == 0 ? 1 : b[l], q = (a[l] / by + kRounding) - kRounding;
-    a[l] -= q * b[l];
+  explicit Euclid(std::span<const Normal> normals) {
+    std::array<Number, kLanes> x, y;
+    x.fill(1);
+    y.fill(1);
+    for (std::size_t l = 0; l < normals.size(); ++l) {
+      x[l] = Number(normals[l].a);
+      y[l] = Number(normals[l].b);
+    }
+    std::memcpy(x_.data(), x.data(), sizeof x);
+    std::memcpy(y_.data(), y.data(), sizeof y);
   }
-}
 
-template <std::size_t kLanes>
-bool all_ended(const Lanes<kLanes>& a, const Lanes<kLanes>& b) {
-  double even = 0, odd = 0;
-  for (std::size_t l = 0; l < kLanes; l += 2) {
-    even += std::abs(a[l] * b[l]);
-    odd += std::abs(a[l + 1] * b[l + 1]);
+  void divide() { divide(std::make_index_sequence<kPacks>()); }
+
+  void give(std::span<Normal> normals) const {
+    std::array<Number, kLanes> x, y;
+    std::memcpy(x.data(), x_.data(), sizeof x);
+    std::memcpy(y.data(), y_.data(), sizeof y);
+    for (std::size_t l = 0; l < normals.size(); ++l) normals[l] = {std::int64_t(x[l]), std::int64_t(y[l])};
   }
-  return even + odd == 0;
-}
 
-/// Up to kLanes normals.
-template <std::size_t kLanes>
+ private:
+  using Lanes = typename Pack<Number>::Lanes;
+  using Bits = typename Pack<Number>::Bits;
+
+  /// Added and taken away again it rounds to an integer what is below a quarter of 1 / epsilon.
+  static constexpr Number kRounding = Number(1.5) / std::numeric_limits<Number>::epsilon();
+  /// Lost in a sum with another integer than 0. A quotient by it alone stays finite.
+  static constexpr Number kLittle = std::numeric_limits<Number>::epsilon() / 8;
+
+  /// a - q * b with q the integer nearest to a / b, or one of two nearly equally near; a where b = 0. The product is
+  /// below |a| + |b|, so that nothing here is rounded but the quotient.
+  static Lanes reduced(const Lanes& a, const Lanes& b) { return a - ((a / (b + kLittle) + kRounding) - kRounding) * b; }
+
+  static Lanes square(const Lanes& a) { return a * a; }
+
+  static bool is_zero(const Lanes& sum) {
+    std::array<std::uint64_t, 2> halves;
+    std::memcpy(halves.data(), &sum, sizeof halves);
+    return (halves[0] | halves[1]) == 0;
+  }
+
+  /// By the divisor, with the sign of the first number that is not 0.
+  void divide_by(const Lanes& divisor, std::size_t pack) {
+    const Lanes side = x_[pack] * kRounding + y_[pack];
+    const Bits size = reinterpret_cast<Bits>(divisor) & ~Pack<Number>::kSign,
+               sign = reinterpret_cast<Bits>(side) & Pack<Number>::kSign;
+    const Lanes by = reinterpret_cast<Lanes>(size | sign);
+    x_[pack] /= by;
+    y_[pack] /= by;
+  }
+
+  template <std::size_t... kPack>
+  void divide(std::index_sequence<kPack...>) {
+    std::array<Lanes, kPacks> a = x_, b = y_;
+    do {
+      ((a[kPack] = reduced(a[kPack], b[kPack])), ...);
+      ((b[kPack] = reduced(b[kPack], a[kPack])), ...);
+    } while (!is_zero((square(a[kPack] * b[kPack]) + ...)));
+    (divide_by(a[kPack] + b[kPack], kPack), ...);
+  }
+
+  std::array<Lanes, kPacks> x_, y_;
+};
+
+template <class Number, std::size_t kLanes>
 void make_primitive_few(std::span<Normal> normals) {
-  Lanes<kLanes> a, b;
-  a.fill(1);
-  b.fill(1);
-  for (std::size_t l = 0; l < normals.size(); ++l) {
-    a[l] = double(normals[l].a);
-    b[l] = double(normals[l].b);
-  }
-  const Lanes<kLanes> x = a, y = b;
-  do {
-    reduce(a, b);
-    reduce(b, a);
-  } while (!all_ended(a, b));
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    const double divisor = std::abs(a[l] + b[l]), side = x[l] == 0 ? y[l] : x[l];
-    a[l] = side < 0 ? -divisor : divisor;
-  }
-  for (std::size_t l = 0; l < normals.size(); ++l) normals[l] = {std::int64_t(x[l] / a[l]), std::int64_t(y[l] / a[l])};
+  Euclid<Number, kLanes * sizeof(Number) / 16> all(normals);
+  all.divide();
+  all.give(normals);
+}
+
+/// Up to kMostAtOnce normals.
+template <class Number>
+void make_primitive_some(std::span<Normal> normals) {
+  if (normals.size() > 12) return make_primitive_few<Number, 16>(normals);
+  if (normals.size() > 8) return make_primitive_few<Number, 12>(normals);
+  if (normals.size() > 4) return make_primitive_few<Number, 8>(normals);
+  make_primitive_few<Number, 4>(normals);
+}
+
+/// Whether floats hold all that comes up: |a|, |b| <= 2^22.
+bool are_short(std::span<const Normal> normals) {
+  constexpr std::int64_t kLength = std::int64_t(1) << 22;
+  std::uint64_t all = 0;
+  for (const Normal& n : normals) all |= std::uint64_t(n.a + kLength) | std::uint64_t(n.b + kLength);
+  return all < std::uint64_t(2 * kLength);
 }
 
 }  // namespace
 
 void make_primitive(std::span<Normal> normals) {
-  for (; normals.size() > kMostAtOnce; normals = normals.subspan(kMostAtOnce))
-    make_primitive_few<kMostAtOnce>(normals.first(kMostAtOnce));
-  if (normals.size() > 12) return make_primitive_few<16>(normals);
-  if (normals.size() > 8) return make_primitive_few<12>(normals);
-  if (normals.size() > 4) return make_primitive_few<8>(normals);
-  make_primitive_few<4>(normals);
+  while (!normals.empty()) {
+    const std::span<Normal> some = normals.first(std::min(kMostAtOnce, normals.size()));
+    if (are_short(some))
+      make_primitive_some<float>(some);
+    else
+      make_primitive_some<double>(some);
+    normals = normals.subspan(some.size());
+  }
 }
 
 }  // namespace findspace::exact

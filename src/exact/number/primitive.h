@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Many integer vectors made primitive at once: as the normals of the edges of a ring. Guarantee: exact; Euclid's
-// algorithm with least remainders on doubles, all of whose numbers are integers below 2^53. Cost: some ten nanoseconds
-// a vector, as sixteen advance together and no branch depends on one of them; greatest common divisors one by one take
-// three to six times that. Source: Knuth, The Art of Computer Programming 2, 4.5.2. Keywords: greatest common divisor.
+// algorithm with least remainders on floats, whose numbers are integers below 2^24, or on doubles, below 2^53. Cost:
+// some eighty instructions a short vector, twice that a long one, as up to sixteen advance together and no branch
+// depends on one of them. Source: Knuth, The Art of Computer Programming 2, 4.5.2. Keywords: greatest common divisor.
 #pragma once
 
 #include <cstdint>
