@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <random>
+
 #include "exact/planar/geometry_signs.h"
 
 namespace findspace::exact {
@@ -32,6 +35,29 @@ TEST(Approx, TheRootOfTheUnknownIsUnknown) {
   }
   EXPECT_EQ(sqrt(Approx{4, 0}).value, 2);
   EXPECT_EQ(sqrt(Approx{-1, 5}).error, 2 * Approx::kGrow);
+}
+
+TEST(Geometry, LinesThroughGridPointsHoldWhatTheyAre) {
+  std::mt19937_64 rng(3);
+  Geometry g;
+  for (int size = 2; size <= 40; size += 3) {
+    const std::int64_t most = std::int64_t(1) << size;
+    auto number = [&] { return std::int64_t(rng() % std::uint64_t(2 * most)) - most; };
+    const auto first = std::uint32_t(g.points.size()), line = std::uint32_t(g.supporting_curves.size());
+    g.add_grid_point(-most, most);
+    for (int k = 0; k < 40; ++k) g.add_grid_point(number(), g.points.back().gy == most ? -most : most);
+    g.add_lines(first, 41, first + 1);
+    ASSERT_EQ(g.supporting_curves.size(), line + 41);
+    for (std::uint32_t k = 0; k < 41; ++k) {
+      const SupportingCurve& l = g.supporting_curves[line + k];
+      EXPECT_TRUE(lies_on(g, first + k, line + k) && lies_on(g, k == 40 ? first + 1 : first + k + 1, line + k)) << k;
+      EXPECT_TRUE(std::gcd(l.a, l.b) == 1 && (l.a > 0 || (l.a == 0 && l.b == 1))) << l.a << " " << l.b;
+      const Real length = sqrt(Real(int128(l.a) * l.a + int128(l.b) * l.b));
+      expect_near(l.x(), Real(l.a) / length);
+      expect_near(l.y(), Real(l.b) / length);
+      EXPECT_TRUE(abs(Real::from_double(l.z().value) - Real(l.c) / length) <= Real::from_double(l.z().error));
+    }
+  }
 }
 
 TEST(Geometry, OfNumbersThatDoublesDoNotEnclose) {

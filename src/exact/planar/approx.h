@@ -65,13 +65,26 @@ struct Approx {
 class ErrorBound {
  public:
   ErrorBound() = default;
+  /// By factors from tables: whether a bound was rounded down cannot be foreseen.
   ErrorBound(double error) : bound_(float(error)) {  // NOLINT: implicit on purpose
-    if (double(bound_) < error) bound_ = std::max(bound_ * kUp, std::numeric_limits<float>::min());
+    const bool below = double(bound_) < error;
+    bound_ = std::max(bound_ * kFactor[below], kLeast[below]);
   }
   operator double() const { return double(bound_); }  // NOLINT
 
+  /// |value| times the factor or a little more. The value is 0 or between 2^-70 and 2^120, so that no step underflows;
+  /// each rounds by 2^-24 at most.
+  template <int kUnits>
+  static ErrorBound units(double value) {
+    constexpr float kMore = float(kUnits * Approx::kUnit) * kFactor[1];
+    ErrorBound out;
+    out.bound_ = std::abs(float(value)) * kMore;
+    return out;
+  }
+
  private:
-  static constexpr float kUp = 1 + 0x1p-22f;  // to the next float, or the one after it
+  static constexpr float kFactor[] = {1, 1 + 0x1p-22f};  // to the next float, or the one after it
+  static constexpr float kLeast[] = {0, std::numeric_limits<float>::min()};
 
   float bound_ = 0;
 };

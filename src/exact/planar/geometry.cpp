@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "exact/number/primitive.h"
 #include "exact/planar/geometry_stages.h"
 
 namespace findspace::exact {
@@ -79,12 +80,26 @@ RealPoint exact_crossing(const Geometry& g, const Point& p) {
 }  // namespace
 
 std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
-  SupportingCurve& l = supporting_curves.emplace_back();
-  l.a = a;
-  l.b = b;
-  l.c = c;
-  set_line_filter(l);
+  supporting_curves.emplace_back(a, b, c, grid_line_filter(a, b, c));
   return std::uint32_t(supporting_curves.size() - 1);
+}
+
+void Geometry::add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next) {
+  std::array<Normal, 16> normals;
+  for (const Point *p = &points[first], *last = p + count - 1; count > 0;) {
+    const std::uint32_t some = std::min(count, std::uint32_t(normals.size()));
+    for (std::uint32_t k = 0; k < some; ++k) {
+      const Point& q = p + k == last ? points[next] : p[k + 1];
+      normals[k] = {q.gy - p[k].gy, p[k].gx - q.gx};
+    }
+    make_primitive({normals.data(), some});
+    for (std::uint32_t k = 0; k < some; ++k, ++p) {
+      const auto [a, b] = normals[k];
+      const int128 c = int128(a) * p->gx + int128(b) * p->gy;
+      supporting_curves.emplace_back(a, b, c, grid_line_filter(a, b, c));
+    }
+    count -= some;
+  }
 }
 
 std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y) {

@@ -25,6 +25,25 @@
 namespace findspace::exact {
 
 struct SupportingCurve {
+  /// Of a grid line: its unit normal and distance from the origin, off by no more than the bounds.
+  struct LineFilter {
+    double x, y, z;
+    ErrorBound x_error, y_error, z_error;
+  };
+
+  SupportingCurve() = default;
+  /// A grid line.
+  SupportingCurve(std::int64_t normal_x, std::int64_t normal_y, int128 offset, const LineFilter& f)
+      : c(offset),
+        a(normal_x),
+        b(normal_y),
+        x_error_(f.x_error),
+        y_error_(f.y_error),
+        z_error_(f.z_error),
+        x_(f.x),
+        y_(f.y),
+        z_(f.z) {}
+
   int128 c = 0;               // line: integer offset, before it is displaced
   std::int64_t a = 0, b = 0;  // line: normal; circle: grid centre
   bool circle = false;
@@ -97,6 +116,15 @@ struct Point {
     std::int64_t gy = 0;
     std::uint32_t j;
   };
+
+  static Point at(std::int64_t x, std::int64_t y) {
+    Point p;
+    p.x = double(x);
+    p.y = double(y);
+    p.gx = x;
+    p.gy = y;
+    return p;
+  }
 };
 static_assert(sizeof(Point) == 40);
 
@@ -118,12 +146,10 @@ class Geometry {
   std::uint32_t add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y);
   /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
   std::uint32_t add_displaced(const SupportingCurve& line, const CurveReals& shift);
+  /// The lines through each two neighbours of `count` grid points from `first` on, and through the last and `next`.
+  void add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y) {
-    Point& p = points.emplace_back();
-    p.gx = x;
-    p.gy = y;
-    p.x = double(x);
-    p.y = double(y);
+    points.push_back(Point::at(x, y));
     return std::uint32_t(points.size() - 1);
   }
   std::uint32_t add_real_point(const Real& x, const Real& y);

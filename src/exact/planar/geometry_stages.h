@@ -99,6 +99,14 @@ inline bool fits(const std::optional<int128>& c) {
 /// that, and two roundings on each path). Its root is off by 3u (half of that and its own rounding), the reciprocal by
 /// 4u, and a product with it, of a rounded normal or offset, by 6u; 7u and 8u cover the terms of second order. An
 /// integer over a length of 2^63 does not underflow.
+inline SupportingCurve::LineFilter grid_line_filter(std::int64_t a, std::int64_t b, int128 c) {
+  const double p = double(a), q = double(b), over = 1 / std::sqrt(p * p + q * q), x = p * over, y = q * over;
+  const std::int64_t narrow = std::int64_t(c);
+  const double z = (narrow == c ? double(narrow) : double(c)) * over;
+  return {x, y, z, ErrorBound::units<7>(x), ErrorBound::units<7>(y), ErrorBound::units<8>(z)};
+}
+
+/// Of any line.
 void set_line_filter(SupportingCurve& l);
 
 /// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 7u, the rounded

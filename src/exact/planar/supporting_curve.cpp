@@ -8,14 +8,9 @@
 namespace findspace::exact {
 
 void set_line_filter(SupportingCurve& l) {
-  const double a = double(l.a), b = double(l.b), over = 1 / std::sqrt(a * a + b * b), x = a * over, y = b * over;
-  const Approx normal_x{x, std::abs(x) * (7 * Approx::kUnit)}, normal_y{y, std::abs(y) * (7 * Approx::kUnit)};
-  if (l.grid) {
-    const std::int64_t narrow = std::int64_t(l.c);
-    const double z = (narrow == l.c ? double(narrow) : double(l.c)) * over;
-    return l.set_filter(normal_x, normal_y, {z, std::abs(z) * (8 * Approx::kUnit)});
-  }
-  l.set_filter(normal_x, normal_y,
+  const SupportingCurve::LineFilter f = grid_line_filter(l.a, l.b, l.c);
+  if (l.grid) return l.set_filter({f.x, f.x_error}, {f.y, f.y_error}, {f.z, f.z_error});
+  l.set_filter({f.x, f.x_error}, {f.y, f.y_error},
                l.displaced() ? from_int(l.c) / normal_length(l) + from_real(l.w()) : line_offset(l) / normal_length(l));
 }
 
@@ -28,12 +23,7 @@ std::int64_t make_primitive(std::int64_t& a, std::int64_t& b) {
 }
 
 SupportingCurve SupportingCurve::line(std::int64_t a, std::int64_t b, int128 c) {
-  SupportingCurve l;
-  l.a = a;
-  l.b = b;
-  l.c = c;
-  set_line_filter(l);
-  return l;
+  return {a, b, c, grid_line_filter(a, b, c)};
 }
 
 SupportingCurve SupportingCurve::line(std::int64_t a, std::int64_t b, const Real& c) {
