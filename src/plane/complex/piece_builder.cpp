@@ -3,8 +3,6 @@
 
 #include "plane/complex/piece_builder.h"
 
-#include "exact/planar/geometry_signs.h"
-
 namespace findspace::plane {
 
 using exact::int128;
@@ -26,32 +24,17 @@ void PieceBuilder::segment(const GridPoint& p, const GridPoint& q) {
   segment(line(p, q), from, to, p < q);
 }
 
-Index PieceBuilder::extreme(Index circle, int side) {
+Index extreme_point(exact::Geometry& geometry, Index circle, int side) {
   const SupportingCurve k = geometry.supporting_curves[circle];
   exact::Real x = side > 0 ? k.center_x() + k.w() : k.center_x() - k.w();
   return geometry.add_real_point(x, k.center_y());
 }
 
 void PieceBuilder::arc(Index circle, Index from, Index to, bool ccw) {
-  int up = above_center(geometry, from, circle);
-  if (up == 0) up = (right_of_center(geometry, from, circle) > 0) == ccw ? 1 : -1;
-  int end_up = above_center(geometry, to, circle);
-  Index at = from;
-  for (bool first = true;; first = false, up = -up) {
-    bool right = (up < 0) == ccw;
-    // Is the end ahead on this half? Never at once when the whole circle is meant.
-    bool here = end_up == up || (end_up == 0 && (right_of_center(geometry, to, circle) > 0) == right);
-    if (here && first) {
-      int order = compare_x(geometry, to, at);
-      here = right ? order > 0 : order < 0;
-    }
-    Index next = here ? to : extreme(circle, right ? 1 : -1);
-    pieces.push_back(
-        {.supporting_curve = circle, .p0 = right ? at : next, .p1 = right ? next : at, .half = std::int8_t(up)});
+  cut_arc(geometry, circle, from, to, ccw, [&](Index at, Index next, std::int8_t half, bool right) {
+    pieces.push_back({.supporting_curve = circle, .p0 = right ? at : next, .p1 = right ? next : at, .half = half});
     forward.push_back(right);
-    if (here) return;
-    at = next;
-  }
+  });
 }
 
 void PieceBuilder::edge(const ContourEdge& e, const GridPoint& to) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "exact/number/primitive.h"
+#include "plane/base/append_made.h"
 #include "plane/complex/piece_builder.h"
 #include "plane/complex/simplify.h"
 #include "plane/complex/winding.h"
@@ -16,26 +16,19 @@ namespace {
 /// Valid rings need no arrangement: their edges, cut into x-monotone curves, are those of the region, in order.
 class RingBuilder {
  public:
-  RingBuilder(Polygons polygons, Memory memory) : out_(memory), normals_(memory) {
-    std::size_t edges = 0, rings = 0, longest = 0;
+  explicit RingBuilder(RingCurves& out) : out_(out), geometry_(out.geometry) {}
+
+  void add(Polygons polygons) {
+    std::size_t edges = 0, rings = 0;
     for (const auto& polygon : polygons) {
       rings += polygon.size();
-      for (const Contour& ring : polygon) {
-        edges += ring.size();
-        longest = std::max(longest, ring.size());
-      }
+      for (const Contour& ring : polygon) edges += ring.size();
     }
-    normals_.reserve(longest);
-    curves_.geometry.supporting_curves.reserve(edges);
-    curves_.geometry.points.reserve(edges);
+    geometry_.supporting_curves.reserve(edges);
+    geometry_.points.reserve(edges);
     out_.edges.reserve(edges);
     out_.rings.reserve(rings);
     for (const auto& polygon : polygons) add_polygon(polygon);
-  }
-
-  RingCurves build() && {
-    out_.geometry = std::move(curves_.geometry);
-    return std::move(out_);
   }
 
  private:
@@ -44,70 +37,66 @@ class RingBuilder {
     const Index inside = Index(out_.rings.size()) + 1;
     for (Index k = 0; k < polygon.size(); ++k) {
       out_.rings.push_back({Index(out_.edges.size()), inside, k == 0 ? 0 : inside + k, k == 0});
-      add(polygon[k]);
+      add_ring(polygon[k]);
     }
   }
 
-  void add(const Contour& ring) {
-    const Index first = Index(out_.edges.size()), corner = Index(curves_.geometry.points.size()),
-                n = Index(ring.size());
-    add_corners(ring);
-    const exact::Normal* normal = normals_.data();
-    for (Index k = 0; k < n; ++k, ++normal) {
-      const Index next = k + 1 == n ? 0 : k + 1;
-      if (ring[k].arc)
-        add_arc(ring[k], corner + k, corner + next);
-      else
-        add_segment(*normal, corner + k, ring[k].start, ring[next].start);
+  void add_ring(std::span<const ContourEdge> ring) {
+    const Index corner = Index(geometry_.points.size()), n = Index(ring.size());
+    append_made(geometry_.points, n, [&](std::size_t k) { return exact::Point::at(ring[k].start.x, ring[k].start.y); });
+    const std::size_t first = out_.edges.size();
+    for (Index k = 0; k < n;) {
+      const Index end = end_of_segments(ring, k);
+      add_segments(ring, k, end, corner);
+      k = end;
+      if (k == n) break;
+      add_arc(ring[k], corner + k, corner + (k + 1 == n ? 0 : k + 1));
+      ++k;
     }
-    for (std::size_t k = first, before = out_.edges.size() - 1; k < out_.edges.size() && !out_.could_merge;
-         before = k++)
-      out_.could_merge = could_continue(out_.edges[before], out_.edges[k]);
+    if (!out_.could_merge) out_.could_merge = some_continue(std::span(out_.edges).subspan(first));
   }
 
-  /// And finds the primitive normals of its segments.
-  void add_corners(const Contour& ring) {
-    const std::size_t n = ring.size();
-    normals_.clear();
-    for (std::size_t k = 0; k < n; ++k) {
-      curves_.geometry.add_grid_point(ring[k].start.x, ring[k].start.y);
-      normals_.push_back(normal(ring[k], ring[k + 1 == n ? 0 : k + 1]));
-    }
-    exact::make_primitive(normals_);
+  /// From k on all are segments up to there.
+  static Index end_of_segments(std::span<const ContourEdge> ring, Index k) {
+    while (k < ring.size() && !ring[k].arc) ++k;
+    return k;
   }
 
-  static exact::Normal normal(const ContourEdge& edge, const ContourEdge& next) {
-    if (edge.arc) return {1, 0};
-    return {next.start.y - edge.start.y, edge.start.x - next.start.x};
-  }
-
-  void add_segment(const exact::Normal& n, Index from, const GridPoint& p, const GridPoint& q) {
-    const Index line = curves_.geometry.add_line(n.a, n.b, exact::int128(n.a) * p.x + exact::int128(n.b) * p.y);
-    out_.edges.push_back({from, line, p < q});
+  void add_segments(std::span<const ContourEdge> ring, Index first, Index end, Index corner) {
+    const Index line = Index(geometry_.supporting_curves.size());
+    const std::size_t last = end == ring.size() ? end - first - 1 : end;  // that which ends at the start of the ring
+    const ContourEdge* from = ring.data() + first;
+    append_made(out_.edges, end - first, [&](std::size_t k) {
+      const GridPoint &p = from[k].start, &q = k == last ? ring[0].start : from[k + 1].start;
+      const bool right = bool(int(p.x < q.x) | (int(p.x == q.x) & int(p.y < q.y)));
+      return RingEdge{corner + first + Index(k), line + Index(k), right};
+    });
+    geometry_.add_lines(corner + first, end - first, corner + (end == ring.size() ? 0 : end));
   }
 
   void add_arc(const ContourEdge& e, Index from, Index to) {
-    curves_.pieces.clear();
-    curves_.forward.clear();
-    curves_.arc(curves_.geometry.add(exact::SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r)), from, to,
-                e.ccw);
-    for (std::size_t i = 0; i < curves_.pieces.size(); ++i) {
-      const Piece& p = curves_.pieces[i];
-      out_.edges.push_back({curves_.forward[i] ? p.p0 : p.p1, p.supporting_curve, bool(curves_.forward[i]), p.half});
-    }
+    const Index circle = geometry_.add(exact::SupportingCurve::circle_at(e.arc->cx, e.arc->cy, e.arc->r));
+    cut_arc(geometry_, circle, from, to, e.ccw, [&](Index at, Index, std::int8_t half, bool right) {
+      out_.edges.push_back({at, circle, right, half});
+    });
   }
 
   /// Parallel lines or halves of the same kind: only such neighbours can be one edge.
-  bool could_continue(const RingEdge& p, const RingEdge& q) const {
-    if (p.half != q.half) return false;
-    const exact::SupportingCurve &k = curves_.geometry.supporting_curves[p.supporting_curve],
-                                 &l = curves_.geometry.supporting_curves[q.supporting_curve];
-    return p.half != 0 || (k.a == l.a && k.b == l.b);
+  bool some_continue(std::span<const RingEdge> edges) const {
+    const exact::SupportingCurve* curves = geometry_.supporting_curves.data();
+    const RingEdge* before = &edges.back();
+    const exact::SupportingCurve* k = curves + before->supporting_curve;
+    for (const RingEdge& e : edges) {
+      const exact::SupportingCurve* l = curves + e.supporting_curve;
+      if (before->half == e.half && (e.half != 0 || (k->a == l->a && k->b == l->b))) return true;
+      before = &e;
+      k = l;
+    }
+    return false;
   }
 
-  PieceBuilder curves_;
-  RingCurves out_;
-  std::pmr::vector<exact::Normal> normals_;  // of the segments of one ring
+  RingCurves& out_;
+  exact::Geometry& geometry_;
 };
 
 /// Faces with a positive winding number, and everything on their boundary.
@@ -137,7 +126,11 @@ Region all_cells(PieceBuilder b, std::span<const Index> isolated) {
 
 }  // namespace
 
-RingCurves ring_curves(Polygons polygons, Memory memory) { return RingBuilder(polygons, memory).build(); }
+RingCurves ring_curves(Polygons polygons, Memory memory) {
+  RingCurves curves(memory);
+  RingBuilder(curves).add(polygons);
+  return curves;
+}
 
 Region region_of_rings(std::span<const Contour> rings) { return region_of_polygons({&rings, 1}); }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "plane/base/append_made.h"
 #include "plane/base/arena.h"
 #include "plane/complex/around_vertex.h"
 #include "plane/complex/keep_used.h"
@@ -51,14 +52,20 @@ class UsedGeometry {
   bool all_ = false;
 };
 
-/// Of two half-edges at their origin, the first counter-clockwise from straight down, those to the right first.
-bool is_first(const CellComplex& map, Index vertex, Index h, Index k) {
-  if ((h & 1u) != (k & 1u)) return !(h & 1u);
+/// Of two half-edges at their origin that both go right, or both left: the first counter-clockwise from straight down
+/// or straight up.
+[[gnu::noinline]] bool comes_first(const CellComplex& map, Index point, Index h, Index k) {
   const Edge &e = map.edges[h / 2], &f = map.edges[k / 2];
   if (e.half == 0 && f.half == 0)
     return line_comes_before(map.geometry.supporting_curves[e.supporting_curve],
                              map.geometry.supporting_curves[f.supporting_curve]);
-  return comes_before(map.geometry, map.vertices[vertex].point, h & 1u, map.heading(h), e.half, map.heading(k));
+  return comes_before(map.geometry, point, h & 1u, map.heading(h), e.half, map.heading(k));
+}
+
+/// The first of two half-edges at their origin counter-clockwise from straight down, those to the right first.
+Index first_of(const CellComplex& map, Index point, Index h, Index k) {
+  const bool turns = ((h ^ k) & 1u) == 0;
+  return (turns ? comes_first(map, point, h, k) : !(h & 1u)) ? h : k;
 }
 
 Index face_count(std::span<const NestedRing> rings) {
@@ -67,37 +74,65 @@ Index face_count(std::span<const NestedRing> rings) {
   return last + 1;
 }
 
-/// Joins the edges, which have their supporting curves, to rings and faces. `point`: of a ring edge.
+/// The half-edge that runs along the ring, edge k of all.
+Index half_edge(std::span<const RingEdge> edges, Index k) { return 2 * k + (edges[k].right ? 0 : 1); }
+
+/// Adds the edges `first` to `end` of all, those of a ring, with their half-edges. `curve`: the number of a ring edge's
+/// supporting curve.
+template <class CurveOf>
+void join_ring(CellComplex& c, std::span<const RingEdge> edges, Index first, Index end, const NestedRing& ring, Mark on,
+               CurveOf curve) {
+  append_made(c.edges, end - first, [=](std::size_t i) {
+    const Index k = first + Index(i), to = k + 1 == end ? first : k + 1;
+    const RingEdge& e = edges[k];
+    return Edge{e.right ? k : to, e.right ? to : k, curve(e), e.half, on};
+  });
+  c.half_edges.resize(2 * std::size_t(end));
+  HalfEdge* out = c.half_edges.data() + 2 * first;
+  Index before = half_edge(edges, end - 1), here = half_edge(edges, first);
+  for (Index k = first; k < end; ++k, out += 2) {
+    const Index next = half_edge(edges, k + 1 == end ? first : k + 1), side = here & 1u;
+    out[side] = {next, ring.inside};
+    out[side ^ 1u] = {before ^ 1u, ring.outside};
+    before = here;
+    here = next;
+  }
+}
+
+/// Adds their corners. `point`: the number of a ring edge's point.
 template <class PointOf>
-void join_rings(CellComplex& c, std::span<const RingEdge> edges, std::span<const NestedRing> rings, RingMarks marks,
-                bool unbounded, PointOf point) {
+void add_ring_corners(CellComplex& c, std::span<const RingEdge> edges, Index first, Index end, Mark on, PointOf point) {
+  Index before = half_edge(edges, end - 1);
+  append_made(c.vertices, end - first, [&, edges](std::size_t i) {
+    const Index k = first + Index(i), at = point(edges[k]), here = half_edge(edges, k);
+    const Index out = first_of(c, at, here, std::exchange(before, here) ^ 1u);
+    return Vertex{at, on, out, kNone};
+  });
+}
+
+/// What the rings bound, with this geometry, in which curves and points have numbers of their own.
+template <class CurveOf, class PointOf>
+CellComplex joined(exact::Geometry&& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+                   RingMarks marks, bool unbounded, CurveOf curve, PointOf point) {
+  CellComplex c{std::move(geometry), {}, {}, {}, {}};
   const Index n = Index(edges.size());
-  c.vertices.resize(n);
-  c.half_edges.resize(2 * n);
+  c.vertices.reserve(n);
+  c.edges.reserve(n);
+  c.half_edges.reserve(2 * std::size_t(n));
   c.faces.resize(face_count(rings));
   for (Face& f : c.faces) f.mark = marks.outside;
   if (unbounded) c.faces[0].mark = marks.inside;
-  auto along = [&](Index k) { return 2 * k + (edges[k].right ? 0 : 1); };
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const NestedRing& ring = rings[r];
-    const Index first = ring.start, end = r + 1 < rings.size() ? rings[r + 1].start : n;
-    Index before = end - 1, h = along(before);
-    for (Index k = first; k < end; before = k++) {
-      const Index g = along(k), back = h ^ 1u;
-      (h & 1u ? c.edges[before].v0 : c.edges[before].v1) = k;
-      (g & 1u ? c.edges[k].v1 : c.edges[k].v0) = k;
-      c.half_edges[h] = {.next = g, .face = ring.inside};
-      c.half_edges[g ^ 1u] = {.next = back, .face = ring.outside};
-      c.vertices[k].point = point(edges[k]);
-      c.vertices[k].mark = marks.on;
-      c.vertices[k].out = is_first(c, k, g, back) ? g : back;
-      h = g;
-    }
+    const Index end = r + 1 < rings.size() ? rings[r + 1].start : n;
+    join_ring(c, edges, ring.start, end, ring, marks.on, curve);
+    add_ring_corners(c, edges, ring.start, end, marks.on, point);
     c.faces[ring.inside].mark = marks.inside;
-    const Index within = along(first), without = within ^ 1u;
+    const Index within = half_edge(edges, ring.start), without = within ^ 1u;
     c.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
     c.faces[ring.outer ? ring.outside : ring.inside].inner.push_back(ring.outer ? without : within);
   }
+  return c;
 }
 
 }  // namespace
@@ -112,29 +147,21 @@ std::vector<NestedRing> rings_of_one_face(std::span<const Index> starts, bool un
   return rings;
 }
 
-CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+CellComplex ring_complex(exact::Geometry&& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                          RingMarks marks, bool unbounded) {
-  CellComplex c;
-  c.geometry = std::move(geometry);
-  c.edges.reserve(edges.size());
-  for (const RingEdge& e : edges)
-    c.edges.push_back({.supporting_curve = e.supporting_curve, .half = e.half, .mark = marks.on});
-  join_rings(c, edges, rings, marks, unbounded, [](const RingEdge& e) { return e.point; });
-  return c;
+  return joined(
+      std::move(geometry), edges, rings, marks, unbounded, [](const RingEdge& e) { return e.supporting_curve; },
+      [](const RingEdge& e) { return e.point; });
 }
 
-CellComplex ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+CellComplex ring_map(exact::Geometry&& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                      RingMarks marks, bool unbounded) {
   Arena arena(geometry.supporting_curves.size() / 4);
-  CellComplex map;
   const UsedGeometry used(geometry, edges, arena.memory());
-  map.geometry = std::move(geometry);
-  map.edges.reserve(edges.size());
-  for (const RingEdge& e : edges)
-    map.edges.push_back(
-        {.supporting_curve = used.supporting_curve(e.supporting_curve), .half = e.half, .mark = marks.on});
-  join_rings(map, edges, rings, marks, unbounded, [&](const RingEdge& e) { return used.point(e.point); });
-  return map;
+  return joined(
+      std::move(geometry), edges, rings, marks, unbounded,
+      [&](const RingEdge& e) { return used.supporting_curve(e.supporting_curve); },
+      [&](const RingEdge& e) { return used.point(e.point); });
 }
 
 }  // namespace findspace::plane

@@ -39,11 +39,11 @@ struct RingMarks {
 
 /// The vertices and edges in the order of the ring edges, with the whole geometry. `unbounded`: the unbounded face is
 /// inside.
-CellComplex ring_complex(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+CellComplex ring_complex(exact::Geometry&& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                          RingMarks marks, bool unbounded = false);
 
 /// The same without the points and supporting curves that no ring uses.
-CellComplex ring_map(exact::Geometry geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
+CellComplex ring_map(exact::Geometry&& geometry, std::span<const RingEdge> edges, std::span<const NestedRing> rings,
                      RingMarks marks, bool unbounded = false);
 
 inline constexpr RingMarks kOpenSetSigns{-1, 0, 1};
