@@ -77,6 +77,24 @@ TEST(Contour, RefusesTouchingItself) {
   expect_refused({ring({{0, 0}, {4, 0}, {4, 2}, {4, 4}, {4, 1}, {0, 4}})}, "run along each other");  // a spike
 }
 
+/// Seen whole from the mean of their corners or nearly so, near the origin and where products need 128 bits.
+TEST(Contour, StarsFarOffAreAsNear) {
+  for (const std::int64_t far : {std::int64_t(0), (std::int64_t(1) << 30) - 20, std::int64_t(1) << 31}) {
+    for (const std::int64_t size : {std::int64_t(1), (std::int64_t(1) << 39) / 10}) {
+      auto star = [&](std::initializer_list<GridPoint> points) {
+        Contour contour;
+        for (GridPoint p : points) contour.push_back({.start = {far + size * p.x, -far + size * p.y}});
+        return std::vector<Contour>{contour};
+      };
+      EXPECT_EQ(make_rings(star({{0, 0}, {9, 3}, {10, 0}, {9, 9}, {0, 10}, {3, 3}}), 1).reversed_rings, 0);
+      EXPECT_EQ(make_rings(star({{0, 0}, {0, 10}, {10, 10}, {10, 0}}), 1).reversed_rings, 1);
+      EXPECT_EQ(make_rings(star({{0, 0}, {0, 9}, {9, 9}, {9, 8}, {1, 8}, {1, 0}}), 1).reversed_rings, 1);  // no star
+      expect_refused(star({{0, -10}, {6, 8}, {-10, -3}, {10, -3}, {-6, 8}}), "itself");  // round twice
+      expect_refused(star({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}, {10, 0}, {10, 10}, {0, 10}}), "itself");
+    }
+  }
+}
+
 TEST(Contour, NearMissesOfOneStepAreFine) {
   std::int64_t far = std::int64_t{1} << 40;
   EXPECT_NO_THROW(make_rings({ring({{-far, 0}, {far, -1}, {far, 0}, {-far, 1}})}, 1));

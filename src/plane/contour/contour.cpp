@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -30,12 +31,13 @@ using Label = std::string (*)(std::size_t);
 std::string outer_or_hole(std::size_t i) { return i == 0 ? "the ring" : fmt::format("hole {}", i - 1); }
 std::string any_ring(std::size_t i) { return fmt::format("ring {}", i); }
 
-/// A ring without its repeated points, and where its edges stood in the input.
+/// A ring, whose repeated points are dropped, and where its edges stood in the input.
 struct Ring {
-  Contour edges;
+  Contour& edges;
   std::size_t number;
   Label name;
   std::vector<std::size_t> source{};  // empty where nothing was dropped
+  bool straight = true;               // it has no arcs
   int way = 0;                        // its orientation where the check has shown it
 
   std::string label() const { return name(number); }
@@ -61,21 +63,22 @@ void drop_repeated(Ring& ring) {
   ring.edges = std::move(kept);
 }
 
-Ring clean(Contour input, std::size_t number, Label name, std::int64_t& repeated, double step) {
-  const GridPoint first = input.empty() ? GridPoint{} : input[0].start;
-  Ring ring{std::move(input), number, name};
+Ring clean(Contour& edges, std::size_t number, Label name, std::int64_t& repeated, double step) {
+  const GridPoint first = edges.empty() ? GridPoint{} : edges[0].start;
+  Ring ring{edges, number, name};
   std::int64_t same = 0;
   bool arcs = false;
-  for (std::size_t i = 0; i < ring.edges.size(); ++i) {
-    if (ring.edges[i].start == ring.end(i)) {
-      ++same;
-    } else {
-      arcs |= bool(ring.edges[i].arc);
-    }
+  const ContourEdge* before = edges.empty() ? nullptr : &edges.back();
+  for (const ContourEdge& e : edges) {
+    const bool moves = before->start != e.start;
+    same += !moves;
+    arcs |= moves && before->arc;
+    before = &e;
   }
+  ring.straight = !arcs;
   if (same > 0) drop_repeated(ring);
   repeated += same;
-  if (ring.edges.size() < (arcs ? 2u : 3u)) {
+  if (edges.size() < (arcs ? 2u : 3u)) {
     fail(fmt::format("{} has no area: fewer than three different points", ring.label()), double(first.x),
          double(first.y), step);
   }
@@ -112,7 +115,7 @@ struct EdgeId {
   fail(fmt::format("{}: {} and {} {} at {}", what, first, second, how, show(m.x, m.y, step)), m.x, m.y, step);
 }
 
-void check_pair(const std::vector<Ring>& rings, EdgeId f, EdgeId g, double step) {
+void check_pair(std::span<const Ring> rings, EdgeId f, EdgeId g, double step) {
   if (f.ring > g.ring || (f.ring == g.ring && f.edge > g.edge)) std::swap(f, g);
   const Ring &a = rings[f.ring], &b = rings[g.ring];
   Span s = a.span(f.edge), t = b.span(g.edge);
@@ -132,7 +135,7 @@ Box box_of(const ContourEdge& edge, GridPoint to) {
 }
 
 /// Edges i and i + 1 of a ring share a vertex: of segments only folding back onto each other is a fault.
-void check_neighbours(const std::vector<Ring>& rings, std::uint32_t r, double step) {
+void check_neighbours(std::span<const Ring> rings, std::uint32_t r, double step) {
   const Contour& edges = rings[r].edges;
   const std::size_t n = edges.size();
   for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
@@ -143,18 +146,17 @@ void check_neighbours(const std::vector<Ring>& rings, std::uint32_t r, double st
 }
 
 /// Its orientation, if it is seen whole from the mean of its corners.
-int star_orientation(const Contour& ring) {
-  return straight(ring) ? star_shaped(ring.size(), [&](std::size_t k) { return ring[k].start; }) : 0;
+int star_orientation(const Ring& ring) {
+  if (!ring.straight) return 0;
+  return star_shaped(ring.edges.size(), [at = ring.edges.data()](std::size_t k) { return at[k].start; });
 }
 
-void check_edges(std::vector<Ring>& rings, double step) {
-  if (rings.size() == 1 && (rings[0].way = star_orientation(rings[0].edges)) != 0) return;
+void check_edges(std::span<const Ring> rings, double step, Memory memory) {
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.edges.size();
-  Arena arena(count);
-  std::pmr::vector<Box> boxes(arena.memory());
+  std::pmr::vector<Box> boxes(memory);
   boxes.reserve(count);
-  std::pmr::vector<std::size_t> first(arena.memory());  // of each ring
+  std::pmr::vector<std::size_t> first(memory);  // of each ring
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     const Ring& ring = rings[r];
     first.push_back(boxes.size());
@@ -173,42 +175,51 @@ void check_edges(std::vector<Ring>& rings, double step) {
   });
 }
 
-Box box_of(const Ring& ring) {
-  Box all = box_of(ring.edges[0], ring.end(0));
-  for (std::size_t i = 1; i < ring.edges.size(); ++i) all = all.joined(box_of(ring.edges[i], ring.end(i)));
+Box box_of(const Contour& ring) {
+  Box all = box_of(ring[0], end_of(ring, 0));
+  for (std::size_t i = 1; i < ring.size(); ++i) all = all.joined(box_of(ring[i], end_of(ring, i)));
   return all;
 }
 
-/// Takes the edges out of the rings.
-std::vector<Ring> clean_and_check(std::vector<Contour>& rings, Label name, std::int64_t& repeated, double step) {
-  std::vector<Ring> clean_rings;
-  clean_rings.reserve(rings.size());
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    clean_rings.push_back(clean(std::move(rings[i]), i, name, repeated, step));
-    const Ring& ring = clean_rings.back();
-    GridPoint p = ring.edges[0].start;
-    if (flat(ring)) {
+using Rings = std::pmr::vector<Ring>;
+
+/// Of the contours, which stay where they are.
+Rings clean_and_check(std::span<Contour> contours, Label name, std::int64_t& repeated, double step, Memory memory) {
+  Rings rings(memory);
+  rings.reserve(contours.size());
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    rings.push_back(clean(contours[i], i, name, repeated, step));
+    Ring& ring = rings.back();
+    if (contours.size() == 1) ring.way = star_orientation(ring);
+    if (ring.way == 0 && flat(ring)) {
+      const GridPoint p = ring.edges[0].start;
       fail(fmt::format("{} has no area: all its points are on one line", ring.label()), double(p.x), double(p.y), step);
     }
   }
-  check_edges(clean_rings, step);
-  return clean_rings;
+  if (rings.size() != 1 || rings[0].way == 0) check_edges(rings, step, memory);
+  return rings;
 }
 
-Contour directed(Ring ring, int wanted, std::int64_t& reversed_so_far) {
-  if ((ring.way != 0 ? ring.way : orientation(ring.edges)) == wanted) return std::move(ring.edges);
+void direct(Ring& ring, int wanted, std::int64_t& reversed_so_far) {
+  if ((ring.way != 0 ? ring.way : orientation(ring.edges)) == wanted) return;
   ++reversed_so_far;
-  return reversed(ring.edges);
+  ring.edges = reversed(ring.edges);
 }
 
-std::vector<Box> boxes_of(const std::vector<Ring>& rings) {
+std::size_t edge_count(std::span<const Contour> rings) {
+  std::size_t count = 0;
+  for (const Contour& ring : rings) count += ring.size();
+  return count;
+}
+
+std::vector<Box> boxes_of(const Rings& rings) {
   std::vector<Box> boxes;
   boxes.reserve(rings.size());
-  for (const Ring& ring : rings) boxes.push_back(box_of(ring));
+  for (const Ring& ring : rings) boxes.push_back(box_of(ring.edges));
   return boxes;
 }
 
-void check_holes(const std::vector<Ring>& rings, double step) {
+void check_holes(const Rings& rings, double step) {
   if (rings.size() == 1) return;
   const std::vector<Box> boxes = boxes_of(rings);
   const auto corner = [&](std::size_t i) { return rings[i].edges[0].start; };
@@ -236,11 +247,12 @@ void check_holes(const std::vector<Ring>& rings, double step) {
 
 RingSet make_rings(std::vector<Contour> input, double step) {
   RingSet set;
-  std::vector<Ring> rings = clean_and_check(input, outer_or_hole, set.repeated_points, step);
+  Arena arena(edge_count(input));
+  Rings rings = clean_and_check(input, outer_or_hole, set.repeated_points, step, arena.memory());
   check_holes(rings, step);
-  for (std::size_t i = 0; i < rings.size(); ++i) {
+  for (Ring& ring : rings) {
     std::int64_t ignored = 0;  // either direction of a hole is usual
-    input[i] = directed(std::move(rings[i]), i == 0 ? 1 : -1, i == 0 ? set.reversed_rings : ignored);
+    direct(ring, ring.number == 0 ? 1 : -1, ring.number == 0 ? set.reversed_rings : ignored);
   }
   set.contours = std::move(input);
   return set;
@@ -248,7 +260,8 @@ RingSet make_rings(std::vector<Contour> input, double step) {
 
 std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   std::int64_t repeated = 0, ignored = 0;
-  std::vector<Ring> rings = clean_and_check(input, any_ring, repeated, step);
+  Arena arena(edge_count(input));
+  Rings rings = clean_and_check(input, any_ring, repeated, step, arena.memory());
   const std::vector<Box> boxes = boxes_of(rings);
   const auto around = meeting_others(boxes, [&](std::size_t i, std::size_t j) {
     const GridPoint p = rings[i].edges[0].start;
@@ -264,8 +277,12 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (around[i].size() % 2 != 0) continue;
     RingSet& set = sets.emplace_back();
-    set.contours.push_back(directed(rings[i], 1, ignored));
-    for (const std::size_t h : holes[i]) set.contours.push_back(directed(rings[h], -1, ignored));
+    direct(rings[i], 1, ignored);
+    set.contours.push_back(std::move(input[i]));
+    for (const std::size_t h : holes[i]) {
+      direct(rings[h], -1, ignored);
+      set.contours.push_back(std::move(input[h]));
+    }
   }
   if (!sets.empty()) sets[0].repeated_points = repeated;
   return sets;
@@ -273,10 +290,10 @@ std::vector<RingSet> nest_rings(std::vector<Contour> input, double step) {
 
 namespace {
 
-Contour distinct(const Contour& edges) {
+Contour distinct(Contour edges) {
   Ring ring{edges, 0, any_ring};
   drop_repeated(ring);
-  return std::move(ring.edges);
+  return edges;
 }
 
 /// Of two rings, the corners of one being all corners of the other: whether it goes inside.
@@ -300,7 +317,7 @@ std::vector<std::vector<std::size_t>> rings_around(const std::vector<Contour>& r
   std::vector<Box> boxes;
   std::vector<std::vector<GridPoint>> corners;
   for (const Contour& ring : rings) {
-    boxes.push_back(box_of(Ring{ring, 0, any_ring}));
+    boxes.push_back(box_of(ring));
     std::vector<GridPoint>& own = corners.emplace_back();
     for (const ContourEdge& e : ring) own.push_back(e.start);
     std::sort(own.begin(), own.end());
