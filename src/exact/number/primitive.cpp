@@ -12,7 +12,7 @@
 namespace findspace::exact {
 namespace {
 
-constexpr std::size_t kMostAtOnce = 16;
+constexpr std::size_t kMostAtOnce = 24;
 
 /// Sixteen bytes of numbers that advance together, and their bits.
 template <class Number>
@@ -63,12 +63,13 @@ class Euclid {
 
   /// Added and taken away again it rounds to an integer what is below a quarter of 1 / epsilon.
   static constexpr Number kRounding = Number(1.5) / std::numeric_limits<Number>::epsilon();
-  /// Lost in a sum with another integer than 0. A quotient by it alone stays finite.
-  static constexpr Number kLittle = std::numeric_limits<Number>::epsilon() / 8;
 
   /// a - q * b with q the integer nearest to a / b, or one of two nearly equally near; a where b = 0. The product is
   /// below |a| + |b|, so that nothing here is rounded but the quotient.
-  static Lanes reduced(const Lanes& a, const Lanes& b) { return a - ((a / (b + kLittle) + kRounding) - kRounding) * b; }
+  static Lanes reduced(const Lanes& a, const Lanes& b) {
+    const Lanes quotient = reinterpret_cast<Lanes>(reinterpret_cast<Bits>(a / b) & (b != 0));
+    return a - ((quotient + kRounding) - kRounding) * b;
+  }
 
   static Lanes square(const Lanes& a) { return a * a; }
 
@@ -108,13 +109,22 @@ void make_primitive_few(std::span<Normal> normals) {
   all.give(normals);
 }
 
-/// Up to kMostAtOnce normals.
-template <class Number>
-void make_primitive_some(std::span<Normal> normals) {
-  if (normals.size() > 12) return make_primitive_few<Number, 16>(normals);
-  if (normals.size() > 8) return make_primitive_few<Number, 12>(normals);
-  if (normals.size() > 4) return make_primitive_few<Number, 8>(normals);
-  make_primitive_few<Number, 4>(normals);
+/// Up to kMostAtOnce normals: as many as there are registers for.
+void make_short_primitive(std::span<Normal> normals) {
+  if (normals.size() > 16) return make_primitive_few<float, 24>(normals);
+  if (normals.size() > 12) return make_primitive_few<float, 16>(normals);
+  if (normals.size() > 8) return make_primitive_few<float, 12>(normals);
+  if (normals.size() > 4) return make_primitive_few<float, 8>(normals);
+  make_primitive_few<float, 4>(normals);
+}
+
+void make_long_primitive(std::span<Normal> normals) {
+  constexpr std::size_t kEach = 12;
+  for (; normals.size() > kEach; normals = normals.subspan(kEach))
+    make_primitive_few<double, kEach>(normals.first(kEach));
+  if (normals.size() > 8) return make_primitive_few<double, kEach>(normals);
+  if (normals.size() > 4) return make_primitive_few<double, 8>(normals);
+  make_primitive_few<double, 4>(normals);
 }
 
 /// Whether floats hold all that comes up: |a|, |b| <= 2^22.
@@ -131,9 +141,9 @@ void make_primitive(std::span<Normal> normals) {
   while (!normals.empty()) {
     const std::span<Normal> some = normals.first(std::min(kMostAtOnce, normals.size()));
     if (are_short(some))
-      make_primitive_some<float>(some);
+      make_short_primitive(some);
     else
-      make_primitive_some<double>(some);
+      make_long_primitive(some);
     normals = normals.subspan(some.size());
   }
 }

@@ -3,7 +3,7 @@
 //
 // Many integer vectors made primitive at once: as the normals of the edges of a ring. Guarantee: exact; Euclid's
 // algorithm with least remainders on floats, whose numbers are integers below 2^24, or on doubles, below 2^53. Cost:
-// some eighty instructions a short vector, twice that a long one, as up to sixteen advance together and no branch
+// some eighty instructions a short vector, twice that a long one, as up to twenty-four advance together and no branch
 // depends on one of them. Source: Knuth, The Art of Computer Programming 2, 4.5.2. Keywords: greatest common divisor.
 #pragma once
 
