@@ -85,7 +85,7 @@ std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
 }
 
 void Geometry::add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next) {
-  std::array<Normal, 16> normals;
+  std::array<Normal, 24> normals;
   for (const Point *p = &points[first], *last = p + count - 1; count > 0;) {
     const std::uint32_t some = std::min(count, std::uint32_t(normals.size()));
     for (std::uint32_t k = 0; k < some; ++k) {
@@ -103,25 +103,19 @@ void Geometry::add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t
 }
 
 std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y) {
-  const std::int64_t a = line.a, b = line.b;  // the line may be of this geometry, which grows
-  const Approx normal_x = line.x(), normal_y = line.y();
-  SupportingCurve& l = supporting_curves.emplace_back();
-  l.a = a;
-  l.b = b;
-  l.c = int128(a) * x + int128(b) * y;
-  l.set_filter(normal_x, normal_y, distance_through(normal_x, normal_y, x, y));
+  // The unit normal is off by at most 7u of it, the rounded coordinates, the products and the sum by u each.
+  const double along_x = line.x().value * double(x), along_y = line.y().value * double(y);
+  supporting_curves.emplace_back(line, int128(line.a) * x + int128(line.b) * y, along_x + along_y,
+                                 ErrorBound::units<11>(std::abs(along_x) + std::abs(along_y)));
   return std::uint32_t(supporting_curves.size() - 1);
 }
 
 std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const CurveReals& shift) {
   if (integer_length(line.a, line.b)) return add(SupportingCurve::displaced_line(line.a, line.b, line.c, shift));
-  SupportingCurve l;  // made first: line and shift may be of this geometry, which grows
+  const Approx z = line.z() + from_real(shift.w());
+  SupportingCurve l(line, line.c, z.value, z.error);  // made first: line and shift may be of this geometry, which grows
   l.grid = false;
-  l.a = line.a;
-  l.b = line.b;
-  l.c = line.c;
   l.reals = shift;
-  l.set_filter(line.x(), line.y(), line.z() + from_real(shift.w()));
   return add(std::move(l));
 }
 

@@ -44,6 +44,18 @@ struct SupportingCurve {
         y_(f.y),
         z_(f.z) {}
 
+  /// A line parallel to another.
+  SupportingCurve(const SupportingCurve& line, int128 offset, double z, ErrorBound z_error)
+      : c(offset),
+        a(line.a),
+        b(line.b),
+        x_error_(line.x_error_),
+        y_error_(line.y_error_),
+        z_error_(z_error),
+        x_(line.x_),
+        y_(line.y_),
+        z_(z) {}
+
   int128 c = 0;               // line: integer offset, before it is displaced
   std::int64_t a = 0, b = 0;  // line: normal; circle: grid centre
   bool circle = false;
@@ -104,6 +116,10 @@ std::int64_t make_primitive(std::int64_t& a, std::int64_t& b);
 
 struct Point {
   enum class Kind : std::uint8_t { kGrid, kCross, kReal };
+  Point() = default;
+  /// A grid point.
+  Point(std::int64_t grid_x, std::int64_t grid_y) : x(double(grid_x)), y(double(grid_y)), gx(grid_x), gy(grid_y) {}
+
   Kind kind = Kind::kGrid;
   std::int8_t root = 0;  // kCross: 0 for two lines, else the sign of the square root (see geometry.cpp)
   ErrorBound error;      // |exact - (x, y)| <= error in each coordinate
@@ -116,15 +132,6 @@ struct Point {
     std::int64_t gy = 0;
     std::uint32_t j;
   };
-
-  static Point at(std::int64_t x, std::int64_t y) {
-    Point p;
-    p.x = double(x);
-    p.y = double(y);
-    p.gx = x;
-    p.gy = y;
-    return p;
-  }
 };
 static_assert(sizeof(Point) == 40);
 
@@ -149,7 +156,7 @@ class Geometry {
   /// The lines through each two neighbours of `count` grid points from `first` on, and through the last and `next`.
   void add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y) {
-    points.push_back(Point::at(x, y));
+    points.emplace_back(x, y);
     return std::uint32_t(points.size() - 1);
   }
   std::uint32_t add_real_point(const Real& x, const Real& y);

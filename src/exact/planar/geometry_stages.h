@@ -109,11 +109,4 @@ inline SupportingCurve::LineFilter grid_line_filter(std::int64_t a, std::int64_t
 /// Of any line.
 void set_line_filter(SupportingCurve& l);
 
-/// The distance z of a grid line through a grid point, from the unit normal: that is off by at most 7u, the rounded
-/// coordinates, the products and the sum by u each.
-inline Approx distance_through(const Approx& normal_x, const Approx& normal_y, std::int64_t x, std::int64_t y) {
-  const double along_x = normal_x.value * double(x), along_y = normal_y.value * double(y);
-  return {along_x + along_y, (std::abs(along_x) + std::abs(along_y)) * (11 * Approx::kUnit)};
-}
-
 }  // namespace findspace::exact

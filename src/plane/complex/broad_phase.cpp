@@ -39,7 +39,7 @@ constexpr PieceBox kNoBox{std::numeric_limits<double>::infinity(), std::numeric_
 struct Largest {
   double error = 0, coordinate = 0;
 
-  void take(const exact::Point& p) { take({p.error, std::max(std::abs(p.x), std::abs(p.y))}); }
+  void take(const exact::Point& p) { take(Largest{p.error, std::max(std::abs(p.x), std::abs(p.y))}); }
   void take(const Largest& o) {
     error = std::max(error, o.error);
     coordinate = std::max(coordinate, o.coordinate);

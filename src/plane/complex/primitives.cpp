@@ -43,7 +43,7 @@ class RingBuilder {
 
   void add_ring(std::span<const ContourEdge> ring) {
     const Index corner = Index(geometry_.points.size()), n = Index(ring.size());
-    append_made(geometry_.points, n, [&](std::size_t k) { return exact::Point::at(ring[k].start.x, ring[k].start.y); });
+    append_made(geometry_.points, n, [&](std::size_t k) { return exact::Point(ring[k].start.x, ring[k].start.y); });
     const std::size_t first = out_.edges.size();
     for (Index k = 0; k < n;) {
       const Index end = end_of_segments(ring, k);
