@@ -126,22 +126,62 @@ void check_pair(std::span<const Ring> rings, EdgeId f, EdgeId g, double step) {
   if (auto m = meet(s, t, joined, next && wrap)) fail_meeting(a, f.edge, b, g.edge, *m, step);
 }
 
-Box box_of(const ContourEdge& edge, GridPoint to) {
-  const GridPoint from = edge.start;
-  Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
-  if (!edge.arc) return box;
+[[gnu::noinline]] Box box_of_arc(const ContourEdge& edge, GridPoint to, const Box& chord) {
   auto reach = std::int64_t(sagitta(edge, to) + edge.arc->r.to_double() * margin::kApothemSlack) + 2;
-  return {box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach};
+  return {chord.x0 - reach, chord.y0 - reach, chord.x1 + reach, chord.y1 + reach};
 }
 
-/// Edges i and i + 1 of a ring share a vertex: of segments only folding back onto each other is a fault.
-void check_neighbours(std::span<const Ring> rings, std::uint32_t r, double step) {
+inline Box box_of(const ContourEdge& edge, GridPoint to) {
+  const GridPoint from = edge.start;
+  const Box box{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x), std::max(from.y, to.y)};
+  return edge.arc ? box_of_arc(edge, to, box) : box;
+}
+
+/// +1 of a segment to the right, or straight up, -1 of one to the left, 0 of an arc.
+int way_of(const ContourEdge& edge, const GridPoint& to) {
+  if (edge.arc) return 0;
+  return edge.start.x < to.x || (edge.start.x == to.x && edge.start.y < to.y) ? 1 : -1;
+}
+
+/// Edges of a ring that follow each other share a vertex: of segments only folding back onto each other is a fault.
+void check_neighbours(std::span<const Ring> rings, std::uint32_t r, std::size_t before, std::size_t k, double step) {
+  const Contour& edges = rings[r].edges;
+  const bool segments = !edges[before].arc && !edges[k].arc;
+  if (segments && cross(edges[before].start, edges[k].start, rings[r].end(k)) != 0) return;
+  check_pair(rings, {r, std::uint32_t(before)}, {r, std::uint32_t(k)}, step);
+}
+
+/// The edges of all rings, one after the other.
+struct EdgeBoxes {
+  EdgeBoxes(std::size_t count, Memory memory) : boxes(memory), chains(memory), first(memory) {
+    boxes.reserve(count);
+    chains.reserve(count);
+  }
+
+  std::uint32_t ring_of(std::size_t i) const {
+    if (first.size() == 1) return 0;
+    return std::uint32_t(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
+  }
+
+  std::pmr::vector<Box> boxes;
+  std::pmr::vector<std::uint32_t> chains;  // where begin the segments that all run to the right, or left, up to each
+  std::pmr::vector<std::size_t> first;     // of each ring
+};
+
+/// Checks neighbours as well: those that both run to the right, or left, cannot fold back.
+void add_edges(std::span<const Ring> rings, std::uint32_t r, EdgeBoxes& to, double step) {
   const Contour& edges = rings[r].edges;
   const std::size_t n = edges.size();
-  for (std::size_t i = 0, before = n - 1; i < n; before = i++) {
-    const bool segments = !edges[before].arc && !edges[i].arc;
-    if (segments && cross(edges[before].start, edges[i].start, rings[r].end(i)) != 0) continue;
-    check_pair(rings, {r, std::uint32_t(before)}, {r, std::uint32_t(i)}, step);
+  to.first.push_back(to.boxes.size());
+  int before = way_of(edges[n - 1], edges[0].start);
+  for (std::size_t k = 0; k < n; ++k) {
+    const GridPoint& end = edges[k + 1 == n ? 0 : k + 1].start;
+    const int way = way_of(edges[k], end);
+    const bool runs_on = way != 0 && way == before;
+    if (!runs_on) check_neighbours(rings, r, k == 0 ? n - 1 : k - 1, k, step);
+    to.chains.push_back(runs_on && k > 0 ? to.chains.back() : std::uint32_t(to.boxes.size()));
+    to.boxes.push_back(box_of(edges[k], end));
+    before = way;
   }
 }
 
@@ -154,24 +194,13 @@ int star_orientation(const Ring& ring) {
 void check_edges(std::span<const Ring> rings, double step, Memory memory) {
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.edges.size();
-  std::pmr::vector<Box> boxes(memory);
-  boxes.reserve(count);
-  std::pmr::vector<std::size_t> first(memory);  // of each ring
-  for (std::uint32_t r = 0; r < rings.size(); ++r) {
-    const Ring& ring = rings[r];
-    first.push_back(boxes.size());
-    check_neighbours(rings, r, step);
-    for (std::size_t e = 0; e < ring.edges.size(); ++e) boxes.push_back(box_of(ring.edges[e], ring.end(e)));
-  }
-  auto ring_of = [&](std::size_t i) {
-    if (first.size() == 1) return std::uint32_t(0);
-    return std::uint32_t(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
-  };
-  for_meeting_boxes(boxes, [&](std::size_t i, std::size_t j) {
-    const std::uint32_t r = ring_of(i), s = ring_of(j);
+  EdgeBoxes edges(count, memory);
+  for (std::uint32_t r = 0; r < rings.size(); ++r) add_edges(rings, r, edges, step);
+  for_meeting_boxes(edges.boxes, edges.chains, [&](std::size_t i, std::size_t j) {
+    const std::uint32_t r = edges.ring_of(i), s = edges.ring_of(j);
     const std::size_t apart = i < j ? j - i : i - j;
     if (r == s && (apart == 1 || apart + 1 == rings[r].edges.size())) return;  // neighbours
-    check_pair(rings, {r, std::uint32_t(i - first[r])}, {s, std::uint32_t(j - first[s])}, step);
+    check_pair(rings, {r, std::uint32_t(i - edges.first[r])}, {s, std::uint32_t(j - edges.first[s])}, step);
   });
 }
 

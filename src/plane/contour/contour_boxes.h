@@ -121,7 +121,8 @@ class BoxTree {
 /// The tree over the runs of the list as it is; level 0 holds the runs, each level above the joined pairs of the last.
 class RunTree {
  public:
-  explicit RunTree(std::span<const Box> boxes) : boxes_(boxes) {
+  RunTree(std::span<const Box> boxes, std::span<const std::uint32_t> chains) : boxes_(boxes), chains_(chains) {
+    nodes_.reserve(boxes.size() / kRun * 2 + 64);  // two a run, one more a level
     for (std::size_t i = 0; i < boxes.size(); i += kRun) {
       Box run = boxes[i];
       for (std::size_t k = i + 1; k < end_of(i / kRun); ++k) run = run.joined(boxes[k]);
@@ -160,7 +161,7 @@ class RunTree {
     if (level == 0) {
       for (std::size_t p = i * kRun; p < end_of(i); ++p)
         for (std::size_t q = p + 1; q < end_of(i); ++q)
-          if (boxes_[p].meets(boxes_[q])) visit(p, q);
+          if (chains_[q] > p && boxes_[p].meets(boxes_[q])) visit(p, q);
       return;
     }
     within(level - 1, 2 * i, visit);
@@ -190,24 +191,24 @@ class RunTree {
   }
 
   std::span<const Box> boxes_;
+  std::span<const std::uint32_t> chains_;
   std::vector<Box> nodes_;
   std::vector<Level> levels_;
   std::size_t runs_ = 0, left_ = 0;
 };
 
-/// `neighbours`: boxes that are near in the list are near in the plane.
+constexpr std::size_t kFewBoxes = 16;  // up to here a tree costs more than it saves
+
+/// Of boxes that are near in the plane where they are near in the list. `chains`: for each box the first up to which
+/// those before it meet it only where they should: they need not be visited.
 template <class Visit>
-void for_meeting_boxes(std::span<const Box> boxes, Visit visit, bool neighbours = true) {
-  constexpr std::size_t kFew = 16;  // up to here the tree costs more than it saves
-  if (boxes.size() > kFew) {
-    if (!neighbours)
-      BoxTree(boxes, 1).meeting_pairs(visit);
-    else if (!RunTree(boxes).meeting_pairs(visit))
-      BoxTree(boxes).meeting_pairs(visit);
+void for_meeting_boxes(std::span<const Box> boxes, std::span<const std::uint32_t> chains, Visit visit) {
+  if (boxes.size() > kFewBoxes) {
+    if (!RunTree(boxes, chains).meeting_pairs(visit)) BoxTree(boxes).meeting_pairs(visit);
     return;
   }
   for (std::size_t j = 1; j < boxes.size(); ++j)
-    for (std::size_t i = 0; i < j; ++i)
+    for (std::size_t i = 0; i < chains[j]; ++i)
       if (boxes[i].meets(boxes[j])) visit(i, j);
 }
 
@@ -219,7 +220,13 @@ std::vector<std::vector<std::size_t>> meeting_others(std::span<const Box> boxes,
     if (wanted(i, j)) out[i].push_back(j);
     if (wanted(j, i)) out[j].push_back(i);
   };
-  for_meeting_boxes(boxes, visit, false);
+  if (boxes.size() > kFewBoxes) {
+    BoxTree(boxes, 1).meeting_pairs(visit);
+  } else {
+    for (std::size_t j = 1; j < boxes.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        if (boxes[i].meets(boxes[j])) visit(i, j);
+  }
   for (std::vector<std::size_t>& others : out) std::sort(others.begin(), others.end());
   return out;
 }
