@@ -36,16 +36,10 @@ class Euclid {
  public:
   static constexpr std::size_t kEach = 16 / sizeof(Number), kLanes = kEach * kPacks;
 
+  /// The last one fills the lanes that are left.
   explicit Euclid(std::span<const Normal> normals) {
-    std::array<Number, kLanes> x, y;
-    x.fill(1);
-    y.fill(1);
-    for (std::size_t l = 0; l < normals.size(); ++l) {
-      x[l] = Number(normals[l].a);
-      y[l] = Number(normals[l].b);
-    }
-    std::memcpy(x_.data(), x.data(), sizeof x);
-    std::memcpy(y_.data(), y.data(), sizeof y);
+    const std::size_t last = normals.size() - 1;
+    for (std::size_t p = 0; p < kPacks; ++p) fill(normals.data(), last, p, std::make_index_sequence<kEach>());
   }
 
   void divide() { divide(std::make_index_sequence<kPacks>()); }
@@ -72,6 +66,12 @@ class Euclid {
   }
 
   static Lanes square(const Lanes& a) { return a * a; }
+
+  template <std::size_t... kLane>
+  void fill(const Normal* normals, std::size_t last, std::size_t pack, std::index_sequence<kLane...>) {
+    x_[pack] = Lanes{Number(normals[std::min(pack * kEach + kLane, last)].a)...};
+    y_[pack] = Lanes{Number(normals[std::min(pack * kEach + kLane, last)].b)...};
+  }
 
   static bool is_zero(const Lanes& sum) {
     std::array<std::uint64_t, 2> halves;
