@@ -153,7 +153,7 @@ class Geometry {
   std::uint32_t add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y);
   /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
   std::uint32_t add_displaced(const SupportingCurve& line, const CurveReals& shift);
-  /// The lines through each two neighbours of `count` grid points from `first` on, and through the last and `next`.
+  /// The lines through each two neighbours of `count` > 0 grid points from `first` on, and through the last and `next`.
   void add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y) {
     points.emplace_back(x, y);

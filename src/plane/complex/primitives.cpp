@@ -46,12 +46,14 @@ class RingBuilder {
     append_made(geometry_.points, n, [&](std::size_t k) { return exact::Point(ring[k].start.x, ring[k].start.y); });
     const std::size_t first = out_.edges.size();
     for (Index k = 0; k < n;) {
-      const Index end = end_of_segments(ring, k);
-      add_segments(ring, k, end, corner);
-      k = end;
-      if (k == n) break;
-      add_arc(ring[k], corner + k, corner + (k + 1 == n ? 0 : k + 1));
-      ++k;
+      if (ring[k].arc) {
+        add_arc(ring[k], corner + k, corner + (k + 1 == n ? 0 : k + 1));
+        ++k;
+      } else {
+        const Index end = end_of_segments(ring, k);
+        add_segments(ring, k, end, corner);
+        k = end;
+      }
     }
     if (!out_.could_merge) out_.could_merge = some_continue(std::span(out_.edges).subspan(first));
   }
