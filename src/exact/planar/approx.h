@@ -72,8 +72,8 @@ class ErrorBound {
   }
   operator double() const { return double(bound_); }  // NOLINT
 
-  /// |value| times the factor or a little more. The value is 0 or between 2^-70 and 2^120, so that no step underflows;
-  /// each rounds by 2^-24 at most.
+  /// |value| times the factor or a little more. The value is 0 or between 2^-70 and 2^127, so that no step leaves its
+  /// range; each rounds by 2^-24 at most.
   template <int kUnits>
   static ErrorBound units(double value) {
     constexpr float kMore = float(kUnits * Approx::kUnit) * kFactor[1];
