@@ -77,37 +77,31 @@ Index face_count(std::span<const NestedRing> rings) {
 /// The half-edge that runs along the ring, edge k of all.
 Index half_edge(std::span<const RingEdge> edges, Index k) { return 2 * k + (edges[k].right ? 0 : 1); }
 
-/// Adds the edges `first` to `end` of all, those of a ring, with their half-edges. `curve`: the number of a ring edge's
-/// supporting curve.
-template <class CurveOf>
+/// Adds the edges `first` to `end` of all, those of a ring, with their half-edges and corners. `curve`, `point`: the
+/// numbers of a ring edge's supporting curve and point.
+template <class CurveOf, class PointOf>
 void join_ring(CellComplex& c, std::span<const RingEdge> edges, Index first, Index end, const NestedRing& ring, Mark on,
-               CurveOf curve) {
+               CurveOf curve, PointOf point) {
   append_made(c.edges, end - first, [=](std::size_t i) {
     const Index k = first + Index(i), to = k + 1 == end ? first : k + 1;
     const RingEdge& e = edges[k];
     return Edge{e.right ? k : to, e.right ? to : k, curve(e), e.half, on};
   });
+  append_made(c.vertices, end - first, [=](std::size_t i) {
+    return Vertex{point(edges[first + i]), on, kNone, kNone};
+  });
   c.half_edges.resize(2 * std::size_t(end));
   HalfEdge* out = c.half_edges.data() + 2 * first;
+  Vertex* corner = c.vertices.data() + first;
   Index before = half_edge(edges, end - 1), here = half_edge(edges, first);
-  for (Index k = first; k < end; ++k, out += 2) {
-    const Index next = half_edge(edges, k + 1 == end ? first : k + 1), side = here & 1u;
+  for (Index k = first; k < end; ++k, out += 2, ++corner) {
+    const Index next = half_edge(edges, k + 1 == end ? first : k + 1), side = here & 1u, back = before ^ 1u;
     out[side] = {next, ring.inside};
-    out[side ^ 1u] = {before ^ 1u, ring.outside};
+    out[side ^ 1u] = {back, ring.outside};
+    corner->out = first_of(c, corner->point, here, back);
     before = here;
     here = next;
   }
-}
-
-/// Adds their corners. `point`: the number of a ring edge's point.
-template <class PointOf>
-void add_ring_corners(CellComplex& c, std::span<const RingEdge> edges, Index first, Index end, Mark on, PointOf point) {
-  Index before = half_edge(edges, end - 1);
-  append_made(c.vertices, end - first, [&, edges](std::size_t i) {
-    const Index k = first + Index(i), at = point(edges[k]), here = half_edge(edges, k);
-    const Index out = first_of(c, at, here, std::exchange(before, here) ^ 1u);
-    return Vertex{at, on, out, kNone};
-  });
 }
 
 /// What the rings bound, with this geometry, in which curves and points have numbers of their own.
@@ -125,8 +119,7 @@ CellComplex joined(exact::Geometry&& geometry, std::span<const RingEdge> edges, 
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const NestedRing& ring = rings[r];
     const Index end = r + 1 < rings.size() ? rings[r + 1].start : n;
-    join_ring(c, edges, ring.start, end, ring, marks.on, curve);
-    add_ring_corners(c, edges, ring.start, end, marks.on, point);
+    join_ring(c, edges, ring.start, end, ring, marks.on, curve, point);
     c.faces[ring.inside].mark = marks.inside;
     const Index within = half_edge(edges, ring.start), without = within ^ 1u;
     c.faces[ring.outer ? ring.inside : ring.outside].outer = ring.outer ? within : without;
