@@ -13,6 +13,8 @@ namespace {
 
 using exact::int128;
 
+constexpr Index kFewRays = 16;  // are inserted one by one
+
 /// Grows with the angle in [0, 360), by 4 in all; off by less than kDiamondAngle.
 double diamond_angle(const GridCorner& c) {
   double x = double(c.dx), y = double(c.dy), t = y / (std::abs(x) + std::abs(y));
@@ -31,16 +33,25 @@ int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const Edg
 }  // namespace
 
 EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
-  rays.reserve(corners.size());
-  for (Index k = 0; k < corners.size(); ++k) rays.push_back({diamond_angle(corners[k]), k});
-  auto before = [this](const Ray& p, const Ray& q) {
-    int order = compare(*this, p, *this, q);
+  const Index n = Index(corners.size());
+  rays.reserve(n);
+  // A ring that turns left nearly everywhere has its edges nearly in order from here on.
+  Index start = 0;
+  while (start < n && (lower(corners[start]) || !lower(corners[corners[start].before]))) ++start;
+  for (Index k = start; k < n; ++k) rays.push_back({diamond_angle(corners[k]), k});
+  for (Index k = 0; k < start; ++k) rays.push_back({diamond_angle(corners[k]), k});
+  // Many: nearly, and then exactly.
+  if (n > kFewRays) std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
+  const auto before = [this](const Ray& p, const Ray& q) {
+    const int order = compare(*this, p, *this, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
   };
-  // Nearly, and then exactly.
-  std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
-  for (auto k = rays.begin(); k != rays.end(); ++k)
-    for (auto at = k; at != rays.begin() && before(*at, *(at - 1)); --at) std::iter_swap(at, at - 1);
+  for (std::size_t k = 1; k < n; ++k) {
+    const Ray ray = rays[k];
+    std::size_t at = k;
+    for (; at > 0 && before(ray, rays[at - 1]); --at) rays[at] = rays[at - 1];
+    rays[at] = ray;
+  }
 }
 
 void EdgeFan::place(EdgeFan& first, EdgeFan& other) {

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "exact/planar/parallel_line.h"
 #include "plane/base/parallel.h"
 #include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
@@ -51,14 +52,8 @@ class CornerSums {
       slots_.resize(slots);
   }
 
-  Index point(exact::Geometry& g, const EdgeFan& a, Index i, const EdgeFan& b, Index j) {
-    Index& sum = all_.empty() ? slot(i, j) : all_[i * columns_ + j];
-    if (sum == kNone) {
-      const GridPoint p = a.corners[i].at, q = b.corners[j].at;
-      sum = g.add_grid_point(p.x + q.x, p.y + q.y);
-    }
-    return sum;
-  }
+  /// The point of a sum; kNone until it is set.
+  Index& of(Index i, Index j) { return all_.empty() ? slot(i, j) : all_[i * columns_ + j]; }
 
  private:
   static constexpr std::size_t kSlotsOfAll = 8;  // so many pairs a slot take about the time of the other table
@@ -109,12 +104,15 @@ class FacePair {
   }
   template <class Visit>
   static void each(const EdgeFan& moved, const EdgeFan& fan, IndexRange corners, Visit&& visit) {
-    Index n = Index(moved.rays.size());
+    const Index n = Index(moved.rays.size());
     for (Index v = Index(corners.first); v < corners.end; ++v) {
       if (fan.corners[v].turn <= 0) continue;
-      EdgeFan::Sweep s = fan.sweep(v);
-      for (Index k = s.first; k < (s.wraps ? n : s.end); ++k) visit(moved.rays[k].corner, v);
-      for (Index k = 0; s.wraps && k < s.end; ++k) visit(moved.rays[k].corner, v);
+      const EdgeFan::Sweep s = fan.sweep(v);
+      Index k = s.first;
+      for (std::size_t left = s.size(n); left > 0; --left, ++k) {
+        if (k == n) k = 0;
+        visit(moved.rays[k].corner, v);
+      }
     }
   }
 
@@ -220,38 +218,56 @@ class FacePair {
     for (const auto& some : kept) kept_[side].insert(kept_[side].end(), some.begin(), some.end());
   }
 
-  template <class Visit>
-  void each_kept(const EdgeFan& moved, const EdgeFan& fan, int side, Visit&& visit) const {
-    if (!chosen_) return each(moved, fan, visit);
-    for (const auto& [e, v] : kept_[side]) visit(e, v);
-  }
-
   std::size_t place_and_count() {
     EdgeFan::place(a_, b_);
     std::size_t count = count_edges(b_, a_) + count_edges(a_, b_);
     choose(count);
     if (chosen_) count = kept_[0].size() + kept_[1].size();
-    auto& g = out_.geometry;
-    reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);  // more where they will be cut
-    reserve_more(g.points, 2 * count);
-    reserve_more(out_.pieces, count);
-    reserve_more(out_.sides, count);
+    make_room(count);
     return count;
   }
 
-  void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
+  /// Makes the curves, which are then set one by one.
+  void make_room(std::size_t count) {
     auto& g = out_.geometry;
-    each_kept(moved, fan, moved_first ? 1 : 0, [&](Index e, Index v) {
-      if (!reaches(moved, e, fan, v)) return;
-      const GridCorner& edge = moved.corners[e];
-      Index from = moved_first ? sums_.point(g, moved, e, fan, v) : sums_.point(g, fan, v, moved, e);
-      Index to = moved_first ? sums_.point(g, moved, edge.next, fan, v) : sums_.point(g, fan, v, moved, edge.next);
-      bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
-      Index supporting_curve =
-          g.add_parallel(geometry.supporting_curves[edge.supporting_curve], g.points[from].gx, g.points[from].gy);
-      out_.pieces.push_back({.supporting_curve = supporting_curve, .p0 = right ? from : to, .p1 = right ? to : from});
-      out_.sides.push_back({.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides});
-    });
+    reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);  // more where they will be cut
+    reserve_more(g.points, count + count / 4);                                 // many ends are shared
+    reserve_more(out_.pieces, count);
+    reserve_more(out_.sides, count);
+    line_ = Index(g.supporting_curves.size());
+    piece_ = Index(out_.pieces.size());
+    g.supporting_curves.resize(line_ + count);
+    out_.pieces.resize(piece_ + count);
+    out_.sides.resize(piece_ + count);
+  }
+
+  void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
+    const auto add = [&](Index e, Index v) { add_edge(moved, geometry, fan, moved_first, {e, v}); };
+    if (!chosen_) return each(moved, fan, add);
+    for (const auto& [e, v] : kept_[moved_first ? 1 : 0]) add(e, v);
+  }
+
+  void add_edge(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first,
+                const MovedEdge& curve) {
+    const auto [e, v] = curve;
+    if (!reaches(moved, e, fan, v)) return;
+    auto& g = out_.geometry;
+    const GridCorner& edge = moved.corners[e];
+    const GridPoint by = fan.corners[v].at, start{edge.at.x + by.x, edge.at.y + by.y};
+    Index& from = moved_first ? sums_.of(e, v) : sums_.of(v, e);
+    if (from == kNone) from = g.add_grid_point(start.x, start.y);
+    Index& to = moved_first ? sums_.of(edge.next, v) : sums_.of(v, edge.next);
+    if (to == kNone) {
+      const GridPoint end = moved.corners[edge.next].at;
+      to = g.add_grid_point(end.x + by.x, end.y + by.y);
+    }
+    const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
+    set_parallel(g.supporting_curves[line_], geometry.supporting_curves[edge.supporting_curve], start.x, start.y);
+    Piece& piece = out_.pieces[piece_];
+    piece.supporting_curve = line_++;
+    piece.p0 = right ? from : to;
+    piece.p1 = right ? to : from;
+    out_.sides[piece_++] = {.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides};
   }
 
   ReducedConvolution& out_;
@@ -260,6 +276,7 @@ class FacePair {
   const std::optional<GridBox>& within_;
   bool chosen_ = false;                         // some are left out
   std::array<std::vector<MovedEdge>, 2> kept_;  // then the others: edges of B, of A
+  Index line_ = 0, piece_ = 0;                  // the next ones to set
   CornerSums sums_;
 };
 
