@@ -25,38 +25,39 @@ class Walk {
   bool on_grid() const { return on_grid_; }
 
   void ring(Index start, std::vector<GridCorner>& out) {
-    Index first = Index(out.size()), k = first, h = start;
+    const Index first = Index(out.size());
+    Index end = first, h = start, last;
     do {
-      GridCorner& g = out.emplace_back(corner(h));
-      g.before = k - 1;
-      g.next = ++k;
+      ++end;
+      last = h;
       h = c_.next(h);
     } while (h != start);
-    out[k - 1].next = first;
-    out[first].before = k - 1;
-    const GridCorner* in = &out[k - 1];
-    for (GridCorner& g : std::span(out).subspan(first)) {
+    out.resize(end);
+    GridCorner* in = &out[end - 1];
+    set(*in, last);
+    for (Index k = first; k < end; ++k, h = c_.next(h)) {
+      GridCorner& g = out[k];
+      set(g, h);
+      g.before = k == first ? end - 1 : k - 1;
+      g.next = k + 1 == end ? first : k + 1;
       g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
       in = &g;
     }
   }
 
  private:
-  GridCorner corner(Index h) {
+  /// The corner where a half-edge starts, but for its neighbours.
+  void set(GridCorner& g, Index h) {
     const Edge& e = c_.edges[h / 2];
     const exact::SupportingCurve& k = c_.geometry.supporting_curves[e.supporting_curve];
-    const exact::Point& p = c_.geometry.points[c_.vertices[c_.origin(h)].point];
+    const exact::Point& p = c_.geometry.points[c_.vertices[h & 1u ? e.v1 : e.v0].point];
     on_grid_ &= e.half == 0 && k.grid && p.kind == exact::Point::Kind::kGrid;
     // To the right along a*x + b*y = c: (b, -a) or its opposite.
-    bool flipped = (k.b > 0) == bool(h & 1u);
-    GridCorner g{
-        .at = {p.gx, p.gy}, .dx = k.b, .dy = -k.a, .supporting_curve = e.supporting_curve, .next = 0, .before = 0};
-    if (flipped != mirrored_) {
-      g.dx = -g.dx;
-      g.dy = -g.dy;
-    }
-    if (mirrored_) g.at = {-g.at.x, -g.at.y};
-    return g;
+    const bool flipped = ((k.b > 0) == bool(h & 1u)) != mirrored_;
+    g.dx = flipped ? -k.b : k.b;
+    g.dy = flipped ? k.a : -k.a;
+    g.at = mirrored_ ? GridPoint{-p.gx, -p.gy} : GridPoint{p.gx, p.gy};
+    g.supporting_curve = e.supporting_curve;
   }
 
   const CellComplex& c_;
@@ -118,7 +119,6 @@ std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wan
       if (!wanted(c.vertices[v].mark)) return std::nullopt;
     GridFace& face = faces.emplace_back();
     face.unbounded = f == 0;
-    if (c.faces.size() == 2) face.corners.reserve(c.edges.size());
     if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
     for (Index h : c.faces[f].inner) walk.ring(h, face.corners);
     if (!walk.on_grid()) return std::nullopt;

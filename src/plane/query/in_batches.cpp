@@ -60,7 +60,7 @@ void reserve_times(CellComplex& c, double share) {
 std::optional<CellComplex> made_in_batches(const CellComplex& set, const PieceBox& reach,
                                            const std::function<CellComplex(const CellComplex&)>& make,
                                            const BatchSizes& sizes) {
-  if (set.edges.size() < sizes.least || stage_observer() != nullptr) return std::nullopt;
+  if (!is_worth_batches(set, sizes) || stage_observer() != nullptr) return std::nullopt;
   const BoundaryComponents parts(set);
   const std::vector<std::vector<Index>> all = batches(parts, reach, sizes.each);
   if (all.size() < 2) return std::nullopt;

@@ -21,6 +21,10 @@ struct BatchSizes {
   std::size_t each = 1024;    // edges of a batch, or the first beyond them
 };
 
+inline bool is_worth_batches(const CellComplex& set, const BatchSizes& sizes = {}) {
+  return set.edges.size() >= sizes.least;
+}
+
 /// The union of `make(part)` over the parts of the set. `reach`: how far a result may stand out of its part's box on
 /// each side (x0 and y0 downwards). Nothing where the set is small, of one part or not bounded, or is observed.
 std::optional<CellComplex> made_in_batches(const CellComplex& set, const PieceBox& reach,

@@ -70,7 +70,7 @@ std::optional<PieceBox> extent_of(const Operand& a) {
 
 SignMap made_sum(const Operand& a, const Operand& b) {
   if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
-  if (!unbounded(a) && !a.mirrored)
+  if (is_worth_batches(a.cells) && !unbounded(a) && !a.mirrored)
     if (const auto reach = extent_of(b))
       if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
             return sum_at_once({part, a.wanted, a.mirrored, a.flat}, b);
