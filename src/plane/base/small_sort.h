@@ -9,10 +9,9 @@
 
 namespace findspace::plane {
 
+/// By insertion, however many there are; those that are equal keep their order.
 template <class Iterator, class Less>
-void small_sort(Iterator first, Iterator last, const Less& less) {
-  constexpr auto kFew = 8;
-  if (last - first > kFew) return std::sort(first, last, less);
+void insert_all(Iterator first, Iterator last, const Less& less) {
   if (first == last) return;
   for (Iterator k = first + 1; k != last; ++k) {
     auto item = std::move(*k);
@@ -20,6 +19,13 @@ void small_sort(Iterator first, Iterator last, const Less& less) {
     for (; at != first && less(item, *(at - 1)); --at) *at = std::move(*(at - 1));
     *at = std::move(item);
   }
+}
+
+template <class Iterator, class Less>
+void small_sort(Iterator first, Iterator last, const Less& less) {
+  constexpr auto kFew = 8;
+  if (last - first > kFew) return std::sort(first, last, less);
+  insert_all(first, last, less);
 }
 
 }  // namespace findspace::plane

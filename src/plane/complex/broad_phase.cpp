@@ -17,6 +17,7 @@ namespace {
 
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
+constexpr std::size_t kFewToSort = 32;      // are inserted one by one
 constexpr std::size_t kManyToEnter = 2000;  // from here on ranges of pieces are entered at once
 
 /// y of the supporting curve at x, clamped into the piece's box by the caller.
@@ -51,6 +52,35 @@ std::span<const Piece> items_of(std::span<const Piece> pieces, std::size_t k, st
   return pieces.subspan(some.first, some.size());
 }
 
+/// What work(k) gives for each of `ranges`, in one.
+template <class Result, class Work, class Take>
+Result of_all_ranges(std::size_t ranges, Work&& work, Take&& take) {
+  if (ranges == 1) return work(0);
+  std::array<Result, kRanges> of_range;
+  parallel_for(ranges, [&](std::size_t k) { of_range[k] = work(k); });
+  for (std::size_t k = 1; k < ranges; ++k) take(of_range[0], of_range[k]);
+  return of_range[0];
+}
+
+Largest largest_of(const exact::Geometry& g, std::span<const Piece> pieces) {
+  Largest all;
+  for (const Piece& p : pieces) {
+    all.take(g.points[p.p0]);
+    all.take(g.points[p.p1]);
+  }
+  return all;
+}
+
+/// Sets the boxes of some pieces, and returns the one around them.
+PieceBox set_boxes_of(const exact::Geometry& g, std::span<const Piece> pieces, double slack, PieceBox* box) {
+  PieceBox all = kNoBox;
+  for (const Piece& p : pieces) {
+    *box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack);
+    all = joined(all, *box++);
+  }
+  return all;
+}
+
 }  // namespace
 
 double box_slack(double error, double largest) { return error * 2 + largest * margin::kPieceBoxSlack; }
@@ -70,7 +100,13 @@ PieceBox box_of(const exact::Geometry& g, const Piece& p, double slack) {
 }
 
 CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra, Memory memory)
-    : boxes_(memory), first_column_(memory), rows_start_(memory), piece_rows_(memory), start_(memory), items_(memory) {
+    : boxes_(memory),
+      sorted_(memory),
+      first_column_(memory),
+      rows_start_(memory),
+      piece_rows_(memory),
+      start_(memory),
+      items_(memory) {
   set_boxes(g, pieces, extra);
   if (pieces.size() <= kFewPieces) {
     enter_sorted();
@@ -87,43 +123,37 @@ void CellGrid::enter_sorted() {
     double x0;
     Index piece;
   };
-  std::pmr::vector<Left> order(boxes_.get_allocator());
-  order.reserve(boxes_.size());
-  for (Index i = 0; i < boxes_.size(); ++i) order.push_back({boxes_[i].x0, i});
-  small_sort(order.begin(), order.end(),
-             [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
+  std::pmr::vector<Left> order(boxes_.size(), boxes_.get_allocator());
+  for (Index i = 0; i < boxes_.size(); ++i) order[i] = {boxes_[i].x0, i};
+  if (order.size() <= kFewToSort)
+    insert_all(order.begin(), order.end(), [](const Left& p, const Left& q) { return p.x0 < q.x0; });
+  else
+    std::sort(order.begin(), order.end(),
+              [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
+  sorted_.reserve(order.size());
   items_.reserve(order.size());
-  for (const Left& left : order) items_.push_back(left.piece);
+  for (const Left& left : order) {
+    sorted_.push_back({boxes_[left.piece], left.piece});
+    items_.push_back(left.piece);
+  }
   start_.assign({0, Index(items_.size())});
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
   const std::size_t ranges = range_count(pieces.size(), kManyToEnter);
-  std::array<Largest, kRanges> largest;
-  each_range(ranges, [&](std::size_t k) {
-    Largest of_range;
-    for (const Piece& p : items_of(pieces, k, ranges)) {
-      of_range.take(g.points[p.p0]);
-      of_range.take(g.points[p.p1]);
-    }
-    largest[k] = of_range;
-  });
-  for (std::size_t k = 1; k < ranges; ++k) largest[0].take(largest[k]);
-  for (Index p : extra) largest[0].take(g.points[p]);
-  slack_ = box_slack(largest[0].error, largest[0].coordinate);
+  Largest largest = of_all_ranges<Largest>(
+      ranges, [&](std::size_t k) { return largest_of(g, items_of(pieces, k, ranges)); },
+      [](Largest& all, const Largest& more) { all.take(more); });
+  for (Index p : extra) largest.take(g.points[p]);
+  slack_ = box_slack(largest.error, largest.coordinate);
   boxes_.resize(pieces.size());
-  std::array<PieceBox, kRanges> around;
-  each_range(ranges, [&](std::size_t k) {
-    PieceBox of_range = kNoBox;
-    PieceBox* box = boxes_.data() + range(k, ranges, pieces.size()).first;
-    for (const Piece& p : items_of(pieces, k, ranges)) {
-      *box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack_) : box_of(g, p, slack_);
-      of_range = joined(of_range, *box++);
-    }
-    around[k] = of_range;
-  });
-  PieceBox all = around[0];
-  for (std::size_t k = 1; k < ranges; ++k) all = joined(all, around[k]);
+  PieceBox all = of_all_ranges<PieceBox>(
+      ranges,
+      [&](std::size_t k) {
+        return set_boxes_of(g, items_of(pieces, k, ranges), slack_,
+                            boxes_.data() + range(k, ranges, pieces.size()).first);
+      },
+      [](PieceBox& around, const PieceBox& more) { around = joined(around, more); });
   for (Index p : extra) {
     const exact::Point& q = g.points[p];
     all = joined(all, {q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});

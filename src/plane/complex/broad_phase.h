@@ -60,6 +60,10 @@ class CellGrid {
   struct Rows {
     Index lo, hi;
   };
+  struct SortedBox {
+    PieceBox box;
+    Index piece;
+  };
   static Index clamp(double v, double origin, double scale, Index count) {
     double k = (v - origin) * scale;
     return k <= 0 ? 0 : k >= double(count - 1) ? count - 1 : Index(k);
@@ -78,6 +82,7 @@ class CellGrid {
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
   std::pmr::vector<PieceBox> boxes_;
+  std::pmr::vector<SortedBox> sorted_;  // of few pieces, by their left ends
   PieceBox box_{0, 0, 1, 1};
   double slack_ = 0, column_scale_ = 1, row_scale_ = 1;
   Index columns_ = 1, rows_ = 1;
@@ -98,10 +103,11 @@ template <class F>
 void CellGrid::pairs(IndexRange columns, F&& f) const {
   if (columns.size() == 0) return;
   if (columns_ * rows_ == 1) {
-    for (std::size_t s = 0; s < items_.size(); ++s) {
-      const PieceBox& b = boxes_[items_[s]];
-      for (std::size_t t = s + 1; t < items_.size() && boxes_[items_[t]].x0 <= b.x1; ++t)
-        if (b.meets(boxes_[items_[t]])) f(std::min(items_[s], items_[t]), std::max(items_[s], items_[t]));
+    const SortedBox* const end = sorted_.data() + sorted_.size();
+    for (const SortedBox* s = sorted_.data(); s != end; ++s) {
+      const PieceBox b = s->box;
+      for (const SortedBox* t = s + 1; t != end && t->box.x0 <= b.x1; ++t)
+        if (b.y0 <= t->box.y1 && t->box.y0 <= b.y1) f(std::min(s->piece, t->piece), std::max(s->piece, t->piece));
     }
     return;
   }
