@@ -77,7 +77,9 @@ class StopSorter {
 
   Index size() const { return Index(c_.pieces.size()); }
   Index stop_count(Index i) const { return out_.first[i + 1] - out_.first[i]; }
+  void group_stops(std::span<const Stop> found);
   void group_stops(std::span<const Found> found, std::size_t known);
+  void sort_all();
   Sorted sort_stops(IndexRange curves);
   void sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
   /// As nearly as approximate coordinates tell.
@@ -86,7 +88,7 @@ class StopSorter {
   void drop_repeated();
   void mark_degenerate();
   /// The two stops of a crossing find each other.
-  void find_twins();
+  void find_twins(std::size_t known);
   /// Calls visit(stop) for all, those of ranges of curves at once.
   template <class Visit>
   void each_stop(Visit&& visit);
@@ -147,18 +149,40 @@ void StopFinder::touch(Index i, Index node) {
 }
 
 void StopSorter::run(std::span<const Found> found, std::size_t known) {
-  group_stops(found, known);
-  std::vector<Sorted> sorted(ranges_);
-  each_range(ranges_, [&](std::size_t k) { sorted[k] = sort_stops(range(k, ranges_, size())); });
+  if (found.size() == 1)
+    group_stops(found[0].stops);
+  else
+    group_stops(found, known);
+  if (!out_.stops.empty()) sort_all();
+  out_.degenerate_vertices.settle(g_.points.size());
+  if (!out_.degenerate_vertices.empty()) mark_degenerate();
+  if (known < g_.points.size()) find_twins(known);
+}
+
+void StopSorter::sort_all() {
   std::size_t repeated = 0;
-  for (const Sorted& part : sorted) {
+  const auto note = [&](const Sorted& part) {
     for (const auto& [p, q] : part.ties) out_.degenerate_vertices.tie(p, q);
     repeated += part.repeated;
+  };
+  if (ranges_ == 1) {
+    note(sort_stops({0, size()}));
+  } else {
+    std::vector<Sorted> sorted(ranges_);
+    parallel_for(ranges_, [&](std::size_t k) { sorted[k] = sort_stops(range(k, ranges_, size())); });
+    for (const Sorted& part : sorted) note(part);
   }
-  out_.degenerate_vertices.settle(g_.points.size());
   if (repeated > 0) drop_repeated();
-  if (!out_.degenerate_vertices.empty()) mark_degenerate();
-  find_twins();
+}
+
+/// In the order in which they were found.
+void StopSorter::group_stops(std::span<const Stop> found) {
+  out_.first.assign(size() + 1, 0);
+  for (const Stop& s : found) ++out_.first[s.piece];
+  Index end = 0;
+  for (Index& first : out_.first) first = end += first;
+  out_.stops.resize(end);
+  for (std::size_t k = found.size(); k-- > 0;) out_.stops[--out_.first[found[k].piece]] = found[k];
 }
 
 /// The stops of each part of what was found go to places of their own.
@@ -266,33 +290,26 @@ void StopSorter::mark_degenerate() {
   });
 }
 
-void StopSorter::find_twins() {
-  std::pmr::vector<Index> first(g_.points.size(), kNone, memory_);  // point -> the stop of the curve with less number
+void StopSorter::find_twins(std::size_t known) {
+  // Of each point made of a crossing, the stop of the curve with less number.
+  std::pmr::vector<Index> first(g_.points.size() - known, kNone, memory_);
   each_stop([&](Index at) {
     const Stop& s = out_.stops[at];
-    if (s.other != kNone && s.piece < s.other) first[s.point] = at;
+    if (s.other != kNone && s.piece < s.other) first[s.point - known] = at;
   });
   each_stop([&](Index at) {
     Stop& s = out_.stops[at];
     if (s.other == kNone || s.piece < s.other) return;
-    Stop& twin = out_.stops[first[s.point]];
-    s.twin = first[s.point] - out_.first[twin.piece];
+    const Index other = first[s.point - known];
+    Stop& twin = out_.stops[other];
+    s.twin = other - out_.first[twin.piece];
     twin.twin = at - out_.first[s.piece];
   });
 }
 
-/// Strips of the grid at once where there are many curves; the same as one after the other.
-std::pmr::vector<Found> find_meetings(DirectedCurves& c, Memory memory) {
+/// Of strips of the grid at once; the same as one after the other.
+std::pmr::vector<Found> find_meetings(DirectedCurves& c, const CellGrid& grid, std::size_t count, Memory memory) {
   std::vector<exact::Point>& points = c.geometry.points;
-  const CellGrid grid(c.geometry, c.pieces, {}, memory);
-  const std::size_t count = range_count(c.pieces.size(), kManyToMeetAtOnce);
-  if (count == 1) {
-    std::pmr::vector<Found> found(memory);
-    found.emplace_back(memory).stops.reserve(c.pieces.size());
-    StopFinder finder(c, points, found[0]);
-    grid.pairs([&](Index i, Index j) { finder.cross(i, j); });
-    return found;
-  }
   const std::vector<IndexRange> strips = grid.strips(count);
   std::pmr::vector<Found> found(memory);
   for (std::size_t k = 0; k < count; ++k) found.emplace_back(std::pmr::new_delete_resource());
@@ -329,8 +346,16 @@ CurveStops in_order(const DirectedCurves& c, std::span<const Found> found, std::
 }  // namespace
 
 CurveStops find_stops(DirectedCurves& c, Memory memory) {
-  const std::size_t known = c.geometry.points.size();
-  return in_order(c, find_meetings(c, memory), known, memory);
+  const std::size_t known = c.geometry.points.size(), count = range_count(c.pieces.size(), kManyToMeetAtOnce);
+  if (count > 1) {
+    const std::pmr::vector<Found> found = find_meetings(c, CellGrid(c.geometry, c.pieces, {}, memory), count, memory);
+    return in_order(c, found, known, memory);
+  }
+  Found found(memory);
+  found.stops.reserve(c.pieces.size());
+  StopFinder finder(c, c.geometry.points, found);
+  CellGrid(c.geometry, c.pieces, {}, memory).pairs([&](Index i, Index j) { finder.cross(i, j); });
+  return in_order(c, std::span(&found, 1), known, memory);
 }
 
 CurveStops find_stops(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs, Memory memory) {

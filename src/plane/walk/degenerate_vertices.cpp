@@ -23,10 +23,8 @@ ExactAngle turn(const DirectedEdge& from, const DirectedEdge& to) {
   return same ? kSame : kBack;
 }
 
-/// Is p passed before q, turning clockwise from another half-edge?
-bool comes_first(const DirectedEdge& from, const DirectedEdge& p, const DirectedEdge& q) {
-  const ExactAngle u = turn(from, p), v = turn(from, q);
-  if (u != v) return u < v;
+/// Of two half-edges that point alike seen from another one: is p passed before q, turning clockwise?
+bool comes_first(const DirectedEdge& p, const DirectedEdge& q) {
   const int s = cross_sign(p, q);
   return s != 0 ? s < 0 : p.starts && !q.starts;  // of two on one line, the one that shows an inner side
 }
@@ -34,7 +32,11 @@ bool comes_first(const DirectedEdge& from, const DirectedEdge& p, const Directed
 }  // namespace
 
 Index& DegenerateVertices::parent(Index point) {
-  if (point >= degenerate_of_.size()) degenerate_of_.resize(std::max<std::size_t>(point + 1, points_), kNone);
+  constexpr std::size_t kSome = 16;
+  if (point >= degenerate_of_.size()) {
+    degenerate_of_.resize(std::max<std::size_t>(point + 1, points_), kNone);
+    same_.reserve(kSome);
+  }
   Index& degenerate = degenerate_of_[point];
   if (degenerate == kNone) same_.push_back(degenerate = Index(same_.size()));
   while (same_[degenerate] != degenerate) degenerate = same_[degenerate] = same_[same_[degenerate]];
@@ -44,6 +46,7 @@ Index& DegenerateVertices::parent(Index point) {
 void DegenerateVertices::make(Index point) { parent(point); }
 
 void DegenerateVertices::tie(Index p, Index q) {
+  if (p == q) return make(p);
   parent(q);  // may move the other one
   Index &u = parent(p), &v = parent(q);
   if (u < v)
@@ -68,8 +71,14 @@ void DegenerateVertices::reserve(std::size_t directed_edges) {
 const DirectedEdge& DegenerateVertices::clockwise(Index degenerate, Index curve, Index slot) const {
   const DirectedEdge *from = first(degenerate), *best = nullptr;
   while (!from->starts || from->curve != curve || from->slot != slot) from = next(*from);
-  for (const DirectedEdge* directed_edge = first(degenerate); directed_edge; directed_edge = next(*directed_edge))
-    if (directed_edge != from && (!best || comes_first(*from, *directed_edge, *best))) best = directed_edge;
+  ExactAngle least = kSame;  // of the best
+  for (const DirectedEdge* directed_edge = first(degenerate); directed_edge; directed_edge = next(*directed_edge)) {
+    if (directed_edge == from) continue;
+    const ExactAngle angle = turn(*from, *directed_edge);
+    if (best && (angle > least || (angle == least && !comes_first(*directed_edge, *best)))) continue;
+    best = directed_edge;
+    least = angle;
+  }
   assert(best);  // a chain that comes in goes out
   return *best;
 }

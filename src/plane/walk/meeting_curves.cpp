@@ -46,8 +46,16 @@ void add_directed_edges(const MeetingCurves& curves, const DirectedCurves& c, De
 MeetingCurves::MeetingCurves(DirectedCurves& c, Memory memory) : MeetingCurves(c, find_stops(c, memory), memory) {}
 
 MeetingCurves::MeetingCurves(const DirectedCurves& c, CurveStops found, Memory memory)
-    : c_(c), ends_at_(c.geometry.points.size(), kNone, memory), found_(std::move(found)), memory_(memory) {
-  for (Index i = 0; i < size(); ++i) ends_at_[end(i)] = i;
+    : c_(c), found_(std::move(found)), curves_(c.pieces.size() + 1, memory), memory_(memory) {
+  std::pmr::vector<Index> ends_at(c.geometry.points.size(), kNone, memory);
+  for (Index i = 0; i < size(); ++i) {
+    const Piece& p = c.pieces[i];
+    const bool runs_on = right(i);
+    curves_[i] = {runs_on ? p.p0 : p.p1, runs_on ? p.p1 : p.p0, kNone, found_.first[i] + i};
+    ends_at[curves_[i].end] = i;
+  }
+  curves_[size()].first_part = part_count();
+  for (Index i = 0; i < size(); ++i) curves_[i].before = ends_at[curves_[i].start];
   if (!found_.degenerate_vertices.empty()) add_directed_edges(*this, c_, found_.degenerate_vertices);
 }
 

@@ -27,15 +27,15 @@ class MeetingCurves {
   Index size() const { return Index(c_.pieces.size()); }
   /// Curves run with their inner side on the left.
   bool right(Index i) const { return runs_right(c_, i); }
-  Index start(Index i) const { return start_of(c_, i); }
-  Index end(Index i) const { return end_of(c_, i); }
+  Index start(Index i) const { return curves_[i].start; }
+  Index end(Index i) const { return curves_[i].end; }
   Index supporting_curve(Index i) const { return c_.pieces[i].supporting_curve; }
   /// The curve that ends where curve i starts, or kNone.
-  Index before(Index i) const { return ends_at_[start(i)]; }
-  Index stop_count(Index i) const { return found_.first[i + 1] - found_.first[i]; }
-  const Stop& stop(Index i, Index k) const { return found_.stops[found_.first[i] + k]; }
+  Index before(Index i) const { return curves_[i].before; }
+  Index stop_count(Index i) const { return curves_[i + 1].first_part - curves_[i].first_part - 1; }
+  const Stop& stop(Index i, Index k) const { return found_.stops[curves_[i].first_part - i + k]; }
   /// Parts of all curves between stops, counted through: part k of curve i ends at its stop k.
-  Index part(CurvePart p) const { return found_.first[p.curve] + p.curve + p.slot; }
+  Index part(CurvePart p) const { return curves_[p.curve].first_part + p.slot; }
   Index part_count() const { return Index(found_.stops.size()) + size(); }
   Index start(CurvePart p) const { return p.slot == 0 ? start(p.curve) : stop(p.curve, p.slot - 1).point; }
   Index end(CurvePart p) const { return p.slot == stop_count(p.curve) ? end(p.curve) : stop(p.curve, p.slot).point; }
@@ -51,9 +51,14 @@ class MeetingCurves {
   std::pmr::vector<CurvePart> parts_with_two_inner_sides() const;
 
  private:
+  /// As it is walked along.
+  struct Curve {
+    Index start = kNone, end = kNone, before = kNone, first_part = 0;
+  };
+
   const DirectedCurves& c_;
-  std::pmr::vector<Index> ends_at_;
   CurveStops found_;
+  std::pmr::vector<Curve> curves_;  // and one more, of which only the first part counts
   Memory memory_;
 };
 
