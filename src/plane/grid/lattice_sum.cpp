@@ -43,7 +43,9 @@ class WidenedCells {
     for (const LatticeRun& c : cells) {
       narrow.add(c);
       Columns& used = used_[std::size_t(c.row - box_.row0)];
-      used = {std::min(used.first, c.first), std::max(used.last, c.last)};
+      if (used.first <= used.last) used.gap = std::max(used.gap, c.first - used.last - 1);
+      used.first = std::min(used.first, c.first);
+      used.last = std::max(used.last, c.last);
     }
     widened_.push_back(std::move(narrow));
     for (std::int64_t width = 1; 2 * width <= length; width *= 2) widen(width);
@@ -51,6 +53,7 @@ class WidenedCells {
 
   struct Columns {
     std::int64_t first = INT64_MAX, last = INT64_MIN;
+    std::int64_t gap = 0;  // the most columns that lie free between them
   };
   const LatticeBox& box() const { return box_; }
   /// Of a row; none if its last is below its first.
@@ -83,65 +86,105 @@ struct Step {
   const Bitmap* cells;
 };
 
-/// One row of the sum.
+/// One row of the sum. A long stretch of it is known to be filled and is written last, as most of what is added lies in
+/// it or makes it longer.
 class RowOfSums {
  public:
   RowOfSums(const WidenedCells& cells, Bitmap& to, std::int64_t row)
       : cells_(cells), to_(to.line(row)), words_(to.words()), column0_(to.box().column0) {
     note_full();
   }
+  ~RowOfSums() { fill(full_); }
+  RowOfSums(const RowOfSums&) = delete;
+  RowOfSums& operator=(const RowOfSums&) = delete;
 
   /// Adds a row of cells, moved by a row of points.
   void add(std::span<const Step> points, std::int64_t row) {
     const auto& used = cells_.used(row);
     if (used.last < used.first) return;
+    const std::int64_t first = used.first - column0_, end = used.last + 1 - column0_;
     auto from = points.end(), till = from;  // those between add nothing
     if (full_.first < full_.end) {
-      const std::int64_t low = full_.first * 64 + column0_ - used.first, high = full_.end * 64 + column0_ - used.last;
+      const std::int64_t low = full_.first - first, high = full_.end - end;
       from = std::partition_point(points.begin(), points.end(), [&](const Step& p) { return p.first < low; });
-      till = std::partition_point(from, points.end(), [&](const Step& p) { return p.last < high; });
+      till = std::partition_point(from, points.end(), [&](const Step& p) { return p.last <= high; });
     }
-    for (auto p = points.begin(); p != from; ++p) add(*p, row, used);
-    for (auto p = till; p != points.end(); ++p) add(*p, row, used);
+    const auto add_step = [&](const Step& p) {
+      if (p.last - p.first >= used.gap)
+        add_run({p.first + first, p.last + end});
+      else
+        add(p, row, used);
+    };
+    for (auto p = points.begin(); p != from; ++p) add_step(*p);
+    for (auto p = till; p != points.end(); ++p) add_step(*p);
     if (done_ > kRowsOfWork * words_) note_full();
   }
 
  private:
-  struct Words {
+  /// Words or columns of the row.
+  struct Stretch {
     std::int64_t first, end;
+    std::int64_t size() const { return end - first; }
   };
   static constexpr std::int64_t kRowsOfWork = 4;  // before the words that are all ones are looked for again
 
+  void add_run(Stretch columns) {
+    if (columns.first <= full_.end && full_.first <= columns.end) {
+      full_ = {std::min(full_.first, columns.first), std::max(full_.end, columns.end)};
+      return;
+    }
+    if (columns.size() > full_.size()) std::swap(columns, full_);
+    fill(columns);
+  }
+
+  void fill(const Stretch& columns) {
+    if (columns.first >= columns.end) return;
+    const std::int64_t first = columns.first / 64, last = (columns.end - 1) / 64;
+    const std::uint64_t from = ~0ull << (columns.first % 64), till = ~0ull >> (63 - (columns.end - 1) % 64);
+    if (first == last) {
+      to_[first] |= from & till;
+    } else {
+      to_[first] |= from;
+      std::fill(to_ + first + 1, to_ + last, ~0ull);
+      to_[last] |= till;
+    }
+    done_ += last - first + 1;
+  }
+
   void add(const Step& p, std::int64_t row, const WidenedCells::Columns& used) {
     const std::int64_t column0 = cells_.box().column0;
-    const Words of_cells{(used.first - column0) >> 6, ((used.last + p.grown - column0) >> 6) + 2};
+    const Stretch of_cells{(used.first - column0) >> 6, ((used.last + p.grown - column0) >> 6) + 2};
     const std::uint64_t* from = p.cells->line(row);
     add(from, of_cells, column0 + p.first - column0_);
     if (p.second != p.first) add(from, of_cells, column0 + p.second - column0_);
   }
 
-  void add(const std::uint64_t* from, const Words& words, std::int64_t shift) {
-    const std::int64_t base = shift >> 6, first = std::max(words.first, full_.end - base);
+  void add(const std::uint64_t* from, const Stretch& words, std::int64_t shift) {
+    Stretch full{(full_.first + 63) / 64, full_.end / 64};
+    if (full.first >= full.end) full = {0, 0};
+    const std::int64_t base = shift >> 6, first = std::max(words.first, full.end - base);
     const unsigned up = unsigned(shift & 63);
     or_shifted(to_ + base, from, first, words.end - 1, up);
-    if (first > words.first) or_shifted(to_ + base, from, words.first, std::min(words.end, full_.first - base) - 1, up);
-    done_ += words.end - words.first;
+    if (first > words.first) or_shifted(to_ + base, from, words.first, std::min(words.end, full.first - base) - 1, up);
+    done_ += words.size();
   }
 
   /// The longest stretch.
   void note_full() {
-    full_ = {0, 0};
-    done_ = 0;
+    fill(full_);
+    Stretch words{0, 0};
     for (std::int64_t k = 0, first = 0; k < words_; ++k) {
       if (~to_[k] != 0) first = k + 1;
-      if (k + 1 - first > full_.end - full_.first) full_ = {first, k + 1};
+      if (k + 1 - first > words.size()) words = {first, k + 1};
     }
+    if (64 * words.size() > full_.size()) full_ = {64 * words.first, 64 * words.end};
+    done_ = 0;
   }
 
   const WidenedCells& cells_;
   std::uint64_t* to_;
   const std::int64_t words_, column0_;
-  Words full_{0, 0};       // all ones
+  Stretch full_{0, 0};     // columns
   std::int64_t done_ = 0;  // words, since these were looked for
 };
 
