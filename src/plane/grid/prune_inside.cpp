@@ -20,8 +20,16 @@ using exact::SupportingCurve;
 
 constexpr std::size_t kFewPieces = 150;
 constexpr double kManyCrossings = 1;  // a piece
-constexpr double kLines = 5.5;        // the mask costs about the third power of their number
-constexpr double kWordsPerCrossing = 10;
+constexpr double kFewRuns = 3;        // of cells in a row
+
+/// What a mask may cost: the number of its lines, by the cube root of the crossings, and words for each of these.
+struct Effort {
+  double lines, words;
+};
+// The time grows with the third power of the lines, or with the second where the rows of one set are of few runs.
+constexpr Effort kOfPair{6.5, 60}, kOfPlainPair{9, 60};
+// An arrangement numbers its vertices by where curves are cut. Its lines are those by which results have been compared.
+constexpr Effort kOfArrangement{5.5, 10};
 
 /// A segment along its longer axis u.
 struct Run {
@@ -211,6 +219,23 @@ std::vector<Outline> outlines(const GridOperand& o, const GridOperand& other) {
   return out;
 }
 
+/// About how many runs of cells a row has in the mean.
+double runs_in_row(const Outline& outline) {
+  double low = INFINITY, high = -INFINITY, way = 0;
+  for (const LatticeEdge& e : outline) {
+    low = std::min(low, e.y0);
+    high = std::max(high, e.y0);
+    way += std::abs(e.y1 - e.y0);
+  }
+  return way / 2 / std::max(high - low, 1.0);
+}
+
+bool has_few_runs(std::span<const Outline> outlines) {
+  return std::all_of(outlines.begin(), outlines.end(), [](const Outline& o) { return runs_in_row(o) < kFewRuns; });
+}
+
+bool is_bounded_face(const GridOperand& o) { return o.faces.size() == 1 && !o.faces[0].unbounded; }
+
 /// Of the curves of a convolution.
 CurveExtent extent_of(const ReducedConvolution& c) {
   double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300, length = 0;
@@ -241,9 +266,13 @@ InnerMask mask_for(const CurveExtent& c, const GridOperand& a, const GridOperand
   std::vector<InnerMask::Pair> pairs;
   for (const Outline& x : p)
     for (const Outline& y : q) pairs.push_back({&x, &y});
-  const double crossings = estimated_crossings(c), lines = std::clamp(kLines * std::cbrt(crossings), 64.0, 4000.0);
+  const Effort effort = !is_bounded_face(a) || !is_bounded_face(b) ? kOfArrangement
+                        : has_few_runs(p) || has_few_runs(q)       ? kOfPlainPair
+                                                                   : kOfPair;
+  const double crossings = estimated_crossings(c);
+  const double lines = std::clamp(effort.lines * std::cbrt(crossings), 64.0, 4000.0);
   const auto side = std::max<std::int64_t>(std::int64_t(std::max(c.width, c.height) / lines), 16);
-  return InnerMask(pairs, side, kWordsPerCrossing * crossings);
+  return InnerMask(pairs, side, effort.words * crossings);
 }
 
 std::optional<InnerMask> mask_that_pays(const ReducedConvolution& c, const GridOperand& a, const GridOperand& b) {
