@@ -36,16 +36,29 @@ double y_at(const exact::Geometry& g, const Piece& p, double x) {
 constexpr PieceBox kNoBox{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                           -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
-/// Of points.
-struct Largest {
-  double error = 0, coordinate = 0;
+/// Of the ends of pieces, and of points.
+struct Ends {
+  double error = 0;
+  PieceBox box = kNoBox;
+  bool of_arcs = false;  // some
 
-  void take(const exact::Point& p) { take(Largest{p.error, std::max(std::abs(p.x), std::abs(p.y))}); }
-  void take(const Largest& o) {
+  void take(const exact::Point& p) {
+    error = std::max(error, double(p.error));
+    box = joined(box, {p.x, p.y, p.x, p.y});
+  }
+  void take(const Ends& o) {
     error = std::max(error, o.error);
-    coordinate = std::max(coordinate, o.coordinate);
+    box = joined(box, o.box);
+    of_arcs |= o.of_arcs;
+  }
+  double slack() const {
+    if (box.x0 > box.x1) return 0;  // there are none
+    return box_slack(
+        error, std::max(std::max(std::abs(box.x0), std::abs(box.x1)), std::max(std::abs(box.y0), std::abs(box.y1))));
   }
 };
+
+PieceBox widened(const PieceBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by}; }
 
 std::span<const Piece> items_of(std::span<const Piece> pieces, std::size_t k, std::size_t ranges) {
   const IndexRange some = range(k, ranges, pieces.size());
@@ -62,21 +75,26 @@ Result of_all_ranges(std::size_t ranges, Work&& work, Take&& take) {
   return of_range[0];
 }
 
-Largest largest_of(const exact::Geometry& g, std::span<const Piece> pieces) {
-  Largest all;
+/// Sets the boxes of the ends of some pieces.
+Ends set_boxes_of_ends(const exact::Geometry& g, std::span<const Piece> pieces, PieceBox* box) {
+  Ends all;
   for (const Piece& p : pieces) {
-    all.take(g.points[p.p0]);
-    all.take(g.points[p.p1]);
+    const exact::Point &a = g.points[p.p0], &b = g.points[p.p1];
+    *box = segment_box(a, b, 0);
+    all.error = std::max(all.error, std::max(double(a.error), double(b.error)));
+    all.box = joined(all.box, *box++);
+    all.of_arcs |= p.half != 0;
   }
   return all;
 }
 
-/// Sets the boxes of some pieces, and returns the one around them.
-PieceBox set_boxes_of(const exact::Geometry& g, std::span<const Piece> pieces, double slack, PieceBox* box) {
+/// Of the boxes of some arcs, the one around them.
+PieceBox set_boxes_of_arcs(const exact::Geometry& g, std::span<const Piece> pieces, double slack, PieceBox* boxes) {
   PieceBox all = kNoBox;
-  for (const Piece& p : pieces) {
-    *box = p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack);
-    all = joined(all, *box++);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].half == 0) continue;
+    boxes[k] = box_of(g, pieces[k], slack);
+    all = joined(all, boxes[k]);
   }
   return all;
 }
@@ -119,45 +137,37 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
   row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
-  struct Left {
-    double x0;
-    Index piece;
-  };
-  std::pmr::vector<Left> order(boxes_.size(), boxes_.get_allocator());
-  for (Index i = 0; i < boxes_.size(); ++i) order[i] = {boxes_[i].x0, i};
-  if (order.size() <= kFewToSort)
-    insert_all(order.begin(), order.end(), [](const Left& p, const Left& q) { return p.x0 < q.x0; });
+  sorted_.resize(boxes_.size());
+  for (Index i = 0; i < boxes_.size(); ++i) sorted_[i] = {boxes_[i].x0, i};
+  if (sorted_.size() <= kFewToSort)
+    insert_all(sorted_.begin(), sorted_.end(), [](const Left& p, const Left& q) { return p.x0 < q.x0; });
   else
-    std::sort(order.begin(), order.end(),
+    std::sort(sorted_.begin(), sorted_.end(),
               [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
-  sorted_.reserve(order.size());
-  items_.reserve(order.size());
-  for (const Left& left : order) {
-    sorted_.push_back({boxes_[left.piece], left.piece});
-    items_.push_back(left.piece);
-  }
-  start_.assign({0, Index(items_.size())});
+  items_.resize(sorted_.size());
+  for (Index k = 0; k < items_.size(); ++k) items_[k] = sorted_[k].piece;
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
   const std::size_t ranges = range_count(pieces.size(), kManyToEnter);
-  Largest largest = of_all_ranges<Largest>(
-      ranges, [&](std::size_t k) { return largest_of(g, items_of(pieces, k, ranges)); },
-      [](Largest& all, const Largest& more) { all.take(more); });
-  for (Index p : extra) largest.take(g.points[p]);
-  slack_ = box_slack(largest.error, largest.coordinate);
   boxes_.resize(pieces.size());
-  PieceBox all = of_all_ranges<PieceBox>(
+  const auto first_box = [&](std::size_t k) { return boxes_.data() + range(k, ranges, pieces.size()).first; };
+  Ends ends = of_all_ranges<Ends>(
+      ranges, [&](std::size_t k) { return set_boxes_of_ends(g, items_of(pieces, k, ranges), first_box(k)); },
+      [](Ends& all, const Ends& more) { all.take(more); });
+  for (Index p : extra) ends.take(g.points[p]);
+  slack_ = ends.slack();
+  PieceBox all = widened(ends.box, slack_);
+  const PieceBox of_arcs = of_all_ranges<PieceBox>(
       ranges,
       [&](std::size_t k) {
-        return set_boxes_of(g, items_of(pieces, k, ranges), slack_,
-                            boxes_.data() + range(k, ranges, pieces.size()).first);
+        const auto some = items_of(pieces, k, ranges);
+        PieceBox* const boxes = first_box(k);
+        for (std::size_t i = 0; i < some.size(); ++i) boxes[i] = widened(boxes[i], slack_);
+        return ends.of_arcs ? set_boxes_of_arcs(g, some, slack_, boxes) : kNoBox;
       },
       [](PieceBox& around, const PieceBox& more) { around = joined(around, more); });
-  for (Index p : extra) {
-    const exact::Point& q = g.points[p];
-    all = joined(all, {q.x - slack_, q.y - slack_, q.x + slack_, q.y + slack_});
-  }
+  all = joined(all, of_arcs);
   if (all.x0 <= all.x1) box_ = all;
 }
 

@@ -49,6 +49,7 @@ class CellGrid {
   Index row(double y) const { return clamp(y, box_.y0, row_scale_, rows_); }
   double row_top(Index r) const { return box_.y0 + (r + 1) / row_scale_; }
   std::span<const Index> cell(Index column, Index row) const {
+    if (start_.empty()) return items_;
     std::size_t k = std::size_t(column) * rows_ + row;
     return {items_.data() + start_[k], start_[k + 1] - start_[k]};
   }
@@ -60,8 +61,8 @@ class CellGrid {
   struct Rows {
     Index lo, hi;
   };
-  struct SortedBox {
-    PieceBox box;
+  struct Left {
+    double x0;
     Index piece;
   };
   static Index clamp(double v, double origin, double scale, Index count) {
@@ -82,13 +83,13 @@ class CellGrid {
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
   std::pmr::vector<PieceBox> boxes_;
-  std::pmr::vector<SortedBox> sorted_;  // of few pieces, by their left ends
+  std::pmr::vector<Left> sorted_;  // the left ends of few pieces
   PieceBox box_{0, 0, 1, 1};
   double slack_ = 0, column_scale_ = 1, row_scale_ = 1;
   Index columns_ = 1, rows_ = 1;
   std::pmr::vector<Index> first_column_, rows_start_;  // per piece
   std::pmr::vector<Rows> piece_rows_;                  // per piece and column
-  std::pmr::vector<Index> start_, items_;              // cell -> pieces
+  std::pmr::vector<Index> start_, items_;              // cell -> pieces; of few pieces only items_
 };
 
 /// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.
@@ -103,11 +104,13 @@ template <class F>
 void CellGrid::pairs(IndexRange columns, F&& f) const {
   if (columns.size() == 0) return;
   if (columns_ * rows_ == 1) {
-    const SortedBox* const end = sorted_.data() + sorted_.size();
-    for (const SortedBox* s = sorted_.data(); s != end; ++s) {
-      const PieceBox b = s->box;
-      for (const SortedBox* t = s + 1; t != end && t->box.x0 <= b.x1; ++t)
-        if (b.y0 <= t->box.y1 && t->box.y0 <= b.y1) f(std::min(s->piece, t->piece), std::max(s->piece, t->piece));
+    const Left* const end = sorted_.data() + sorted_.size();
+    const PieceBox* const boxes = boxes_.data();
+    for (const Left* s = sorted_.data(); s != end; ++s) {
+      const PieceBox b = boxes[s->piece];
+      for (const Left* t = s + 1; t != end && t->x0 <= b.x1; ++t)
+        if (b.y0 <= boxes[t->piece].y1 && boxes[t->piece].y0 <= b.y1)
+          f(std::min(s->piece, t->piece), std::max(s->piece, t->piece));
     }
     return;
   }

@@ -36,7 +36,7 @@ void add_piece(const exact::Geometry& geometry, const Piece& piece, StageDrawing
 
 }  // namespace
 
-void observe_pieces(const char* stage, const std::string& title, const exact::Geometry& geometry,
+void observe_pieces(const char* stage, const char* title, const exact::Geometry& geometry,
                     std::span<const Piece> pieces) {
   StageObserver* observer = stage_observer();
   if (observer == nullptr || pieces.empty()) return;

@@ -6,13 +6,12 @@
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "plane/complex/arrangement.h"
 
 namespace findspace::plane {
 
-void observe_pieces(const char* stage, const std::string& title, const exact::Geometry& geometry,
+void observe_pieces(const char* stage, const char* title, const exact::Geometry& geometry,
                     std::span<const Piece> pieces);
 
 }  // namespace findspace::plane

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "exact/margins/plane.h"
+#include "plane/base/small_sort.h"
 
 namespace findspace::plane {
 namespace {
@@ -34,24 +35,20 @@ int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const Edg
 
 EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
   const Index n = Index(corners.size());
-  rays.reserve(n);
+  rays.resize(n);
   // A ring that turns left nearly everywhere has its edges nearly in order from here on.
   Index start = 0;
   while (start < n && (lower(corners[start]) || !lower(corners[corners[start].before]))) ++start;
-  for (Index k = start; k < n; ++k) rays.push_back({diamond_angle(corners[k]), k});
-  for (Index k = 0; k < start; ++k) rays.push_back({diamond_angle(corners[k]), k});
+  Ray* next = rays.data();
+  for (Index k = start; k < n; ++k) *next++ = {diamond_angle(corners[k]), k};
+  for (Index k = 0; k < start; ++k) *next++ = {diamond_angle(corners[k]), k};
   // Many: nearly, and then exactly.
   if (n > kFewRays) std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
   const auto before = [this](const Ray& p, const Ray& q) {
     const int order = compare(*this, p, *this, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
   };
-  for (std::size_t k = 1; k < n; ++k) {
-    const Ray ray = rays[k];
-    std::size_t at = k;
-    for (; at > 0 && before(ray, rays[at - 1]); --at) rays[at] = rays[at - 1];
-    rays[at] = ray;
-  }
+  insert_all(rays.data(), rays.data() + n, before);
 }
 
 void EdgeFan::place(EdgeFan& first, EdgeFan& other) {

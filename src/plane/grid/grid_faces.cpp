@@ -4,9 +4,7 @@
 #include "plane/grid/grid_faces.h"
 
 #include <algorithm>
-#include <span>
-
-#include "plane/base/arena.h"
+#include <string>
 
 namespace findspace::plane {
 namespace {
@@ -19,38 +17,48 @@ bool is_lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0);
 
 class Walk {
  public:
-  Walk(const CellComplex& c, bool mirrored) : c_(c), mirrored_(mirrored) {}
+  Walk(const CellComplex& c, bool mirrored)
+      : c_(c),
+        edges_(c.edges.data()),
+        curves_(c.geometry.supporting_curves.data()),
+        vertices_(c.vertices.data()),
+        points_(c.geometry.points.data()),
+        mirrored_(mirrored) {}
 
   /// Were all edges so far segments between grid points?
   bool on_grid() const { return on_grid_; }
 
   void ring(Index start, std::vector<GridCorner>& out) {
+    const HalfEdge* const half_edges = c_.half_edges.data();
     const Index first = Index(out.size());
-    Index end = first, h = start, last;
+    Index end = first, h = start;
     do {
       ++end;
-      last = h;
-      h = c_.next(h);
+      h = half_edges[h].next;
     } while (h != start);
     out.resize(end);
-    GridCorner* in = &out[end - 1];
-    set(*in, last);
-    for (Index k = first; k < end; ++k, h = c_.next(h)) {
-      GridCorner& g = out[k];
-      set(g, h);
-      g.before = k == first ? end - 1 : k - 1;
-      g.next = k + 1 == end ? first : k + 1;
-      g.turn = std::int8_t(sign(int128(in->dx) * g.dy - int128(in->dy) * g.dx));
-      in = &g;
+    GridCorner *corner = &out[first], *const ring = corner - first;
+    for (Index k = first; k < end; ++k, ++corner, h = half_edges[h].next) {
+      set(*corner, h);
+      corner->before = k - 1;
+      corner->next = k + 1;
+      if (k > first) set_turn(corner[-1], *corner);
     }
+    ring[first].before = end - 1;
+    ring[end - 1].next = first;
+    set_turn(ring[end - 1], ring[first]);
   }
 
  private:
+  static void set_turn(const GridCorner& before, GridCorner& corner) {
+    corner.turn = std::int8_t(sign(int128(before.dx) * corner.dy - int128(before.dy) * corner.dx));
+  }
+
   /// The corner where a half-edge starts, but for its neighbours.
   void set(GridCorner& g, Index h) {
-    const Edge& e = c_.edges[h / 2];
-    const exact::SupportingCurve& k = c_.geometry.supporting_curves[e.supporting_curve];
-    const exact::Point& p = c_.geometry.points[c_.vertices[h & 1u ? e.v1 : e.v0].point];
+    const Edge& e = edges_[h / 2];
+    const exact::SupportingCurve& k = curves_[e.supporting_curve];
+    const exact::Point& p = points_[vertices_[h & 1u ? e.v1 : e.v0].point];
     on_grid_ &= e.half == 0 && k.grid && p.kind == exact::Point::Kind::kGrid;
     // To the right along a*x + b*y = c: (b, -a) or its opposite.
     const bool flipped = ((k.b > 0) == bool(h & 1u)) != mirrored_;
@@ -61,11 +69,15 @@ class Walk {
   }
 
   const CellComplex& c_;
+  const Edge* edges_;
+  const exact::SupportingCurve* curves_;
+  const Vertex* vertices_;
+  const exact::Point* points_;
   bool mirrored_, on_grid_ = true;
 };
 
-/// Faces, by their numbers.
-using Faces = std::pmr::vector<char>;
+/// Whether faces are wanted, by their numbers. A few need no memory.
+using Faces = std::string;
 
 bool is_beside(const CellComplex& c, Index e, const Faces& in) { return in[c.face(2 * e)] || in[c.face(2 * e + 1)]; }
 
@@ -85,8 +97,10 @@ bool has_vertex_apart(const CellComplex& c, const Faces& in, bool edges_beside, 
 /// Whether a wanted edge or vertex lies outside the closure of the faces, or an edge has one of them on both sides.
 bool has_more(const CellComplex& c, const Faces& in, bool (*wanted)(Mark)) {
   bool edges_beside = true;
-  for (Index e = 0; e < c.edges.size(); ++e) {
-    const Index left = c.face(2 * e), right = c.face(2 * e + 1);
+  const Index n = Index(c.edges.size());
+  const HalfEdge* half_edge = c.half_edges.data();
+  for (Index e = 0; e < n; ++e, half_edge += 2) {
+    const Index left = half_edge[0].face, right = half_edge[1].face;
     const bool beside = in[left] || in[right];
     if (beside ? left == right : wanted(c.edges[e].mark)) return true;
     edges_beside &= beside;
@@ -107,11 +121,11 @@ bool GridFace::is_convex() const {
 }
 
 std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
-  Arena arena(c.edges.size() / 4);
-  Faces in(c.faces.size(), 0, arena.memory());
-  for (Index f = 0; f < c.faces.size(); ++f) in[f] = wanted(c.faces[f].mark);
+  Faces in(c.faces.size(), 0);
+  for (Index f = 0; f < c.faces.size(); ++f) in[f] = char(wanted(c.faces[f].mark));
   if (has_more(c, in, wanted)) return std::nullopt;
   std::vector<GridFace> faces;
+  faces.reserve(std::size_t(std::count(in.begin(), in.end(), char(1))));
   Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
     if (!in[f]) continue;

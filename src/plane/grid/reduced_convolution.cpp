@@ -242,32 +242,33 @@ class FacePair {
   }
 
   void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
-    const auto add = [&](Index e, Index v) { add_edge(moved, geometry, fan, moved_first, {e, v}); };
+    auto& g = out_.geometry;
+    const exact::SupportingCurve* const lines = geometry.supporting_curves.data();
+    const GridCorner *const edges = moved.corners.data(), *const corners = fan.corners.data();
+    exact::SupportingCurve* line = g.supporting_curves.data() + line_;
+    Piece* piece = out_.pieces.data() + piece_;
+    InnerSide* side = out_.sides.data() + piece_;
+    const auto add = [&](Index e, Index v) {
+      if (!reaches(moved, e, fan, v)) return;
+      const GridCorner& edge = edges[e];
+      const GridPoint by = corners[v].at, start{edge.at.x + by.x, edge.at.y + by.y};
+      Index& from = moved_first ? sums_.of(e, v) : sums_.of(v, e);
+      if (from == kNone) from = g.add_grid_point(start.x, start.y);
+      const Index p = from;
+      Index& to = moved_first ? sums_.of(edge.next, v) : sums_.of(v, edge.next);
+      if (to == kNone) to = g.add_grid_point(edges[edge.next].at.x + by.x, edges[edge.next].at.y + by.y);
+      const Index q = to;
+      const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
+      set_parallel(*line++, lines[edge.supporting_curve], start.x, start.y);
+      piece->supporting_curve = line_++;
+      piece->p0 = right ? p : q;
+      piece->p1 = right ? q : p;
+      ++piece;
+      *side++ = {.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides};
+      ++piece_;
+    };
     if (!chosen_) return each(moved, fan, add);
     for (const auto& [e, v] : kept_[moved_first ? 1 : 0]) add(e, v);
-  }
-
-  void add_edge(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first,
-                const MovedEdge& curve) {
-    const auto [e, v] = curve;
-    if (!reaches(moved, e, fan, v)) return;
-    auto& g = out_.geometry;
-    const GridCorner& edge = moved.corners[e];
-    const GridPoint by = fan.corners[v].at, start{edge.at.x + by.x, edge.at.y + by.y};
-    Index& from = moved_first ? sums_.of(e, v) : sums_.of(v, e);
-    if (from == kNone) from = g.add_grid_point(start.x, start.y);
-    Index& to = moved_first ? sums_.of(edge.next, v) : sums_.of(v, edge.next);
-    if (to == kNone) {
-      const GridPoint end = moved.corners[edge.next].at;
-      to = g.add_grid_point(end.x + by.x, end.y + by.y);
-    }
-    const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
-    set_parallel(g.supporting_curves[line_], geometry.supporting_curves[edge.supporting_curve], start.x, start.y);
-    Piece& piece = out_.pieces[piece_];
-    piece.supporting_curve = line_++;
-    piece.p0 = right ? from : to;
-    piece.p1 = right ? to : from;
-    out_.sides[piece_++] = {.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides};
   }
 
   ReducedConvolution& out_;

@@ -4,6 +4,7 @@
 #include "plane/sum/minkowski.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "plane/base/result_store.h"
@@ -27,10 +28,11 @@ std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
   const GridOperand x{*p, a.cells.geometry}, y{*q, b.cells.geometry};
   std::optional<ConvolutionIndex> index;
   std::optional<SolidSum> solid;
-  return grid_sum(x, y, [&](exact::Geometry& g, Index point) {
+  const auto inside = [&](exact::Geometry& g, Index point) {
     if (!solid) solid.emplace(a, b, index.emplace(x, y));
     return solid->holds(g, point);
-  });
+  };
+  return grid_sum(x, y, std::cref(inside));
 }
 
 /// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.

@@ -46,16 +46,23 @@ void add_directed_edges(const MeetingCurves& curves, const DirectedCurves& c, De
 MeetingCurves::MeetingCurves(DirectedCurves& c, Memory memory) : MeetingCurves(c, find_stops(c, memory), memory) {}
 
 MeetingCurves::MeetingCurves(const DirectedCurves& c, CurveStops found, Memory memory)
-    : c_(c), found_(std::move(found)), curves_(c.pieces.size() + 1, memory), memory_(memory) {
+    : c_(c), found_(std::move(found)), curves_(memory), memory_(memory) {
   std::pmr::vector<Index> ends_at(c.geometry.points.size(), kNone, memory);
-  for (Index i = 0; i < size(); ++i) {
+  const Index n = Index(c.pieces.size());
+  curves_.resize(n + 1);
+  Curve* const curves = curves_.data();
+  const Index* const first = found_.first.data();
+  for (Index i = 0; i < n; ++i) {
     const Piece& p = c.pieces[i];
     const bool runs_on = right(i);
-    curves_[i] = {runs_on ? p.p0 : p.p1, runs_on ? p.p1 : p.p0, kNone, found_.first[i] + i};
-    ends_at[curves_[i].end] = i;
+    const Index end = runs_on ? p.p1 : p.p0;
+    curves[i].start = runs_on ? p.p0 : p.p1;
+    curves[i].end = end;
+    curves[i].first_part = first[i] + i;
+    ends_at[end] = i;
   }
-  curves_[size()].first_part = part_count();
-  for (Index i = 0; i < size(); ++i) curves_[i].before = ends_at[curves_[i].start];
+  curves[n].first_part = part_count();
+  for (Index i = 0; i < n; ++i) curves[i].before = ends_at[curves[i].start];
   if (!found_.degenerate_vertices.empty()) add_directed_edges(*this, c_, found_.degenerate_vertices);
 }
 
