@@ -8,7 +8,6 @@
 #include <bit>
 #include <cmath>
 
-#include "exact/planar/parallel_line.h"
 #include "plane/base/parallel.h"
 #include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
@@ -227,16 +226,14 @@ class FacePair {
     return count;
   }
 
-  /// Makes the curves, which are then set one by one.
+  /// Makes the pieces, which are then set one by one, and reserves the rest.
   void make_room(std::size_t count) {
     auto& g = out_.geometry;
     reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);  // more where they will be cut
     reserve_more(g.points, count + count / 4);                                 // many ends are shared
     reserve_more(out_.pieces, count);
     reserve_more(out_.sides, count);
-    line_ = Index(g.supporting_curves.size());
     piece_ = Index(out_.pieces.size());
-    g.supporting_curves.resize(line_ + count);
     out_.pieces.resize(piece_ + count);
     out_.sides.resize(piece_ + count);
   }
@@ -245,7 +242,6 @@ class FacePair {
     auto& g = out_.geometry;
     const exact::SupportingCurve* const lines = geometry.supporting_curves.data();
     const GridCorner *const edges = moved.corners.data(), *const corners = fan.corners.data();
-    exact::SupportingCurve* line = g.supporting_curves.data() + line_;
     Piece* piece = out_.pieces.data() + piece_;
     InnerSide* side = out_.sides.data() + piece_;
     const auto add = [&](Index e, Index v) {
@@ -259,8 +255,7 @@ class FacePair {
       if (to == kNone) to = g.add_grid_point(edges[edge.next].at.x + by.x, edges[edge.next].at.y + by.y);
       const Index q = to;
       const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
-      set_parallel(*line++, lines[edge.supporting_curve], start.x, start.y);
-      piece->supporting_curve = line_++;
+      piece->supporting_curve = g.add_parallel(lines[edge.supporting_curve], start.x, start.y);
       piece->p0 = right ? p : q;
       piece->p1 = right ? q : p;
       ++piece;
@@ -277,7 +272,7 @@ class FacePair {
   const std::optional<GridBox>& within_;
   bool chosen_ = false;                         // some are left out
   std::array<std::vector<MovedEdge>, 2> kept_;  // then the others: edges of B, of A
-  Index line_ = 0, piece_ = 0;                  // the next ones to set
+  Index piece_ = 0;                             // the next one to set
   CornerSums sums_;
 };
 
