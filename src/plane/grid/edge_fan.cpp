@@ -23,32 +23,49 @@ double diamond_angle(const GridCorner& c) {
 }
 
 /// Order of the directions of two edges by angle in [0, 360).
-int compare(const EdgeFan& p, const EdgeFan::Ray& r, const EdgeFan& q, const EdgeFan::Ray& s) {
+int compare(const std::vector<GridCorner>& p, const EdgeRay& r, const std::vector<GridCorner>& q, const EdgeRay& s) {
   double gap = r.angle - s.angle;
   if (std::abs(gap) > margin::kDiamondAngle) return gap > 0 ? 1 : -1;
-  const GridCorner &c = p.corners[r.corner], &d = q.corners[s.corner];
+  const GridCorner &c = p[r.corner], &d = q[s.corner];
   int128 cross = int128(c.dx) * d.dy - int128(c.dy) * d.dx;
   return (cross < 0) - (cross > 0);
 }
 
-}  // namespace
+bool is_lower_edge(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
 
-EdgeFan::EdgeFan(const GridFace& face, Memory memory) : corners(face.corners), rays(memory), rank(memory) {
+/// Those of all corners, in order.
+void set_rays(const std::vector<GridCorner>& corners, std::span<EdgeRay> rays) {
   const Index n = Index(corners.size());
-  rays.resize(n);
   // A ring that turns left nearly everywhere has its edges nearly in order from here on.
   Index start = 0;
-  while (start < n && (lower(corners[start]) || !lower(corners[corners[start].before]))) ++start;
-  Ray* next = rays.data();
+  while (start < n && (is_lower_edge(corners[start]) || !is_lower_edge(corners[corners[start].before]))) ++start;
+  EdgeRay* next = rays.data();
   for (Index k = start; k < n; ++k) *next++ = {diamond_angle(corners[k]), k};
   for (Index k = 0; k < start; ++k) *next++ = {diamond_angle(corners[k]), k};
   // Many: nearly, and then exactly.
-  if (n > kFewRays) std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
-  const auto before = [this](const Ray& p, const Ray& q) {
-    const int order = compare(*this, p, *this, q);
+  if (n > kFewRays)
+    std::sort(rays.begin(), rays.end(), [](const EdgeRay& p, const EdgeRay& q) { return p.angle < q.angle; });
+  insert_all(rays.data(), rays.data() + n, [&](const EdgeRay& p, const EdgeRay& q) {
+    const int order = compare(corners, p, corners, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
-  };
-  insert_all(rays.data(), rays.data() + n, before);
+  });
+}
+
+}  // namespace
+
+EdgeFan::EdgeFan(const GridFace& face, Memory memory)
+    : corners(face.corners), rays(face.rays), rank(memory), own_rays_(memory) {
+  if (!rays.empty()) return;
+  own_rays_.resize(corners.size());
+  set_rays(corners, own_rays_);
+  rays = own_rays_;
+}
+
+void make_rays(std::span<GridFace> faces) {
+  for (GridFace& face : faces) {
+    face.rays.resize(face.corners.size());
+    set_rays(face.corners, face.rays);
+  }
 }
 
 void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
@@ -56,8 +73,8 @@ void EdgeFan::place(EdgeFan& first, EdgeFan& other) {
   other.rank.resize(other.rays.size());
   Index i = 0, j = 0;
   while (i < first.rays.size() || j < other.rays.size()) {
-    bool take_first =
-        j == other.rays.size() || (i < first.rays.size() && compare(other, other.rays[j], first, first.rays[i]) >= 0);
+    bool take_first = j == other.rays.size() || (i < first.rays.size() && compare(other.corners, other.rays[j],
+                                                                                  first.corners, first.rays[i]) >= 0);
     if (take_first) {
       first.rank[first.rays[i].corner] = j;
       ++i;

@@ -7,6 +7,7 @@
 // Cost: O(n log n + m log m). Keywords: circular order of directions.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "plane/base/arena.h"
@@ -16,19 +17,15 @@ namespace findspace::plane {
 
 class EdgeFan {
  public:
-  /// Keeps a reference to the corners.
+  /// Keeps references to what the face has.
   EdgeFan(const GridFace& face, Memory memory);
 
   /// Gives the edges of both faces their ranks.
   static void place(EdgeFan& first, EdgeFan& other);
 
-  struct Ray {
-    double angle;
-    Index corner;  // whose edge it is
-  };
   const std::vector<GridCorner>& corners;
-  std::pmr::vector<Ray> rays;    // by angle in [0, 360)
-  std::pmr::vector<Index> rank;  // corner -> rays of the other fan before its own
+  std::span<const EdgeRay> rays;  // by angle
+  std::pmr::vector<Index> rank;   // corner -> rays of the other fan before its own
 
   /// Places among the rays of the other fan: first, first + 1, ..., end - 1, past the last one round to 0 if `wraps`.
   struct Sweep {
@@ -48,6 +45,11 @@ class EdgeFan {
 
  private:
   static bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
+
+  std::pmr::vector<EdgeRay> own_rays_;  // where the face has none
 };
+
+/// Makes the rays of faces that are added to many others.
+void make_rays(std::span<GridFace> faces);
 
 }  // namespace findspace::plane

@@ -22,9 +22,16 @@ struct GridCorner {
   std::int8_t turn = 0;    // from the edge before to this one: +1 left (convex), -1 right (reflex), 0 straight on
 };
 
+/// The direction of an edge.
+struct EdgeRay {
+  double angle;  // grows with the angle in [0, 360)
+  Index corner;  // whose edge it is
+};
+
 struct GridFace {
   std::vector<GridCorner> corners;  // ring by ring
   bool unbounded = false;
+  std::vector<EdgeRay> rays = {};  // by angle, where that has been made (edge_fan.h)
 
   /// One ring that turns left at every corner and round once.
   bool is_convex() const;

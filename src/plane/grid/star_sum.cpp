@@ -20,7 +20,6 @@ class StarRing {
   /// Whether all curves follow each other, round once as seen from one point.
   bool closes() {
     const Index n = Index(c_.pieces.size());
-    if (c_.geometry.points.size() != n) return false;  // each is where one curve starts
     std::pmr::vector<Index> leaves(c_.geometry.points.size(), kNone, memory_);
     for (Index i = 0; i < n; ++i) {
       if (leaves[start(i)] != kNone) return false;
@@ -67,6 +66,7 @@ class StarRing {
 
 std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   if (convolution.pieces.empty()) return std::nullopt;
+  if (convolution.geometry.points.size() != convolution.pieces.size()) return std::nullopt;  // of each starts a curve
   Arena arena(convolution.pieces.size());
   StarRing ring(convolution, arena.memory());
   if (!ring.closes()) return std::nullopt;

@@ -68,7 +68,9 @@ std::optional<SignMap> contact_level_in_batches(const Region& a, const Region& b
   // A level below 0 lies within the base.
   const double far = std::max(0.0, level.interval().hi);
   const PieceBox reach{-box->x1 - far, -box->y1 - far, far - box->x0, far - box->y0};
-  return made_in_batches(a, reach, [&](const Region& part) { return level_map(contact_map(part, b), level); });
+  const SumOperand moving(b);
+  return made_in_batches(a, reach,
+                         [&](const Region& part) { return level_map(contact_map(SumOperand(part), moving), level); });
 }
 
 }  // namespace findspace::plane

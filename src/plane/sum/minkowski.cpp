@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "plane/base/result_store.h"
@@ -12,6 +13,7 @@
 #include "plane/complex/cell_bytes.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
+#include "plane/grid/edge_fan.h"
 #include "plane/grid/grid_sum.h"
 #include "plane/query/in_batches.h"
 #include "plane/sum/pair_sums.h"
@@ -19,18 +21,44 @@
 namespace findspace::plane {
 namespace {
 
-/// The open sum of two sets bounded by grid segments, without parts that have no interior.
-std::optional<SignMap> open_grid_sum(const Operand& a, const Operand& b) {
-  auto p = a.grid();
-  if (!p) return std::nullopt;
-  auto q = b.grid();
-  if (!q) return std::nullopt;
-  const GridOperand x{*p, a.cells.geometry}, y{*q, b.cells.geometry};
-  std::optional<ConvolutionIndex> index;
-  std::optional<SolidSum> solid;
+/// The faces of an operand, which may have been made before.
+class GridOf {
+ public:
+  explicit GridOf(const Operand& o) : known_(o.known_grid) {
+    if (known_ == nullptr) made_ = o.grid();
+  }
+
+  const std::optional<std::vector<GridFace>>& faces() const { return known_ != nullptr ? *known_ : made_; }
+
+ private:
+  const std::optional<std::vector<GridFace>>* known_;
+  std::optional<std::vector<GridFace>> made_;
+};
+
+/// With what many sums need.
+std::optional<std::vector<GridFace>> prepared_grid(const Operand& o) {
+  std::optional<std::vector<GridFace>> faces = o.grid();
+  if (faces) make_rays(*faces);
+  return faces;
+}
+
+/// Made when it is asked first.
+struct InsideOfSum {
+  InsideOfSum(const Operand& a, const Operand& b, const GridOperand& x, const GridOperand& y)
+      : index(x, y), solid(a, b, index) {}
+
+  ConvolutionIndex index;
+  SolidSum solid;
+};
+
+/// The open sum of two sets bounded by grid segments, without parts that have no interior. `p`, `q`: their faces.
+SignMap open_grid_sum(const Operand& a, const std::vector<GridFace>& p, const Operand& b,
+                      const std::vector<GridFace>& q) {
+  const GridOperand x{p, a.cells.geometry}, y{q, b.cells.geometry};
+  std::unique_ptr<InsideOfSum> sum;
   const auto inside = [&](exact::Geometry& g, Index point) {
-    if (!solid) solid.emplace(a, b, index.emplace(x, y));
-    return solid->holds(g, point);
+    if (!sum) sum = std::make_unique<InsideOfSum>(a, b, x, y);
+    return sum->solid.holds(g, point);
   };
   return grid_sum(x, y, std::cref(inside));
 }
@@ -52,7 +80,8 @@ SignMap open_sum(const Operand& a, const Operand& b) {
 bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
 
 SignMap sum_at_once(const Operand& a, const Operand& b) {
-  if (auto map = open_grid_sum(a, b)) return *std::move(map);
+  if (const GridOf p(a); p.faces())
+    if (const GridOf q(b); q.faces()) return open_grid_sum(a, *p.faces(), b, *q.faces());
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
   if (q.empty()) return open;
@@ -73,11 +102,15 @@ std::optional<PieceBox> extent_of(const Operand& a) {
 SignMap made_sum(const Operand& a, const Operand& b) {
   if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
   if (is_worth_batches(a.cells) && !unbounded(a) && !a.mirrored)
-    if (const auto reach = extent_of(b))
+    if (const auto reach = extent_of(b)) {
+      const Lazy<std::optional<std::vector<GridFace>>> of_b;
       if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
-            return sum_at_once({part, a.wanted, a.mirrored, a.flat}, b);
+            Operand again = b;
+            if (b.known_grid == nullptr) again.known_grid = &of_b.of([&] { return prepared_grid(b); });
+            return sum_at_once({part, a.wanted, a.mirrored, a.flat}, again);
           }))
         return *std::move(sum);
+    }
   return sum_at_once(a, b);
 }
 
@@ -100,6 +133,14 @@ SignMap sum_map(const Operand& a, const Operand& b) {
 }  // namespace
 
 SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, is_in}, {b, is_in, true}); }
+
+const std::optional<std::vector<GridFace>>& SumOperand::faces(bool mirrored) const {
+  return faces_[mirrored ? 1 : 0].of([&] { return prepared_grid({region_, is_in, mirrored}); });
+}
+
+SignMap contact_map(const SumOperand& a, const SumOperand& b) {
+  return sum_map({a.region(), is_in, false, true, &a.faces(false)}, {b.region(), is_in, true, true, &b.faces(true)});
+}
 
 SignMap containment_map(const Region& a, const Region& b) {
   // B + p leaves A where it meets the open complement; it leaves int A where it meets the closure of that.

@@ -14,11 +14,35 @@
 // 2006. Keywords: Minkowski sum, no-fit polygon, inner-fit polygon, configuration-space obstacle, erosion, dilation.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "plane/base/lazy.h"
 #include "plane/complex/cell_complex.h"
+#include "plane/grid/grid_faces.h"
 
 namespace findspace::plane {
 
 SignMap contact_map(const Region& a, const Region& b);
+
+/// A set that is summed with many others: what a sum needs of it alone is found once, when it is asked for first.
+/// Guarantee: the same sums. Threads may ask at once.
+class SumOperand {
+ public:
+  /// Keeps a reference.
+  explicit SumOperand(const Region& region) : region_(region) {}
+
+  const Region& region() const { return region_; }
+  /// Of the set, or of its reflection through the origin; nothing where a sum needs more than these.
+  const std::optional<std::vector<GridFace>>& faces(bool mirrored) const;
+
+ private:
+  const Region& region_;
+  std::array<Lazy<std::optional<std::vector<GridFace>>>, 2> faces_;
+};
+SignMap contact_map(const SumOperand& a, const SumOperand& b);
+
 SignMap containment_map(const Region& a, const Region& b);
 
 /// A (+) B = {a + b} of closed sets, closed.

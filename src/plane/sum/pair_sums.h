@@ -19,7 +19,8 @@ struct Operand {
   const CellComplex& cells;
   bool (*wanted)(Mark);
   bool mirrored = false;
-  bool flat = true;  // with its parts that have no interior
+  bool flat = true;                                                  // with its parts that have no interior
+  const std::optional<std::vector<GridFace>>* known_grid = nullptr;  // grid(), where it has been made
 
   std::vector<Part> solid_parts() const { return oriented(face_parts(cells, wanted)); }
   /// Calls `use` with one solid part after another, none of them kept.
