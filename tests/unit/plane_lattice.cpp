@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -180,6 +181,33 @@ TEST(LatticeSum, WithAFilledMiddle) {
       for (std::int64_t c = box.column0; c <= box.column1; ++c)
         ASSERT_EQ(sums.holds(r, c), expected[std::size_t((r - box.row0) * columns + c - box.column0)] == 1)
             << round << ": " << r << " " << c;
+  }
+}
+
+TEST(LatticeSum, OfRowsWithoutGapsAddedToOneMap) {
+  std::mt19937 rng(8);
+  const auto within = [&](int low, int high) { return std::int64_t(low + int(rng() % unsigned(high - low + 1))); };
+  for (int round = 0; round < 200; ++round) {
+    std::array<std::vector<LatticeRun>, 2> points, cells;
+    LatticeBox box;
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::int64_t row = 0; row < 6; ++row) {
+        points[k].push_back({row, within(-90, -40), within(-30, 60)});
+        if (within(0, 1) == 0) points[k].push_back({row, within(70, 80), within(81, 300)});
+        cells[k].push_back({row, within(0, 100), within(101, 101 + round)});
+        if (within(0, 1) == 0) cells[k].push_back({row, within(310, 330), within(331, 400)});
+      }
+      box.add(LatticeBox::around(points[k]) + LatticeBox::around(cells[k]));
+    }
+    Bitmap sums(box), expected(box);
+    for (std::size_t k = 0; k < 2; ++k) {
+      add_sums(points[k], cells[k], sums);
+      for (const LatticeRun& p : points[k])
+        for (const LatticeRun& c : cells[k]) expected.add({p.row + c.row, p.first + c.first, p.last + c.last});
+    }
+    for (std::int64_t r = box.row0; r <= box.row1; ++r)
+      for (std::int64_t c = box.column0; c <= box.column1; ++c)
+        ASSERT_EQ(sums.holds(r, c), expected.holds(r, c)) << round << ": " << r << " " << c;
   }
 }
 

@@ -7,39 +7,47 @@
 namespace findspace::plane {
 namespace {
 
-DirectedEdge directed_edge(const MeetingCurves& curves, const exact::Geometry& g, Index degenerate, CurvePart part,
-                           bool starts, bool hides) {
-  const exact::SupportingCurve& k = g.supporting_curves[curves.supporting_curve(part.curve)];
-  // To the right along a*x + b*y = c: (b, -a) or its opposite.
-  const bool forward = ((k.b > 0) == curves.right(part.curve)) == starts;
-  return {.degenerate = degenerate,
-          .curve = part.curve,
-          .slot = part.slot,
-          .starts = starts,
-          .hides = hides,
-          .dx = forward ? k.b : -k.b,
-          .dy = forward ? -k.a : k.a};
-}
-
 /// The half-edges of all degenerate vertices.
-void add_directed_edges(const MeetingCurves& curves, const DirectedCurves& c, DegenerateVertices& all) {
-  const auto add = [&](Index degenerate, CurvePart part, bool starts, bool hides) {
-    all.add(directed_edge(curves, c.geometry, degenerate, part, starts, hides));
-  };
-  all.reserve(2 * curves.part_count());
-  for (Index i = 0; i < curves.size(); ++i) {
-    const InnerSide& side = c.sides[i];
-    if (const Index from = all.at(curves.start(i)); from != kNone)
-      add(from, {i, 0}, true, curves.right(i) ? side.hides_at_p0 : side.hides_at_p1);
-    if (const Index to = all.at(curves.end(i)); to != kNone)
-      add(to, {i, curves.stop_count(i)}, false, curves.right(i) ? side.hides_at_p1 : side.hides_at_p0);
-    for (Index k = 0; k < curves.stop_count(i); ++k) {
-      if (curves.stop(i, k).other != kNone) continue;
-      add(curves.stop(i, k).twin, {i, k}, false, true);
-      add(curves.stop(i, k).twin, {i, k + 1}, true, true);
+class DirectedEdges {
+ public:
+  DirectedEdges(const MeetingCurves& curves, const DirectedCurves& c, DegenerateVertices& all)
+      : curves_(curves), lines_(c.geometry.supporting_curves.data()), sides_(c.sides.data()), all_(all) {
+    all.reserve(2 * curves.part_count());
+  }
+
+  void add_all() {
+    for (Index i = 0, n = curves_.size(); i < n; ++i) {
+      const Index from = all_.at(curves_.start(i)), to = all_.at(curves_.end(i)), stops = curves_.stop_count(i);
+      if (from != kNone) add(from, {i, 0}, true, curves_.right(i) ? sides_[i].hides_at_p0 : sides_[i].hides_at_p1);
+      if (to != kNone) add(to, {i, stops}, false, curves_.right(i) ? sides_[i].hides_at_p1 : sides_[i].hides_at_p0);
+      for (Index k = 0; k < stops; ++k) {
+        const Stop& stop = curves_.stop(i, k);
+        if (stop.other != kNone) continue;
+        add(stop.twin, {i, k}, false, true);
+        add(stop.twin, {i, k + 1}, true, true);
+      }
     }
   }
-}
+
+ private:
+  void add(Index degenerate, CurvePart part, bool starts, bool hides) {
+    const exact::SupportingCurve& k = lines_[curves_.supporting_curve(part.curve)];
+    // To the right along a*x + b*y = c: (b, -a) or its opposite.
+    const bool forward = ((k.b > 0) == curves_.right(part.curve)) == starts;
+    all_.add({.degenerate = degenerate,
+              .curve = part.curve,
+              .slot = part.slot,
+              .starts = starts,
+              .hides = hides,
+              .dx = forward ? k.b : -k.b,
+              .dy = forward ? -k.a : k.a});
+  }
+
+  const MeetingCurves& curves_;
+  const exact::SupportingCurve* lines_;
+  const InnerSide* sides_;
+  DegenerateVertices& all_;
+};
 
 }  // namespace
 
@@ -63,7 +71,7 @@ MeetingCurves::MeetingCurves(const DirectedCurves& c, CurveStops found, Memory m
   }
   curves[n].first_part = part_count();
   for (Index i = 0; i < n; ++i) curves[i].before = ends_at[curves[i].start];
-  if (!found_.degenerate_vertices.empty()) add_directed_edges(*this, c_, found_.degenerate_vertices);
+  if (!found_.degenerate_vertices.empty()) DirectedEdges(*this, c_, found_.degenerate_vertices).add_all();
 }
 
 std::pmr::vector<CurvePart> MeetingCurves::parts_with_two_inner_sides() const {
