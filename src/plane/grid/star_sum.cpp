@@ -3,6 +3,7 @@
 
 #include "plane/grid/star_sum.h"
 
+#include <span>
 #include <utility>
 
 #include "plane/base/arena.h"
@@ -15,50 +16,53 @@ namespace {
 /// Curves run with the sum on their left.
 class StarRing {
  public:
-  StarRing(const ReducedConvolution& c, Memory memory) : c_(c), order_(memory), memory_(memory) {}
+  StarRing(const ReducedConvolution& c, Memory memory) : c_(c), ring_(memory), memory_(memory) {}
 
-  /// Whether all curves follow each other, round once as seen from one point.
+  /// Whether all curves follow each other, round once as seen from one point. Each of them starts at its own point.
   bool closes() {
     const Index n = Index(c_.pieces.size());
-    std::pmr::vector<Index> leaves(c_.geometry.points.size(), kNone, memory_);
+    std::pmr::vector<Index> leaves(n, kNone, memory_);
     for (Index i = 0; i < n; ++i) {
-      if (leaves[start(i)] != kNone) return false;
-      leaves[start(i)] = i;
+      const Piece& piece = c_.pieces[i];
+      Index& leaving = leaves[c_.sides[i].left ? piece.p0 : piece.p1];
+      if (leaving != kNone) return false;
+      leaving = i;
     }
-    order_.reserve(n);
-    for (Index i = 0; order_.size() < n; i = leaves[end(i)]) {
-      if (i == kNone || (i == 0 && !order_.empty())) return false;
-      order_.push_back(i);
+    std::pmr::vector<GridPoint> corners(n, memory_);
+    ring_.resize(n);
+    Index i = 0;
+    for (Index k = 0; k < n; ++k) {
+      if (i == 0 && k > 0) return false;
+      const Piece& piece = c_.pieces[i];
+      const bool right = c_.sides[i].left;
+      const Index start = right ? piece.p0 : piece.p1;
+      const exact::Point& p = c_.geometry.points[start];
+      corners[k] = {p.gx, p.gy};
+      ring_[k] = {start, piece.supporting_curve, right};
+      i = leaves[right ? piece.p1 : piece.p0];
     }
-    if (leaves[end(order_.back())] != 0) return false;
-    return star_shaped(n, [&](std::size_t k) {
-             const exact::Point& p = c_.geometry.points[start(order_[k])];
-             return GridPoint{p.gx, p.gy};
-           }) > 0;
+    return i == 0 && star_shaped(n, [&](std::size_t k) { return corners[k]; }) > 0;
   }
 
   /// Without straight corners.
-  std::pmr::vector<RingEdge> edges() const {
-    std::pmr::vector<RingEdge> out(memory_);
-    out.reserve(order_.size());
-    Index before = order_.back();
-    for (Index i : order_) {
-      const exact::SupportingCurve &k = supporting_curve(before), &l = supporting_curve(i);
-      if (k.a != l.a || k.b != l.b) out.push_back({start(i), c_.pieces[i].supporting_curve, c_.sides[i].left});
-      before = i;
+  std::span<const RingEdge> edges() {
+    RingEdge* end = ring_.data();
+    const exact::SupportingCurve* before = &line(ring_.back());
+    for (const RingEdge& e : ring_) {
+      const exact::SupportingCurve* const next = &line(e);
+      if (before->a != next->a || before->b != next->b) *end++ = e;
+      before = next;
     }
-    return out;
+    return {ring_.data(), end};
   }
 
  private:
-  Index start(Index i) const { return c_.sides[i].left ? c_.pieces[i].p0 : c_.pieces[i].p1; }
-  Index end(Index i) const { return c_.sides[i].left ? c_.pieces[i].p1 : c_.pieces[i].p0; }
-  const exact::SupportingCurve& supporting_curve(Index i) const {
-    return c_.geometry.supporting_curves[c_.pieces[i].supporting_curve];
+  const exact::SupportingCurve& line(const RingEdge& e) const {
+    return c_.geometry.supporting_curves[e.supporting_curve];
   }
 
   const ReducedConvolution& c_;
-  std::pmr::vector<Index> order_;
+  std::pmr::vector<RingEdge> ring_;
   Memory memory_;
 };
 
@@ -70,7 +74,7 @@ std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   Arena arena(convolution.pieces.size());
   StarRing ring(convolution, arena.memory());
   if (!ring.closes()) return std::nullopt;
-  const std::pmr::vector<RingEdge> edges = ring.edges();
+  const std::span<const RingEdge> edges = ring.edges();
   const Index start = 0;
   return ring_map(std::move(convolution.geometry), edges, rings_of_one_face(std::span(&start, 1)), kOpenSetSigns);
 }

@@ -86,20 +86,22 @@ class TransversalSum {
   bool add_ring(std::span<const CurvePart> walk) {
     starts_.push_back(Index(rings_.size()));
     if (rings_.empty()) rings_.reserve(walk.size());
+    const bool degenerate = !curves_.degenerate_vertices().empty();
+    const exact::SupportingCurve* before = &line(walk.front());
     for (std::size_t k = walk.size(); k-- > 0;) {
-      CurvePart p = walk[k], before = walk[k + 1 == walk.size() ? 0 : k + 1];
-      if (Index degenerate = curves_.degenerate_before(p); degenerate != kNone && passed_[degenerate]++ > 0)
-        return false;
-      if (straight(before.curve, p.curve)) continue;
-      rings_.push_back({curves_.start(p), curves_.supporting_curve(p.curve), curves_.right(p.curve)});
+      const CurvePart p = walk[k];
+      if (degenerate)
+        if (const Index at = curves_.degenerate_before(p); at != kNone && passed_[at]++ > 0) return false;
+      const exact::SupportingCurve* const next = &line(p);
+      const bool straight = before->a == next->a && before->b == next->b;
+      before = next;
+      if (!straight) rings_.push_back({curves_.start(p), curves_.supporting_curve(p.curve), curves_.right(p.curve)});
     }
     return true;
   }
 
-  bool straight(Index i, Index j) const {
-    const auto &k = c_.geometry.supporting_curves[curves_.supporting_curve(i)],
-               &l = c_.geometry.supporting_curves[curves_.supporting_curve(j)];
-    return k.a == l.a && k.b == l.b;
+  const exact::SupportingCurve& line(const CurvePart& p) const {
+    return c_.geometry.supporting_curves[curves_.supporting_curve(p.curve)];
   }
 
   ReducedConvolution& c_;
