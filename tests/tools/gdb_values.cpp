@@ -11,6 +11,7 @@
 #include "exact/number/real_node.h"
 #include "exact/number/wide_int.h"
 #include "exact/planar/geometry_signs.h"
+#include "exact/planar/offset_points.h"
 #include "formula/language/parse.h"
 #include "plane/complex/cell_complex.h"
 #include "plane/complex/primitives.h"
@@ -56,7 +57,7 @@ void plane_values() {
   exact::Geometry geometry;
   const auto line = geometry.add_line(3, -1, 5),
              circle = geometry.add(exact::SupportingCurve::circle_at(1, 0, sqrt(Real(2))));
-  geometry.add_displaced(exact::SupportingCurve::line(3, -1, 5), Real::ratio(1, 2));
+  exact::add_displaced(geometry, exact::SupportingCurve::line(3, -1, 5), exact::Displacement(Real::ratio(1, 2)));
   geometry.add_grid_point(2, 1);
   geometry.add_real_point(sqrt(Real(2)), 1);
   geometry.add_crossing(line, circle, meet(geometry, line, circle).root[0]);

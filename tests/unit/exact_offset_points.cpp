@@ -73,15 +73,17 @@ TEST(OffsetPoints, TheErrorsHoldAndThePointsAreThoseOfTheSupportingCurves) {
     const auto v = some.way(k % 2 ? 12 : 1 << 20), w = k % 3 ? some.way(1 << 20) : some.beside(v);
     if (v.a == w.a && v.b == w.b) continue;
     const std::int64_t x = some.number(1 << 30), y = some.number(1 << 30);
-    const Real r = Real(1 + k) / Real(7), sum = k % 4 < 2 ? r : -r, other = k % 2 ? r : -r;
+    const Real r = k % 5 == 0 ? sqrt(Real(1 + k)) : Real(1 + k) / Real(7), sum = k % 4 < 2 ? r : -r,
+               other = k % 2 ? r : -r;
     Geometry g;
     const std::uint32_t p = g.add_line(v.a, v.b, int128(v.a) * x + int128(v.b) * y);
     const std::uint32_t q = g.add_line(w.a, w.b, int128(w.a) * x + int128(w.b) * y);
-    const std::uint32_t i = g.add_displaced(g.supporting_curves[p], sum);
-    const std::uint32_t j = g.add_displaced(g.supporting_curves[q], other);
-    const std::uint32_t circle = g.add(SupportingCurve::circle_at(x, y, r));
-    const std::uint32_t crossing = add_shifted_crossing(g, {i, approx(sum)}, {j, approx(other)}, x, y);
-    const std::uint32_t touch = add_shifted_touch(g, {i, approx(sum)}, circle, x, y);
+    const Displacement shift(sum), shift_of_other(other);
+    const std::uint32_t i = add_displaced(g, g.supporting_curves[p], shift);
+    const std::uint32_t j = add_displaced(g, g.supporting_curves[q], shift_of_other);
+    const std::uint32_t circle = add_circle(g, x, y, Displacement(r));
+    const std::uint32_t crossing = add_shifted_crossing(g, {i, shift}, {j, shift_of_other}, x, y);
+    const std::uint32_t touch = add_shifted_touch(g, {i, shift}, circle, x, y);
     for (std::uint32_t c : {crossing, touch}) {
       const exact::Point& at = g.points[c];
       EXPECT_TRUE(holds({at.x, at.error}, g.exact_x(c)) && holds({at.y, at.error}, g.exact_y(c))) << k;

@@ -110,15 +110,6 @@ std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x
   return std::uint32_t(supporting_curves.size() - 1);
 }
 
-std::uint32_t Geometry::add_displaced(const SupportingCurve& line, const CurveReals& shift) {
-  if (integer_length(line.a, line.b)) return add(SupportingCurve::displaced_line(line.a, line.b, line.c, shift));
-  const Approx z = line.z() + from_real(shift.w());
-  SupportingCurve l(line, line.c, z.value, z.error);  // made first: line and shift may be of this geometry, which grows
-  l.grid = false;
-  l.reals = shift;
-  return add(std::move(l));
-}
-
 std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {
   auto ix = x.integer(), iy = y.integer();
   if (fits(ix) && fits(iy)) return add_grid_point(std::int64_t(*ix), std::int64_t(*iy));

@@ -151,8 +151,6 @@ class Geometry {
   std::uint32_t add_line(std::int64_t a, std::int64_t b, int128 c);
   /// The line through the grid point (x, y) parallel to a grid line, whose filter it shares.
   std::uint32_t add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y);
-  /// A grid line moved along its unit normal by `shift`, not 0; it shares the filter of its direction.
-  std::uint32_t add_displaced(const SupportingCurve& line, const CurveReals& shift);
   /// The lines through each two neighbours of `count` > 0 grid points from `first` on, and through the last and `next`.
   void add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t next);
   std::uint32_t add_grid_point(std::int64_t x, std::int64_t y) {

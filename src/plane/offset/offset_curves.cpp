@@ -15,7 +15,6 @@ namespace {
 
 using exact::int128;
 using exact::Real;
-using exact::SupportingCurve;
 
 /// Crossings of randomly placed curves (Buffon), a curve: from there on it pays to look for covered ones.
 constexpr double kManyCrossings = 0.5;
@@ -38,38 +37,33 @@ bool covering_pays(std::span<const GridCorner> corners, double r) {
 }
 
 bool points_right(const GridCorner& c) { return c.dx > 0 || (c.dx == 0 && c.dy > 0); }
-/// Whether the normal of its line points to the right of the way: it does for (-b, a), to the left for (b, -a).
-bool normal_right(const GridCorner& c, const SupportingCurve& l) { return c.dx == -l.b && c.dy == l.a; }
+/// Whether the canonical normal of its line points to the right of the way: then that goes up, or level to the left.
+bool normal_right(const GridCorner& c) { return c.dy > 0 || (c.dy == 0 && c.dx < 0); }
+/// Of what turns less than half round, from the directions at its ends.
+std::int8_t rises(std::int64_t dy_at_start, std::int64_t dy_at_end) {
+  if (dy_at_start >= 0 && dy_at_end >= 0) return 1;
+  return dy_at_start <= 0 && dy_at_end <= 0 ? -1 : 0;
+}
 bool is_level(const GridCorner& c) { return c.dx == 0 || c.dy == 0; }
 
 class Builder {
  public:
   Builder(std::span<const GridCorner> corners, const exact::Geometry& source, const Real& radius, OffsetEdges& edges)
-      : corners_(corners),
-        source_(source),
-        radius_(radius),
-        opposite_(-radius),
-        outwards_(radius),
-        inwards_(opposite_),
-        approx_(exact::approx(radius)),
-        g_(out_.geometry) {
+      : corners_(corners), source_(source), radius_(radius), outwards_(radius), inwards_(-radius), g_(out_.geometry) {
     const std::size_t n = corners.size();
     const bool covering = covering_pays(corners, radius.to_double());
-    line_.assign(n, kNone);
-    circle_.assign(n, kNone);
-    from_.assign(n, kNone);
-    to_.assign(n, kNone);
-    arc_from_.assign(n, kNone);
-    arc_to_.assign(n, kNone);
     const auto turns_left = [](const GridCorner& c) { return c.turn > 0; };
     const std::size_t arcs = std::size_t(std::count_if(corners.begin(), corners.end(), turns_left));
     capacity_ = n + arcs + n / 8 + 4;  // a few arcs are cut in two, a few edges get loose ends
     g_.supporting_curves.reserve(capacity_);
     g_.points.reserve(capacity_ + n / 8);
+    made_.reserve(n);
     for (Index k = 0; k < n; ++k) {
-      if (corners[k].turn > 0 && !(covering && edges.covers_arc(k)))
-        circle_[k] = g_.add(SupportingCurve::circle_at(corners[k].at.x, corners[k].at.y, outwards_));
-      if (!(covering && edges.covers_displaced(k))) line_[k] = add_line(corners[k]);
+      const GridCorner& c = corners[k];
+      Made& made = made_.emplace_back();
+      if (c.turn > 0 && !(covering && edges.covers_arc(k)))
+        made.circle = exact::add_circle(g_, c.at.x, c.at.y, outwards_);
+      if (!(covering && edges.covers_displaced(k))) made.line = add_line(c);
     }
   }
 
@@ -77,30 +71,37 @@ class Builder {
     const Index n = Index(corners_.size());
     for (Index k = 0; k < n; ++k) add_ends(k);
     for (Index k = 0; k < n; ++k)
-      if (line_[k] != kNone && is_cut(k) && !runs_forward(k)) {
+      if (made_[k].line != kNone && is_cut(k) && !runs_forward(k)) {
         undo_crossing(k);
         undo_crossing(corners_[k].next);
       }
     out_.pieces.reserve(capacity_);
     out_.origins.reserve(capacity_);
-    for (Index k = 0; k < n; ++k) {
-      if (circle_[k] != kNone) add_arc(k);
-      if (line_[k] != kNone) add_piece(line_[k], from_[k], to_[k], 0, points_right(corners_[k]), false, k);
+    for (Index k = 0, first = 0; k < n; ++k) {
+      if (made_[k].circle != kNone) add_arc(k);
+      if (made_[k].line != kNone) add_edge(k);
+      if (corners_[k].next == k + 1) continue;
+      link_ring(first);
+      first = Index(out_.pieces.size());
     }
-    link();
     return std::move(out_);
   }
 
  private:
+  /// What is made of a corner and of the edge that leaves it; kNone: left out.
+  struct Made {
+    Index line = kNone, from = kNone, to = kNone;  // the displaced edge and its ends
+    Index circle = kNone, arc_from = kNone, arc_to = kNone;
+  };
+
+  const exact::Displacement& shift(const GridCorner& edge) const { return normal_right(edge) ? outwards_ : inwards_; }
+
   Index add_line(const GridCorner& c) {
-    const SupportingCurve& l = source_.supporting_curves[c.supporting_curve];
-    return g_.add_displaced(l, normal_right(c, l) ? outwards_ : inwards_);
+    return exact::add_displaced(g_, source_.supporting_curves[c.supporting_curve], shift(c));
   }
 
   /// The displaced line of an edge, as it lies to its corners.
-  exact::ShiftedLine shifted(Index line, Index edge) const {
-    return {line, normal_right(corners_[edge], g_.supporting_curves[line]) ? approx_ : -approx_};
-  }
+  exact::ShiftedLine shifted(Index line, Index edge) const { return {line, shift(corners_[edge])}; }
 
   /// The corner, r to the right of a way parallel to an axis.
   Index beside(GridPoint at, const GridCorner& way) {
@@ -112,8 +113,8 @@ class Builder {
   Index touching_point(Index k, Index edge) {
     const GridPoint at = corners_[k].at;
     if (is_level(corners_[edge])) return beside(at, corners_[edge]);
-    const Index line = line_[edge] != kNone ? line_[edge] : add_line(corners_[edge]);
-    return exact::add_shifted_touch(g_, shifted(line, edge), circle_[k], at.x, at.y);
+    const Index line = made_[edge].line != kNone ? made_[edge].line : add_line(corners_[edge]);
+    return exact::add_shifted_touch(g_, shifted(line, edge), made_[k].circle, at.x, at.y);
   }
 
   /// The end of a displaced edge beside corner k, without an arc there.
@@ -126,82 +127,95 @@ class Builder {
       a = -a;
       b = -b;
     }
-    return g_.add_crossing(line_[edge], g_.add_line(a, b, int128(a) * at.x + int128(b) * at.y), 0);
+    return g_.add_crossing(made_[edge].line, g_.add_line(a, b, int128(a) * at.x + int128(b) * at.y), 0);
   }
 
   /// The ends beside corner k of the displaced edges before and after it.
   void add_ends(Index k) {
     const Index before = corners_[k].before;
-    if (corners_[k].turn > 0 && circle_[k] != kNone) {
-      arc_from_[k] = touching_point(k, before);
-      arc_to_[k] = touching_point(k, k);
-      if (line_[before] != kNone) to_[before] = arc_from_[k];
-      if (line_[k] != kNone) from_[k] = arc_to_[k];
-    } else if (corners_[k].turn < 0 && line_[before] != kNone && line_[k] != kNone) {
+    Made &in = made_[before], &out = made_[k];
+    if (out.circle != kNone) {
+      out.arc_from = touching_point(k, before);
+      out.arc_to = touching_point(k, k);
+      if (in.line != kNone) in.to = out.arc_from;
+      if (out.line != kNone) out.from = out.arc_to;
+    } else if (corners_[k].turn < 0 && in.line != kNone && out.line != kNone) {
       const GridPoint at = corners_[k].at;
-      to_[before] = from_[k] =
-          exact::add_shifted_crossing(g_, shifted(line_[before], before), shifted(line_[k], k), at.x, at.y);
+      in.to = out.from = exact::add_shifted_crossing(g_, shifted(in.line, before), shifted(out.line, k), at.x, at.y);
     } else {
-      if (line_[before] != kNone) to_[before] = loose_end(k, before);
-      if (line_[k] != kNone) from_[k] = loose_end(k, k);
+      if (in.line != kNone) in.to = loose_end(k, before);
+      if (out.line != kNone) out.from = loose_end(k, k);
     }
   }
 
   bool is_cut(Index k) const { return corners_[k].turn < 0 || corners_[corners_[k].next].turn < 0; }
 
   bool runs_forward(Index k) const {
-    const Piece along{.supporting_curve = line_[k]};
-    const int order = compare_along(g_, along, from_[k], to_[k]);
+    const Piece along{.supporting_curve = made_[k].line};
+    const int order = compare_along(g_, along, made_[k].from, made_[k].to);
     return points_right(corners_[k]) ? order < 0 : order > 0;
   }
 
   /// Gives the edges at a reflex corner their whole length.
   void undo_crossing(Index k) {
     const Index before = corners_[k].before;
-    if (corners_[k].turn > 0 || line_[before] == kNone || line_[k] == kNone || to_[before] != from_[k]) return;
-    to_[before] = loose_end(k, before);
-    from_[k] = loose_end(k, k);
+    Made &in = made_[before], &out = made_[k];
+    if (corners_[k].turn > 0 || in.line == kNone || out.line == kNone || in.to != out.from) return;
+    in.to = loose_end(k, before);
+    out.from = loose_end(k, k);
+  }
+
+  void add_edge(Index k) {
+    const GridCorner& c = corners_[k];
+    const bool right = points_right(c);
+    add_piece(made_[k].line, made_[k].from, made_[k].to, 0,
+              {.right = right, .arc = false, .rises = rises(c.dy, c.dy), .corner = k});
   }
 
   /// An arc is less than half a circle, so it passes at most one of the points with a vertical tangent.
   void add_arc(Index k) {
     const GridCorner &in = corners_[corners_[k].before], &out = corners_[k];
+    const Made& made = made_[k];
     const bool passes_right = in.dx > 0 && out.dx < 0, passes_left = in.dx < 0 && out.dx > 0;
     if (!passes_right && !passes_left) {
       const bool upper = in.dx != 0 ? in.dx < 0 : out.dx < 0;
-      return add_piece(circle_[k], arc_from_[k], arc_to_[k], upper ? 1 : -1, !upper, true, k);
+      return add_piece(made.circle, made.arc_from, made.arc_to, upper ? 1 : -1,
+                       {.right = !upper, .arc = true, .rises = rises(in.dy, out.dy), .corner = k});
     }
-    const Index extreme = g_.add_real_point(Real(out.at.x) + (passes_right ? radius_ : opposite_), Real(out.at.y));
-    add_piece(circle_[k], arc_from_[k], extreme, passes_right ? -1 : 1, passes_right, true, k);
-    add_piece(circle_[k], extreme, arc_to_[k], passes_right ? 1 : -1, !passes_right, true, k);
+    const Index extreme =
+        g_.add_real_point(Real(out.at.x) + (passes_right ? radius_ : inwards_.reals.w()), Real(out.at.y));
+    const int there = passes_right ? 1 : -1;  // it goes up, or down
+    add_piece(made.circle, made.arc_from, extreme, -there,
+              {.right = passes_right, .arc = true, .rises = rises(in.dy, there), .corner = k});
+    add_piece(made.circle, extreme, made.arc_to, there,
+              {.right = !passes_right, .arc = true, .rises = rises(there, out.dy), .corner = k});
   }
 
-  void add_piece(Index supporting_curve, Index from, Index to, int half, bool right, bool arc, Index corner) {
+  void add_piece(Index supporting_curve, Index from, Index to, int half, const OffsetOrigin& origin) {
     out_.pieces.push_back({.supporting_curve = supporting_curve,
-                           .p0 = right ? from : to,
-                           .p1 = right ? to : from,
+                           .p0 = origin.right ? from : to,
+                           .p1 = origin.right ? to : from,
                            .half = std::int8_t(half)});
-    out_.origins.push_back({.right = right, .arc = arc, .corner = corner});
+    out_.origins.push_back(origin);
   }
 
-  void link() {
-    std::vector<Index> starts_at(g_.points.size(), kNone);
-    for (Index i = 0; i < out_.pieces.size(); ++i) starts_at[out_.start(i)] = i;
-    for (Index i = 0; i < out_.pieces.size(); ++i) out_.origins[i].next = starts_at[out_.end(i)];
+  /// The pieces from `first` on are those of one ring, in its order.
+  void link_ring(Index first) {
+    const Index end = Index(out_.pieces.size());
+    for (Index i = first; i < end; ++i) {
+      const Index after = i + 1 < end ? i + 1 : first;
+      if (out_.start(after) == out_.end(i)) out_.origins[i].next = after;
+    }
   }
 
   std::span<const GridCorner> corners_;
   const exact::Geometry& source_;
   const Real& radius_;
-  Real opposite_;
-  exact::CurveReals outwards_, inwards_;  // these two, shared by the curves
-  exact::Approx approx_;                  // of the radius
+  exact::Displacement outwards_, inwards_;  // by the radius to the right of a normal, and to its left
   OffsetCurves out_;
   exact::Geometry& g_;
   std::size_t capacity_ = 0;
-  std::vector<Index> line_, circle_;      // of the displaced edge and of the arc of a corner; kNone: left out
-  std::vector<Index> from_, to_;          // ends of the displaced edges
-  std::vector<Index> arc_from_, arc_to_;  // ends of the arcs
+  std::vector<Made> made_;
 };
 
 }  // namespace

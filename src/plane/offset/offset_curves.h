@@ -19,8 +19,9 @@ namespace findspace::plane {
 
 /// What a piece was made from and where it leads.
 struct OffsetOrigin {
-  bool right;  // it is travelled from p0 to p1
-  bool arc;    // about `corner`; else the edge that leaves `corner`, displaced
+  bool right;         // it is travelled from p0 to p1
+  bool arc;           // about `corner`; else the edge that leaves `corner`, displaced
+  std::int8_t rises;  // +1 on its whole way, or it is level; -1: it falls; 0: an arc over its highest or lowest point
   Index corner;
   Index next = kNone;  // the piece that starts where this one ends
 };

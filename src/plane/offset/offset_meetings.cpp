@@ -4,11 +4,10 @@
 #include "plane/offset/offset_meetings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/small_sort.h"
-#include "plane/complex/sequence_boxes.h"
+#include "plane/offset/near_pairs.h"
 
 namespace findspace::plane {
 
@@ -23,45 +22,18 @@ bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces)
   return edges_.holds(c_.geometry, point, std::span(own.data(), n));
 }
 
-std::vector<PieceBox> OffsetMeetings::boxes() const {
-  const exact::Geometry& g = c_.geometry;
-  double error = 0, largest_x = 0, largest_y = 0;
-  for (const exact::Point& p : g.points) {
-    error = std::max<double>(error, p.error);
-    largest_x = std::max(largest_x, std::abs(p.x));
-    largest_y = std::max(largest_y, std::abs(p.y));
-  }
-  const double slack = box_slack(error, std::max(largest_x, largest_y));
-  std::vector<PieceBox> boxes;
-  boxes.reserve(SequenceBoxes::size_with_joined(c_.pieces.size()));
-  for (const Piece& p : c_.pieces)
-    boxes.push_back(p.half == 0 ? segment_box(g.points[p.p0], g.points[p.p1], slack) : box_of(g, p, slack));
-  return boxes;
-}
-
-/// Pieces that follow each other and all go right, or all left: what advances so meets itself nowhere.
-std::vector<Index> OffsetMeetings::chains() const {
-  std::vector<Index> chains;
-  chains.reserve(SequenceBoxes::size_with_joined(c_.pieces.size()));
-  for (Index i = 0; i < c_.pieces.size(); ++i) {
-    const bool goes_on = i > 0 && c_.origins[i - 1].next == i && c_.origins[i - 1].right == c_.origins[i].right;
-    chains.push_back(goes_on ? chains.back() : i);
-  }
-  return chains;
-}
-
 bool OffsetMeetings::find() {
   PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
-  SequenceBoxes(boxes(), chains()).meeting_pairs([&](Index i, Index j) {
-    if (!good_ || c_.origins[i].next == j || c_.origins[j].next == i) return;
+  for (const auto& [i, j] : near_pairs(c_)) {
     const Index known = Index(c_.geometry.points.size());
     found.add_pair(i, j);
-    if (found.splits.empty() && found.ties.empty()) return;
+    if (found.splits.empty() && found.ties.empty()) continue;
     note(found, known, i, j);
+    if (!good_) return false;
     found.splits.clear();
     found.ties.clear();
-  });
-  return good_ && sort_stops();
+  }
+  return sort_stops();
 }
 
 void OffsetMeetings::note(const PieceMeetings& found, Index known, Index i, Index j) {

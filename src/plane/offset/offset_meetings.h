@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Where the curves of an offset cross. Guarantee: exact; all crossings are found that are not inside D (offset_curves.h
-// says what D is). Cost: that of the pairs of boxes that meet in a tree over the curves. Used by offset_rings.cpp only.
+// says what D is). Cost: that of the pairs that may meet (near_pairs.h). Used by grid_offset.cpp only.
 #pragma once
 
 #include <vector>
@@ -35,8 +35,6 @@ class OffsetMeetings {
   bool is_inside(Index point, std::initializer_list<Index> pieces);
 
  private:
-  std::vector<PieceBox> boxes() const;
-  std::vector<Index> chains() const;
   /// What a pair of pieces has in common; points from `known` on are new.
   void note(const PieceMeetings& found, Index known, Index i, Index j);
   void give_up_unless_inside(Index point, Index i, Index j) { good_ = good_ && is_inside(point, {i, j}); }
