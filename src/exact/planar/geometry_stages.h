@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What supporting_curve.cpp, geometry.cpp and geometry_signs.cpp share: supporting curves and points as doubles with
-// error bounds and as fixed-width integers, the first two stages of their predicates. Guarantee: bounds and integers
-// are exact or certain.
+// What supporting_curve.cpp, geometry.cpp, geometry_signs.cpp and offset_points.h share: supporting curves and points
+// as doubles with error bounds and as fixed-width integers, the first two stages of their predicates. Guarantee: bounds
+// and integers are exact or certain.
 #pragma once
 
 #include <algorithm>

@@ -10,14 +10,16 @@
 
 #include <optional>
 
-#include "plane/complex/cell_complex.h"
+#include "plane/complex/ring_map.h"
 
 namespace findspace::plane {
 
-/// -1 where less than r away from the closure of the cells that are wanted, 0 on the boundary of that, +1 elsewhere.
+/// -1 where less than r away from the closure of the cells that are wanted, 0 on the boundary of that, +1 elsewhere; or
+/// other marks.
 /// Nothing where the set is not bounded by grid segments alone, has faces on both sides of an edge or straight corners,
 /// or where curves touch, overlap or meet three at a point of the boundary, as they do about slots of exact width and
 /// single points.
-std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark), const exact::Real& radius);
+std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark), const exact::Real& radius,
+                                   RingMarks marks = kOpenSetSigns);
 
 }  // namespace findspace::plane

@@ -22,10 +22,6 @@ SignMap disc_contact(const Region& closed, const exact::Real& radius) {
   return contact_map(closed, region_of_disc(0, 0, radius));
 }
 
-SignMap opposite(SignMap map) {
-  return remark(std::move(map), [](Mark m) { return Mark(-m); });
-}
-
 }  // namespace
 
 SignMap distance_map(const Region& closed, const exact::Real& radius) {
@@ -55,10 +51,8 @@ SignMap level_map(const SignMap& base, const exact::Real& level) {
         return *std::move(map);
     return outer_level(base, level);
   }
-  if (auto map = grid_offset(
-          base, [](Mark m) { return m >= 0; }, -level))
-    return opposite(*std::move(map));
-  return opposite(distance_map(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
+  if (auto map = grid_offset(base, [](Mark m) { return m >= 0; }, -level, {1, 0, -1})) return *std::move(map);
+  return negated(distance_map(remark(base, [](Mark m) { return Mark(m >= 0); }), -level));
 }
 
 std::optional<SignMap> contact_level_in_batches(const Region& a, const Region& b, const exact::Real& level) {

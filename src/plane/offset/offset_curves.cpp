@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "exact/planar/offset_points.h"
-#include "plane/complex/piece_meet.h"
 
 namespace findspace::plane {
 namespace {
@@ -81,7 +80,7 @@ class Builder {
       if (made_[k].circle != kNone) add_arc(k);
       if (made_[k].line != kNone) add_edge(k);
       if (corners_[k].next == k + 1) continue;
-      link_ring(first);
+      close_ring(first);
       first = Index(out_.pieces.size());
     }
     return std::move(out_);
@@ -150,10 +149,13 @@ class Builder {
 
   bool is_cut(Index k) const { return corners_[k].turn < 0 || corners_[corners_[k].next].turn < 0; }
 
+  /// Along the longer axis, where the filter decides more often.
   bool runs_forward(Index k) const {
-    const Piece along{.supporting_curve = made_[k].line};
-    const int order = compare_along(g_, along, made_[k].from, made_[k].to);
-    return points_right(corners_[k]) ? order < 0 : order > 0;
+    const GridCorner& c = corners_[k];
+    const Made& made = made_[k];
+    if (std::abs(c.dy) <= std::abs(c.dx))
+      return c.dx > 0 ? compare_x(g_, made.from, made.to) < 0 : compare_x(g_, made.from, made.to) > 0;
+    return c.dy > 0 ? compare_y(g_, made.from, made.to) < 0 : compare_y(g_, made.from, made.to) > 0;
   }
 
   /// Gives the edges at a reflex corner their whole length.
@@ -192,20 +194,24 @@ class Builder {
   }
 
   void add_piece(Index supporting_curve, Index from, Index to, int half, const OffsetOrigin& origin) {
-    out_.pieces.push_back({.supporting_curve = supporting_curve,
-                           .p0 = origin.right ? from : to,
-                           .p1 = origin.right ? to : from,
-                           .half = std::int8_t(half)});
-    out_.origins.push_back(origin);
+    if (from == last_end_) out_.origins.back().next = Index(out_.pieces.size());
+    last_end_ = to;
+    Piece& p = out_.pieces.emplace_back();
+    p.supporting_curve = supporting_curve;
+    p.p0 = origin.right ? from : to;
+    p.p1 = origin.right ? to : from;
+    p.half = std::int8_t(half);
+    OffsetOrigin& o = out_.origins.emplace_back();  // not copied: that would wait for what was just written
+    o.right = origin.right;
+    o.arc = origin.arc;
+    o.rises = origin.rises;
+    o.corner = origin.corner;
   }
 
-  /// The pieces from `first` on are those of one ring, in its order.
-  void link_ring(Index first) {
-    const Index end = Index(out_.pieces.size());
-    for (Index i = first; i < end; ++i) {
-      const Index after = i + 1 < end ? i + 1 : first;
-      if (out_.start(after) == out_.end(i)) out_.origins[i].next = after;
-    }
+  /// The pieces from `first` on are those of one ring.
+  void close_ring(Index first) {
+    if (first < out_.pieces.size() && out_.start(first) == last_end_) out_.origins.back().next = first;
+    last_end_ = kNone;
   }
 
   std::span<const GridCorner> corners_;
@@ -216,6 +222,7 @@ class Builder {
   exact::Geometry& g_;
   std::size_t capacity_ = 0;
   std::vector<Made> made_;
+  Index last_end_ = kNone;  // of the piece before, of the same ring
 };
 
 }  // namespace

@@ -24,6 +24,12 @@ PieceBox edge_box(std::span<const GridCorner> corners, const GridCorner& c) {
           double(std::max(p.y, q.y))};
 }
 
+/// Whether the box of an edge from p to q meets another: mostly its first side tells.
+bool edge_meets(GridPoint p, GridPoint q, const PieceBox& box) {
+  return double(std::min(p.x, q.x)) <= box.x1 && double(std::max(p.x, q.x)) >= box.x0 &&
+         double(std::min(p.y, q.y)) <= box.y1 && double(std::max(p.y, q.y)) >= box.y0;
+}
+
 std::vector<PieceBox> boxes_of(std::span<const GridCorner> corners) {
   std::vector<PieceBox> boxes;
   boxes.reserve(corners.size());
@@ -82,7 +88,7 @@ bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const I
   };
   if (!boxes_ && ++asked_ <= kFewQuestions) {
     for (Index k = 0; k < corners_.size(); ++k)
-      if (edge_box(corners_, corners_[k]).meets(around) && is_near(k)) return true;
+      if (edge_meets(corners_[k].at, corners_[corners_[k].next].at, around) && is_near(k)) return true;
     return false;
   }
   prepare();
