@@ -9,7 +9,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace findspace::exact {
@@ -60,15 +62,15 @@ struct Approx {
   }
 };
 
-/// A bound on an error in half the room: never below what it is made of, and above by 2^-21 of it at most. Copies are
-/// the same.
+/// A bound on an error in half the room: the float nearest to what it is made of if that is not below, else the next
+/// one, so above by 2^-23 of it at most. Copies are the same.
 class ErrorBound {
  public:
   ErrorBound() = default;
-  /// By factors from tables: whether a bound was rounded down cannot be foreseen.
-  ErrorBound(double error) : bound_(float(error)) {  // NOLINT: implicit on purpose
-    const bool below = double(bound_) < error;
-    bound_ = std::max(bound_ * kFactor[below], kLeast[below]);
+  ErrorBound(double error) {  // NOLINT: implicit on purpose
+    const float near = float(error);
+    const bool below = double(near) < error;  // added, not asked: every second time it is
+    bound_ = std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + below);
   }
   operator double() const { return double(bound_); }  // NOLINT
 
@@ -76,16 +78,13 @@ class ErrorBound {
   /// range; each rounds by 2^-24 at most.
   template <int kUnits>
   static ErrorBound units(double value) {
-    constexpr float kMore = float(kUnits * Approx::kUnit) * kFactor[1];
+    constexpr float kMore = float(kUnits * Approx::kUnit) * (1 + 0x1p-22f);
     ErrorBound out;
     out.bound_ = std::abs(float(value)) * kMore;
     return out;
   }
 
  private:
-  static constexpr float kFactor[] = {1, 1 + 0x1p-22f};  // to the next float, or the one after it
-  static constexpr float kLeast[] = {0, std::numeric_limits<float>::min()};
-
   float bound_ = 0;
 };
 
