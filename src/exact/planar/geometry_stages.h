@@ -72,11 +72,8 @@ inline Approx normal_length(const SupportingCurve& l) {
 }
 
 /// The length of the primitive vector (a, b) if it is an integer. Below 2^50 its root in doubles, off by at most 2
-/// ulps, tells most others.
+/// ulps, tells most others: nearly always, so that the branch is foreseen (last bits of a and b would tell only half).
 inline std::optional<int128> integer_length(std::int64_t a, std::int64_t b) {
-  // Of a right triangle with primitive integer sides one leg is odd, and the other divisible by four.
-  const bool may_be = (a & 1) != 0 ? (b & 3) == 0 : (a & 3) == 0;
-  if (!may_be) return std::nullopt;
   constexpr double kRounding = 0x1.8p52;  // added and taken away again it rounds to an integer
   const double x = double(a), y = double(b), n = std::sqrt(x * x + y * y);
   if (n < 0x1p50 && std::abs(n - ((n + kRounding) - kRounding)) > n * (4 * Approx::kUnit)) return std::nullopt;
