@@ -17,6 +17,9 @@ struct Stretch {
   Index size() const { return end - first; }
 };
 
+/// Pieces in a stretch, in the mean, from where on stretches pay: a tree over the pieces needs no sorting of pairs.
+constexpr std::size_t kLong = 4;
+
 double slack_of(std::span<const exact::Point> points) {
   double error = 0, largest_x = 0, largest_y = 0;
   for (const exact::Point& p : points) {
@@ -43,7 +46,9 @@ class Search {
   explicit Search(const OffsetCurves& c) : c_(c), slack_(slack_of(c.geometry.points)) {}
 
   std::vector<PiecePair> run() {
-    find_stretches();
+    find_stretches(true);
+    const bool are_long = stretches_.size() * kLong <= c_.pieces.size();
+    if (!are_long) find_stretches(false);
     std::vector<PieceBox> boxes;
     boxes.reserve(SequenceBoxes::size_with_joined(stretches_.size()));
     for (const Stretch& s : stretches_) boxes.push_back(box(s));
@@ -54,16 +59,19 @@ class Search {
       else
         between(s, box(s), t, box(t));
     });
-    std::sort(pairs_.begin(), pairs_.end(), comes_first);
+    if (are_long) std::sort(pairs_.begin(), pairs_.end(), comes_first);
     return std::move(pairs_);
   }
 
  private:
-  void find_stretches() {
+  /// `join`: else each piece is one.
+  void find_stretches(bool join) {
+    stretches_.clear();
+    rows_.clear();
     for (Index i = 0; i < c_.pieces.size(); ++i) {
       const OffsetOrigin& t = c_.origins[i];
       const bool advances = i > 0 && c_.origins[i - 1].next == i && c_.origins[i - 1].right == t.right;
-      if (advances && t.rises != 0 && c_.origins[i - 1].rises == t.rises) {
+      if (join && advances && t.rises != 0 && c_.origins[i - 1].rises == t.rises) {
         ++stretches_.back().end;
         continue;
       }
