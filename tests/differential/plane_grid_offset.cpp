@@ -162,6 +162,22 @@ TEST(GridOffset, StarsAndSmoothShapes) {
   EXPECT_EQ(count.declined, 0);
 }
 
+/// Long stretches of curves that go on in one quadrant, and those that meet.
+TEST(GridOffset, SmoothShapesOfManyCorners) {
+  Count count;
+  for (int seed = 0; seed < 6; ++seed) {
+    std::vector<GridPoint> points;
+    for (int k = 0; k < 300; ++k) {
+      const double angle = 6.283185307179586 * k / 300;
+      const double r = 1e6 * (0.7 + 0.2 * std::cos(3 * angle + seed) + 0.03 * std::cos(11 * angle)) + k * 7919 % 100;
+      points.push_back({std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))});
+    }
+    compare(*simple_ring(points), Real(20000 + 60000 * seed), "seed " + std::to_string(seed), count);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_EQ(count.declined, 0);
+}
+
 /// Frames in frames with stars in the gaps: components inside holes.
 TEST(GridOffset, Nested) {
   Count count;
