@@ -15,14 +15,15 @@ namespace {
 /// Boxes by ascending starts along the axis on which they spread farther; those that are open, by slabs of the other.
 class Sweep {
  public:
-  explicit Sweep(const std::vector<PieceBox>& boxes) : boxes_(boxes) {
+  explicit Sweep(std::span<const PieceBox> boxes) : boxes_(boxes) {
     PieceBox all = boxes[0];
     for (const PieceBox& b : boxes) all = joined(all, b);
     wide_ = all.x1 - all.x0 >= all.y1 - all.y0;
     bottom_ = wide_ ? all.y0 : all.x0;
-    open_.resize(std::size_t(std::sqrt(double(boxes.size()))) + 1);
+    open_.resize(std::size_t(std::sqrt(double(boxes.size()))) + 1, kNone);
     const double height = (wide_ ? all.y1 : all.x1) - bottom_;
     slabs_per_step_ = height > 0 ? double(open_.size()) / height : 0;
+    items_.reserve(2 * boxes.size());
   }
 
   /// Calls f(i, k) for all pairs of boxes that meet, until it returns false.
@@ -34,15 +35,43 @@ class Sweep {
     for (const Index k : order) {
       const std::size_t first = first_slab(k), last = slab(wide_ ? boxes_[k].y1 : boxes_[k].x1);
       for (std::size_t s = first; s <= last; ++s) {
-        std::erase_if(open_[s], [&](Index i) { return to(i) < from(k); });
-        for (const Index i : open_[s])  // of several slabs in the first
+        Index* end = &open_[s];
+        while (*end != kNone) {
+          Item& item = items_[*end];
+          if (to(item.box) < from(k)) {
+            close(*end);
+            continue;
+          }
+          const Index i = item.box;  // of several slabs in the first
           if (boxes_[i].meets(boxes_[k]) && (s == first || s == first_slab(i)) && !f(i, k)) return;
-        open_[s].push_back(k);
+          end = &item.next;
+        }
+        open(*end, k);
       }
     }
   }
 
  private:
+  /// Of the boxes that are open in a slab, in the order in which they were opened.
+  struct Item {
+    Index box, next;
+  };
+
+  /// `end`: where the number of the next item stands.
+  void open(Index& end, Index box) {
+    const Index item = free_ != kNone ? free_ : Index(items_.size());
+    end = item;
+    if (free_ == kNone) return void(items_.push_back({box, kNone}));
+    free_ = items_[item].next;
+    items_[item] = {box, kNone};
+  }
+  void close(Index& link) {
+    const Index item = link;
+    link = items_[item].next;
+    items_[item].next = free_;
+    free_ = item;
+  }
+
   double from(Index k) const { return wide_ ? boxes_[k].x0 : boxes_[k].y0; }
   double to(Index k) const { return wide_ ? boxes_[k].x1 : boxes_[k].y1; }
   std::size_t first_slab(Index k) const { return slab(wide_ ? boxes_[k].y0 : boxes_[k].x0); }
@@ -51,10 +80,12 @@ class Sweep {
     return steps > 0 ? std::size_t(std::min(steps, double(open_.size() - 1))) : 0;
   }
 
-  const std::vector<PieceBox>& boxes_;
+  std::span<const PieceBox> boxes_;
   bool wide_ = true;
   double bottom_ = 0, slabs_per_step_ = 0;
-  std::vector<std::vector<Index>> open_;
+  std::vector<Index> open_;  // slab -> its first item
+  std::vector<Item> items_;
+  Index free_ = kNone;  // an item that is not in use, and so on
 };
 
 /// In the order of their first members.
@@ -89,7 +120,7 @@ Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
 }  // namespace
 
-void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(Index, Index)>& visit) {
+void meeting_boxes(std::span<const PieceBox> boxes, const std::function<bool(Index, Index)>& visit) {
   if (!boxes.empty()) Sweep(boxes).pairs(visit);
 }
 

@@ -16,7 +16,7 @@
 namespace findspace::plane {
 
 /// Calls visit(i, k) once for each pair of boxes that meet, until it returns false.
-void meeting_boxes(const std::vector<PieceBox>& boxes, const std::function<bool(Index, Index)>& visit);
+void meeting_boxes(std::span<const PieceBox> boxes, const std::function<bool(Index, Index)>& visit);
 
 /// Sets with these boxes in groups that lie apart: no box of one meets a box of another, and none lies in a hole that
 /// the sets of another one leave, as its box lies in none of theirs. In the order of their first members.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/planar/geometry_signs.h"
+#include "exact/planar/segment_sides.h"
 #include "plane/base/parallel.h"
 #include "plane/base/small_sort.h"
 #include "plane/complex/broad_phase.h"
@@ -41,6 +42,7 @@ class StopFinder {
   void cross(Index i, Index j);
 
  private:
+  exact::SegmentSides sides_of(const Piece& p, const Piece& q) const;
   /// Two curves on one line.
   void overlap(Index i, Index j);
   /// An end of a curve on the line of curve i.
@@ -102,26 +104,38 @@ class StopSorter {
 
 void StopFinder::cross(Index i, Index j) {
   const Piece &p = c_.pieces[i], &q = c_.pieces[j];
-  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
-                               &l = g_.supporting_curves[q.supporting_curve];
   if (p.p0 == q.p1 || p.p1 == q.p0) return;
-  if (k.a == l.a && k.b == l.b) return k.c == l.c ? overlap(i, j) : void();
+  const exact::SegmentSides sides = sides_of(p, q);
+  if (sides.parallel) return sides.q0 == 0 ? overlap(i, j) : void();
   if (p.p0 == q.p0 || p.p1 == q.p1) return;
-  int s0 = side(g_, q.p0, p.supporting_curve), s1 = side(g_, q.p1, p.supporting_curve);
-  if (s0 * s1 > 0) return;
-  int t0 = side(g_, p.p0, q.supporting_curve), t1 = side(g_, p.p1, q.supporting_curve);
-  if (t0 * t1 > 0) return;
-  Index q_end = s0 == 0 ? q.p0 : s1 == 0 ? q.p1 : kNone, p_end = t0 == 0 ? p.p0 : t1 == 0 ? p.p1 : kNone;
+  if (sides.q0 * sides.q1 > 0 || sides.p0 * sides.p1 > 0) return;
+  const Index q_end = sides.q0 == 0 ? q.p0 : sides.q1 == 0 ? q.p1 : kNone;
+  const Index p_end = sides.p0 == 0 ? p.p0 : sides.p1 == 0 ? p.p1 : kNone;
   if (q_end != kNone && p_end != kNone) return void(out_.ties.emplace_back(p_end, q_end));
   if (q_end != kNone) return touch(i, q_end);
   if (p_end != kNone) return touch(j, p_end);
   const auto point = Index(before_ + points_.size());
   points_.push_back(g_.crossing(p.supporting_curve, q.supporting_curve, 0));
-  // The normal (a, b) is to the left of the direction (b, -a), the way to the right if b > 0.
-  bool normal_left = (k.b > 0) == runs_right(c_, i);
-  bool from_right = ((runs_right(c_, j) ? s0 : s1) > 0) != normal_left;
+  const bool starts_left = (runs_right(c_, j) ? sides.q0 : sides.q1) > 0, from_right = starts_left != runs_right(c_, i);
   out_.stops.emplace_back(i, point, j, from_right);
   out_.stops.emplace_back(j, point, i, !from_right);
+}
+
+exact::SegmentSides StopFinder::sides_of(const Piece& p, const Piece& q) const {
+  const exact::Point &p0 = g_.points[p.p0], &p1 = g_.points[p.p1], &q0 = g_.points[q.p0], &q1 = g_.points[q.p1];
+  constexpr auto kGrid = exact::Point::Kind::kGrid;
+  if (p0.kind == kGrid && p1.kind == kGrid && q0.kind == kGrid && q1.kind == kGrid)
+    return segment_sides(p0, p1, q0, q1);
+  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
+                               &l = g_.supporting_curves[q.supporting_curve];
+  // The normal (a, b) is to the left of the direction (b, -a), which is that of a segment if b > 0.
+  const int left_of_p = k.b > 0 ? 1 : -1, left_of_q = l.b > 0 ? 1 : -1;
+  if (k.a == l.a && k.b == l.b) {
+    const int side = k.c == l.c ? 0 : 1;
+    return {side, side, side, side, true};
+  }
+  return {left_of_p * side(g_, q.p0, p.supporting_curve), left_of_p * side(g_, q.p1, p.supporting_curve),
+          left_of_q * side(g_, p.p0, q.supporting_curve), left_of_q * side(g_, p.p1, q.supporting_curve), false};
 }
 
 void StopFinder::overlap(Index i, Index j) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/planar/geometry_signs.h"
+#include "exact/planar/unreduced_lines.h"
 #include "plane/complex/piece_meet.h"
 #include "plane/complex/side_by_side.h"
 
@@ -24,9 +25,7 @@ bool is_rings(const Region& r) {
                      [](const Vertex& v) { return is_in(v.mark) && v.out != kNone; });
 }
 
-PieceBox common(const PieceBox& a, const PieceBox& b) {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
+constexpr PieceBox kNoBox{exact::kInfinity, exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
 
 }  // namespace
 
@@ -41,32 +40,53 @@ std::optional<RegionCurves> RegionCurves::of(std::span<const Region* const> regi
 }
 
 std::optional<RegionCurves> RegionCurves::of(Polygons polygons, Memory memory) {
-  RingCurves rings = ring_curves(polygons, memory);
-  if (rings.could_merge) return std::nullopt;
+  std::size_t edges = 0;
+  for (const auto& polygon : polygons)
+    for (const Contour& ring : polygon) edges += ring.size();
   RegionCurves all(memory);
-  all.curves.geometry = std::move(rings.geometry);
-  all.curves.pieces.reserve(rings.edges.size());
-  all.curves.sides.reserve(rings.edges.size());
+  all.curves.geometry.supporting_curves.resize(edges);
+  all.curves.geometry.points.reserve(edges + edges / 4);  // and some crossings
+  all.curves.geometry.points.resize(edges);
+  all.curves.pieces.resize(edges);
+  all.curves.sides.resize(edges);
   all.first_.reserve(polygons.size() + 1);
-  for (std::size_t r = 0; r < rings.rings.size(); ++r) {
-    const Index first = rings.rings[r].start;
-    const Index end = r + 1 < rings.rings.size() ? rings.rings[r + 1].start : Index(rings.edges.size());
-    if (rings.rings[r].outer) all.first_.push_back(first);
-    const Index number = Index(all.first_.size()) - 1;
-    for (Index k = first; k < end; ++k) {
-      const RingEdge& e = rings.edges[k];
-      if (e.half != 0) return std::nullopt;
-      const Index to = rings.edges[k + 1 == end ? first : k + 1].point;
-      all.curves.pieces.push_back({.supporting_curve = e.supporting_curve,
-                                   .p0 = e.right ? e.point : to,
-                                   .p1 = e.right ? to : e.point,
-                                   .group = number});
-      all.curves.sides.push_back({.left = e.right});
+  Index first = 0;  // of a ring
+  for (Index number = 0; number < polygons.size(); ++number) {
+    all.first_.push_back(first);
+    for (const Contour& ring : polygons[number]) {
+      if (!all.set_curves(ring, first, number)) return std::nullopt;
+      first += Index(ring.size());
     }
   }
-  all.first_.push_back(Index(all.curves.pieces.size()));
+  all.first_.push_back(first);
   all.set_boxes();
   return all;
+}
+
+bool RegionCurves::set_curves(const Contour& ring, Index first, Index number) {
+  const Index end = first + Index(ring.size());
+  const ContourEdge* edge = ring.data();
+  for (Index k = first; k < end; ++k, ++edge) {
+    if (edge->arc) return false;
+    const Index next = k + 1 == end ? first : k + 1;
+    const GridPoint from = edge->start, to = ring[next - first].start;
+    exact::Point& point = curves.geometry.points[k];
+    point.gx = from.x;
+    point.gy = from.y;
+    point.x = double(from.x);
+    point.y = double(from.y);
+    exact::set_unreduced_line(curves.geometry.supporting_curves[k], from.x, from.y, to.x, to.y);
+    const bool right = from < to;
+    Piece& piece = curves.pieces[k];
+    piece.supporting_curve = k;
+    piece.p0 = right ? k : next;
+    piece.p1 = right ? next : k;
+    piece.group = number;
+    curves.sides[k].left = right;
+  }
+  for (Index k = first, before = end - 1; k < end; before = k++)
+    if (are_parallel(curves.geometry.supporting_curves[before], curves.geometry.supporting_curves[k])) return false;
+  return true;
 }
 
 void RegionCurves::reserve(std::span<const Region* const> regions) {
@@ -102,63 +122,79 @@ bool RegionCurves::add(const Region& r) {
 }
 
 void RegionCurves::set_boxes() {
-  double error = 0, largest = 0;
+  double error = 0;
+  PieceBox all = kNoBox;
   for (const exact::Point& p : curves.geometry.points) {
-    error = std::max<double>(error, p.error);
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    error = std::max(error, double(p.error));
+    all = joined(all, {p.x, p.y, p.x, p.y});
   }
-  slack_ = box_slack(error, largest);
-  boxes_.reserve(curves.pieces.size());
-  region_boxes_.reserve(first_.size());
-  for (std::size_t r = 0; r + 1 < first_.size(); ++r) {
-    PieceBox all{exact::kInfinity, exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
+  slack_ = box_slack(
+      error, std::max(std::max(std::abs(all.x0), std::abs(all.x1)), std::max(std::abs(all.y0), std::abs(all.y1))));
+  grid_ = CoarseGrid({all.x0 - slack_, all.y0 - slack_, all.x1 + slack_, all.y1 + slack_});
+  const Index count = Index(curves.pieces.size());
+  boxes_.resize(count + set_count());
+  region_boxes_.resize(set_count());
+  Index most = 0;
+  for (Index r = 0; r < set_count(); ++r) {
+    PieceBox of_set = kNoBox;
     for (Index i = first_[r]; i < first_[r + 1]; ++i) {
       const Piece& p = curves.pieces[i];
-      boxes_.push_back(segment_box(curves.geometry.points[p.p0], curves.geometry.points[p.p1], slack_));
-      all = joined(all, boxes_.back());
+      const PieceBox box = segment_box(curves.geometry.points[p.p0], curves.geometry.points[p.p1], slack_);
+      boxes_[i] = grid_.box(box);
+      of_set = joined(of_set, box);
     }
-    region_boxes_.push_back(all);
+    region_boxes_[r] = of_set;
+    boxes_[count + r] = grid_.box(of_set);
+    most = std::max(most, first_[r + 1] - first_[r]);
   }
+  of_a_.resize(most);
+  of_b_.resize(most);
 }
 
 std::optional<RegionCurves::Pairs> RegionCurves::pairs() {
   Pairs pairs(near_.get_allocator()), met(near_.get_allocator());
+  pairs.reserve(curves.pieces.size());
   looks_ = kLooksPerCurve * curves.pieces.size();
   bool few = true;
   meeting_boxes(region_boxes_, [&](Index a, Index b) {
     few = take_looks(first_[a + 1] - first_[a] + first_[b + 1] - first_[b]);
     if (!few) return false;
     met.emplace_back(a, b);
-    return few = add_pairs(a, b, common(region_boxes_[a], region_boxes_[b]), pairs);
+    return few = add_pairs(a, b, pairs);
   });
   if (!few) return std::nullopt;
   set_near(met);
   return pairs;
 }
 
-void RegionCurves::append_meeting(Index region, const PieceBox& common, std::vector<Index>& to) const {
-  for (Index i = first_[region]; i < first_[region + 1]; ++i)
-    if (boxes_[i].meets(common)) to.push_back(i);
+std::span<const Index> RegionCurves::meeting(Index region, Index other, std::span<Index> list) const {
+  const CoarseBox box = boxes_[curves.pieces.size() + other];
+  std::size_t count = 0;
+  for (Index i = first_[region]; i < first_[region + 1]; ++i) {
+    list[count] = i;
+    count += boxes_[i].meets(box) ? 1 : 0;
+  }
+  return list.first(count);
 }
 
-bool RegionCurves::add_pairs(Index a, Index b, const PieceBox& common, Pairs& to) {
-  of_a_.clear();
-  of_b_.clear();
-  append_meeting(a, common, of_a_);
-  append_meeting(b, common, of_b_);
-  if (of_a_.size() * of_b_.size() <= kFewPairs) {
-    for (const Index i : of_a_)
-      for (const Index j : of_b_)
-        if (boxes_[i].meets(boxes_[j])) to.emplace_back(i, j);
+bool RegionCurves::add_pairs(Index a, Index b, Pairs& to) {
+  const auto of_a = meeting(a, b, of_a_), of_b = meeting(b, a, of_b_);
+  if (of_a.size() * of_b.size() <= kFewPairs) {
+    for (const Index i : of_a) {
+      const CoarseBox box = boxes_[i];
+      for (const Index j : of_b)
+        if (box.meets(boxes_[j])) to.emplace_back(i, j);
+    }
     return true;
   }
-  if (!take_looks(kLooksOfGrid * (of_a_.size() + of_b_.size()))) return false;
+  if (!take_looks(kLooksOfGrid * (of_a.size() + of_b.size()))) return false;
+  std::vector<Index> numbers(of_a.begin(), of_a.end());
+  numbers.insert(numbers.end(), of_b.begin(), of_b.end());
   std::vector<Piece> pieces;
-  of_a_.insert(of_a_.end(), of_b_.begin(), of_b_.end());
-  for (const Index i : of_a_) pieces.push_back(curves.pieces[i]);
+  for (const Index i : numbers) pieces.push_back(curves.pieces[i]);
   const CellGrid grid(curves.geometry, pieces, {}, std::pmr::new_delete_resource());
   grid.pairs([&](Index i, Index j) {
-    if (pieces[i].group != pieces[j].group) to.emplace_back(of_a_[i], of_a_[j]);
+    if (pieces[i].group != pieces[j].group) to.emplace_back(numbers[i], numbers[j]);
   });
   return true;
 }
@@ -192,17 +228,19 @@ bool RegionCurves::take_looks(std::size_t count) {
 }
 
 bool RegionCurves::is_inside_another(Index point, Index a, Index b) const {
+  const CoarseBox at = box_at(point);
   for (Index k = first_near_[a]; k < first_near_[a + 1]; ++k)
-    if (near_[k] != b && holds(near_[k], point)) return true;
+    if (near_[k] != b && holds(near_[k], point, at)) return true;
   return false;
 }
 
 bool RegionCurves::is_covered(Index point, Index curve) const {
+  const CoarseBox at = box_at(point);
   const Index own = curves.pieces[curve].group;
   for (Index k = first_near_[own]; k < first_near_[own + 1]; ++k) {
     const Index other = along(near_[k], point, curve);
     const bool covers =
-        other != kNone ? runs_right(curves, other) != runs_right(curves, curve) : holds(near_[k], point);
+        other != kNone ? runs_right(curves, other) != runs_right(curves, curve) : holds(near_[k], point, at);
     if (covers) return true;
   }
   return false;
@@ -213,25 +251,28 @@ Index RegionCurves::along(Index region, Index point, Index curve) const {
   for (Index i = first_[region]; i < first_[region + 1]; ++i) {
     const Piece& piece = curves.pieces[i];
     const exact::SupportingCurve& l = curves.geometry.supporting_curves[piece.supporting_curve];
-    const bool on_one_line = k.a == l.a && k.b == l.b && k.c == l.c;
+    const bool on_one_line =
+        are_parallel(k, l) && side(curves.geometry, piece.p0, curves.pieces[curve].supporting_curve) == 0;
     if (on_one_line && within(curves.geometry, piece, point) != Within::kOutside) return i;
   }
   return kNone;
 }
 
+CoarseBox RegionCurves::box_at(Index point) const {
+  const exact::Point& p = curves.geometry.points[point];
+  return grid_.box({p.x - slack_, p.y - slack_, p.x + slack_, p.y + slack_});
+}
+
 /// By the number of edges that a ray straight down, a little to the left of the point, meets.
-bool RegionCurves::holds(Index region, Index point) const {
+bool RegionCurves::holds(Index region, Index point, const CoarseBox& at) const {
+  if (!boxes_[curves.pieces.size() + region].meets(at)) return false;
   const exact::Geometry& g = curves.geometry;
-  const exact::Point& p = g.points[point];
-  const PieceBox at{p.x - slack_, p.y - slack_, p.x + slack_, p.y + slack_};
-  if (!region_boxes_[region].meets(at)) return false;
   bool inside = false;
   for (Index i = first_[region]; i < first_[region + 1]; ++i) {
-    const PieceBox& box = boxes_[i];
-    if (box.x0 > at.x1 || box.x1 < at.x0 || box.y0 > at.y1) continue;
+    if (!boxes_[i].meets_strip_below(at)) continue;
     const Piece& piece = curves.pieces[i];
     if (compare_x(g, piece.p0, point) < 0 && compare_x(g, piece.p1, point) >= 0)
-      inside ^= box.y1 < at.y0 || height(g, piece, point) > 0;
+      inside ^= boxes_[i].is_below(at) || height(g, piece, point) > 0;
   }
   return inside;
 }

@@ -14,6 +14,7 @@
 #include "plane/base/arena.h"
 #include "plane/complex/broad_phase.h"
 #include "plane/complex/primitives.h"
+#include "plane/walk/coarse_box.h"
 #include "plane/walk/directed_curves.h"
 
 namespace findspace::plane {
@@ -25,7 +26,7 @@ class RegionCurves {
   /// Nothing where a set is not bounded, not closed or not regular, its rings touch, or an edge is no segment of a grid
   /// line.
   static std::optional<RegionCurves> of(std::span<const Region* const> regions, Memory memory);
-  /// Of valid rings; nothing where there are arcs or straight corners.
+  /// Of valid rings; nothing where there are arcs or straight corners. Their lines are unreduced (unreduced_lines.h).
   static std::optional<RegionCurves> of(Polygons polygons, Memory memory);
 
   /// Curves of different sets that may meet; nothing where sets overlap so much that an arrangement may cost less.
@@ -45,28 +46,43 @@ class RegionCurves {
 
  private:
   explicit RegionCurves(Memory memory)
-      : first_(memory), boxes_(memory), near_(memory), first_near_(memory), near_curves_(memory) {}
+      : first_(memory),
+        boxes_(memory),
+        region_boxes_(memory),
+        near_(memory),
+        first_near_(memory),
+        near_curves_(memory),
+        of_a_(memory),
+        of_b_(memory) {}
 
   void reserve(std::span<const Region* const> regions);
   bool add(const Region& region);
+  /// The curves of a ring from `first` on, a point and a line for each; false where it has arcs or straight corners.
+  bool set_curves(const Contour& ring, Index first, Index number);
   void set_boxes();
   /// From what is allowed; false where there is too little.
   bool take_looks(std::size_t count);
   /// Of two sets, those of their edges that reach into the box of both; false where that takes too many looks.
-  bool add_pairs(Index a, Index b, const PieceBox& common, Pairs& to);
-  void append_meeting(Index region, const PieceBox& common, std::vector<Index>& to) const;
+  bool add_pairs(Index a, Index b, Pairs& to);
+  /// The curves of a set that reach into the box of another one, in a list with enough room.
+  std::span<const Index> meeting(Index region, Index other, std::span<Index> list) const;
   void set_near(std::span<const std::pair<Index, Index>> met);
-  bool holds(Index region, Index point) const;
+  CoarseBox box_at(Index point) const;
+  /// `at`: the box of the point.
+  bool holds(Index region, Index point, const CoarseBox& at) const;
   /// The curve of a set that runs along another curve at the point, or kNone.
   Index along(Index region, Index point, Index curve) const;
 
-  std::pmr::vector<Index> first_;     // set -> its first curve
-  std::pmr::vector<PieceBox> boxes_;  // of curves
-  std::vector<PieceBox> region_boxes_;
+  Index set_count() const { return Index(first_.size()) - 1; }
+
+  std::pmr::vector<Index> first_;  // set -> its first curve
+  CoarseGrid grid_;
+  std::pmr::vector<CoarseBox> boxes_;  // of curves, then of sets
+  std::pmr::vector<PieceBox> region_boxes_;
   std::pmr::vector<Index> near_, first_near_;  // set -> those whose boxes meet its box
   std::pmr::vector<std::size_t> near_curves_;  // set -> how many curves those have
   std::size_t looks_ = 0;
-  std::vector<Index> of_a_, of_b_;  // lists in use
+  std::pmr::vector<Index> of_a_, of_b_;  // room for the curves of one set
   double slack_ = 0;
 };
 

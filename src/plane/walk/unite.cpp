@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "exact/planar/unreduced_lines.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/ring_map.h"
 #include "plane/walk/outer_walks.h"
@@ -104,8 +105,8 @@ class UnionRings {
   }
 
   bool parallel(Index i, Index j) const {
-    const auto &k = sets_.curves.geometry.supporting_curves[i], &l = sets_.curves.geometry.supporting_curves[j];
-    return k.a == l.a && k.b == l.b;
+    const auto& lines = sets_.curves.geometry.supporting_curves;
+    return are_parallel(lines[i], lines[j]);
   }
 
   RegionCurves& sets_;
@@ -150,16 +151,21 @@ std::optional<Rings> rings_of(RegionCurves& sets, Memory memory) {
   return UnionRings(sets, curves, memory).find(memory);
 }
 
-std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, Memory memory) {
+std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, bool unreduced, Memory memory) {
   if (!sets) return std::nullopt;
   const std::optional<Rings> rings = rings_of(*sets, memory);
   if (!rings) return std::nullopt;
   if (rings->starts.empty()) return Region::uniform(0);
   exact::Geometry geometry = std::move(sets->curves.geometry);
   sets.reset();
-  if (rings->touch) return arranged(std::move(geometry), *rings);
+  if (rings->touch) {
+    if (unreduced) reduce_lines(geometry);
+    return arranged(std::move(geometry), *rings);
+  }
   const auto nested = nested_rings(geometry, rings->edges, rings->starts);
-  return ring_map(std::move(geometry), rings->edges, nested, {1, 1, 0});
+  Region united = ring_map(std::move(geometry), rings->edges, nested, {1, 1, 0});
+  if (unreduced) reduce_lines(united.geometry);
+  return united;
 }
 
 }  // namespace
@@ -168,14 +174,14 @@ std::optional<Region> united_by_walks(std::span<const Region* const> regions) {
   std::size_t edges = 0;
   for (const Region* r : regions) edges += r->edges.size();
   Arena arena(edges);
-  return united_by_walks(RegionCurves::of(regions, arena.memory()), arena.memory());
+  return united_by_walks(RegionCurves::of(regions, arena.memory()), false, arena.memory());
 }
 
 std::optional<Region> united_by_walks(Polygons polygons) {
   std::size_t edges = 0;
   for (const auto& polygon : polygons) edges += polygon.empty() ? 0 : polygon[0].size();
   Arena arena(edges);
-  return united_by_walks(RegionCurves::of(polygons, arena.memory()), arena.memory());
+  return united_by_walks(RegionCurves::of(polygons, arena.memory()), true, arena.memory());
 }
 
 Region unite(std::span<const Region* const> regions) {
