@@ -15,7 +15,24 @@ namespace {
 
 using ApproxPoint = std::array<Approx, 2>;
 
+/// A narrow grid line whose crossings with others like it are made of products of 64-bit integers.
+bool is_short(const SupportingCurve& l) {
+  constexpr std::int64_t kNormal = std::int64_t(1) << 42;
+  return l.c == std::int64_t(l.c) && l.grid && !l.circle && l.a < kNormal && l.b < kNormal && l.b > -kNormal;
+}
+
+/// By a divisor other than 0; a quotient of 0 has no sign.
+Approx quotient(int128 dividend, const Approx& divisor) {
+  const Approx q = from_int(dividend) / divisor;
+  return {q.value + 0.0, q.error};
+}
+
 ApproxPoint approx_crossing_of_lines(const SupportingCurve& s, const SupportingCurve& t) {
+  if (is_short(s) && is_short(t)) {
+    const std::int64_t c = std::int64_t(s.c), d = std::int64_t(t.c);
+    const Approx det = from_int(cross(s, t));
+    return {quotient(int128(c) * t.b - int128(d) * s.b, det), quotient(int128(d) * s.a - int128(c) * t.a, det)};
+  }
   if (is_narrow(s) && is_narrow(t)) {
     NarrowPoint e = narrow_crossing(s, t);
     Approx det = from_int(e.weight);

@@ -29,10 +29,10 @@ inline Approx from_real(const Real& r) {
 }
 
 inline Approx from_int(int128 k) {
-  if (std::int64_t n = std::int64_t(k); n == k && n <= (1ll << 53) && n >= -(1ll << 53)) return {double(n), 0};
-  double v = double(k);
-  constexpr int128 kExact = int128(1) << 53;
-  return {v, k <= kExact && k >= -kExact ? 0.0 : std::abs(v) * Approx::kUnit * 2};
+  constexpr std::int64_t kExact = std::int64_t(1) << 53;
+  const std::int64_t narrow = std::int64_t(k);
+  const double v = narrow == k ? double(narrow) : double(k);
+  return {v, narrow == k && narrow <= kExact && narrow >= -kExact ? 0.0 : std::abs(v) * Approx::kUnit * 2};
 }
 
 inline int sign_of(int128 k) { return (k > 0) - (k < 0); }

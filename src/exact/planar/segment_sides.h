@@ -1,28 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// How two segments between grid points lie to each other. Guarantee: exact, for |x|, |y| <= 2^60. Cost: six products.
-// Keywords: segment intersection test, orientation.
+// How two segments between grid points lie to each other. Guarantee: exact, in integers wide enough for the
+// coordinates. Cost: six products. Keywords: segment intersection test, orientation.
 #pragma once
+
+#include <cmath>
 
 #include "exact/planar/geometry.h"
 
 namespace findspace::exact {
 
 /// Of the segments from p0 to p1 and from q0 to q1.
+template <class Integer>
 struct SegmentSides {
-  int q0, q1;  // +1 where an end of q lies on the left of p, 0 on its line
-  int p0, p1;  // the same of the ends of p and the line of q
+  // Positive where the end lies on the left of the other segment, 0 on its line.
+  Integer q0, q1, p0, p1;
   bool parallel;
+
+  /// Does a segment lie on one side of the line of the other one?
+  bool apart() const { return same_side(q0, q1) || same_side(p0, p1); }
+
+ private:
+  static bool same_side(Integer k, Integer l) { return (k > 0 && l > 0) || (k < 0 && l < 0); }
 };
 
-inline SegmentSides segment_sides(const Point& p0, const Point& p1, const Point& q0, const Point& q1) {
+/// Whether 64-bit integers are wide enough for segments that end at such a point.
+inline bool has_narrow_sides(const Point& p) {
+  constexpr double kMost = 1 << 29;
+  return p.kind == Point::Kind::kGrid && std::abs(p.x) <= kMost && std::abs(p.y) <= kMost;
+}
+
+/// 128-bit integers are wide enough for |x|, |y| <= 2^60.
+template <class Integer>
+SegmentSides<Integer> segment_sides(const Point& p0, const Point& p1, const Point& q0, const Point& q1) {
   const std::int64_t px = p1.gx - p0.gx, py = p1.gy - p0.gy, qx = q1.gx - q0.gx, qy = q1.gy - q0.gy, x = q0.gx - p0.gx,
                      y = q0.gy - p0.gy;
-  const int128 turn = int128(px) * qy - int128(py) * qx, first = int128(px) * y - int128(py) * x,
-               second = int128(qy) * x - int128(qx) * y;
-  const auto sign = [](int128 k) { return (k > 0) - (k < 0); };
-  return {sign(first), sign(first + turn), sign(second), sign(second - turn), turn == 0};
+  const Integer turn = Integer(px) * qy - Integer(py) * qx, of_q0 = Integer(px) * y - Integer(py) * x,
+                of_p0 = Integer(qy) * x - Integer(qx) * y;
+  return {of_q0, of_q0 + turn, of_p0, of_p0 - turn, turn == 0};
 }
 
 }  // namespace findspace::exact

@@ -6,6 +6,7 @@
 // meet that did not. No sign is decided. Cost: four words' operations a pair. Keywords: quantised bounding box, SWAR.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "plane/complex/broad_phase.h"
@@ -35,23 +36,28 @@ class CoarseBox {
 class CoarseGrid {
  public:
   CoarseGrid() = default;
-  /// Fine inside this box.
+  /// `all`: a box of finite width and height that holds what there is.
   explicit CoarseGrid(const PieceBox& all)
-      : x_(all.x0), y_(all.y0), columns_(kMost / (all.x1 - all.x0)), rows_(kMost / (all.y1 - all.y0)) {}
+      : all_(all), columns_(kLines / (all.x1 - all.x0)), rows_(kLines / (all.y1 - all.y0)) {}
 
+  /// Of one inside the box of all.
   CoarseBox box(const PieceBox& b) const { return {word(b.x0, b.y0), word(b.x1, b.y1)}; }
+  /// Of any one, where it is nearest to what there is.
+  CoarseBox nearest_box(const PieceBox& b) const {
+    return {word(std::clamp(b.x0, all_.x0, all_.x1), std::clamp(b.y0, all_.y0, all_.y1)),
+            word(std::clamp(b.x1, all_.x0, all_.x1), std::clamp(b.y1, all_.y0, all_.y1))};
+  }
 
  private:
-  static constexpr double kMost = 1 << 30;
+  static constexpr double kLines = 1 << 30;
 
-  /// 0 as well for what is no number.
-  static std::uint64_t line(double v) {
-    v = v > 0 ? v : 0;
-    return std::uint64_t(std::int64_t(v < kMost ? v : kMost));
+  std::uint64_t word(double x, double y) const {
+    return std::uint64_t(std::int64_t((x - all_.x0) * columns_)) << 32 |
+           std::uint64_t(std::int64_t((y - all_.y0) * rows_));
   }
-  std::uint64_t word(double x, double y) const { return line((x - x_) * columns_) << 32 | line((y - y_) * rows_); }
 
-  double x_ = 0, y_ = 0, columns_ = 0, rows_ = 0;
+  PieceBox all_{0, 0, 1, 1};
+  double columns_ = kLines, rows_ = kLines;
 };
 
 }  // namespace findspace::plane

@@ -37,12 +37,19 @@ class StopFinder {
  public:
   /// Appends crossings to `points`; the first that it appends has the number that the geometry's next point has.
   StopFinder(const DirectedCurves& c, std::vector<exact::Point>& points, Found& out)
-      : c_(c), g_(c.geometry), points_(points), before_(c.geometry.points.size() - points.size()), out_(out) {}
+      : c_(c),
+        g_(c.geometry),
+        points_(points),
+        before_(c.geometry.points.size() - points.size()),
+        narrow_(std::all_of(g_.points.begin(), g_.points.end(), exact::has_narrow_sides)),
+        out_(out) {}
   /// Notes where two curves meet.
   void cross(Index i, Index j);
 
  private:
-  exact::SegmentSides sides_of(const Piece& p, const Piece& q) const;
+  exact::SegmentSides<int> sides_by_lines(const Piece& p, const Piece& q) const;
+  template <class Integer>
+  void meet(Index i, Index j, const exact::SegmentSides<Integer>& sides);
   /// Two curves on one line.
   void overlap(Index i, Index j);
   /// An end of a curve on the line of curve i.
@@ -54,6 +61,7 @@ class StopFinder {
   const exact::Geometry& g_;
   std::vector<exact::Point>& points_;  // may be those of the geometry
   const std::size_t before_;           // points that are not among these
+  const bool narrow_;                  // all ends of curves have narrow sides
   Found& out_;
 };
 
@@ -105,10 +113,33 @@ class StopSorter {
 void StopFinder::cross(Index i, Index j) {
   const Piece &p = c_.pieces[i], &q = c_.pieces[j];
   if (p.p0 == q.p1 || p.p1 == q.p0) return;
-  const exact::SegmentSides sides = sides_of(p, q);
+  const exact::Point *points = g_.points.data(), &p0 = points[p.p0], &p1 = points[p.p1], &q0 = points[q.p0],
+                     &q1 = points[q.p1];
+  if (narrow_) return meet(i, j, exact::segment_sides<std::int64_t>(p0, p1, q0, q1));
+  constexpr auto kGrid = exact::Point::Kind::kGrid;
+  if (p0.kind == kGrid && p1.kind == kGrid && q0.kind == kGrid && q1.kind == kGrid)
+    return meet(i, j, exact::segment_sides<exact::int128>(p0, p1, q0, q1));
+  meet(i, j, sides_by_lines(p, q));
+}
+
+exact::SegmentSides<int> StopFinder::sides_by_lines(const Piece& p, const Piece& q) const {
+  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
+                               &l = g_.supporting_curves[q.supporting_curve];
+  if (k.a == l.a && k.b == l.b) {
+    const int side = k.c == l.c ? 0 : 1;
+    return {side, side, side, side, true};
+  }
+  // The normal (a, b) is to the left of the direction (b, -a), which is that of a segment if b > 0.
+  const int left_of_p = k.b > 0 ? 1 : -1, left_of_q = l.b > 0 ? 1 : -1;
+  return {left_of_p * side(g_, q.p0, p.supporting_curve), left_of_p * side(g_, q.p1, p.supporting_curve),
+          left_of_q * side(g_, p.p0, q.supporting_curve), left_of_q * side(g_, p.p1, q.supporting_curve), false};
+}
+
+template <class Integer>
+void StopFinder::meet(Index i, Index j, const exact::SegmentSides<Integer>& sides) {
+  const Piece &p = c_.pieces[i], &q = c_.pieces[j];
   if (sides.parallel) return sides.q0 == 0 ? overlap(i, j) : void();
-  if (p.p0 == q.p0 || p.p1 == q.p1) return;
-  if (sides.q0 * sides.q1 > 0 || sides.p0 * sides.p1 > 0) return;
+  if (sides.apart() || p.p0 == q.p0 || p.p1 == q.p1) return;
   const Index q_end = sides.q0 == 0 ? q.p0 : sides.q1 == 0 ? q.p1 : kNone;
   const Index p_end = sides.p0 == 0 ? p.p0 : sides.p1 == 0 ? p.p1 : kNone;
   if (q_end != kNone && p_end != kNone) return void(out_.ties.emplace_back(p_end, q_end));
@@ -119,23 +150,6 @@ void StopFinder::cross(Index i, Index j) {
   const bool starts_left = (runs_right(c_, j) ? sides.q0 : sides.q1) > 0, from_right = starts_left != runs_right(c_, i);
   out_.stops.emplace_back(i, point, j, from_right);
   out_.stops.emplace_back(j, point, i, !from_right);
-}
-
-exact::SegmentSides StopFinder::sides_of(const Piece& p, const Piece& q) const {
-  const exact::Point &p0 = g_.points[p.p0], &p1 = g_.points[p.p1], &q0 = g_.points[q.p0], &q1 = g_.points[q.p1];
-  constexpr auto kGrid = exact::Point::Kind::kGrid;
-  if (p0.kind == kGrid && p1.kind == kGrid && q0.kind == kGrid && q1.kind == kGrid)
-    return segment_sides(p0, p1, q0, q1);
-  const exact::SupportingCurve &k = g_.supporting_curves[p.supporting_curve],
-                               &l = g_.supporting_curves[q.supporting_curve];
-  // The normal (a, b) is to the left of the direction (b, -a), which is that of a segment if b > 0.
-  const int left_of_p = k.b > 0 ? 1 : -1, left_of_q = l.b > 0 ? 1 : -1;
-  if (k.a == l.a && k.b == l.b) {
-    const int side = k.c == l.c ? 0 : 1;
-    return {side, side, side, side, true};
-  }
-  return {left_of_p * side(g_, q.p0, p.supporting_curve), left_of_p * side(g_, q.p1, p.supporting_curve),
-          left_of_q * side(g_, p.p0, q.supporting_curve), left_of_q * side(g_, p.p1, q.supporting_curve), false};
 }
 
 void StopFinder::overlap(Index i, Index j) {
@@ -375,6 +389,7 @@ CurveStops find_stops(DirectedCurves& c, Memory memory) {
 CurveStops find_stops(DirectedCurves& c, std::span<const std::pair<Index, Index>> pairs, Memory memory) {
   const std::size_t known = c.geometry.points.size();
   Found found(memory);
+  found.stops.reserve(c.pieces.size());
   StopFinder finder(c, c.geometry.points, found);
   for (const auto& [i, j] : pairs) finder.cross(i, j);
   return in_order(c, std::span(&found, 1), known, memory);

@@ -44,9 +44,9 @@ std::optional<RegionCurves> RegionCurves::of(Polygons polygons, Memory memory) {
   for (const auto& polygon : polygons)
     for (const Contour& ring : polygon) edges += ring.size();
   RegionCurves all(memory);
-  all.curves.geometry.supporting_curves.resize(edges);
-  all.curves.geometry.points.reserve(edges + edges / 4);  // and some crossings
-  all.curves.geometry.points.resize(edges);
+  all.curves.geometry.supporting_curves.resize(edges, exact::SupportingCurve());
+  all.curves.geometry.points.reserve(edges + edges / 2);  // and some crossings
+  all.curves.geometry.points.resize(edges, exact::Point());
   all.curves.pieces.resize(edges);
   all.curves.sides.resize(edges);
   all.first_.reserve(polygons.size() + 1);
@@ -168,22 +168,24 @@ std::optional<RegionCurves::Pairs> RegionCurves::pairs() {
 }
 
 std::span<const Index> RegionCurves::meeting(Index region, Index other, std::span<Index> list) const {
-  const CoarseBox box = boxes_[curves.pieces.size() + other];
-  std::size_t count = 0;
-  for (Index i = first_[region]; i < first_[region + 1]; ++i) {
-    list[count] = i;
-    count += boxes_[i].meets(box) ? 1 : 0;
+  const CoarseBox of_other = boxes_[curves.pieces.size() + other];
+  const CoarseBox* box = boxes_.data() + first_[region];
+  Index* end = list.data();
+  for (Index i = first_[region], last = first_[region + 1]; i < last; ++i, ++box) {
+    *end = i;
+    end += box->meets(of_other) ? 1 : 0;  // as likely as not, so without a jump
   }
-  return list.first(count);
+  return {list.data(), end};
 }
 
 bool RegionCurves::add_pairs(Index a, Index b, Pairs& to) {
   const auto of_a = meeting(a, b, of_a_), of_b = meeting(b, a, of_b_);
   if (of_a.size() * of_b.size() <= kFewPairs) {
+    const CoarseBox* const boxes = boxes_.data();
     for (const Index i : of_a) {
-      const CoarseBox box = boxes_[i];
+      const CoarseBox box = boxes[i];
       for (const Index j : of_b)
-        if (box.meets(boxes_[j])) to.emplace_back(i, j);
+        if (box.meets(boxes[j])) to.emplace_back(i, j);
     }
     return true;
   }
@@ -260,7 +262,7 @@ Index RegionCurves::along(Index region, Index point, Index curve) const {
 
 CoarseBox RegionCurves::box_at(Index point) const {
   const exact::Point& p = curves.geometry.points[point];
-  return grid_.box({p.x - slack_, p.y - slack_, p.x + slack_, p.y + slack_});
+  return grid_.nearest_box({p.x - slack_, p.y - slack_, p.x + slack_, p.y + slack_});
 }
 
 /// By the number of edges that a ray straight down, a little to the left of the point, meets.
