@@ -39,9 +39,9 @@ std::vector<Index> OuterWalks::candidates() {
 bool OuterWalks::is_candidate(Index curve) {
   bool left = false;
   for (Index k = 0; k <= curves_.stop_count(curve); ++k) {
-    std::atomic_ref<char> state(state_[curves_.part({curve, k})]);
-    if (state.load(std::memory_order_relaxed) == kNew) close_short_way({curve, k});
-    left |= state.load(std::memory_order_relaxed) == kNew;
+    std::atomic_ref<Index> walk(walk_of_[curves_.part({curve, k})]);
+    if (walk.load(std::memory_order_relaxed) == kNone) close_short_way({curve, k});
+    left |= walk.load(std::memory_order_relaxed) == kNone;
   }
   return left;
 }
@@ -51,30 +51,30 @@ void OuterWalks::close_short_way(CurvePart from) {
   std::size_t length = 0;
   for (CurvePart at = from;;) {
     const Index part = curves_.part(at);
-    if (std::atomic_ref<char>(state_[part]).load(std::memory_order_relaxed) != kNew) break;
+    if (std::atomic_ref<Index>(walk_of_[part]).load(std::memory_order_relaxed) != kNone) break;
     if (length == kShortWay) return;
     way[length++] = part;
     if (!advance(at)) break;
   }
   for (std::size_t k = 0; k < length; ++k)
-    std::atomic_ref<char>(state_[way[k]]).store(kInner, std::memory_order_relaxed);
+    std::atomic_ref<Index>(walk_of_[way[k]]).store(kShort, std::memory_order_relaxed);
 }
 
 std::span<const CurvePart> OuterWalks::walk(CurvePart from) {
+  const Index walk = walks_++;
   parts_.clear();
   CurvePart at = from;
   for (;;) {
-    char& state = state_[curves_.part(at)];
-    if (state == kDone || state == kInner) return leave(kInner);
-    if (state == kOpen) break;
-    state = kOpen;
+    Index& passed = walk_of_[curves_.part(at)];
+    if (passed == walk) break;
+    if (passed != kNone) return {};
+    passed = walk;
     parts_.push_back(at);
-    if (!advance(at)) return leave(kInner);
+    if (!advance(at)) return {};
   }
   // A walk may start on a curve that runs along another one: then it comes back to a later part.
   auto start = std::find_if(parts_.begin(), parts_.end(),
                             [&](const CurvePart& p) { return p.curve == at.curve && p.slot == at.slot; });
-  leave(kDone);
   return std::span(start, parts_.end());
 }
 

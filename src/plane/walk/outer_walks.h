@@ -16,7 +16,7 @@ namespace findspace::plane {
 class OuterWalks {
  public:
   OuterWalks(const MeetingCurves& curves, Memory memory)
-      : curves_(curves), state_(curves.part_count(), kNew, memory), parts_(memory) {
+      : curves_(curves), walk_of_(curves.part_count(), kNone, memory), parts_(memory) {
     parts_.reserve(curves.size());
   }
 
@@ -25,23 +25,20 @@ class OuterWalks {
   std::vector<Index> candidates();
   /// The walk from a part of a curve, if it is closed and new.
   std::span<const CurvePart> walk(CurvePart from);
-  bool is_new(CurvePart p) const { return state_[curves_.part(p)] == kNew; }
+  bool is_new(CurvePart p) const { return walk_of_[curves_.part(p)] == kNone; }
 
  private:
-  enum State : char { kNew, kOpen, kInner, kDone };
+  static constexpr Index kShort = kNone - 1;  // no walk, but a short way to an inner side
 
   /// Whether some part of the curve is left, after those from which a way soon ends are known as inner.
   bool is_candidate(Index curve);
   void close_short_way(CurvePart from);
   /// To the part before; false where the walk would pass an inner side.
   bool advance(CurvePart& at) const;
-  std::span<const CurvePart> leave(State state) {
-    for (const CurvePart& p : parts_) state_[curves_.part(p)] = state;
-    return {};
-  }
 
   const MeetingCurves& curves_;
-  std::pmr::vector<char> state_;
+  std::pmr::vector<Index> walk_of_;  // part -> the walk that has passed it first, or kNone
+  Index walks_ = 0;
   std::pmr::vector<CurvePart> parts_;
 };
 
