@@ -17,12 +17,11 @@ int128 exact_quotient(int128 k, std::int64_t factor) {
   return narrow == k ? int128(narrow / factor) : k / factor;
 }
 
-bool reduce(SupportingCurve& line, const Normal& primitive) {
-  if (line.a == primitive.a && line.b == primitive.b) return false;
+void reduce(SupportingCurve& line, const Normal& primitive) {
+  if (line.a == primitive.a && line.b == primitive.b) return;
   line.c = exact_quotient(line.c, primitive.a != 0 ? line.a / primitive.a : line.b / primitive.b);
   line.a = primitive.a;
   line.b = primitive.b;
-  return true;
 }
 
 }  // namespace
@@ -32,14 +31,13 @@ void reduce_lines(Geometry& geometry) {
   normals.reserve(geometry.supporting_curves.size());
   for (const SupportingCurve& line : geometry.supporting_curves) normals.push_back({line.a, line.b});
   make_primitive(normals);
-  std::vector<char> changed(normals.size());
   for (std::size_t k = 0; k < normals.size(); ++k) {
     SupportingCurve& line = geometry.supporting_curves[k];
-    changed[k] = reduce(line, normals[k]);
+    reduce(line, normals[k]);
     set_line_filter(line);
   }
   for (Point& p : geometry.points)
-    if (p.kind == Point::Kind::kCross && (changed[p.i] || changed[p.j])) p = geometry.crossing(p.i, p.j, p.root);
+    if (p.kind == Point::Kind::kCross) p = geometry.crossing(p.i, p.j, p.root);
 }
 
 }  // namespace findspace::exact

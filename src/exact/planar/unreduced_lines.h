@@ -24,7 +24,7 @@ inline bool are_parallel(const SupportingCurve& line, const SupportingCurve& oth
   return int128(line.a) * other.b == int128(other.a) * line.b;
 }
 
-/// Reduces all grid lines and makes their filters; approximates those crossings anew whose lines have changed.
+/// Reduces all lines, which are grid lines, and makes their filters; approximates their crossings anew.
 void reduce_lines(Geometry& geometry);
 
 }  // namespace findspace::exact

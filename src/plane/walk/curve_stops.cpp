@@ -50,6 +50,8 @@ class StopFinder {
   exact::SegmentSides<int> sides_by_lines(const Piece& p, const Piece& q) const;
   template <class Integer>
   void meet(Index i, Index j, const exact::SegmentSides<Integer>& sides);
+  template <class Integer>
+  exact::Point crossing(const Piece& p, const Piece& q, const exact::SegmentSides<Integer>& sides) const;
   /// Two curves on one line.
   void overlap(Index i, Index j);
   /// An end of a curve on the line of curve i.
@@ -146,10 +148,17 @@ void StopFinder::meet(Index i, Index j, const exact::SegmentSides<Integer>& side
   if (q_end != kNone) return touch(i, q_end);
   if (p_end != kNone) return touch(j, p_end);
   const auto point = Index(before_ + points_.size());
-  points_.push_back(g_.crossing(p.supporting_curve, q.supporting_curve, 0));
+  points_.push_back(crossing(p, q, sides));
   const bool starts_left = (runs_right(c_, j) ? sides.q0 : sides.q1) > 0, from_right = starts_left != runs_right(c_, i);
   out_.stops.emplace_back(i, point, j, from_right);
   out_.stops.emplace_back(j, point, i, !from_right);
+}
+
+template <class Integer>
+exact::Point StopFinder::crossing(const Piece& p, const Piece& q, const exact::SegmentSides<Integer>& sides) const {
+  const Index i = p.supporting_curve, j = q.supporting_curve;
+  if (c_.unreduced) return rough_crossing(i, j, g_.points[p.p0], g_.points[p.p1], sides);
+  return g_.crossing(i, j, 0);
 }
 
 void StopFinder::overlap(Index i, Index j) {

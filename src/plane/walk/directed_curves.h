@@ -23,6 +23,8 @@ struct DirectedCurves {
   exact::Geometry geometry;
   std::vector<Piece> pieces;     // segments of grid lines
   std::vector<InnerSide> sides;  // per piece
+  /// The lines are unreduced (unreduced_lines.h), all ends are grid points, and crossings are approximated roughly.
+  bool unreduced = false;
 };
 
 /// Curves run with their inner side on the left: this one to the right?

@@ -49,6 +49,7 @@ std::optional<RegionCurves> RegionCurves::of(Polygons polygons, Memory memory) {
   all.curves.geometry.points.resize(edges, exact::Point());
   all.curves.pieces.resize(edges);
   all.curves.sides.resize(edges);
+  all.curves.unreduced = true;
   all.first_.reserve(polygons.size() + 1);
   Index first = 0;  // of a ring
   for (Index number = 0; number < polygons.size(); ++number) {

@@ -151,11 +151,12 @@ std::optional<Rings> rings_of(RegionCurves& sets, Memory memory) {
   return UnionRings(sets, curves, memory).find(memory);
 }
 
-std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, bool unreduced, Memory memory) {
+std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, Memory memory) {
   if (!sets) return std::nullopt;
   const std::optional<Rings> rings = rings_of(*sets, memory);
   if (!rings) return std::nullopt;
   if (rings->starts.empty()) return Region::uniform(0);
+  const bool unreduced = sets->curves.unreduced;
   exact::Geometry geometry = std::move(sets->curves.geometry);
   sets.reset();
   if (rings->touch) {
@@ -174,14 +175,14 @@ std::optional<Region> united_by_walks(std::span<const Region* const> regions) {
   std::size_t edges = 0;
   for (const Region* r : regions) edges += r->edges.size();
   Arena arena(edges);
-  return united_by_walks(RegionCurves::of(regions, arena.memory()), false, arena.memory());
+  return united_by_walks(RegionCurves::of(regions, arena.memory()), arena.memory());
 }
 
 std::optional<Region> united_by_walks(Polygons polygons) {
   std::size_t edges = 0;
   for (const auto& polygon : polygons) edges += polygon.empty() ? 0 : polygon[0].size();
   Arena arena(edges);
-  return united_by_walks(RegionCurves::of(polygons, arena.memory()), true, arena.memory());
+  return united_by_walks(RegionCurves::of(polygons, arena.memory()), arena.memory());
 }
 
 Region unite(std::span<const Region* const> regions) {
