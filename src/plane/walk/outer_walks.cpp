@@ -54,7 +54,8 @@ void OuterWalks::close_short_way(CurvePart from) {
     if (std::atomic_ref<Index>(walk_of_[part]).load(std::memory_order_relaxed) != kNone) break;
     if (length == kShortWay) return;
     way[length++] = part;
-    if (!advance(at)) break;
+    at = before(at);
+    if (at.curve == kNone) break;
   }
   for (std::size_t k = 0; k < length; ++k)
     std::atomic_ref<Index>(walk_of_[way[k]]).store(kShort, std::memory_order_relaxed);
@@ -70,7 +71,8 @@ std::span<const CurvePart> OuterWalks::walk(CurvePart from) {
     if (passed != kNone) return {};
     passed = walk;
     parts_.push_back(at);
-    if (!advance(at)) return {};
+    at = before(at);
+    if (at.curve == kNone) return {};
   }
   // A walk may start on a curve that runs along another one: then it comes back to a later part.
   auto start = std::find_if(parts_.begin(), parts_.end(),
@@ -78,23 +80,18 @@ std::span<const CurvePart> OuterWalks::walk(CurvePart from) {
   return std::span(start, parts_.end());
 }
 
-bool OuterWalks::advance(CurvePart& at) const {
+CurvePart OuterWalks::before(CurvePart at) const {
+  constexpr CurvePart kNowhere{kNone, 0};
   if (Index degenerate = curves_.degenerate_before(at); degenerate != kNone) {
     const DirectedEdge& directed_edge = curves_.degenerate_vertices().clockwise(degenerate, at.curve, at.slot);
-    if (directed_edge.starts) return false;
-    at = {directed_edge.curve, directed_edge.slot};
-    return true;
+    return directed_edge.starts ? kNowhere : CurvePart{directed_edge.curve, directed_edge.slot};
   }
   if (at.slot == 0) {
-    Index before = curves_.before(at.curve);
-    if (before == kNone) return false;
-    at = {before, curves_.stop_count(before)};
-    return true;
+    const Index before = curves_.before(at.curve);
+    return before == kNone ? kNowhere : CurvePart{before, curves_.stop_count(before)};
   }
   const Stop& stop = curves_.stop(at.curve, at.slot - 1);
-  if (!stop.from_right) return false;
-  at = {stop.other, stop.twin};
-  return true;
+  return stop.from_right ? CurvePart{stop.other, stop.twin} : kNowhere;
 }
 
 }  // namespace findspace::plane

@@ -33,8 +33,8 @@ class OuterWalks {
   /// Whether some part of the curve is left, after those from which a way soon ends are known as inner.
   bool is_candidate(Index curve);
   void close_short_way(CurvePart from);
-  /// To the part before; false where the walk would pass an inner side.
-  bool advance(CurvePart& at) const;
+  /// The part before, or no curve where the walk would pass an inner side.
+  CurvePart before(CurvePart at) const;
 
   const MeetingCurves& curves_;
   std::pmr::vector<Index> walk_of_;  // part -> the walk that has passed it first, or kNone
