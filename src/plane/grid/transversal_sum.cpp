@@ -36,12 +36,8 @@ class TransversalSum {
     if (first == kNone) return false;
     auto outer = walks.walk({first, 0});
     if (outer.empty() || !add_ring(outer)) return false;
-    for (const Index i : walks.candidates())
-      for (Index k = 0; k <= curves_.stop_count(i); ++k) {
-        if (!walks.is_new({i, k})) continue;
-        auto walk = walks.walk({i, k});
-        if (!walk.empty() && !is_inside(walk.front()) && !add_ring(walk)) return false;
-      }
+    for (auto walk = walks.next(); !walk.empty(); walk = walks.next())
+      if (!is_inside(walk.front()) && !add_ring(walk)) return false;
     return true;
   }
 

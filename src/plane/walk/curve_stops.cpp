@@ -93,7 +93,8 @@ class StopSorter {
   void group_stops(std::span<const Found> found, std::size_t known);
   void sort_all();
   Sorted sort_stops(IndexRange curves);
-  void sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
+  /// Whether all are known to be at different places.
+  bool sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
   /// As nearly as approximate coordinates tell.
   void sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates);
   void tie_stops_of(Index i, Sorted& out);
@@ -249,25 +250,26 @@ void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
 StopSorter::Sorted StopSorter::sort_stops(IndexRange curves) {
   Sorted out;
   std::pmr::vector<Estimate> estimates;
-  for (auto i = Index(curves.first); i < curves.end; ++i) {
-    if (stop_count(i) < 2) continue;
-    sort_stops_of(i, estimates);
-    tie_stops_of(i, out);
-  }
+  const Index* const first = out_.first.data();
+  for (auto i = Index(curves.first); i < curves.end; ++i)
+    if (first[i + 1] - first[i] > 1 && !sort_stops_of(i, estimates)) tie_stops_of(i, out);
   return out;
 }
 
-void StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
+bool StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
   const auto first = out_.stops.begin() + std::ptrdiff_t(out_.first[i]);
   const auto last = out_.stops.begin() + std::ptrdiff_t(out_.first[i + 1]);
   const bool few = stop_count(i) <= kFewStops;
   if (!few) sort_by_estimate(i, estimates);
+  bool apart = few;  // few are inserted, and what is inserted at the place of another one is compared with one there
   auto before = [&](const Stop& s, const Stop& t) {
     int order = s.point == t.point ? 0 : compare_along(g_, c_.pieces[i], s.point, t.point);
+    apart &= order != 0;
     if (order == 0) return s.point < t.point;
     return runs_right(c_, i) ? order < 0 : order > 0;
   };
   if (few || !std::is_sorted(first, last, before)) small_sort(first, last, before);
+  return apart;
 }
 
 void StopSorter::sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates) {

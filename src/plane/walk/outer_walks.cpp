@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <numeric>
 
 #include "plane/base/parallel.h"
 
@@ -17,20 +16,16 @@ constexpr std::size_t kShortWay = 32;      // parts; at half the crossings a way
 
 }  // namespace
 
-std::vector<Index> OuterWalks::candidates() {
+std::optional<std::vector<Index>> OuterWalks::candidates() {
   const std::size_t ranges = range_count(curves_.size(), kManyToWalk);
-  std::vector<Index> all;
-  if (ranges == 1) {
-    all.resize(curves_.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-  }
+  if (ranges == 1) return std::nullopt;
   std::vector<std::vector<Index>> found(ranges);
   parallel_for(ranges, [&](std::size_t k) {
     const IndexRange curves = range(k, ranges, curves_.size());
     for (auto i = Index(curves.first); i < curves.end; ++i)
       if (is_candidate(i)) found[k].push_back(i);
   });
+  std::vector<Index> all;
   for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
   return all;
 }
@@ -59,6 +54,21 @@ void OuterWalks::close_short_way(CurvePart from) {
   }
   for (std::size_t k = 0; k < length; ++k)
     std::atomic_ref<Index>(walk_of_[way[k]]).store(kShort, std::memory_order_relaxed);
+}
+
+std::span<const CurvePart> OuterWalks::next() {
+  if (tried_ == 0 && tried_slots_ == 0) candidates_ = candidates();
+  const Index count = candidates_ ? Index(candidates_->size()) : curves_.size();
+  for (; tried_ < count; ++tried_, tried_slots_ = 0) {
+    const Index i = candidates_ ? (*candidates_)[tried_] : tried_;
+    const Index first = curves_.part({i, 0}), parts = curves_.stop_count(i) + 1;
+    while (tried_slots_ < parts) {
+      const Index k = tried_slots_++;
+      if (walk_of_[first + k] != kNone) continue;
+      if (const auto found = walk({i, k}); !found.empty()) return found;
+    }
+  }
+  return {};
 }
 
 std::span<const CurvePart> OuterWalks::walk(CurvePart from) {

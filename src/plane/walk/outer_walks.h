@@ -6,6 +6,7 @@
 // linear in the parts of curves. Source: Behar & Lien 2011. Keywords: outer loops.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,16 +21,17 @@ class OuterWalks {
     parts_.reserve(curves.size());
   }
 
-  /// The curves with parts from which a walk may be closed, in order: where there are many curves, ranges of them are
-  /// looked at at once, and short ways to an inner side are known afterwards.
-  std::vector<Index> candidates();
   /// The walk from a part of a curve, if it is closed and new.
   std::span<const CurvePart> walk(CurvePart from);
-  bool is_new(CurvePart p) const { return walk_of_[curves_.part(p)] == kNone; }
+  /// The first closed walk that is new, of those from parts that come after all that were tried; empty: none is left.
+  std::span<const CurvePart> next();
 
  private:
   static constexpr Index kShort = kNone - 1;  // no walk, but a short way to an inner side
 
+  /// The curves with parts from which a walk may be closed, in order: where there are many curves, ranges of them are
+  /// looked at at once, and short ways to an inner side are known afterwards. Nothing where all may have some.
+  std::optional<std::vector<Index>> candidates();
   /// Whether some part of the curve is left, after those from which a way soon ends are known as inner.
   bool is_candidate(Index curve);
   void close_short_way(CurvePart from);
@@ -39,6 +41,8 @@ class OuterWalks {
   const MeetingCurves& curves_;
   std::pmr::vector<Index> walk_of_;  // part -> the walk that has passed it first, or kNone
   Index walks_ = 0;
+  std::optional<std::vector<Index>> candidates_;
+  Index tried_ = 0, tried_slots_ = 0;  // candidates, and parts of the next one
   std::pmr::vector<CurvePart> parts_;
 };
 

@@ -39,14 +39,10 @@ class UnionRings {
   std::optional<Rings> find(Memory memory) && {
     OuterWalks walks(curves_, memory);
     sets_.allow_looks(curves_.part_count());
-    for (const Index i : walks.candidates())
-      for (Index k = 0; k <= curves_.stop_count(i); ++k) {
-        if (!walks.is_new({i, k})) continue;
-        const auto walk = walks.walk({i, k});
-        if (walk.empty()) continue;
-        if (!sets_.look_near(set_of(walk.front().curve))) return std::nullopt;
-        if (!is_inside(walk.front())) add_ring(walk);
-      }
+    for (auto walk = walks.next(); !walk.empty(); walk = walks.next()) {
+      if (!sets_.look_near(set_of(walk.front().curve))) return std::nullopt;
+      if (!is_inside(walk.front())) add_ring(walk);
+    }
     if (!place_.empty() && !rings_.touch) join_straight();
     return std::move(rings_);
   }
