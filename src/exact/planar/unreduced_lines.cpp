@@ -26,18 +26,21 @@ void reduce(SupportingCurve& line, const Normal& primitive) {
 
 }  // namespace
 
-void reduce_lines(Geometry& geometry) {
+void reduce_lines(Geometry& geometry, std::span<const std::uint32_t> lines, std::span<const std::uint32_t> crossings) {
   std::vector<Normal> normals;
-  normals.reserve(geometry.supporting_curves.size());
-  for (const SupportingCurve& line : geometry.supporting_curves) normals.push_back({line.a, line.b});
+  normals.reserve(lines.size());
+  for (const std::uint32_t k : lines)
+    normals.push_back({geometry.supporting_curves[k].a, geometry.supporting_curves[k].b});
   make_primitive(normals);
-  for (std::size_t k = 0; k < normals.size(); ++k) {
-    SupportingCurve& line = geometry.supporting_curves[k];
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    SupportingCurve& line = geometry.supporting_curves[lines[k]];
     reduce(line, normals[k]);
     set_line_filter(line);
   }
-  for (Point& p : geometry.points)
-    if (p.kind == Point::Kind::kCross) p = geometry.crossing(p.i, p.j, p.root);
+  for (const std::uint32_t k : crossings) {
+    Point& p = geometry.points[k];
+    p = geometry.crossing(p.i, p.j, p.root);
+  }
 }
 
 }  // namespace findspace::exact

@@ -7,6 +7,8 @@
 // that Geometry makes at once, number by number. Cost: a tenth of a line that is made at once.
 #pragma once
 
+#include <span>
+
 #include "exact/planar/geometry.h"
 
 namespace findspace::exact {
@@ -24,7 +26,8 @@ inline bool are_parallel(const SupportingCurve& line, const SupportingCurve& oth
   return int128(line.a) * other.b == int128(other.a) * line.b;
 }
 
-/// Reduces all lines, which are grid lines, and makes their filters; approximates their crossings anew.
-void reduce_lines(Geometry& geometry);
+/// Reduces lines, all of them grid lines, and makes their filters; then approximates crossings of such lines anew. Some
+/// may come twice.
+void reduce_lines(Geometry& geometry, std::span<const std::uint32_t> lines, std::span<const std::uint32_t> crossings);
 
 }  // namespace findspace::exact

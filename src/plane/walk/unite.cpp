@@ -3,6 +3,7 @@
 #include "plane/walk/unite.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "exact/planar/unreduced_lines.h"
@@ -21,7 +22,8 @@ struct Rings {
 
   std::pmr::vector<RingEdge> edges;
   std::pmr::vector<Index> starts;
-  bool touch = false;  // one itself, or another one; then those that run straight on are not joined
+  bool degenerate = false;  // some corners are degenerate vertices
+  bool touch = false;       // one itself, or another one; then those that run straight on are not joined
 
   Index end(std::size_t r) const { return r + 1 < starts.size() ? starts[r + 1] : Index(edges.size()); }
 };
@@ -41,7 +43,7 @@ class UnionRings {
     sets_.allow_looks(curves_.part_count());
     for (auto walk = walks.next(); !walk.empty(); walk = walks.next()) {
       if (!sets_.look_near(set_of(walk.front().curve))) return std::nullopt;
-      if (!is_inside(walk.front())) add_ring(walk);
+      if (!is_inside(simplest(walk))) add_ring(walk);
     }
     if (!place_.empty() && !rings_.touch) join_straight();
     return std::move(rings_);
@@ -52,6 +54,7 @@ class UnionRings {
   void choose_places() {
     const DegenerateVertices& degenerate = curves_.degenerate_vertices();
     if (degenerate.empty()) return;
+    rings_.degenerate = true;
     const auto& points = sets_.curves.geometry.points;
     place_.assign(degenerate.count(), kNone);
     passed_.assign(degenerate.count(), 0);
@@ -61,6 +64,12 @@ class UnionRings {
   }
 
   Index set_of(Index curve) const { return sets_.curves.pieces[curve].group; }
+
+  /// One that starts at the end of a curve, which is no crossing, if there is one.
+  static CurvePart simplest(std::span<const CurvePart> walk) {
+    const auto at = std::find_if(walk.begin(), walk.end(), [](const CurvePart& p) { return p.slot == 0; });
+    return at == walk.end() ? walk.front() : *at;
+  }
 
   bool is_inside(CurvePart p) {
     if (!place_.empty())
@@ -111,6 +120,29 @@ class UnionRings {
   std::pmr::vector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
 };
 
+/// What rings use is reduced; where they touch, all, as an arrangement keeps all.
+void reduce_lines(exact::Geometry& geometry, const Rings& rings, Memory memory) {
+  std::pmr::vector<Index> lines(memory), crossings(memory);
+  lines.reserve(rings.edges.size());
+  const auto add_point = [&](Index point) {
+    const exact::Point& p = geometry.points[point];
+    if (p.kind != exact::Point::Kind::kCross) return;
+    crossings.push_back(point);
+    if (rings.degenerate) lines.insert(lines.end(), {p.i, p.j});  // of others that cross there
+  };
+  if (rings.touch) {
+    lines.resize(geometry.supporting_curves.size());
+    std::iota(lines.begin(), lines.end(), Index(0));
+    for (Index p = 0; p < geometry.points.size(); ++p) add_point(p);
+  } else {
+    for (const RingEdge& e : rings.edges) {
+      lines.push_back(e.supporting_curve);
+      add_point(e.point);
+    }
+  }
+  exact::reduce_lines(geometry, lines, crossings);
+}
+
 /// Rings that touch: their edges, which meet in common ends only, are arranged.
 Region arranged(exact::Geometry geometry, const Rings& rings) {
   std::vector<Piece> pieces;
@@ -155,14 +187,10 @@ std::optional<Region> united_by_walks(std::optional<RegionCurves> sets, Memory m
   const bool unreduced = sets->curves.unreduced;
   exact::Geometry geometry = std::move(sets->curves.geometry);
   sets.reset();
-  if (rings->touch) {
-    if (unreduced) reduce_lines(geometry);
-    return arranged(std::move(geometry), *rings);
-  }
+  if (unreduced) reduce_lines(geometry, *rings, memory);
+  if (rings->touch) return arranged(std::move(geometry), *rings);
   const auto nested = nested_rings(geometry, rings->edges, rings->starts);
-  Region united = ring_map(std::move(geometry), rings->edges, nested, {1, 1, 0});
-  if (unreduced) reduce_lines(united.geometry);
-  return united;
+  return ring_map(std::move(geometry), rings->edges, nested, {1, 1, 0});
 }
 
 }  // namespace
