@@ -3,7 +3,6 @@
 #include "plane/walk/unite.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "exact/planar/unreduced_lines.h"
@@ -120,25 +119,16 @@ class UnionRings {
   std::pmr::vector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
 };
 
-/// What rings use is reduced; where they touch, all, as an arrangement keeps all.
+/// What the rings use is reduced.
 void reduce_lines(exact::Geometry& geometry, const Rings& rings, Memory memory) {
   std::pmr::vector<Index> lines(memory), crossings(memory);
   lines.reserve(rings.edges.size());
-  const auto add_point = [&](Index point) {
-    const exact::Point& p = geometry.points[point];
-    if (p.kind != exact::Point::Kind::kCross) return;
-    crossings.push_back(point);
-    if (rings.degenerate) lines.insert(lines.end(), {p.i, p.j});  // of others that cross there
-  };
-  if (rings.touch) {
-    lines.resize(geometry.supporting_curves.size());
-    std::iota(lines.begin(), lines.end(), Index(0));
-    for (Index p = 0; p < geometry.points.size(); ++p) add_point(p);
-  } else {
-    for (const RingEdge& e : rings.edges) {
-      lines.push_back(e.supporting_curve);
-      add_point(e.point);
-    }
+  for (const RingEdge& e : rings.edges) {
+    lines.push_back(e.supporting_curve);
+    const exact::Point& p = geometry.points[e.point];
+    if (p.kind != exact::Point::Kind::kCross) continue;
+    crossings.push_back(e.point);
+    if (rings.degenerate) lines.insert(lines.end(), {p.i, p.j});  // perhaps of others that cross there
   }
   exact::reduce_lines(geometry, lines, crossings);
 }
