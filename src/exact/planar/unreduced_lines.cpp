@@ -3,7 +3,8 @@
 
 #include "exact/planar/unreduced_lines.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
 
 #include "exact/number/primitive.h"
 #include "exact/planar/geometry_stages.h"
@@ -27,15 +28,20 @@ void reduce(SupportingCurve& line, const Normal& primitive) {
 }  // namespace
 
 void reduce_lines(Geometry& geometry, std::span<const std::uint32_t> lines, std::span<const std::uint32_t> crossings) {
-  std::vector<Normal> normals;
-  normals.reserve(lines.size());
-  for (const std::uint32_t k : lines)
-    normals.push_back({geometry.supporting_curves[k].a, geometry.supporting_curves[k].b});
-  make_primitive(normals);
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    SupportingCurve& line = geometry.supporting_curves[lines[k]];
-    reduce(line, normals[k]);
-    set_line_filter(line);
+  std::array<Normal, 16> normals;
+  while (!lines.empty()) {
+    const std::size_t some = std::min(lines.size(), normals.size());
+    for (std::size_t k = 0; k < some; ++k) {
+      const SupportingCurve& line = geometry.supporting_curves[lines[k]];
+      normals[k] = {line.a, line.b};
+    }
+    make_primitive({normals.data(), some});
+    for (std::size_t k = 0; k < some; ++k) {
+      SupportingCurve& line = geometry.supporting_curves[lines[k]];
+      reduce(line, normals[k]);
+      set_line_filter(line);
+    }
+    lines = lines.subspan(some);
   }
   for (const std::uint32_t k : crossings) {
     Point& p = geometry.points[k];

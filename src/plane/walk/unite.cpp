@@ -21,8 +21,7 @@ struct Rings {
 
   std::pmr::vector<RingEdge> edges;
   std::pmr::vector<Index> starts;
-  bool degenerate = false;  // some corners are degenerate vertices
-  bool touch = false;       // one itself, or another one; then those that run straight on are not joined
+  bool touch = false;  // one itself, or another one; then those that run straight on are not joined
 
   Index end(std::size_t r) const { return r + 1 < starts.size() ? starts[r + 1] : Index(edges.size()); }
 };
@@ -53,7 +52,6 @@ class UnionRings {
   void choose_places() {
     const DegenerateVertices& degenerate = curves_.degenerate_vertices();
     if (degenerate.empty()) return;
-    rings_.degenerate = true;
     const auto& points = sets_.curves.geometry.points;
     place_.assign(degenerate.count(), kNone);
     passed_.assign(degenerate.count(), 0);
@@ -119,16 +117,24 @@ class UnionRings {
   std::pmr::vector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
 };
 
-/// What the rings use is reduced.
+/// What the rings use is reduced: their lines, and the lines of corners where others cross.
 void reduce_lines(exact::Geometry& geometry, const Rings& rings, Memory memory) {
   std::pmr::vector<Index> lines(memory), crossings(memory);
   lines.reserve(rings.edges.size());
-  for (const RingEdge& e : rings.edges) {
-    lines.push_back(e.supporting_curve);
-    const exact::Point& p = geometry.points[e.point];
-    if (p.kind != exact::Point::Kind::kCross) continue;
-    crossings.push_back(e.point);
-    if (rings.degenerate) lines.insert(lines.end(), {p.i, p.j});  // perhaps of others that cross there
+  for (std::size_t r = 0; r < rings.starts.size(); ++r) {
+    Index before = rings.edges[rings.end(r) - 1].supporting_curve;
+    for (Index k = rings.starts[r]; k < rings.end(r); ++k) {
+      const RingEdge& e = rings.edges[k];
+      const Index line = e.supporting_curve;
+      lines.push_back(line);
+      const exact::Point& p = geometry.points[e.point];
+      if (p.kind == exact::Point::Kind::kCross) {
+        crossings.push_back(e.point);
+        for (const Index other : {p.i, p.j})
+          if (other != line && other != before) lines.push_back(other);
+      }
+      before = line;
+    }
   }
   exact::reduce_lines(geometry, lines, crossings);
 }
