@@ -145,7 +145,7 @@ void RegionCurves::set_boxes() {
       of_set = joined(of_set, box);
     }
     region_boxes_[r] = of_set;
-    boxes_[count + r] = grid_.box(of_set);
+    if (first_[r] < first_[r + 1]) boxes_[count + r] = grid_.box(of_set);  // an empty set meets nothing
     most = std::max(most, first_[r + 1] - first_[r]);
   }
   of_a_.resize(most);

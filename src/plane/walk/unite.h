@@ -3,8 +3,9 @@
 //
 // The union of any number of sets. Of closed sets bounded by segments of grid lines it is bounded by closed walks along
 // their outer sides (outer_walks.h), and nothing is arranged but walks that touch each other. All other sets are
-// arranged (overlay.h). Guarantee: exact, the same cells both ways. Cost: linear, and the pairs of edges whose boxes
-// meet; else that of an arrangement. Keywords: Boolean union, merge, dissolve.
+// arranged (overlay.h). Of polygons only the lines that are left are reduced (unreduced_lines.h). Guarantee: exact, the
+// same cells both ways. Cost: linear, and the pairs of edges whose boxes meet; else that of an arrangement. Keywords:
+// Boolean union, merge, dissolve.
 #pragma once
 
 #include <optional>
