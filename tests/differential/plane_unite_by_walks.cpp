@@ -179,6 +179,16 @@ TEST(PlaneUniteByWalks, Rings) {
   EXPECT_GT(unions - done, 30);
 }
 
+TEST(PlaneUniteByWalks, EmptySetsAddNothing) {
+  const Region box = *region({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}), nothing = Region::uniform(0);
+  const std::vector<const Region*> some{&nothing, &box, &nothing, &box}, none{&nothing, &nothing};
+  const auto united = united_by_walks(some), empty = united_by_walks(none);
+  ASSERT_TRUE(united && empty);
+  EXPECT_EQ(united->vertices.size(), 4u);
+  EXPECT_EQ(empty->faces.size(), 1u);
+  EXPECT_TRUE(empty->vertices.empty());
+}
+
 /// Their corners are crossings.
 TEST(PlaneUniteByWalks, UnionsOfUnions) {
   std::mt19937 rng(2);
