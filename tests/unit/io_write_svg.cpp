@@ -88,7 +88,7 @@ TEST(Svg, SceneryHasNamesAndTheMovingShapeAPlace) {
 
 /// Each once, also where the formula names one beside the collection; a part without a name has none.
 TEST(Svg, ThePartsOfACollectionCarryTheirNames) {
-  const Scene yard = Scene::json(
+  const findspace::Scene yard = findspace::Scene::json(
       R"({"findspace": 1, "moving": "B", "where": "gap(B, all) >= 0.5 and gap(B, wall) <= 3", "shapes": {
           "B": {"box": {"min": [0, 0], "max": [1, 1]}}, "wall": {"box": {"min": [4, 0], "max": [6, 8]}},
           "post": {"box": {"min": [0, 5], "max": [2, 7]}},

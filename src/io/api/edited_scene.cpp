@@ -42,7 +42,8 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
 /// The text with `value` under a key of the scene, which may not have been there.
 std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
   plane::WorkBudget work;
-  const JsonValue scene = parse_json(text, "scene", work);
+  const JsonTree tree = parse_json(text, "scene", work);
+  const JsonValue& scene = tree.root();
   const JsonValue* old = scene.find(key);
   if (old == nullptr) {
     const std::size_t brace = offset_of(text, scene.line, scene.column) + 1;
@@ -55,7 +56,8 @@ std::string with_key(const std::string& text, const std::string& key, const std:
 /// The text without a key of the scene, and without the comma before it, or behind it where it is the first.
 std::string without_key(const std::string& text, const std::string& key) {
   plane::WorkBudget work;
-  const JsonValue scene = parse_json(text, "scene", work);
+  const JsonTree tree = parse_json(text, "scene", work);
+  const JsonValue& scene = tree.root();
   const JsonValue* old = scene.find(key);
   if (old == nullptr) return text;
   const std::size_t value = offset_of(text, old->line, old->column), end = end_of_value(text, value);

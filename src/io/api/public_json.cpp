@@ -13,12 +13,17 @@
 namespace findspace {
 namespace {
 
-JsonValue public_json(io::JsonValue&& from) {
+JsonValue public_json(const io::JsonValue& from) {
   static_assert(int(io::JsonValue::Kind::kObject) == int(JsonValue::Kind::kObject));
-  JsonValue out{JsonValue::Kind(from.kind), from.boolean,         from.line, from.column,
-                std::move(from.text),       std::move(from.keys), {}};
-  out.items.reserve(from.items.size());
-  for (io::JsonValue& item : from.items) out.items.push_back(public_json(std::move(item)));
+  JsonValue out{JsonValue::Kind(from.kind),
+                from.boolean,
+                from.line,
+                from.column,
+                std::string(from.text()),
+                {from.keys().begin(), from.keys().end()},
+                {}};
+  out.items.reserve(from.size());
+  for (const io::JsonValue& item : from.items()) out.items.push_back(public_json(item));
   return out;
 }
 
@@ -29,15 +34,11 @@ const JsonValue* JsonValue::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &items[std::size_t(found - keys.begin())];
 }
 
-const char* JsonValue::kind_name() const {
-  io::JsonValue value;
-  value.kind = io::JsonValue::Kind(kind);
-  return value.kind_name();
-}
+const char* JsonValue::kind_name() const { return io::JsonValue(io::JsonValue::Kind(kind)).kind_name(); }
 
 JsonValue read_json(std::string_view text, const std::string& name, std::uint64_t work_limit) {
   plane::WorkBudget work(work_limit);
-  return public_json(io::parse_json(text, name, work));
+  return public_json(io::parse_json(text, name, work).root());
 }
 
 }  // namespace findspace

@@ -37,8 +37,9 @@ struct Part {
 
 std::size_t whole_number(const JsonValue& v, std::string_view what) {
   std::size_t value = 0;
-  const char* end = v.text.data() + v.text.size();
-  if (!v.is(Kind::kNumber) || std::from_chars(v.text.data(), end, value).ptr != end)
+  const std::string_view text = v.text();
+  const char* end = text.data() + text.size();
+  if (!v.is(Kind::kNumber) || std::from_chars(text.data(), end, value).ptr != end)
     refuse(fmt::format("{} is a whole number from 0 on", what));
   return value;
 }
@@ -51,16 +52,15 @@ std::size_t whole_at(const JsonValue& of, std::string_view key, std::optional<st
 }
 
 /// The list under the key; empty where there is none.
-const std::vector<JsonValue>& list(const JsonValue& of, std::string_view key) {
-  static const std::vector<JsonValue> kNone;
+std::span<const JsonValue> list(const JsonValue& of, std::string_view key) {
   const JsonValue* v = of.find(key);
-  if (v == nullptr) return kNone;
+  if (v == nullptr) return {};
   if (!v->is(Kind::kArray)) refuse(fmt::format("\"{}\" is a list", key));
-  return v->items;
+  return v->items();
 }
 
 const JsonValue& item(const JsonValue& root, std::string_view key, std::size_t index) {
-  const std::vector<JsonValue>& items = list(root, key);
+  const std::span<const JsonValue> items = list(root, key);
   if (index >= items.size()) refuse(fmt::format("there is no number {} in \"{}\"", index, key));
   return items[index];
 }
@@ -70,7 +70,7 @@ std::optional<std::vector<Real>> numbers(const JsonValue& node, std::string_view
   std::vector<Real> out;
   for (const JsonValue& v : list(node, key)) {
     if (!v.is(Kind::kNumber)) break;
-    out.push_back(Real::parse_decimal(v.text));
+    out.push_back(Real::parse_decimal(v.text()));
   }
   if (out.size() != count || list(node, key).size() != count)
     refuse(fmt::format("\"{}\" of a node has {} numbers", key, count));
@@ -179,7 +179,7 @@ class GlbReader {
     if (at.depth > kMostDepth) refuse(fmt::format("node {} stands more than {} nodes deep", at.node, kMostDepth));
     const MeshTransform placed = at.placed.after(transform(node));
     if (node.find("mesh") != nullptr) mesh(whole_at(node, "mesh"), placed);
-    const std::vector<JsonValue>& children = list(node, "children");
+    const std::span<const JsonValue> children = list(node, "children");
     for (auto child = children.rbegin(); child != children.rend(); ++child)
       pending_.push_back({whole_number(*child, "a node"), placed, at.depth + 1});
   }
@@ -264,7 +264,7 @@ class GlbReader {
     const JsonValue& given = item(root_, "accessors", index);
     const JsonValue* type_given = given.find("type");
     const std::size_t component = whole_at(given, "componentType"), count = whole_at(given, "count");
-    if (type_given == nullptr || type_given->text != type ||
+    if (type_given == nullptr || type_given->text() != type ||
         std::find(components.begin(), components.end(), component) == components.end())
       throw Error(ErrorCode::kUnsupported,
                   fmt::format("accessor {} is not of floats (\"VEC3\") or whole numbers (\"SCALAR\")", index));
@@ -329,7 +329,7 @@ std::array<Part, 2> chunks(const std::string& bytes) {
 /// Of those that a file requires, only what does not change surfaces can be passed over.
 void refuse_extensions(const JsonValue& root) {
   for (const JsonValue& name : list(root, "extensionsRequired")) {
-    const std::string_view text = name.text;
+    const std::string_view text = name.text();
     if (!text.starts_with("KHR_materials_") && !text.starts_with("KHR_texture_") && !text.starts_with("KHR_lights_"))
       throw Error(ErrorCode::kUnsupported,
                   fmt::format("it requires the extension {} of glTF, which is not read; export it without", text));
@@ -343,9 +343,9 @@ void refuse_extensions(const JsonValue& root) {
 
 void read_glb(const std::string& bytes, ReadContext& context, MeshBuilder& out) {
   const auto [json, binary] = chunks(bytes);
-  const JsonValue root = parse_json(std::string_view(bytes).substr(json.at, json.length), "glTF", context.work);
-  refuse_extensions(root);
-  GlbReader reader(bytes, root, binary, out);
+  const JsonTree tree = parse_json(std::string_view(bytes).substr(json.at, json.length), "glTF", context.work);
+  refuse_extensions(tree.root());
+  GlbReader reader(bytes, tree.root(), binary, out);
   reader.read();
   if (reader.passed_over() > 0)
     context.notes.push_back(fmt::format("{} sets of points or lines passed over", reader.passed_over()));

@@ -36,7 +36,7 @@ Fraction NestingJson::number(const JsonValue& value) const {
   if (!value.is(Kind::kNumber) && !value.is(Kind::kString))
     fail(value, fmt::format("a number is meant, not {}", value.kind_name()));
   try {
-    return Fraction::parse(value.text);
+    return Fraction::parse(value.text());
   } catch (const Error& e) {
     throw e.within(place(value));
   }
@@ -54,7 +54,7 @@ int NestingJson::digits_in(const JsonValue& value, int most) const {
     const Fraction n = number(value);
     while (digits < most && packing::power_of_ten(digits) % n.denominator() != 0) ++digits;
   }
-  for (const JsonValue& item : value.items) digits = std::max(digits, digits_in(item, most));
+  for (const JsonValue& item : value.items()) digits = std::max(digits, digits_in(item, most));
   return digits;
 }
 

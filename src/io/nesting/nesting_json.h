@@ -20,7 +20,7 @@ class NestingJson {
  public:
   NestingJson(const std::string& text, std::string name);
 
-  const JsonValue& tree() const { return tree_; }
+  const JsonValue& tree() const { return tree_.root(); }
   const std::string& name() const { return name_; }
   plane::WorkBudget& work() { return work_; }
 
@@ -37,9 +37,9 @@ class NestingJson {
   /// Of what has that name.
   template <class Named>
   std::size_t index_of(const JsonValue& name, const std::vector<Named>& all, const char* what) const {
-    const auto same = [&](const Named& one) { return one.name == name.text; };
+    const auto same = [&](const Named& one) { return one.name == name.text(); };
     const auto found = std::find_if(all.begin(), all.end(), same);
-    if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text));
+    if (found == all.end()) fail(name, fmt::format("there is no {} '{}'", what, name.text()));
     return std::size_t(found - all.begin());
   }
   /// Refuses a second of that name; `one` is the last of them.
@@ -53,15 +53,16 @@ class NestingJson {
   template <class Named>
   std::vector<packing::LeftOut> left_out(const JsonValue& value, const std::vector<Named>& parts) const {
     std::vector<packing::LeftOut> result;
-    for (const JsonValue& out : list(value).items)
-      result.push_back({index_of(need(out, "part"), parts, "part"), whole(need(out, "copies")), need(out, "why").text});
+    for (const JsonValue& out : list(value).items())
+      result.push_back({index_of(need(out, "part"), parts, "part"), whole(need(out, "copies")),
+                        std::string(need(out, "why").text())});
     return result;
   }
 
  private:
   std::string name_;
   plane::WorkBudget work_;
-  JsonValue tree_;
+  JsonTree tree_;
 };
 
 }  // namespace findspace::io

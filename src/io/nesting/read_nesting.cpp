@@ -40,7 +40,7 @@ class StatedShapes {
     context_.grid = Grid(exact::Real(1) / exact::Real(packing::power_of_ten(digits())));
     context_.quantities = true;
     if (const JsonValue* unit = problem.tree().find("unit"))
-      context_.unit = json_.placed({}, *unit, [&] { return parse_unit(unit->text); });
+      context_.unit = json_.placed({}, *unit, [&] { return parse_unit(unit->text()); });
     context_.scene_rules = read_drawing_rules(json_, problem.tree(), {});
     json_.placed({}, problem.tree(), [&] { context_.use(context_.options.drawings.over(context_.scene_rules)); });
   }
@@ -90,13 +90,13 @@ class StatedShapes {
       if (value != nullptr && !is_polygon(*value)) most = std::max(most, problem_.digits_in(*value, kMostShapeDigits));
     };
     see(problem_.tree().find("shapes"));
-    for (const JsonValue& item : problem_.need(problem_.tree(), "items").items) see(item.find("shape"));
+    for (const JsonValue& item : problem_.need(problem_.tree(), "items").items()) see(item.find("shape"));
     const JsonValue* sheets = problem_.tree().find("sheets");
     if (sheets == nullptr) return most;
-    for (const JsonValue& sheet : sheets->items) {
+    for (const JsonValue& sheet : sheets->items()) {
       see(sheet.find("shape"));
       if (const JsonValue* zones = sheet.find("zones"))
-        for (const JsonValue& zone : zones->items) see(zone.find("shape"));
+        for (const JsonValue& zone : zones->items()) see(zone.find("shape"));
     }
     return most;
   }
@@ -104,7 +104,7 @@ class StatedShapes {
   /// Of a shape by its name.
   const JsonValue& stated(const JsonValue& value) const {
     const JsonValue* shapes = problem_.tree().find("shapes");
-    const JsonValue* named = value.is(Kind::kString) && shapes != nullptr ? shapes->find(value.text) : nullptr;
+    const JsonValue* named = value.is(Kind::kString) && shapes != nullptr ? shapes->find(value.text()) : nullptr;
     return named != nullptr ? *named : value;
   }
   bool is_file(const JsonValue& value) const {
@@ -119,14 +119,8 @@ class StatedShapes {
   Fraction step_;
   ReadContext context_;
   SceneReader json_{problem_.name(), context_};
-  JsonValue none_ = no_shapes();
+  JsonValue none_{Kind::kObject};
   ShapeReader shapes_{json_, problem_.tree().find("shapes") != nullptr ? *problem_.tree().find("shapes") : none_};
-
-  static JsonValue no_shapes() {
-    JsonValue none;
-    none.kind = Kind::kObject;
-    return none;
-  }
 };
 
 class Reader : private NestingJson {
@@ -135,7 +129,7 @@ class Reader : private NestingJson {
 
   UnscaledProblem problem(const NestingOptions& asked) const {
     UnscaledProblem result;
-    if (const JsonValue* named = tree().find("name")) result.name = named->text;
+    if (const JsonValue* named = tree().find("name")) result.name = named->text();
     if (tree().find("findspace") != nullptr && tree().find("items") == nullptr)
       fail(tree(),
            "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
@@ -145,14 +139,14 @@ class Reader : private NestingJson {
     const JsonValue& items = list(need(tree(), "items"));
     result.notes = unread_keys(*this);
     StatedShapes shapes(*this, asked);
-    for (const JsonValue& item : items.items) {
+    for (const JsonValue& item : items.items()) {
       for (UnscaledPart& one : parts_of(item, shapes)) {
         result.parts.push_back(std::move(one));
         check_name(item, result.parts, "items");
       }
     }
     if (const JsonValue* sheets = tree().find("sheets"); sheets != nullptr && !asked.height)
-      for (const JsonValue& value : list(*sheets).items) {
+      for (const JsonValue& value : list(*sheets).items()) {
         result.sheets.push_back(sheet(value, result.parts, shapes));
         check_name(value, result.sheets, "sheets");
       }
@@ -166,7 +160,7 @@ class Reader : private NestingJson {
     result.edge = asked.edge;
     read_conditions(*this, names_of(result.parts), 2, result);
     if (const JsonValue* fixed = tree().find("fixed"))
-      for (const JsonValue& item : list(*fixed).items) result.fixed.push_back(fixed_part(item, result));
+      for (const JsonValue& item : list(*fixed).items()) result.fixed.push_back(fixed_part(item, result));
     return result;
   }
 
@@ -174,13 +168,13 @@ class Reader : private NestingJson {
     const JsonValue& body = need(tree(), "layout");
     packing::Layout result;
     result.length = number(need(body, "length"));
-    for (const JsonValue& item : list(need(body, "items")).items) {
+    for (const JsonValue& item : list(need(body, "items")).items()) {
       result.items.push_back(placed(item, problem.parts));
       if (const JsonValue* sheet = item.find("sheet")) result.items.back().sheet = std::size_t(whole(*sheet));
     }
     if (problem.box) result.height = number(need(need(body, "container"), "box"));
     if (problem.on_sheets())
-      for (const JsonValue& sheet : list(need(need(body, "container"), "sheets")).items)
+      for (const JsonValue& sheet : list(need(need(body, "container"), "sheets")).items())
         result.sheets.push_back(index_of(sheet, problem.sheets, "sheet"));
     if (const JsonValue* left = body.find("left_out")) result.left_out = left_out(*left, problem.parts);
     return result;
@@ -189,9 +183,9 @@ class Reader : private NestingJson {
  private:
   UnscaledRing ring(const JsonValue& points) const {
     UnscaledRing result;
-    for (const JsonValue& p : list(points).items) {
+    for (const JsonValue& p : list(points).items()) {
       if (list(p).size() != 2) fail(p, "a point is a list of two numbers");
-      result.push_back({number(p.items[0]), number(p.items[1])});
+      result.push_back({number(p.items()[0]), number(p.items()[1])});
     }
     return result;
   }
@@ -199,12 +193,12 @@ class Reader : private NestingJson {
   std::vector<UnscaledRing> shape(const JsonValue& value) const {
     const JsonValue &type = need(value, "type"), &data = need(value, "data");
     std::vector<UnscaledRing> rings;
-    if (type.text == "simple_polygon") {
+    if (type.text() == "simple_polygon") {
       rings.push_back(ring(data));
-    } else if (type.text == "polygon") {
+    } else if (type.text() == "polygon") {
       rings.push_back(ring(need(data, "outer")));
       if (const JsonValue* inner = data.find("inner"))
-        for (const JsonValue& hole : list(*inner).items) rings.push_back(ring(hole));
+        for (const JsonValue& hole : list(*inner).items()) rings.push_back(ring(hole));
     } else {
       fail(type, "\"type\" is simple_polygon or polygon; other shapes are written as in a scene, without it");
     }
@@ -277,7 +271,7 @@ class Reader : private NestingJson {
 
   UnscaledSheet sheet(const JsonValue& value, const std::vector<UnscaledPart>& parts, StatedShapes& shapes) const {
     UnscaledSheet result;
-    result.name = need(value, "id").text;
+    result.name = need(value, "id").text();
     if (const JsonValue* count = value.find("count")) result.count = whole(*count);
     if (const JsonValue* cost = value.find("cost")) {
       result.cost = number(*cost);
@@ -291,7 +285,7 @@ class Reader : private NestingJson {
       result.rings = {{{0, 0}, {w, 0}, {w, h}, {0, h}}};
     }
     if (const JsonValue* zones = value.find("zones"))
-      for (const JsonValue& item : list(*zones).items) {
+      for (const JsonValue& item : list(*zones).items()) {
         result.zones.push_back(zone(item, parts));
         read_outline(need(item, "shape"), {nullptr, "zone of sheet", result.name}, shapes, result.zones.back());
       }
@@ -316,7 +310,7 @@ class Reader : private NestingJson {
       fail(value, "a zone has one of 'keeps_out', 'only' and 'holds': names of parts");
     result.holds = held != nullptr;
     std::vector<std::size_t> named;
-    for (const JsonValue& name : list(only != nullptr ? *only : kept_out != nullptr ? *kept_out : *held).items)
+    for (const JsonValue& name : list(only != nullptr ? *only : kept_out != nullptr ? *kept_out : *held).items())
       named.push_back(index_of(name, parts, "part"));
     for (std::size_t part = 0; part < parts.size(); ++part)
       if ((std::count(named.begin(), named.end(), part) > 0) == (only == nullptr)) result.parts.push_back(part);
@@ -351,7 +345,7 @@ class Reader : private NestingJson {
       const JsonValue* count = sheet.find("count");
       return count != nullptr && whole(*count) == 0;
     };
-    if (has_sheets && std::all_of(sheets->items.begin(), sheets->items.end(), is_none))
+    if (has_sheets && std::all_of(sheets->items().begin(), sheets->items().end(), is_none))
       fail(*sheets, "every sheet has a count of 0");
   }
 
@@ -364,10 +358,10 @@ class Reader : private NestingJson {
 
   UnscaledPart part(const JsonValue& item) const {
     UnscaledPart result;
-    result.name = need(item, "id").text;
+    result.name = need(item, "id").text();
     result.demand = whole(need(item, "demand"));
     if (const JsonValue* angles = item.find("allowed_orientations"); angles != nullptr && !angles->is(Kind::kNull))
-      for (const JsonValue& angle : list(*angles).items) result.angles.push_back(number(angle));
+      for (const JsonValue& angle : list(*angles).items()) result.angles.push_back(number(angle));
     if (result.angles.empty()) result.angles.push_back(0);
     if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
     if (const JsonValue* tilt = item.find("tilt")) {
@@ -392,8 +386,8 @@ class Reader : private NestingJson {
     if (const JsonValue* mirrored = item.find("mirrored")) result.mirrored = truth(*mirrored);
     const JsonValue& at = list(need(item, "at"));
     if (at.size() != 2) fail(at, "a position is a list of two numbers");
-    result.x = number(at.items[0]);
-    result.y = number(at.items[1]);
+    result.x = number(at.items()[0]);
+    result.y = number(at.items()[1]);
     return result;
   }
 };

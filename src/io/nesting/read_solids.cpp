@@ -99,7 +99,7 @@ class SolidReader : private NestingJson {
     result.shapes = std::move(shapes_);
     packing::check(result.problem, name());
     if (const JsonValue* fixed = tree().find("fixed")) {
-      for (const JsonValue& item : list(*fixed).items)
+      for (const JsonValue& item : list(*fixed).items())
         result.problem.fixed.push_back(fixed_solid(item, result.problem));
       check_fixed(result.problem, place(*fixed));
     }
@@ -110,12 +110,12 @@ class SolidReader : private NestingJson {
     const JsonValue& body = need(tree(), "layout");
     packing::SolidLayout result;
     result.height = number(need(body, "height"));
-    for (const JsonValue& item : list(need(body, "items")).items) {
+    for (const JsonValue& item : list(need(body, "items")).items()) {
       packing::SolidPlaced& placed = result.items.emplace_back(placed_solid(item, problem));
       if (const JsonValue* container = item.find("container")) placed.container = std::size_t(whole(*container));
     }
     if (problem.in_containers())
-      for (const JsonValue& container : list(need(need(body, "container"), "containers")).items)
+      for (const JsonValue& container : list(need(need(body, "container"), "containers")).items())
         result.containers.push_back(index_of(container, problem.containers, "container"));
     if (const JsonValue* left = body.find("left_out")) result.left_out = left_out(*left, problem.parts);
     return result;
@@ -136,7 +136,7 @@ class SolidReader : private NestingJson {
       fail(item, fmt::format("'{}' stands in an orientation that is not allowed", problem.parts[placed.part].name));
     const JsonValue& at = list(need(item, "at"));
     if (at.size() != 3) fail(at, "a position in space is a list of three numbers");
-    for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items[k]);
+    for (std::size_t k = 0; k < 3; ++k) placed.at[k] = number(at.items()[k]);
     return placed;
   }
 
@@ -166,7 +166,7 @@ class SolidReader : private NestingJson {
     json.check_keys(tree(), kKeys, {});
     for (const auto& [list, keys] : kKeysOfLists)
       if (const JsonValue* values = tree().find(list); values != nullptr && values->is(Kind::kArray))
-        for (const JsonValue& value : values->items)
+        for (const JsonValue& value : values->items())
           if (value.is(Kind::kObject)) json.check_keys(value, keys, {});
     if (const JsonValue* floor = tree().find("container"); floor != nullptr && floor->is(Kind::kObject))
       json.check_keys(*floor, kFloorKeys, {});
@@ -182,12 +182,12 @@ class SolidReader : private NestingJson {
       if (const JsonValue* shape = value.find("shape")) digits = std::max(digits, digits_in(*shape, kMostDigits));
       if (const JsonValue* path = value.find("path")) digits = std::max(digits, digits_of_file(*path, context));
     };
-    for (const JsonValue& item : list(need(tree(), "item-types")).items) {
+    for (const JsonValue& item : list(need(tree(), "item-types")).items()) {
       need(item, "demand");  // an object
       look_at(item);
     }
     if (const JsonValue* containers = tree().find("containers"))
-      for (const JsonValue& container : list(*containers).items) {
+      for (const JsonValue& container : list(*containers).items()) {
         need(container, "id");
         look_at(container);
       }
@@ -196,9 +196,9 @@ class SolidReader : private NestingJson {
 
   int digits_of_file(const JsonValue& path, ReadContext& context) {
     if (!path.is(Kind::kString)) fail(path, fmt::format("a path is meant, not {}", path.kind_name()));
-    const std::filesystem::path file = found_file(context.folder, path.text);
-    auto known = files_.find(path.text);
-    if (known == files_.end()) known = files_.emplace(path.text, File{file, context.take_file(file)}).first;
+    const std::filesystem::path file = found_file(context.folder, path.text());
+    auto known = files_.find(path.text());
+    if (known == files_.end()) known = files_.emplace(path.text(), File{file, context.take_file(file)}).first;
     if (is_cad_ending(lower_ending(file.extension().string()))) return kCadDigits;
     int digits = 0;
     for (; digits < kMostDigits; ++digits) {
@@ -230,17 +230,16 @@ class SolidReader : private NestingJson {
     SolidProblemRead result;
     packing::SolidProblem& problem = result.problem;
     problem.digits = digits;
-    if (const JsonValue* named = tree().find("name")) problem.name = named->text;
+    if (const JsonValue* named = tree().find("name")) problem.name = named->text();
     problem.gap = asked.gap;
     problem.edge = asked.edge;
     if (problem.gap < 0 || problem.edge < 0) throw Error(ErrorCode::kBadValue, "a gap or an edge below 0", name());
     const SceneReader json(name(), context);
-    JsonValue none;
-    none.kind = Kind::kObject;
+    const JsonValue none(Kind::kObject);
     const JsonValue* named = tree().find("shapes");
     ShapeReader shapes(json, named != nullptr ? *named : none);
     read_containers(result, shapes, context);
-    for (const JsonValue& item : list(need(tree(), "item-types")).items) {
+    for (const JsonValue& item : list(need(tree(), "item-types")).items()) {
       problem.parts.push_back(part(item, shapes, context));
       check_name(item, problem.parts, "items");
     }
@@ -258,9 +257,9 @@ class SolidReader : private NestingJson {
       return;
     }
     if (floor != nullptr) fail(*containers, "a problem has either a 'container' or 'containers'");
-    for (const JsonValue& value : list(*containers).items) {
+    for (const JsonValue& value : list(*containers).items()) {
       packing::SolidContainer& container = problem.containers.emplace_back();
-      container.name = need(value, "id").text;
+      container.name = need(value, "id").text();
       if (const JsonValue* count = value.find("count")) container.count = whole(*count);
       if (const JsonValue* cost = value.find("cost")) container.cost = not_below_0(*cost, "cost");
       read.container_shapes.push_back(container_shape(value, shapes, context));
@@ -291,7 +290,7 @@ class SolidReader : private NestingJson {
     for (const char* key : {"size-x", "size-y", "size-z"})
       if (const JsonValue* size = value.find(key)) fail(*size, "a container has either sizes or a shape of its own");
     if (path != nullptr) return from_file(*path, context);
-    return shapes.shape(*shape, Label{nullptr, "container", std::string_view(need(value, "id").text)});
+    return shapes.shape(*shape, Label{nullptr, "container", need(value, "id").text()});
   }
 
   /// Of the last container.
@@ -317,14 +316,14 @@ class SolidReader : private NestingJson {
     const JsonValue *id = item.find("id"), *path = item.find("path"), *shape = item.find("shape");
     if ((path != nullptr) + (shape != nullptr) != 1) fail(item, "an item has either a 'path' or a 'shape'");
     if (path != nullptr) {
-      result.name = std::filesystem::path(path->text).stem().string();
+      result.name = std::filesystem::path(path->text()).stem().string();
       shapes_.push_back(from_file(*path, context));
     } else {
-      const Label label{nullptr, "item", id != nullptr ? std::string_view(id->text) : std::string_view()};
+      const Label label{nullptr, "item", id != nullptr ? id->text() : std::string_view()};
       shapes_.push_back(shapes.shape(*shape, label));
-      result.name = shape->is(Kind::kString) ? shape->text : "";
+      result.name = shape->is(Kind::kString) ? shape->text() : "";
     }
-    if (id != nullptr) result.name = id->text;
+    if (id != nullptr) result.name = id->text();
     if (result.name.empty()) fail(item, "an item without a file needs an 'id'");
     places_.push_back(place(item));
     const JsonValue* allowed = item.find("allowed_orientations");
@@ -335,13 +334,13 @@ class SolidReader : private NestingJson {
 
   /// "right-angles", "upright", or a list of orientations as scenes spell them, or of matrices row by row.
   std::vector<packing::SolidRotation> rotations(const JsonValue& value, ReadContext& context) const {
-    if (value.is(Kind::kString) && value.text == "right-angles") return packing::axis_rotations(false);
-    if (value.is(Kind::kString) && value.text == "upright") return packing::axis_rotations(true);
+    if (value.is(Kind::kString) && value.text() == "right-angles") return packing::axis_rotations(false);
+    if (value.is(Kind::kString) && value.text() == "upright") return packing::axis_rotations(true);
     if (!value.is(Kind::kArray) || value.size() == 0)
       fail(value, "orientations are \"right-angles\", \"upright\" or a list of them");
     const SceneReader json(name(), context);
     std::vector<packing::SolidRotation> result;
-    for (const JsonValue& one : value.items)
+    for (const JsonValue& one : value.items())
       result.push_back(one.is(Kind::kArray) ? rotation(one) : orientation(one, json));
     return result;
   }
@@ -361,9 +360,9 @@ class SolidReader : private NestingJson {
     space::Rotation::Matrix rows;
     if (list(value).size() != 3) fail(value, "a rotation is a list of three rows");
     for (std::size_t r = 0; r < 3; ++r) {
-      if (list(value.items[r]).size() != 3) fail(value.items[r], "a row of a rotation is a list of three numbers");
+      if (list(value.items()[r]).size() != 3) fail(value.items()[r], "a row of a rotation is a list of three numbers");
       for (std::size_t c = 0; c < 3; ++c) {
-        result[r][c] = number(value.items[r].items[c]);
+        result[r][c] = number(value.items()[r].items()[c]);
         rows[r][c] = packing::in_steps(result[r][c], 1);
       }
     }
@@ -376,7 +375,7 @@ class SolidReader : private NestingJson {
   }
 
   plane::ShapePtr from_file(const JsonValue& path, ReadContext& context) const {
-    const File& file = files_.at(path.text);
+    const File& file = files_.find(path.text())->second;
     space::Solid solid;
     solid.form = space::Solid::Form::kMesh;
     solid.mesh = vertices_and_faces(file, context);
@@ -432,7 +431,7 @@ class SolidReader : private NestingJson {
 
   const ReadOptions& options_;
   std::size_t size_;
-  std::map<std::string, File> files_;
+  std::map<std::string, File, std::less<>> files_;
   std::vector<plane::ShapePtr> shapes_;
   std::vector<std::string> places_;
   std::vector<std::vector<packing::SolidRotation>> rotations_;  // of each item

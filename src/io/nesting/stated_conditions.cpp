@@ -29,20 +29,20 @@ class ConditionReader {
     const JsonValue &tree = json_.tree(), *gaps = tree.find("gaps"), *where = tree.find("where"),
                     *pairs = tree.find("pairs"), *groups = tree.find("groups");
     if (gaps != nullptr)
-      for (const JsonValue& value : json_.list(*gaps).items) {
+      for (const JsonValue& value : json_.list(*gaps).items()) {
         const auto [first, second] = between(value, "a gap");
         out.gaps.push_back({first, second, not_below_0(json_.need(value, "gap"), value, "a gap")});
       }
     if (where != nullptr) out.where = condition(*where);
     if (pairs != nullptr)
-      for (const JsonValue& value : json_.list(*pairs).items) {
+      for (const JsonValue& value : json_.list(*pairs).items()) {
         const auto [first, second] = between(value, "a condition");
         out.conditions.push_back({first, second, condition(json_.need(value, "where"))});
       }
     if (groups != nullptr)
-      for (const JsonValue& value : json_.list(*groups).items) {
+      for (const JsonValue& value : json_.list(*groups).items()) {
         StatedGroup& group = out.groups.emplace_back();
-        for (const JsonValue& name : json_.list(json_.need(value, "parts")).items) group.parts.push_back(part(name));
+        for (const JsonValue& name : json_.list(json_.need(value, "parts")).items()) group.parts.push_back(part(name));
         if (const JsonValue* within = value.find("within")) group.within = not_below_0(*within, value, "a distance");
       }
   }
@@ -57,7 +57,7 @@ class ConditionReader {
   std::array<std::size_t, 2> between(const JsonValue& value, const char* what) const {
     const JsonValue& names = json_.list(json_.need(value, "between"));
     if (names.size() != 2) json_.fail(names, fmt::format("{} is between two parts", what));
-    return {part(names.items[0]), part(names.items[1])};
+    return {part(names.items()[0]), part(names.items()[1])};
   }
 
   Fraction not_below_0(const JsonValue& number, const JsonValue& at, const char* what) const {
@@ -68,12 +68,13 @@ class ConditionReader {
 
   std::string condition(const JsonValue& value) const {
     if (!value.is(Kind::kString)) json_.fail(value, fmt::format("a formula is meant, not {}", value.kind_name()));
+    const std::string text(value.text());
     try {
-      packing::parse_condition(value.text, dimension_);
+      packing::parse_condition(text, dimension_);
     } catch (const Error& e) {
       throw e.within(fmt::format("{}:{}:{}: 'where'", json_.name(), value.line, value.column));
     }
-    return value.text;
+    return text;
   }
 
   const NestingJson& json_;

@@ -34,7 +34,7 @@ constexpr std::array<Key, 7> kFixedKeys{"part", "copy", "angle", "mirrored", "at
 std::span<const JsonValue> values_of(const JsonValue& object, Key list) {
   const JsonValue* values = object.is(Kind::kObject) ? object.find(std::string(list)) : nullptr;
   if (values == nullptr || !values->is(Kind::kArray)) return {};
-  return values->items;
+  return values->items();
 }
 
 bool says_nothing(const JsonValue& value) {
@@ -46,10 +46,10 @@ bool says_nothing(const JsonValue& value) {
 void UnreadKeys::look(const JsonValue& object, std::span<const Key> known, Key of) {
   if (!object.is(Kind::kObject)) return;
   for (std::size_t i = 0; i < object.size(); ++i) {
-    const std::string& key = object.keys[i];
-    if (std::find(known.begin(), known.end(), key) != known.end() || says_nothing(object.items[i])) continue;
+    const Key key = object.keys()[i];
+    if (std::find(known.begin(), known.end(), key) != known.end() || says_nothing(object.items()[i])) continue;
     const std::string hint = suggestion(key, {known.begin(), known.end()});
-    if (!hint.empty()) json_.fail(object.items[i], fmt::format("unknown key '{}'{}", key, hint));
+    if (!hint.empty()) json_.fail(object.items()[i], fmt::format("unknown key '{}'{}", key, hint));
     const std::string unread = fmt::format("'{}'{}", key, of);
     if (std::find(unread_.begin(), unread_.end(), unread) == unread_.end()) unread_.push_back(unread);
   }

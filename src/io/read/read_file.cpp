@@ -19,7 +19,8 @@ namespace {
 /// A result with its exact cells, or GeoJSON.
 plane::ShapePtr read_json(std::string_view text, const std::string& name, const FileChoice& choice,
                           ReadContext& context) {
-  const JsonValue root = parse_json(text, name, context.work);
+  const JsonTree tree = parse_json(text, name, context.work);
+  const JsonValue& root = tree.root();
   const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
   if (exact == nullptr) return read_geojson(text, name, choice, context);
   refuse_choice(choice.id.has_value(), "id", "exact cells", name);

@@ -54,19 +54,19 @@ class GeoJsonReader {
  private:
   std::string place(const JsonValue& at) const { return json_.place({}, at); }
 
-  const std::string& type(const JsonValue& value) const {
+  std::string_view type(const JsonValue& value) const {
     json_.expect(value, Kind::kObject, "a GeoJSON object", {});
     return json_.text(json_.need(value, "type", {}), "\"type\"", {});
   }
 
-  const std::vector<JsonValue>& list(const JsonValue& value, const char* what) const {
+  std::span<const JsonValue> list(const JsonValue& value, const char* what) const {
     json_.expect(value, Kind::kArray, what, {});
     if (value.size() == 0) json_.fail(ErrorCode::kGeometry, fmt::format("{} is empty", what), {}, value);
-    return value.items;
+    return value.items();
   }
 
   void object(const JsonValue& value, const std::string& id) {
-    const std::string& kind = type(value);
+    const std::string_view kind = type(value);
     if (kind == "FeatureCollection") {
       for (const JsonValue& one : list(json_.need(value, "features", {}), "\"features\"")) object(one, "");
     } else if (kind == "Feature") {
@@ -98,13 +98,13 @@ class GeoJsonReader {
       candidates.push_back(properties->find("name"));
     }
     for (const JsonValue* id : candidates) {
-      if (id && !id->text.empty()) return id->text;
+      if (id && !id->text().empty()) return std::string(id->text());
     }
     return {};
   }
 
   ShapePtr geometry(const JsonValue& value) {
-    const std::string& kind = type(value);
+    const std::string_view kind = type(value);
     if (kind == "GeometryCollection") {
       std::vector<ShapePtr> parts;
       for (const JsonValue& item : list(json_.need(value, "geometries", {}), "\"geometries\""))
@@ -145,7 +145,7 @@ class GeoJsonReader {
   void position(const JsonValue& value, Take take) const {
     json_.expect(value, Kind::kArray, "a position", {});
     if (value.size() != 2) json_.fail(ErrorCode::kUnsupported, "a position that is not [x, y]", {}, value);
-    Real x = json_.number(value.items[0], {}), y = json_.number(value.items[1], {});
+    Real x = json_.number(value.items()[0], {}), y = json_.number(value.items()[1], {});
     json_.placed({}, value, [&] { take(x, y); });
   }
 
@@ -192,9 +192,9 @@ class GeoJsonReader {
 
 ShapePtr read_geojson(std::string_view text, const std::string& name, const FileChoice& choice, ReadContext& context) {
   refuse_choice(choice.layer.has_value(), "layer", "GeoJSON", name);
-  JsonValue root = parse_json(text, name, context.work);
+  const JsonTree tree = parse_json(text, name, context.work);
   Real scale = file_scale(std::nullopt, name, choice, context);
-  return chosen(GeoJsonReader(name, choice, context, scale).read(root), name, choice);
+  return chosen(GeoJsonReader(name, choice, context, scale).read(tree.root()), name, choice);
 }
 
 }  // namespace findspace::io

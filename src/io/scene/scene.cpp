@@ -37,10 +37,10 @@ int decimals_of(std::string_view text) {
 }
 
 /// Too large is infinite, too small is 0.
-double to_double(const std::string& text) {
+double to_double(std::string_view text) {
   double number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc{} ? number : std::strtod(text.c_str(), nullptr);
+  return read.ec == std::errc{} ? number : std::strtod(std::string(text).c_str(), nullptr);
 }
 
 /// The largest number in a value, and the most decimals of one.
@@ -49,11 +49,15 @@ struct NumberRange {
   int decimals = 0;
 
   void add(const JsonValue& value) {
-    if (value.is(JsonValue::Kind::kNumber)) {
-      largest = std::max(largest, std::abs(to_double(value.text)));
-      decimals = std::max(decimals, decimals_of(value.text));
-    }
-    for (const JsonValue& item : value.items) add(item);
+    if (value.is(JsonValue::Kind::kNumber)) add(value.text());
+    for (const JsonValue& item : value.items()) add(item);
+  }
+
+  void add(std::string_view number) {
+    constexpr std::size_t kFewDigits = 6;  // in steps of 10^-6 they do not pass 2^40, so they decide nothing
+    if (number.size() <= kFewDigits && number.find_first_of(".eE") == number.npos) return;
+    largest = std::max(largest, std::abs(to_double(number)));
+    decimals = std::max(decimals, decimals_of(number));
   }
 };
 
@@ -79,13 +83,13 @@ void read_header(const JsonValue& root, const SceneReader& json, Scene& scene) {
   const JsonValue& version = json.need(root, "findspace", {});
   Label label{nullptr, "findspace"};
   if (json.number(version, label).integer() != exact::int128(1)) {
-    json.fail(ErrorCode::kUnsupported, fmt::format("this program reads format 1, not \"findspace\": {}", version.text),
-              label, version);
+    json.fail(ErrorCode::kUnsupported,
+              fmt::format("this program reads format 1, not \"findspace\": {}", version.text()), label, version);
   }
   ReadContext& context = json.context();
   if (const JsonValue* unit = root.find("unit")) {
     Label at{nullptr, "unit"};
-    const std::string& name = json.text(*unit, "\"unit\"", at);
+    const std::string_view name = json.text(*unit, "\"unit\"", at);
     context.unit = json.placed(at, *unit, [&] { return parse_unit(name); });
   }
   if (const JsonValue* grid = root.find("grid")) {
@@ -111,7 +115,7 @@ void read_where(const JsonValue& value, const SceneReader& json, Scene& scene) {
   }
   if (value.size() == 0) json.fail(ErrorCode::kBadValue, "\"where\" is an empty list", label, value);
   for (std::size_t i = 0; i < value.size(); ++i)
-    scene.conditions.push_back(json.formula(value.items[i], label.part("condition", i)));
+    scene.conditions.push_back(json.formula(value.items()[i], label.part("condition", i)));
   for (const FormulaText& text : scene.conditions)
     scene.where.text += (scene.where.text.empty() ? "(" : " and (") + text.text + ")";
   scene.where.file = scene.conditions.front().file;
@@ -121,7 +125,7 @@ void read_where(const JsonValue& value, const SceneReader& json, Scene& scene) {
 
 void read_direction_of_y(const JsonValue& value, const SceneReader& json, Scene& scene) {
   const Label label{nullptr, "y"};
-  const std::string& word = json.text(value, "\"y\"", label);
+  const std::string_view word = json.text(value, "\"y\"", label);
   if (word != "up" && word != "down")
     json.fail(ErrorCode::kBadValue, fmt::format("\"y\" runs \"up\" or \"down\", not '{}'", word), label, value);
   scene.y_down = word == "down";
@@ -155,14 +159,12 @@ plane::ShapePtr Scene::shape(std::string_view name) const {
 namespace {
 
 /// The scene of one shape that stands alone, in the unit that its cells state.
-Scene scene_of_shape(const std::string& shape, JsonValue value, const std::string& name, ReadContext& context) {
+Scene scene_of_shape(std::string_view shape, const JsonValue& value, JsonTree& tree, const std::string& name,
+                     ReadContext& context) {
   const JsonValue* cells = value.find("cells");
   const JsonValue* unit = cells == nullptr ? nullptr : cells->find("unit");
-  if (unit != nullptr) context.unit = formula::find_unit(unit->text);
-  JsonValue root;
-  root.kind = JsonValue::Kind::kObject;
-  root.keys = {shape};
-  root.items.push_back(std::move(value));
+  if (unit != nullptr) context.unit = formula::find_unit(unit->text());
+  const JsonValue root = tree.object(shape, value);
   const SceneReader json(name, context);
   ShapeReader shapes(json, root);
   Scene scene;
@@ -177,16 +179,14 @@ Scene scene_of_shape(const std::string& shape, JsonValue value, const std::strin
 }
 
 /// Of a result with its exact cells, in the place of a scene: the set, called as the file is; nothing of a scene.
-std::optional<Scene> scene_of_cells(const JsonValue& root, const std::string& name, ReadContext& context) {
+std::optional<Scene> scene_of_cells(JsonTree& tree, const std::string& name, ReadContext& context) {
+  const JsonValue& root = tree.root();
   const JsonValue* exact = root.is(JsonValue::Kind::kObject) ? root.find("exact") : nullptr;
   if (exact == nullptr || root.find("findspace") != nullptr || root.find("shapes") != nullptr) return std::nullopt;
-  JsonValue shape;
-  shape.kind = JsonValue::Kind::kObject;
+  JsonValue shape = tree.object("cells", *exact);
   shape.line = root.line;
   shape.column = root.column;
-  shape.keys = {"cells"};
-  shape.items = {*exact};
-  return scene_of_shape(std::filesystem::path(name).stem().string(), std::move(shape), name, context);
+  return scene_of_shape(std::filesystem::path(name).stem().string(), shape, tree, name, context);
 }
 
 }  // namespace
@@ -196,8 +196,9 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& folder
   ReadContext context(options);
   context.folder = folder;
   context.take_bytes(text.size(), name);
-  const JsonValue root = parse_json(text, name, context.work);
-  if (std::optional<Scene> alone = scene_of_cells(root, name, context)) return *std::move(alone);
+  JsonTree tree = parse_json(text, name, context.work);
+  if (std::optional<Scene> alone = scene_of_cells(tree, name, context)) return *std::move(alone);
+  const JsonValue& root = tree.root();
   SceneReader json(name, context);
   Scene scene;
   scene.file = name;
@@ -218,7 +219,8 @@ Scene read_shape_text(std::string_view text, const exact::Real& grid, const std:
   context.folder = folder;
   context.grid = Grid(grid);
   context.take_bytes(text.size(), name);
-  return scene_of_shape("shape", parse_json(text, name, context.work), name, context);
+  JsonTree tree = parse_json(text, name, context.work);
+  return scene_of_shape("shape", tree.root(), tree, name, context);
 }
 
 Scene read_scene(const std::filesystem::path& path, const ReadOptions& options) {

@@ -24,14 +24,14 @@ CurvePoint read_place(const SceneReader& json, const JsonValue& value, const Lab
   json.expect(value, JsonValue::Kind::kArray, "a point [x, y]", label);
   if (value.size() != 2)
     json.fail(ErrorCode::kBadValue, fmt::format("a point needs 2 coordinates, not {}", value.size()), label, value);
-  return {json.number(value.items[0], label), json.number(value.items[1], label)};
+  return {json.number(value.items()[0], label), json.number(value.items()[1], label)};
 }
 
 std::vector<CurvePoint> read_places(const SceneReader& json, const JsonValue& value, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "a list of points", label);
   std::vector<CurvePoint> points;
   for (std::size_t i = 0; i < value.size(); ++i)
-    points.push_back(read_place(json, value.items[i], label.part("point", i)));
+    points.push_back(read_place(json, value.items()[i], label.part("point", i)));
   return points;
 }
 
@@ -40,7 +40,7 @@ std::vector<Real> read_numbers(const SceneReader& json, const JsonValue* value, 
   if (value == nullptr) return numbers;
   json.expect(*value, JsonValue::Kind::kArray, "a list of numbers", label);
   for (std::size_t i = 0; i < value->size(); ++i)
-    numbers.push_back(json.number(value->items[i], label.part("number", i)));
+    numbers.push_back(json.number(value->items()[i], label.part("number", i)));
   return numbers;
 }
 
@@ -179,12 +179,12 @@ void check_way(const SceneReader& json, const JsonValue& step, const Label& labe
   const auto way = std::find_if(kWays.begin(), kWays.end(), [&](const Way& w) { return step.find(w.key) != nullptr; });
   const Way own = way == kWays.end() ? Way{"to", {}} : *way;
   for (std::size_t i = 0; i < step.size(); ++i) {
-    const std::string& key = step.keys[i];
+    const std::string_view key = step.keys()[i];
     if (key == own.key || std::find(own.beside.begin(), own.beside.end(), key) != own.beside.end()) continue;
     json.fail(ErrorCode::kBadValue,
               own.key == "to" ? fmt::format("\"{}\" has no meaning in a straight step", key)
                               : fmt::format("\"{}\" and \"{}\" do not go together", own.key, key),
-              label, step.items[i]);
+              label, step.items()[i]);
   }
 }
 
@@ -222,12 +222,12 @@ void Pen::step(const JsonValue& value, const Label& label) {
 void draw_outline(const SceneReader& json, const JsonValue& value, Outline& outline, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "\"outline\"", label);
   if (value.size() < 2) json.fail(ErrorCode::kGeometry, "an outline needs a point and a step", label, value);
-  const CurvePoint first = read_place(json, value.items[0], label.part("step", 0));
+  const CurvePoint first = read_place(json, value.items()[0], label.part("step", 0));
   Pen pen{json, outline, first, first};
   outline.move_to(first.x, first.y);
   for (std::size_t i = 1; i < value.size(); ++i) {
     const Label at = label.part("step", i);
-    json.placed(at, value.items[i], [&] { pen.step(value.items[i], at); });
+    json.placed(at, value.items()[i], [&] { pen.step(value.items()[i], at); });
   }
   outline.close();
 }
@@ -239,7 +239,8 @@ ShapePtr build_outline(ShapeReader& reader, const JsonValue& object, const JsonV
     draw_outline(json, value, outline, label);
     if (holes == nullptr) return;
     json.expect(*holes, JsonValue::Kind::kArray, "\"holes\"", label);
-    for (std::size_t i = 0; i < holes->size(); ++i) draw_outline(json, holes->items[i], outline, label.part("hole", i));
+    for (std::size_t i = 0; i < holes->size(); ++i)
+      draw_outline(json, holes->items()[i], outline, label.part("hole", i));
   };
   return drawn_shape(reader, object, value, label, draw, holes == nullptr ? &shape_of : &polygon_of);
 }
@@ -254,11 +255,11 @@ DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object
     if (!value->is(JsonValue::Kind::kNumber) && !value->is(JsonValue::Kind::kString))
       json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" is a number, or a text such as \"0.01mm\"", key), label,
                 *value);
-    json.placed(label.part(key), *value, [&] { parse_length(value->text, json.context().unit); });
-    to = value->text;
+    json.placed(label.part(key), *value, [&] { parse_length(value->text(), json.context().unit); });
+    to = value->text();
   };
   if (const JsonValue* curves = object.find("curves")) {
-    const std::string& word = json.text(*curves, "\"curves\"", label);
+    const std::string_view word = json.text(*curves, "\"curves\"", label);
     rules.curves = json.placed(label.part("curves"), *curves, [&] { return parse_curve_rule(word); });
   }
   length("tolerance", rules.tolerance);
@@ -269,7 +270,7 @@ DrawingRules read_drawing_rules(const SceneReader& json, const JsonValue& object
   if (const JsonValue* lines = object.find("open_lines"))
     rules.open_lines = read_flag(json, lines, false, label.part("open_lines"));
   if (const JsonValue* parts = object.find("parts")) {
-    const std::string& word = json.text(*parts, "\"parts\"", label);
+    const std::string_view word = json.text(*parts, "\"parts\"", label);
     rules.parts = json.placed(label.part("parts"), *parts, [&] { return parse_part_rule(word); });
   }
   return rules;

@@ -22,7 +22,7 @@ std::vector<std::string> read_names(const JsonValue& value, ShapeReader& shapes,
   const SceneReader& json = shapes.json();
   std::vector<std::string> names = json.texts(value, fmt::format("\"{}\"", label.what), label);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const JsonValue& at = value.is(Kind::kArray) ? value.items[i] : value;
+    const JsonValue& at = value.is(Kind::kArray) ? value.items()[i] : value;
     shapes.named(names[i], at, label);
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
         names.begin() + static_cast<std::ptrdiff_t>(i)) {
@@ -41,9 +41,9 @@ GridPosition read_direction(const JsonValue& value, int dimension, const SceneRe
   }
   std::vector<exact::Decimal> numbers;
   std::int64_t low = 0;
-  for (const JsonValue& item : value.items) {
+  for (const JsonValue& item : value.items()) {
     json.expect(item, Kind::kNumber, "a direction's coordinate", label);
-    numbers.push_back(json.placed(label, item, [&] { return exact::Decimal::parse(item.text); }));
+    numbers.push_back(json.placed(label, item, [&] { return exact::Decimal::parse(item.text()); }));
     low = std::min(low, numbers.back().exponent);
   }
   constexpr std::int64_t kMostDigits = 17;
@@ -74,7 +74,7 @@ std::vector<Real> read_angles(const JsonValue& value, const SceneReader& json, c
   std::vector<Real> angles;
   if (value.is(Kind::kArray)) {
     for (std::size_t i = 0; i < value.size(); ++i)
-      angles.push_back(json.number(value.items[i], label.part("angle", i)));
+      angles.push_back(json.number(value.items()[i], label.part("angle", i)));
     if (angles.empty()) json.fail(ErrorCode::kBadValue, "\"angles\" is an empty list", label, value);
     return angles;
   }
@@ -134,19 +134,19 @@ FreeValue split_free(const JsonValue& value, const JsonValue& root, const SceneR
   FreeValue free;
   free.root = &root;
   if (value.is(Kind::kString)) {
-    free.word = value.text;
+    free.word = value.text();
     return free;
   }
   json.expect(value, Kind::kObject, "\"free\" (if it is not a word)", label);
   if (value.size() == 0) json.fail(ErrorCode::kBadValue, "\"free\" is an empty object", label, value);
   free.outer = &value;
-  free.word = value.keys[0];
-  free.inner = &value.items[0];
+  free.word = value.keys()[0];
+  free.inner = &value.items()[0];
   for (std::size_t i = 0; i < value.size(); ++i) {
     for (const FreeKind& kind : free_kinds()) {
-      if (kind.word != value.keys[i]) continue;
-      free.word = value.keys[i];
-      free.inner = &value.items[i];
+      if (kind.word != value.keys()[i]) continue;
+      free.word = value.keys()[i];
+      free.inner = &value.items()[i];
     }
   }
   return free;
@@ -197,7 +197,7 @@ std::vector<Real> read_numbers(const JsonValue& value, std::size_t count, const 
               value);
   }
   std::vector<Real> numbers;
-  for (const JsonValue& item : value.items) numbers.push_back(json.number(item, label));
+  for (const JsonValue& item : value.items()) numbers.push_back(json.number(item, label));
   return numbers;
 }
 
@@ -212,7 +212,7 @@ void check_times(const Movement& movement, const Motion& motion, const JsonValue
   }
 }
 
-Movement read_movement(const std::string& name, const JsonValue& value, const Motion& motion, ShapeReader& shapes) {
+Movement read_movement(std::string_view name, const JsonValue& value, const Motion& motion, ShapeReader& shapes) {
   const SceneReader& json = shapes.json();
   Label label{nullptr, "motion of", name};
   shapes.named(name, value, Label{nullptr, "motion"});
@@ -225,7 +225,7 @@ Movement read_movement(const std::string& name, const JsonValue& value, const Mo
   json.expect(path, Kind::kArray, "\"path\"", label);
   if (path.size() == 0) json.fail(ErrorCode::kBadValue, "\"path\" needs at least one way point", label, path);
   for (std::size_t i = 0; i < path.size(); ++i) {
-    movement.path.push_back(json.position(path.items[i], shapes.dimension(), label.part("way point", i)));
+    movement.path.push_back(json.position(path.items()[i], shapes.dimension(), label.part("way point", i)));
   }
   std::size_t n = path.size();
   if (const JsonValue* times = value.find("times")) {
@@ -250,8 +250,8 @@ Motion read_motion(const JsonValue& value, ShapeReader& shapes) {
   if (!(motion.start < motion.end))
     json.fail(ErrorCode::kBadValue, "\"time\" must be [start, end] with start < end", label, value);
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (value.keys[i] == "time") continue;
-    motion.movements.push_back(read_movement(value.keys[i], value.items[i], motion, shapes));
+    if (value.keys()[i] == "time") continue;
+    motion.movements.push_back(read_movement(value.keys()[i], value.items()[i], motion, shapes));
   }
   if (motion.movements.empty()) json.fail(ErrorCode::kBadValue, "\"motion\" moves no shape", label, value);
   return motion;
@@ -262,23 +262,23 @@ void read_groups(const JsonValue& value, ShapeReader& shapes, Scene& scene) {
   const SceneReader& json = shapes.json();
   json.expect(value, Kind::kObject, "\"groups\"", {});
   for (std::size_t g = 0; g < value.size(); ++g) {
-    const std::string& name = value.keys[g];
+    const std::string_view name = value.keys()[g];
     const Label label{nullptr, "group", name};
     if (scene.find(name))
-      json.fail(ErrorCode::kBadValue, fmt::format("'{}' is a shape as well", name), label, value.items[g]);
-    json.expect(value.items[g], Kind::kArray, "a group", label);
-    std::vector<std::string>& members = scene.groups[name];
-    if (value.items[g].size() > 0) members = read_names(value.items[g], shapes, label);
+      json.fail(ErrorCode::kBadValue, fmt::format("'{}' is a shape as well", name), label, value.items()[g]);
+    json.expect(value.items()[g], Kind::kArray, "a group", label);
+    std::vector<std::string>& members = scene.groups[std::string(name)];
+    if (value.items()[g].size() > 0) members = read_names(value.items()[g], shapes, label);
     plane::Shape all;
     all.kind = plane::Shape::Kind::kUnion;
     all.collection = true;
     all.name = name;
-    all.place = json.place(label, value.items[g]);
+    all.place = json.place(label, value.items()[g]);
     for (const std::string& member : members)
       if (std::find(scene.moving.begin(), scene.moving.end(), member) == scene.moving.end())
         all.children.push_back(scene.find(member));
     if (all.children.empty())
-      scene.empty_lists.push_back(name);
+      scene.empty_lists.emplace_back(name);
     else
       scene.shapes.push_back(share(std::move(all)));
   }

@@ -23,15 +23,16 @@ constexpr std::size_t kAny = ~std::size_t{0};
 template <Shape::Kind kind, std::size_t least, std::size_t most>
 ShapePtr build_several(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   const SceneReader& json = reader.json();
-  json.expect(value, JsonValue::Kind::kArray, fmt::format("\"{}\"", object.keys[0]), label);
+  json.expect(value, JsonValue::Kind::kArray, fmt::format("\"{}\"", object.keys()[0]), label);
   if (value.size() < least || value.size() > most) {
     std::string many = least == most ? fmt::format("exactly {}", least) : fmt::format("at least {}", least);
-    json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" needs {} shapes, not {}", object.keys[0], many, value.size()),
+    json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" needs {} shapes, not {}", object.keys()[0], many, value.size()),
               label, value);
   }
   Shape shape = reader.node(kind, label, object);
+  shape.children.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i) {
-    shape.children.push_back(reader.shape(value.items[i], label.part("operand", i)));
+    shape.children.push_back(reader.shape(value.items()[i], label.part("operand", i)));
   }
   return share(std::move(shape));
 }

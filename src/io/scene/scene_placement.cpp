@@ -23,7 +23,7 @@ std::vector<FormulaText> read_formula_list(const JsonValue* value, const SceneRe
   if (!value) return all;
   if (value->is(Kind::kString)) return {json.formula(*value, label)};
   json.expect(*value, Kind::kArray, fmt::format("\"{}\"", label.what), label);
-  for (const JsonValue& item : value->items) all.push_back(json.formula(item, label));
+  for (const JsonValue& item : value->items()) all.push_back(json.formula(item, label));
   return all;
 }
 
@@ -33,7 +33,7 @@ PlacedBody read_body(const JsonValue& value, ShapeReader& shapes, std::vector<st
   body.shapes = json.texts(value, "a placed shape", label);
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     const std::string& name = body.shapes[i];
-    const JsonValue& at = value.is(Kind::kArray) ? value.items[i] : value;
+    const JsonValue& at = value.is(Kind::kArray) ? value.items()[i] : value;
     shapes.named(name, at, label);
     if (std::find(known.begin(), known.end(), name) != known.end())
       json.fail(ErrorCode::kBadValue, fmt::format("'{}' stands here twice; several of a shape are a \"count\"", name),
@@ -52,7 +52,7 @@ void read_bodies(const JsonValue& value, ShapeReader& shapes, Placement& place, 
     return;
   }
   json.expect(value, Kind::kArray, "\"shapes\"", label);
-  for (const JsonValue& item : value.items) place.bodies.push_back(read_body(item, shapes, known, label));
+  for (const JsonValue& item : value.items()) place.bodies.push_back(read_body(item, shapes, known, label));
   if (place.bodies.empty()) json.fail(ErrorCode::kBadValue, "\"shapes\" is an empty list", label, value);
 }
 
@@ -67,14 +67,14 @@ void for_bodies(const JsonValue* value, Placement& place, const SceneReader& jso
   std::vector<std::string> names;
   for (const PlacedBody& body : place.bodies) names.push_back(body.name);
   for (std::size_t i = 0; i < value->size(); ++i) {
-    const std::string& name = value->keys[i];
+    const std::string_view name = value->keys()[i];
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       json.fail(ErrorCode::kUnknownName,
                 fmt::format("'{}' is not among the placed shapes{}", name, choice("placed ones", name, names)), label,
-                value->items[i]);
+                value->items()[i]);
     }
-    read(place.bodies[std::size_t(found - names.begin())], value->items[i], label.part(name));
+    read(place.bodies[std::size_t(found - names.begin())], value->items()[i], label.part(name));
   }
 }
 
@@ -98,10 +98,10 @@ void read_body_angles(PlacedBody& body, const JsonValue& value, int dimension, c
   body.angles.clear();
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Label part = label.part("angle", i);
-    if (dimension == 3 && value.items[i].is(Kind::kObject))
-      add_orientation(body, value.items[i], json, part);
+    if (dimension == 3 && value.items()[i].is(Kind::kObject))
+      add_orientation(body, value.items()[i], json, part);
     else
-      add_angle(body, json.number(value.items[i], part));
+      add_angle(body, json.number(value.items()[i], part));
   }
   if (body.angles.empty()) json.fail(ErrorCode::kBadValue, "an empty list of angles: nothing is allowed", label, value);
 }
@@ -116,7 +116,7 @@ void read_count(PlacedBody& body, const JsonValue& value, const SceneReader& jso
 
 Placement::Method read_method(const JsonValue* value, const SceneReader& json, const Label& label) {
   if (!value) return Placement::Method::kSequential;
-  const std::string& word = json.text(*value, "\"method\"", label);
+  const std::string_view word = json.text(*value, "\"method\"", label);
   if (word == "simultaneous") return Placement::Method::kSimultaneous;
   if (word == "sequential") return Placement::Method::kSequential;
   json.fail(ErrorCode::kUnknownName, fmt::format("\"method\" is sequential or simultaneous, not '{}'", word), label,

@@ -30,7 +30,7 @@ Contour read_contour(ShapeReader& reader, const JsonValue& value, const Label& l
   Contour contour;
   contour.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i) {
-    contour.push_back({.start = reader.json().point(value.items[i], label.part("vertex", i))});
+    contour.push_back({.start = reader.json().point(value.items()[i], label.part("vertex", i))});
   }
   return contour;
 }
@@ -48,7 +48,7 @@ ShapePtr build_polygon(ShapeReader& reader, const JsonValue& object, const JsonV
   if (const JsonValue* holes = object.find("holes")) {
     reader.json().expect(*holes, JsonValue::Kind::kArray, "\"holes\"", label);
     for (std::size_t i = 0; i < holes->size(); ++i) {
-      rings.push_back(read_ring(reader, holes->items[i], label.part("hole", i)));
+      rings.push_back(read_ring(reader, holes->items()[i], label.part("hole", i)));
     }
   }
   ReadContext& context = reader.context();
@@ -91,6 +91,7 @@ ShapePtr build_box(ShapeReader& reader, const JsonValue& object, const JsonValue
   }
   Shape shape = reader.node(Shape::Kind::kRings, label, object);
   Contour& ring = shape.contours.emplace_back();
+  ring.reserve(4);
   for (GridPoint p : {a, GridPoint{b.x, a.y}, b, GridPoint{a.x, b.y}}) ring.push_back({.start = p});
   return share(std::move(shape));
 }
@@ -101,7 +102,7 @@ ShapePtr build_points(ShapeReader& reader, const JsonValue& object, const JsonVa
   if (value.size() == 0) reader.json().fail(ErrorCode::kGeometry, "\"points\" is an empty list", label, value);
   Shape shape = reader.node(Shape::Kind::kPoints, label, object);
   for (std::size_t i = 0; i < value.size(); ++i) {
-    shape.points.push_back(reader.json().point(value.items[i], label.part("point", i)));
+    shape.points.push_back(reader.json().point(value.items()[i], label.part("point", i)));
   }
   return share(std::move(shape));
 }
@@ -135,7 +136,7 @@ class OutlineSink : public PathSink {
 ShapePtr build_path(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
   reader.use_dimension(2, label, value);
   const RulesBeside rules(reader, object, label);
-  const std::string& data = reader.json().text(value, "\"path\"", label);
+  const std::string_view data = reader.json().text(value, "\"path\"", label);
   return reader.json().placed(label, value, [&] {
     Outline outline(reader.context());
     OutlineSink sink(outline);
@@ -156,7 +157,7 @@ FileChoice read_choice(ShapeReader& reader, const JsonValue& object, const Label
     choice.index = static_cast<std::size_t>(*n);
   }
   if (const JsonValue* unit = object.find("unit")) {
-    const std::string& name = json.text(*unit, "\"unit\"", label);
+    const std::string_view name = json.text(*unit, "\"unit\"", label);
     choice.unit = json.placed(label, *unit, [&] { return parse_unit(name); });
   }
   return choice;

@@ -22,7 +22,7 @@ std::array<Real, n> read_row(const JsonValue& value, std::string_view what, cons
   if (value.size() != n)
     json.fail(ErrorCode::kBadValue, fmt::format("{} has {} numbers, not {}", what, n, value.size()), label, value);
   std::array<Real, n> out;
-  for (std::size_t k = 0; k < n; ++k) out[k] = json.number(value.items[k], label);
+  for (std::size_t k = 0; k < n; ++k) out[k] = json.number(value.items()[k], label);
   return out;
 }
 
@@ -35,7 +35,8 @@ std::string row_text(const std::array<Real, n>& row) {
 
 space::RealVector read_axis(const JsonValue& value, const SceneReader& json, const Label& label) {
   if (!value.is(Kind::kString)) return read_row<3>(value, "an axis", json, label);
-  const std::size_t k = value.text.size() == 1 ? std::string_view("xyz").find(value.text) : std::string_view::npos;
+  const std::string_view word = value.text();
+  const std::size_t k = word.size() == 1 ? std::string_view("xyz").find(word) : std::string_view::npos;
   if (k == std::string_view::npos)
     json.fail(ErrorCode::kBadValue, "\"axis\" is \"x\", \"y\" or \"z\", or a direction [x, y, z]", label, value);
   space::RealVector out;
@@ -61,7 +62,7 @@ Orientation of_matrix(const JsonValue& value, const space::Point& about, const S
   Rotation::Matrix rows;
   std::string text;
   for (std::size_t k = 0; k < 3; ++k) {
-    rows[k] = read_row<3>(value.items[k], "a row", json, label.part("row", k));
+    rows[k] = read_row<3>(value.items()[k], "a row", json, label.part("row", k));
     text += (k > 0 ? " " : "") + row_text(rows[k]);
   }
   return {Rotation::of_matrix(rows, about), "matrix " + text};
@@ -102,7 +103,7 @@ std::vector<Orientation> read_orientations(const JsonValue& value, const GridPos
   std::vector<Orientation> out;
   if (value.is(Kind::kArray)) {
     for (std::size_t k = 0; k < value.size(); ++k)
-      out.push_back(read_orientation(value.items[k], nullptr, about, json, label.part("orientation", k)));
+      out.push_back(read_orientation(value.items()[k], nullptr, about, json, label.part("orientation", k)));
     if (out.empty()) json.fail(ErrorCode::kBadValue, "\"angles\" is an empty list", label, value);
     return out;
   }

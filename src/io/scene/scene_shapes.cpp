@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "io/scene/scene_curves.h"
@@ -17,19 +18,39 @@ constexpr std::size_t kMostLevels = 1000;  // of shapes made from shapes; keeps 
 using plane::Shape;
 using plane::ShapePtr;
 
-std::vector<const ShapeKind*> all_kinds() {
-  std::vector<const ShapeKind*> all;
-  for (auto kinds : {primitive_kinds(), curve_kinds(), simplify_kinds(), node_kinds(), space_kinds()}) {
-    for (const ShapeKind& kind : kinds) all.push_back(&kind);
-  }
-  return all;
+/// A kind, and its key with all that it may have beside it.
+struct KnownKind {
+  const ShapeKind* kind;
+  std::vector<std::string_view> keys;
+};
+
+const std::vector<KnownKind>& all_kinds() {
+  static const std::vector<KnownKind> kKinds = [] {
+    std::vector<KnownKind> all;
+    for (auto kinds : {primitive_kinds(), curve_kinds(), simplify_kinds(), node_kinds(), space_kinds()}) {
+      for (const ShapeKind& kind : kinds) {
+        KnownKind& known = all.emplace_back(KnownKind{&kind, {kind.key}});
+        known.keys.insert(known.keys.end(), kind.beside.begin(), kind.beside.end());
+      }
+    }
+    return all;
+  }();
+  return kKinds;
 }
 
-const ShapeKind* kind_of(const JsonValue& object, const std::vector<const ShapeKind*>& kinds) {
-  for (const ShapeKind* kind : kinds) {
-    if (object.find(kind->key)) return kind;
+/// The first kind whose key the object has, or null.
+const KnownKind* kind_of(const JsonValue& object) {
+  static const std::unordered_map<std::string_view, const KnownKind*> kByKey = [] {
+    std::unordered_map<std::string_view, const KnownKind*> all;
+    for (const KnownKind& known : all_kinds()) all.emplace(known.kind->key, &known);
+    return all;
+  }();
+  const KnownKind* first = nullptr;
+  for (const std::string_view key : object.keys()) {
+    const auto found = kByKey.find(key);
+    if (found != kByKey.end() && (first == nullptr || found->second < first)) first = found->second;
   }
-  return nullptr;
+  return first;
 }
 
 }  // namespace
@@ -39,15 +60,14 @@ ShapePtr share(Shape shape) { return std::make_shared<const Shape>(std::move(sha
 ShapeReader::ShapeReader(const SceneReader& json, const JsonValue& shapes) : json_(json) {
   json_.expect(shapes, JsonValue::Kind::kObject, "\"shapes\"", {});
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const std::string& name = shapes.keys[i];
+    const std::string_view name = shapes.keys()[i];
     bool plain = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
       return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\x7f';
     });
     if (!plain)
       json_.fail(ErrorCode::kBadValue, "a shape needs a name without quotes and control characters", {},
-                 shapes.items[i]);
-    names_.push_back(name);
-    entries_[name].value = &shapes.items[i];
+                 shapes.items()[i]);
+    entries_[names_.emplace_back(name)].value = &shapes.items()[i];
   }
 }
 
@@ -57,7 +77,7 @@ std::vector<ShapePtr> ShapeReader::all() {
   return shapes;
 }
 
-ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const Label& label) {
+ShapePtr ShapeReader::named(std::string_view name, const JsonValue& at, const Label& label) {
   auto found = entries_.find(name);
   if (found == entries_.end()) {
     json_.fail(ErrorCode::kUnknownName, fmt::format("unknown shape '{}'{}", name, choice("shapes", name, names_)),
@@ -70,7 +90,7 @@ ShapePtr ShapeReader::named(const std::string& name, const JsonValue& at, const 
   }
   if (entry.open) fail_cycle(name, at, label);
   entry.open = true;
-  trail_.push_back(name);
+  trail_.emplace_back(name);
   Label own{nullptr, "shape", name};
   const std::size_t outside = std::exchange(height_, 0);
   Shape copy = *shape(*entry.value, own);
@@ -90,7 +110,7 @@ ShapePtr ShapeReader::shape(const JsonValue& value, const Label& label) {
   ShapePtr made;
   switch (value.kind) {
     case JsonValue::Kind::kString:
-      made = named(value.text, value, label);
+      made = named(value.text(), value, label);
       break;
     case JsonValue::Kind::kArray:
       made = list(value, label);
@@ -112,35 +132,33 @@ ShapePtr ShapeReader::list(const JsonValue& value, const Label& label) {
   if (value.size() == 0) json_.fail(ErrorCode::kBadValue, "an empty list of shapes", label, value);
   Shape result = node(Shape::Kind::kUnion, label, value);
   result.collection = true;
+  result.children.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i)
-    result.children.push_back(shape(value.items[i], label.part("part", i)));
+    result.children.push_back(shape(value.items()[i], label.part("part", i)));
   return share(std::move(result));
 }
 
 ShapePtr ShapeReader::object(const JsonValue& value, const Label& label) {
-  static const std::vector<const ShapeKind*> kinds = all_kinds();
-  const ShapeKind* kind = kind_of(value, kinds);
-  if (!kind) fail_unknown_kind(value, label);
-  std::vector<std::string_view> allowed{kind->key};
-  allowed.insert(allowed.end(), kind->beside.begin(), kind->beside.end());
-  json_.check_keys(value, allowed, label);
-  return kind->build(*this, value, *value.find(kind->key), label);
+  const KnownKind* known = kind_of(value);
+  if (known == nullptr) fail_unknown_kind(value, label);
+  json_.check_keys(value, known->keys, label);
+  return known->kind->build(*this, value, *value.find(known->kind->key), label);
 }
 
 void ShapeReader::fail_unknown_kind(const JsonValue& value, const Label& label) const {
   std::vector<std::string> known;
-  for (const ShapeKind* kind : all_kinds()) known.emplace_back(kind->key);
-  for (const std::string& key : value.keys) {
+  for (const KnownKind& one : all_kinds()) known.emplace_back(one.kind->key);
+  for (const std::string_view key : value.keys()) {
     std::string hint = suggestion(key, known);
     if (!hint.empty())
       json_.fail(ErrorCode::kUnknownName, fmt::format("unknown kind of shape '{}'{}", key, hint), label, value);
   }
-  std::string what =
-      value.keys.empty() ? "an empty object is not a shape" : fmt::format("unknown kind of shape '{}'", value.keys[0]);
+  std::string what = value.keys().empty() ? "an empty object is not a shape"
+                                          : fmt::format("unknown kind of shape '{}'", value.keys()[0]);
   json_.fail(ErrorCode::kUnknownName, fmt::format("{}; the kinds are {}", what, fmt::join(known, ", ")), label, value);
 }
 
-void ShapeReader::fail_cycle(const std::string& name, const JsonValue& at, const Label& label) const {
+void ShapeReader::fail_cycle(std::string_view name, const JsonValue& at, const Label& label) const {
   auto first = std::find(trail_.begin(), trail_.end(), name);
   json_.fail(ErrorCode::kBadValue,
              fmt::format("'{}' is made from itself: {} -> {}", name, fmt::join(first, trail_.end(), " -> "), name),

@@ -49,7 +49,7 @@ class ShapeReader {
   /// A shape as values state it: a name, an object or a list (a collection).
   plane::ShapePtr shape(const JsonValue& value, const Label& label);
   /// The shape of that name; errors are placed at `at`.
-  plane::ShapePtr named(const std::string& name, const JsonValue& at, const Label& label);
+  plane::ShapePtr named(std::string_view name, const JsonValue& at, const Label& label);
   const std::vector<std::string>& names() const { return names_; }
 
   /// A new node that knows its place.
@@ -69,7 +69,7 @@ class ShapeReader {
   plane::ShapePtr list(const JsonValue& value, const Label& label);
   [[noreturn]] void fail_unknown_kind(const JsonValue& value, const Label& label) const;
   [[noreturn]] void fail_too_deep(const JsonValue& at, const Label& label) const;
-  [[noreturn]] void fail_cycle(const std::string& name, const JsonValue& at, const Label& label) const;
+  [[noreturn]] void fail_cycle(std::string_view name, const JsonValue& at, const Label& label) const;
 
   const SceneReader& json_;
   std::vector<std::string> names_;

@@ -105,7 +105,7 @@ ShapePtr build_simplify(ShapeReader& reader, const JsonValue& object, const Json
   return json.placed(label, value, [&] {
     DrawingRules own = read_drawing_rules(json, object, label).over(context.scene_rules);
     own = context.options.drawings.over(own);
-    own.tolerance = value.text;
+    own.tolerance = value.text();
     context.use(own);
     return simplified(shape, context);
   });

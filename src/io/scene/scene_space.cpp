@@ -40,7 +40,8 @@ space::Point point(const SceneReader& json, const JsonValue& value, const Label&
 std::vector<space::Point> points(const SceneReader& json, const JsonValue& value, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y, z]", label);
   std::vector<space::Point> result;
-  for (std::size_t i = 0; i < value.size(); ++i) result.push_back(point(json, value.items[i], label.part("vertex", i)));
+  for (std::size_t i = 0; i < value.size(); ++i)
+    result.push_back(point(json, value.items()[i], label.part("vertex", i)));
   return result;
 }
 
@@ -69,7 +70,7 @@ plane::Contour ring(const SceneReader& json, const JsonValue& value, const Label
   json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y]", label);
   plane::Contour contour;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    contour.push_back({.start = json.point(value.items[i], label.part("vertex", i))});
+    contour.push_back({.start = json.point(value.items()[i], label.part("vertex", i))});
   }
   if (contour.size() > 1 && contour.front().start == contour.back().start) contour.pop_back();
   return contour;
@@ -83,7 +84,8 @@ ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonVal
   std::vector<plane::Contour> rings{ring(json, json.need(value, "polygon", label), label.part("polygon"))};
   if (const JsonValue* holes = value.find("holes")) {
     json.expect(*holes, JsonValue::Kind::kArray, "\"holes\"", label);
-    for (std::size_t i = 0; i < holes->size(); ++i) rings.push_back(ring(json, holes->items[i], label.part("hole", i)));
+    for (std::size_t i = 0; i < holes->size(); ++i)
+      rings.push_back(ring(json, holes->items()[i], label.part("hole", i)));
   }
   const JsonValue& z = json.need(value, "z", label);
   json.expect(z, JsonValue::Kind::kArray, "\"z\"", label);
@@ -97,8 +99,8 @@ ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonVal
   solid.form = Solid::Form::kPrism;
   solid.contours = std::move(set.contours);
   double moved[2] = {0, 0};
-  solid.low = context.grid.nearest(json.number(z.items[0], label.part("z")), moved[0]);
-  solid.high = context.grid.nearest(json.number(z.items[1], label.part("z")), moved[1]);
+  solid.low = context.grid.nearest(json.number(z.items()[0], label.part("z")), moved[0]);
+  solid.high = context.grid.nearest(json.number(z.items()[1], label.part("z")), moved[1]);
   for (const double m : moved) context.rounding.add(m, 0);
   if (solid.low >= solid.high) json.fail(ErrorCode::kGeometry, "the height of a prism must be more than 0", label, z);
   return share_solid(reader, std::move(solid), label, object);
@@ -107,11 +109,11 @@ ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonVal
 std::vector<int> face(const SceneReader& json, const JsonValue& value, std::size_t vertices, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "a face", label);
   std::vector<int> circuit;
-  for (const JsonValue& item : value.items) {
+  for (const JsonValue& item : value.items()) {
     const auto index = json.number(item, label).integer();
     if (!index || *index < 0 || *index >= static_cast<exact::int128>(vertices)) {
       json.fail(ErrorCode::kBadValue,
-                fmt::format("a face counts vertices from 0 to {}, not {}", vertices - 1, item.text), label, item);
+                fmt::format("a face counts vertices from 0 to {}, not {}", vertices - 1, item.text()), label, item);
     }
     circuit.push_back(static_cast<int>(*index));
   }
@@ -130,7 +132,7 @@ ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValu
   const JsonValue& faces = json.need(value, "faces", label);
   json.expect(faces, JsonValue::Kind::kArray, "\"faces\"", label);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    solid.mesh.faces.push_back(face(json, faces.items[i], solid.mesh.vertices.size(), label.part("face", i)));
+    solid.mesh.faces.push_back(face(json, faces.items()[i], solid.mesh.vertices.size(), label.part("face", i)));
   }
   json.placed(label, value, [&] {
     for (std::string& note :

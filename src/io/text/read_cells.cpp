@@ -37,7 +37,7 @@ class CellsReader {
     const Mark outside = truth(json_.need(value, "outside", label_));
     plane::MarkedCurves curves(outside);
     for (const JsonValue& item : list(value, "supporting_curves")) add_supporting_curve(curves.curves.geometry, item);
-    const auto& vertices = list(value, "vertices");
+    const std::span<const JsonValue> vertices = list(value, "vertices");
     for (const JsonValue& item : vertices) points_.push_back(point(curves.curves.geometry, item));
     ends_.assign(vertices.size(), 0);
     for (const JsonValue& item : list(value, "edges")) add_edge(curves, item);
@@ -51,10 +51,10 @@ class CellsReader {
     json_.fail(ErrorCode::kGeometry, why, label_, at);
   }
 
-  const std::vector<JsonValue>& list(const JsonValue& value, std::string_view key) const {
+  std::span<const JsonValue> list(const JsonValue& value, std::string_view key) const {
     const JsonValue& items = json_.need(value, key, label_);
     json_.expect(items, Kind::kArray, fmt::format("\"{}\"", key), label_);
-    return items.items;
+    return items.items();
   }
 
   Mark truth(const JsonValue& value) const {
@@ -65,7 +65,7 @@ class CellsReader {
   Real number(const JsonValue& value) const {
     if (!value.is(Kind::kNumber)) json_.expect(value, Kind::kString, "an exact number", label_);
     return json_.placed(label_, value, [&] {
-      return value.is(Kind::kNumber) ? Real::parse_decimal(value.text) : numbers_.read(value.text);
+      return value.is(Kind::kNumber) ? Real::parse_decimal(value.text()) : numbers_.read(value.text());
     });
   }
 
@@ -84,9 +84,9 @@ class CellsReader {
 
   void define(const JsonValue& definitions) {
     json_.expect(definitions, Kind::kArray, "\"numbers\"", label_);
-    for (const JsonValue& item : definitions.items) {
+    for (const JsonValue& item : definitions.items()) {
       json_.expect(item, Kind::kString, "the definition of a number", label_);
-      json_.placed(label_, item, [&] { numbers_.define(item.text); });
+      json_.placed(label_, item, [&] { numbers_.define(item.text()); });
     }
   }
 
@@ -105,13 +105,13 @@ class CellsReader {
     factor_ = size * unit / json_.context().grid.step();
   }
 
-  const std::vector<JsonValue>& numbers_of(const JsonValue& value, std::size_t count, const char* meaning) const {
+  std::span<const JsonValue> numbers_of(const JsonValue& value, std::size_t count, const char* meaning) const {
     json_.expect(value, Kind::kArray, meaning, label_);
     if (value.size() != count) {
       json_.fail(ErrorCode::kBadValue, fmt::format("{} has {} numbers, not {}", meaning, count, value.size()), label_,
                  value);
     }
-    return value.items;
+    return value.items();
   }
 
   void add_supporting_curve(Geometry& g, const JsonValue& item) const {
@@ -119,7 +119,7 @@ class CellsReader {
     json_.expect(item, Kind::kObject, "a supporting curve", label_);
     json_.check_keys(item, kKeys, label_);
     if (const JsonValue* circle = item.find("circle")) {
-      const auto& n = numbers_of(*circle, 3, "a circle [x, y, radius]");
+      const std::span<const JsonValue> n = numbers_of(*circle, 3, "a circle [x, y, radius]");
       const Real radius = number(n[2]) * factor_;
       if (radius.sign() <= 0) json_.fail(ErrorCode::kBadValue, "a radius must be more than 0", label_, item);
       g.add(SupportingCurve::circle_at(number(n[0]) * factor_, number(n[1]) * factor_, radius));
@@ -130,7 +130,7 @@ class CellsReader {
 
   SupportingCurve line(const JsonValue& item) const {
     constexpr std::int64_t kMost = std::int64_t(1) << 42;
-    const auto& n = numbers_of(json_.need(item, "line", label_), 3, "a line [a, b, c]");
+    const std::span<const JsonValue> n = numbers_of(json_.need(item, "line", label_), 3, "a line [a, b, c]");
     std::int64_t a = whole(n[0], -kMost, kMost, "a normal"), b = whole(n[1], -kMost, kMost, "a normal");
     if (a == 0 && b == 0) json_.fail(ErrorCode::kBadValue, "a line needs a normal", label_, item);
     const Real parts(exact::make_primitive(a, b)), c = number(n[2]) * factor_ / parts;
@@ -152,12 +152,12 @@ class CellsReader {
   }
 
   Index place(Geometry& g, const JsonValue& item) const {
-    const auto& n = numbers_of(json_.need(item, "at", label_), 2, "a place [x, y]");
+    const std::span<const JsonValue> n = numbers_of(json_.need(item, "at", label_), 2, "a place [x, y]");
     return g.add_real_point(number(n[0]) * factor_, number(n[1]) * factor_);
   }
 
   Index crossing(Geometry& g, const JsonValue& item) const {
-    const auto& n = numbers_of(json_.need(item, "on", label_), 2, "\"on\"");
+    const std::span<const JsonValue> n = numbers_of(json_.need(item, "on", label_), 2, "\"on\"");
     const Index i = index(n[0], g.supporting_curves.size(), "a supporting curve"),
                 j = index(n[1], g.supporting_curves.size(), "a supporting curve");
     const auto root = static_cast<int>(whole(json_.need(item, "root", label_), -1, 1, "\"root\""));
@@ -198,7 +198,7 @@ class CellsReader {
     out.mark({truth(member("in")), truth(member("left")), truth(member("right"))});
   }
 
-  void add_vertices(plane::MarkedCurves& out, const std::vector<JsonValue>& vertices) const {
+  void add_vertices(plane::MarkedCurves& out, std::span<const JsonValue> vertices) const {
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       const Mark in = truth(json_.need(vertices[v], "in", label_));
       const JsonValue* around = vertices[v].find("around");

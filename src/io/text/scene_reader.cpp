@@ -16,23 +16,51 @@ namespace findspace::io {
 
 using exact::Real;
 
+namespace {
+
+void add_text(std::string_view text, fmt::memory_buffer& all) { all.append(text.data(), text.data() + text.size()); }
+
+void add_number(long number, fmt::memory_buffer& all) {
+  const fmt::format_int digits(number);
+  add_text({digits.data(), digits.size()}, all);
+}
+
+}  // namespace
+
 // Every shape has its place, so it is put together without formats.
-void Label::put(std::string& all) const {
+void Label::put(fmt::memory_buffer& all) const {
   if (outer) outer->put(all);
-  if (!all.empty() && !what.empty()) all += ", ";
-  all += what;
-  if (!name.empty()) all.append(" '").append(name) += '\'';
-  if (index >= 0) all.append(1, ' ').append(std::to_string(index));
+  if (all.size() > 0 && !what.empty()) add_text(", ", all);
+  add_text(what, all);
+  if (!name.empty()) {
+    add_text(" '", all);
+    add_text(name, all);
+    add_text("'", all);
+  }
+  if (index >= 0) {
+    add_text(" ", all);
+    add_number(index, all);
+  }
+}
+
+std::string Label::text() const {
+  fmt::memory_buffer all;
+  put(all);
+  return fmt::to_string(all);
 }
 
 std::string SceneReader::place(const Label& label, const JsonValue& at) const {
-  std::string all;
+  fmt::memory_buffer all;
   label.put(all);
-  const bool bare = all.empty();
-  if (!bare) all += " (";
-  all.append(file_).append(1, ':').append(std::to_string(at.line)).append(1, ':').append(std::to_string(at.column));
-  if (!bare) all += ')';
-  return all;
+  const bool bare = all.size() == 0;
+  if (!bare) add_text(" (", all);
+  add_text(file_, all);
+  add_text(":", all);
+  add_number(at.line, all);
+  add_text(":", all);
+  add_number(at.column, all);
+  if (!bare) add_text(")", all);
+  return fmt::to_string(all);
 }
 
 bool SceneReader::is_within(std::string_view place, const Label& label) {
@@ -49,21 +77,19 @@ void SceneReader::fail(ErrorCode code, const std::string& message, const Label& 
 void SceneReader::expect(const JsonValue& value, JsonValue::Kind kind, std::string_view meaning,
                          const Label& label) const {
   if (value.kind == kind) return;
-  JsonValue wanted;
-  wanted.kind = kind;
-  fail(ErrorCode::kBadValue, fmt::format("{} must be {}, not {}", meaning, wanted.kind_name(), value.kind_name()),
-       label, value);
+  fail(ErrorCode::kBadValue,
+       fmt::format("{} must be {}, not {}", meaning, JsonValue(kind).kind_name(), value.kind_name()), label, value);
 }
 
 void SceneReader::check_keys(const JsonValue& object, std::span<const std::string_view> allowed,
                              const Label& label) const {
   for (std::size_t i = 0; i < object.size(); ++i) {
-    const std::string& key = object.keys[i];
+    const std::string_view key = object.keys()[i];
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
     std::vector<std::string> names(allowed.begin(), allowed.end());
     std::string hint = suggestion(key, names);
     if (hint.empty()) hint = fmt::format("; known here: {}", fmt::join(names, ", "));
-    fail(ErrorCode::kUnknownName, fmt::format("unknown key '{}'{}", key, hint), label, object.items[i]);
+    fail(ErrorCode::kUnknownName, fmt::format("unknown key '{}'{}", key, hint), label, object.items()[i]);
   }
 }
 
@@ -74,27 +100,27 @@ const JsonValue& SceneReader::need(const JsonValue& object, std::string_view key
 
 Real SceneReader::number(const JsonValue& value, const Label& label) const {
   expect(value, JsonValue::Kind::kNumber, "this", label);
-  return placed(label, value, [&] { return Real::parse_decimal(value.text); });
+  return placed(label, value, [&] { return Real::parse_decimal(value.text()); });
 }
 
-const std::string& SceneReader::text(const JsonValue& value, std::string_view meaning, const Label& label) const {
+std::string_view SceneReader::text(const JsonValue& value, std::string_view meaning, const Label& label) const {
   expect(value, JsonValue::Kind::kString, meaning, label);
-  if (value.text.empty()) fail(ErrorCode::kBadValue, fmt::format("{} is an empty text", meaning), label, value);
-  return value.text;
+  if (value.text().empty()) fail(ErrorCode::kBadValue, fmt::format("{} is an empty text", meaning), label, value);
+  return value.text();
 }
 
 std::vector<std::string> SceneReader::texts(const JsonValue& value, std::string_view meaning,
                                             const Label& label) const {
-  if (value.is(JsonValue::Kind::kString)) return {text(value, meaning, label)};
+  if (value.is(JsonValue::Kind::kString)) return {std::string(text(value, meaning, label))};
   expect(value, JsonValue::Kind::kArray, fmt::format("{} (if it is not a text)", meaning), label);
   if (value.size() == 0) fail(ErrorCode::kBadValue, fmt::format("{} is an empty list", meaning), label, value);
   std::vector<std::string> all;
-  for (const JsonValue& item : value.items) all.push_back(text(item, meaning, label));
+  for (const JsonValue& item : value.items()) all.emplace_back(text(item, meaning, label));
   return all;
 }
 
 FormulaText SceneReader::formula(const JsonValue& value, const Label& label) const {
-  return {text(value, fmt::format("\"{}\"", label.what), label), file_, value.line, value.column + 1};
+  return {std::string(text(value, fmt::format("\"{}\"", label.what), label)), file_, value.line, value.column + 1};
 }
 
 Real SceneReader::length(const JsonValue& value, const Label& label) const {
@@ -110,7 +136,7 @@ plane::GridPoint SceneReader::point(const JsonValue& value, const Label& label) 
 /// The usual case, without big numbers.
 std::optional<std::int64_t> SceneReader::on_grid(const JsonValue& value) const {
   if (!value.is(JsonValue::Kind::kNumber)) return std::nullopt;
-  return exact::grid_integer(value.text, context_.grid.step());
+  return exact::grid_integer(value.text(), context_.grid.step());
 }
 
 GridPosition SceneReader::position(const JsonValue& value, int dimension, const Label& label) const {
@@ -121,15 +147,18 @@ GridPosition SceneReader::position(const JsonValue& value, int dimension, const 
   }
   GridPosition result{};
   std::array<double, 3> moved{};
+  bool all_on_grid = true;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (const auto steps = on_grid(value.items[i])) {
+    const JsonValue& item = value.items()[i];
+    if (const auto steps = on_grid(item)) {
       result[i] = *steps;
       continue;
     }
-    const Real x = number(value.items[i], label);
-    result[i] = placed(label, value.items[i], [&] { return context_.grid.nearest(x, moved[i]); });
+    const Real x = number(item, label);
+    result[i] = placed(label, item, [&] { return context_.grid.nearest(x, moved[i]); });
+    all_on_grid = false;
   }
-  context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
+  if (!all_on_grid) context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
   return result;
 }
 

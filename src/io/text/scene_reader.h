@@ -4,6 +4,8 @@
 // Typed access to the JSON tree of a scene, with errors that say where: the shape, the part of it, the line.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -28,13 +30,9 @@ struct Label {
   Label part(std::string_view word, std::size_t i) const { return {this, word, {}, static_cast<long>(i)}; }
   Label part(std::string_view word) const { return {this, word}; }
   /// "shape 'board', hole 1, vertex 3"
-  std::string text() const {
-    std::string all;
-    put(all);
-    return all;
-  }
+  std::string text() const;
   /// Appends that.
-  void put(std::string& all) const;
+  void put(fmt::memory_buffer& all) const;
 };
 
 class SceneReader {
@@ -61,7 +59,7 @@ class SceneReader {
   /// The same of a file that `at` names; a scene that was made for this file alone has no place of its own.
   template <class Read>
   auto placed_file(const Label& label, const JsonValue& at, Read read) const {
-    return at.text == file_ ? read() : placed(label, at, read);
+    return at.text() == file_ ? read() : placed(label, at, read);
   }
 
   void expect(const JsonValue& value, JsonValue::Kind kind, std::string_view meaning, const Label& label) const;
@@ -70,7 +68,7 @@ class SceneReader {
   const JsonValue& need(const JsonValue& object, std::string_view key, const Label& label) const;
 
   exact::Real number(const JsonValue& value, const Label& label) const;
-  const std::string& text(const JsonValue& value, std::string_view meaning, const Label& label) const;
+  std::string_view text(const JsonValue& value, std::string_view meaning, const Label& label) const;
   std::vector<std::string> texts(const JsonValue& value, std::string_view meaning, const Label& label) const;
   FormulaText formula(const JsonValue& value, const Label& label) const;
 
