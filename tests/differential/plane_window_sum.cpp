@@ -60,6 +60,7 @@ void compare(const LocalSum& local, const SignMap& whole, std::int64_t size, std
     // A vertex of the map in the middle of the window, or on its border.
     GridBox w{x - (k % 3 ? wide : 0), y - (k % 3 == 1 ? high : 1), x + wide, y + high};
     auto curves = curves_in(local.index(), w, SIZE_MAX);
+    EXPECT_FALSE(local.surely_has(curves.size() + 1, w)) << what;
     ASSERT_TRUE(is_nothing(difference(local.map(w, curves), whole, w)))
         << what << ", window " << w.x0 << " " << w.y0 << " " << w.x1 << " " << w.y1;
   }
@@ -108,6 +109,27 @@ TEST(WindowSum, Stars) {
     compare(star(rng, 4 + 2 * int(rng() % 12), 1000), star(rng, 4 + 2 * int(rng() % 12), seed % 3 ? 400 : 1000), 700,
             seed, "seed " + std::to_string(seed));
     if (HasFatalFailure()) return;
+  }
+}
+
+TEST(WindowSum, CountsTheCurvesOfConvexFacesWithoutThem) {
+  constexpr std::size_t kSide = 12;
+  std::vector<Region> boxes;
+  for (std::int64_t k = 0; k < std::int64_t(kSide * kSide); ++k) {
+    const std::int64_t x = k % std::int64_t(kSide) * 10, y = k / std::int64_t(kSide) * 10;
+    boxes.push_back(ring({{x, y}, {x + 6, y}, {x + 7, y + 5}, {x, y + 6}}));
+  }
+  std::vector<const Region*> all;
+  for (const Region& box : boxes) all.push_back(&box);
+  const Region a = unite(all), b = ring({{0, 0}, {2, 0}, {1, 1}});
+  for (const auto& local : {LocalSum::contact(a, b), LocalSum::contact(b, a)}) {
+    const GridBox w = *local->bounds(), part{w.x0, w.y0, w.x0 + 40, w.y0 + 60};
+    const std::size_t every = curves_in(local->index(), w, SIZE_MAX).size();
+    EXPECT_EQ(every, kSide * kSide * 7);
+    EXPECT_TRUE(local->surely_has(every, w));
+    EXPECT_FALSE(local->surely_has(every + 1, w));
+    EXPECT_TRUE(local->surely_has(4 * 6 * 7, part));
+    EXPECT_FALSE(local->surely_has(curves_in(local->index(), part, SIZE_MAX).size() + 1, part));
   }
 }
 

@@ -58,6 +58,8 @@ class GridPlaces {
   using Curves = std::vector<plane::ConvolutionIndex::Curve>;
   GridPlaces(const plane::LocalSum& sum, const RealPoint& p) : sum_(sum), p_(p) {}
 
+  /// Whether there are so many, where that is seen without looking at them.
+  bool surely_has(std::size_t curves, const GridBox& w) const { return sum_.surely_has(curves, w); }
   Curves curves_in(const GridBox& w, std::size_t most) const { return plane::curves_in(sum_.index(), w, most); }
   Curves curves_in(const GridBox& w, const Curves& among) const { return plane::curves_in(sum_.index(), w, among); }
   std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
@@ -80,6 +82,7 @@ class CurvePlaces {
   using Curves = plane::FreePlaces::Curves;
   CurvePlaces(const plane::FreePlaces& places, const RealPoint& p) : places_(places), from_(places, p) {}
 
+  static bool surely_has(std::size_t, const GridBox&) { return false; }
   Curves curves_in(const GridBox& w, std::size_t most) const { return places_.curves_in(w, most); }
   Curves curves_in(const GridBox& w, const Curves& among) const { return places_.curves_in(w, among); }
   std::optional<Nearest> best(const GridBox& w, const Curves& curves, bool far,
@@ -236,11 +239,15 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
     spent = --boxes_left_ < 0;
     return spent;
   };
+  const auto halve = [&](const GridBox& w, std::size_t count, int vain, const std::shared_ptr<const Curves>& curves) {
+    for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
+  };
   const auto look = [&](const Box<Curves>& box) {
     const GridBox& w = box.window;
     if (certainly_holds(w)) return;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;
+    if (!box.among && !small && boundary.surely_has(most, grown(w))) return halve(w, most, 0, nullptr);
     auto curves = std::make_shared<const Curves>(box.among ? boundary.curves_in(grown(w), *box.among)
                                                            : boundary.curves_in(grown(w), most));
     const std::size_t count = curves->size();
@@ -251,8 +258,7 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
         best = std::move(found);
       return;
     }
-    if (count == most) curves = nullptr;
-    for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
+    halve(w, count, vain, count == most ? nullptr : curves);
   };
   boxes.run(settled, look);
   if (spent) return {false, std::nullopt};

@@ -28,6 +28,9 @@ class LocalSum {
   const std::optional<GridBox>& bounds() const { return bounds_; }
   bool holds(const exact::RealPoint& p) const;
   const ConvolutionIndex& index() const { return index_; }
+  /// Whether at least so many of the index's curves at convex corners lie in the box, as far as convex faces tell
+  /// without them. Cost: linear in the faces.
+  bool surely_has(std::size_t curves, const GridBox& w) const;
   /// -1 on the set, as of window_sum. `surely` may say that a place, given by numbers, is in the set.
   SignMap map(const GridBox& w, std::span<const ConvolutionIndex::Curve> curves,
               const std::function<bool(const exact::Point&)>& surely = {}) const;
@@ -36,10 +39,19 @@ class LocalSum {
   LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<GridFace> q);
   static std::shared_ptr<const LocalSum> made(Operand a, Operand b);
 
+  /// Convex faces.
+  struct Convex {
+    GridBox box;  // around all
+    std::size_t faces, corners;
+  };
+  static std::vector<Convex> convex_faces(const std::vector<GridFace>& faces);
+
   Operand a_, b_;
   std::vector<GridFace> p_, q_;
   ConvolutionIndex index_;
   std::optional<GridBox> bounds_;
+  std::vector<Convex> many_;     // each of the set that has more faces
+  std::optional<Convex> few_{};  // all of the other one
 };
 
 }  // namespace findspace::plane
