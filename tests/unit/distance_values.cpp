@@ -7,6 +7,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 #include "distance/planar/at_position.h"
 #include "distance/planar/farthest.h"
@@ -57,6 +59,21 @@ TEST(Values, TwoDiscs) {
     EXPECT_NEAR(value(pair, Which::kHausdorff, p), d + 3, 1e-12);
     EXPECT_DOUBLE_EQ(value(pair, Which::kDiameter, p), std::max(10, d + 7));
   }
+}
+
+TEST(Values, AskedAgainAreWhatTheyWere) {
+  const Region a = plane::region_of_disc(0, 0, 5), b = plane::region_of_disc(0, 0, 2);
+  const AtPosition pair(std::make_shared<ShapePair>(b, a));
+  const exact::RealPoint near{Real::ratio(1, 3), Real()}, far = at(11, 0), rough{sqrt(Real(2)), Real()};
+  for (const auto& [which, p, expected] :
+       std::vector<std::tuple<Which, exact::RealPoint, double>>{{Which::kGamma1, near, 1.0 / 3 - 7},
+                                                                {Which::kGamma1, near, 1.0 / 3 - 7},
+                                                                {Which::kGamma2, near, 1.0 / 3 + 7},
+                                                                {Which::kGamma1, far, 4},
+                                                                {Which::kGamma1, rough, sqrt(2) - 7},
+                                                                {Which::kGamma1, far, 4},
+                                                                {Which::kGamma1, near, 1.0 / 3 - 7}})
+    EXPECT_DOUBLE_EQ(pair.measure(which, p)->value.to_double(), expected);
 }
 
 /// From 2^27 steps on a distance and one that is farther by a step to the side are one double.

@@ -41,6 +41,18 @@ double AtPosition::scale(const RealPoint& p) const {
 }
 
 std::optional<PlanarAnswer> AtPosition::measure(Which which, const RealPoint& p) const {
+  if (!p.x.is_rational() || !p.y.is_rational()) return measured_there(which, p);
+  {
+    const std::lock_guard lock(guard_);
+    if (last_ && last_->which == which && last_->at.x == p.x && last_->at.y == p.y) return last_->answer;
+  }
+  std::optional<PlanarAnswer> out = measured_there(which, p);
+  const std::lock_guard lock(guard_);
+  last_ = {which, p, out};
+  return out;
+}
+
+std::optional<PlanarAnswer> AtPosition::measured_there(Which which, const RealPoint& p) const {
   const auto& there = pair_->at_origin();
   if (!there) return measured(which, p);
   auto m = measured(which, p + there->by);

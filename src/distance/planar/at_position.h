@@ -35,6 +35,13 @@ class AtPosition {
   std::optional<PlanarAnswer> measure(Which which, const exact::RealPoint& p) const;
 
  private:
+  /// An answer, where it was asked for.
+  struct Known {
+    Which which;
+    exact::RealPoint at;
+    std::optional<PlanarAnswer> answer;
+  };
+  std::optional<PlanarAnswer> measured_there(Which which, const exact::RealPoint& p) const;
   std::optional<PlanarAnswer> measured(Which which, const exact::RealPoint& p) const;
   std::optional<PlanarAnswer> plain(const exact::RealPoint& p) const;
 
@@ -42,6 +49,8 @@ class AtPosition {
   PairBoundaries boundaries_;
   ContactValues contacts_;
   DirectedValues directed_;
+  mutable std::mutex guard_;
+  mutable std::optional<Known> last_;  // a check, and the search for what is nearest, ask about the same place
 };
 
 }  // namespace findspace::distance
