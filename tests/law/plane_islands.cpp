@@ -64,7 +64,9 @@ TEST(SideBySide, IsTheUnion) {
     std::vector<Region> united;
     std::vector<PieceBox> boxes;
     for (const Region& part : parts) boxes.push_back(*extent(part));
-    for (const std::vector<Index>& group : groups_apart(boxes)) {
+    const IndexGroups groups = groups_apart(boxes);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::span<const Index> group = groups[g];
       std::vector<const Region*> members;
       for (const Index i : group) members.push_back(all[i]);
       united.push_back(unite(members));

@@ -143,8 +143,10 @@ formula::World AskedScene::world_of(const formula::Formula& formula, bool parts)
   while (!todo.empty()) {
     const plane::Shape* shape = todo.back();
     todo.pop_back();
-    for (const plane::ShapePtr& child : shape->children)
+    for (const plane::ShapePtr& child : shape->children) {
+      if (child->name.empty() && child->children.empty()) continue;  // no shape of the scene, and made of none
       if (of_others.insert(child.get()).second) todo.push_back(child.get());
+    }
   }
   std::vector<plane::ShapePtr> wanted;
   for (const plane::ShapePtr& s : scene_->shapes)

@@ -93,39 +93,48 @@ class Builder {
   Rounding rounding;
 
  private:
+  /// Of children that nothing else holds, which are most of many, no count is kept: it is 1.
   void count_uses(const Shape& shape) {
     for (const ShapePtr& child : shape.children) {
-      if (uses_[child.get()]++ == 0) count_uses(*child);
+      if (child.use_count() == 1 || uses_[child.get()]++ == 0) count_uses(*child);
     }
   }
 
-  RegionPtr region(const ShapePtr& shape) {
-    if (auto known = built_.find(shape.get()); known != built_.end()) return known->second;
-    auto made = std::make_shared<const Region>(make(*shape));
-    if (is_construction(shape->kind)) work_.charge(kCell * made->edges.size(), "a construction of so many edges");
-    return built_[shape.get()] = std::move(made);
+  bool occurs_once(const Shape& shape) const {
+    const auto known = uses_.find(&shape);
+    return known == uses_.end() || known->second == 1;
+  }
+
+  RegionPtr region(const Shape& shape) {
+    if (auto known = built_.find(&shape); known != built_.end()) return known->second;
+    auto made = std::make_shared<const Region>(make(shape));
+    if (is_construction(shape.kind)) work_.charge(kCell * made->edges.size(), "a construction of so many edges");
+    return built_[&shape] = std::move(made);
   }
 
   /// The operands of the shape, those of a union within a union (or intersections) in place of it, if it occurs once.
-  std::vector<ShapePtr> operands_of(const Shape& shape) {
-    std::vector<ShapePtr> out;
+  std::vector<const Shape*> operands_of(const Shape& shape) {
+    std::vector<const Shape*> out, todo;
+    out.reserve(shape.children.size());
     const bool joins = shape.kind == Kind::kUnion || shape.kind == Kind::kIntersection;
-    std::vector<ShapePtr> todo(shape.children.rbegin(), shape.children.rend());
-    while (!todo.empty()) {
-      const ShapePtr at = std::move(todo.back());
+    const auto put_off = [&](const Shape& of) {
+      for (auto child = of.children.rbegin(); child != of.children.rend(); ++child) todo.push_back(child->get());
+    };
+    for (put_off(shape); !todo.empty();) {
+      const Shape& at = *todo.back();
       todo.pop_back();
-      if (joins && at->kind == shape.kind && uses_[at.get()] <= 1)
-        todo.insert(todo.end(), at->children.rbegin(), at->children.rend());
+      if (joins && at.kind == shape.kind && occurs_once(at))
+        put_off(at);
       else
-        out.push_back(at);
+        out.push_back(&at);
     }
     return out;
   }
 
   Region combine(const Shape& shape) {
-    const std::vector<ShapePtr> operands = operands_of(shape);
+    const std::vector<const Shape*> operands = operands_of(shape);
     const bool sets_alone =
-        std::none_of(operands.begin(), operands.end(), [&](const ShapePtr& s) { return width(*s) > 1; });
+        std::none_of(operands.begin(), operands.end(), [&](const Shape* s) { return width(*s) > 1; });
     if (operands.size() > kOperands || (shape.kind == Kind::kUnion && sets_alone)) return of_many(shape.kind, operands);
     std::vector<RegionPtr> leaves;
     Expression expression = compile(shape, leaves);
@@ -148,7 +157,7 @@ class Builder {
   /// Operands the shape adds to an overlay when its Boolean nodes are evaluated there: those that occur once, and few
   /// enough.
   std::size_t width(const Shape& shape) {
-    if (!is_boolean(shape.kind) || uses_[&shape] > 1 || shape.children.size() > kOperands) return 1;
+    if (!is_boolean(shape.kind) || !occurs_once(shape) || shape.children.size() > kOperands) return 1;
     std::size_t known = width_[&shape];
     if (known > 0) return known;
     std::size_t sum = 0;
@@ -160,33 +169,35 @@ class Builder {
     Expression node{.kind = shape.kind, .leaf = kNone, .children = {}};
     for (const ShapePtr& child : shape.children) {
       bool inlined = width(*child) > 1 && leaves.size() + width(*child) <= kOperands;
-      node.children.push_back(inlined ? compile(*child, leaves) : operand(region(child), leaves));
+      node.children.push_back(inlined ? compile(*child, leaves) : operand(region(*child), leaves));
     }
     return node;
   }
 
   /// A union, intersection or difference of many operands. What is subtracted from the first operand of a difference
   /// is the union of the others.
-  Region of_many(Kind kind, const std::vector<ShapePtr>& operands) {
+  Region of_many(Kind kind, const std::vector<const Shape*>& operands) {
     if (kind == Kind::kIntersection) return *in_groups(regions(operands), intersect);
     if (kind == Kind::kUnion) return united(operands);
     const Region others = united(std::span(operands).subspan(1));
-    RegionPtr first = region(operands[0]);
+    RegionPtr first = region(*operands[0]);
     return subtract(std::vector<const Region*>{first.get(), &others});
   }
 
-  std::vector<RegionPtr> regions(std::span<const ShapePtr> shapes) {
+  std::vector<RegionPtr> regions(std::span<const Shape* const> shapes) {
     std::vector<RegionPtr> out;
-    for (const ShapePtr& shape : shapes) out.push_back(region(shape));
+    for (const Shape* shape : shapes) out.push_back(region(*shape));
     return out;
   }
 
   /// Only operands whose boxes meet are united by arranging them.
-  Region united(std::span<const ShapePtr> operands) {
-    std::vector<ShapePtr> kept;
+  Region united(std::span<const Shape* const> operands) {
+    std::vector<const Shape*> kept;
     std::vector<PieceBox> boxes;
-    for (const ShapePtr& shape : operands) {
-      const RegionPtr made = only_rings(*shape) ? nullptr : region(shape);
+    kept.reserve(operands.size());
+    boxes.reserve(operands.size());
+    for (const Shape* shape : operands) {
+      const RegionPtr made = only_rings(*shape) ? nullptr : region(*shape);
       if (made && made->faces[0].mark != 0) return *in_groups(regions(operands), unite);  // not bounded
       const auto box = made ? extent(*made) : extent(shape->contours);
       if (!box) continue;  // the empty set
@@ -197,20 +208,22 @@ class Builder {
   }
 
   /// Rings that stand alone are made together, and never one by one.
-  Region united_groups(std::span<const ShapePtr> operands, const std::vector<std::vector<Index>>& groups) {
+  Region united_groups(std::span<const Shape* const> operands, const IndexGroups& groups) {
     std::vector<RegionPtr> parts;
     std::vector<std::span<const Contour>> alone;
+    alone.reserve(groups.size());
     const auto make_alone = [&] {
       if (!alone.empty()) parts.push_back(std::make_shared<const Region>(region_of_polygons(alone)));
       alone.clear();
     };
-    for (const std::vector<Index>& group : groups) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::span<const Index> group = groups[g];
       if (group.size() == 1 && only_rings(*operands[group[0]])) {
         alone.emplace_back(operands[group[0]]->contours);
         continue;
       }
       make_alone();
-      std::vector<ShapePtr> members;
+      std::vector<const Shape*> members;
       for (const Index k : group) members.push_back(operands[k]);
       parts.push_back(united_group(members));
     }
@@ -223,9 +236,9 @@ class Builder {
   }
 
   /// Of sets whose boxes meet.
-  RegionPtr united_group(const std::vector<ShapePtr>& members) {
+  RegionPtr united_group(const std::vector<const Shape*>& members) {
     std::vector<std::span<const Contour>> rings;
-    for (const ShapePtr& shape : members)
+    for (const Shape* shape : members)
       if (only_rings(*shape)) rings.emplace_back(shape->contours);
     if (rings.size() == members.size())
       if (auto united = united_by_walks(rings)) return std::make_shared<const Region>(*std::move(united));
@@ -233,7 +246,7 @@ class Builder {
   }
 
   /// Nothing else needs its region.
-  bool only_rings(const Shape& shape) const { return shape.kind == Kind::kRings && uses_.at(&shape) <= 1; }
+  bool only_rings(const Shape& shape) const { return shape.kind == Kind::kRings && occurs_once(shape); }
 
   static RegionPtr in_groups(std::vector<RegionPtr> level, Region (*join)(std::span<const Region* const>)) {
     while (level.size() > 1) {
@@ -342,11 +355,11 @@ class Builder {
     return hull(unite(all), step_);
   }
 
-  RegionPtr child(const Shape& s, std::size_t k) { return region(s.children[k]); }
+  RegionPtr child(const Shape& s, std::size_t k) { return region(*s.children[k]); }
 
   double step_;
   WorkBudget work_;
-  std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root
+  std::unordered_map<const Shape*, std::size_t> uses_;  // as a child, under this root, of those held several times
   std::unordered_map<const Shape*, std::size_t> width_;
   std::unordered_map<const Shape*, Offsets> offsets_;
   std::unordered_map<const Shape*, RegionPtr> built_;

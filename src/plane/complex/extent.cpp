@@ -11,13 +11,16 @@
 namespace findspace::plane {
 namespace {
 
-void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
+PieceBox place_box(double x, double y, double tolerance) {
   const double dx = tolerance + std::abs(x) * margin::kRoundings8, dy = tolerance + std::abs(y) * margin::kRoundings8;
-  if (!box) box = PieceBox{x - dx, y - dy, x + dx, y + dy};
-  box->x0 = std::min(box->x0, x - dx);
-  box->x1 = std::max(box->x1, x + dx);
-  box->y0 = std::min(box->y0, y - dy);
-  box->y1 = std::max(box->y1, y + dy);
+  return {x - dx, y - dy, x + dx, y + dy};
+}
+
+PieceBox place_box(const exact::Point& p) { return place_box(p.x, p.y, p.error); }
+
+void grow(std::optional<PieceBox>& box, double x, double y, double tolerance) {
+  const PieceBox place = place_box(x, y, tolerance);
+  box = box ? joined(*box, place) : place;
 }
 
 /// Ends are vertices; what an arc adds is its highest or lowest point.
@@ -62,9 +65,8 @@ PieceBox extent(std::span<const Contour> rings) {
 }
 
 PieceBox edge_box(const CellComplex& c, Index edge) {
-  std::optional<PieceBox> box;
   const Edge& e = c.edges[edge];
-  for (const Index v : {e.v0, e.v1}) grow(box, c.point(v).x, c.point(v).y, c.point(v).error);
+  std::optional<PieceBox> box = joined(place_box(c.point(e.v0)), place_box(c.point(e.v1)));
   if (e.half != 0) grow_by_arc(box, c, e);
   return *box;
 }

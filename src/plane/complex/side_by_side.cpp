@@ -89,21 +89,17 @@ class Sweep {
 };
 
 /// In the order of their first members.
-std::vector<std::vector<Index>> by_set(UnionFind& same, std::size_t size) {
-  std::vector<std::vector<Index>> groups;
+IndexGroups by_set(UnionFind& same, std::size_t size) {
   std::vector<Index> group_of(size, kNone);
+  Index count = 0;
   for (Index k = 0; k < size; ++k) {
-    Index& group = group_of[same.find(k)];
-    if (group == kNone) {
-      group = Index(groups.size());
-      groups.emplace_back();
-    }
-    groups[group].push_back(k);
+    const Index first = same.find(k);  // the least of its set
+    group_of[k] = first == k ? count++ : group_of[first];
   }
-  return groups;
+  return {group_of, count};
 }
 
-std::vector<std::vector<Index>> groups_that_meet(const std::vector<PieceBox>& boxes) {
+IndexGroups groups_that_meet(const std::vector<PieceBox>& boxes) {
   UnionFind same(boxes.size());
   meeting_boxes(boxes, [&](Index i, Index k) {
     same.unite(i, k);
@@ -120,22 +116,31 @@ Index shifted(Index k, Index by) { return k == kNone ? kNone : k + by; }
 
 }  // namespace
 
+IndexGroups::IndexGroups(std::span<const Index> of, std::size_t count) : members_(of.size()), start_(count + 1, 0) {
+  for (const Index group : of) ++start_[group + 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  std::vector<Index> at(start_.begin(), start_.end() - 1);
+  for (Index k = 0; k < of.size(); ++k) members_[at[of[k]]++] = k;
+}
+
 void meeting_boxes(std::span<const PieceBox> boxes, const std::function<bool(Index, Index)>& visit) {
   if (!boxes.empty()) Sweep(boxes).pairs(visit);
 }
 
-std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes) {
-  const std::vector<std::vector<Index>> groups = groups_that_meet(boxes);
+IndexGroups groups_apart(const std::vector<PieceBox>& boxes) {
+  IndexGroups groups = groups_that_meet(boxes);
   if (groups.size() < 2 || groups.size() == boxes.size()) return groups;
   std::vector<PieceBox> around;
   around.reserve(groups.size());
-  for (const std::vector<Index>& group : groups) {
-    around.push_back(boxes[group[0]]);
-    for (const Index k : group) around.back() = joined(around.back(), boxes[k]);
-  }
   UnionFind same(boxes.size());
-  for (const std::vector<Index>& group : groups)
-    for (const Index k : group) same.unite(group[0], k);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::span<const Index> group = groups[g];
+    around.push_back(boxes[group[0]]);
+    for (const Index k : group) {
+      around.back() = joined(around.back(), boxes[k]);
+      same.unite(group[0], k);
+    }
+  }
   meeting_boxes(around, [&](Index i, Index k) {
     if (holds(around[i], around[k]) || holds(around[k], around[i])) same.unite(groups[i][0], groups[k][0]);
     return true;

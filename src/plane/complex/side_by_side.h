@@ -18,9 +18,25 @@ namespace findspace::plane {
 /// Calls visit(i, k) once for each pair of boxes that meet, until it returns false.
 void meeting_boxes(std::span<const PieceBox> boxes, const std::function<bool(Index, Index)>& visit);
 
+/// Numbers in groups.
+class IndexGroups {
+ public:
+  /// of[k]: the group of k, below `count`.
+  IndexGroups(std::span<const Index> of, std::size_t count);
+
+  std::size_t size() const { return start_.size() - 1; }
+  /// Ascending.
+  std::span<const Index> operator[](std::size_t group) const {
+    return std::span(members_).subspan(start_[group], start_[group + 1] - start_[group]);
+  }
+
+ private:
+  std::vector<Index> members_, start_;  // group by group; where each begins, and the end
+};
+
 /// Sets with these boxes in groups that lie apart: no box of one meets a box of another, and none lies in a hole that
 /// the sets of another one leave, as its box lies in none of theirs. In the order of their first members.
-std::vector<std::vector<Index>> groups_apart(const std::vector<PieceBox>& boxes);
+IndexGroups groups_apart(const std::vector<PieceBox>& boxes);
 
 /// The union of bounded sets, of groups that lie apart.
 Region side_by_side(std::span<const Region* const> regions);

@@ -63,6 +63,10 @@ class BoundaryComponents::Flood {
   Flood(const CellComplex& a, BoundaryComponents& out)
       : a_(a), out_(out), edge_(a.edges.size(), 0), face_(a.faces.size(), 0), vertex_(a.vertices.size(), 0) {
     face_[0] = 1;
+    out.edges_.reserve(a.edges.size());
+    out.vertices_.reserve(a.vertices.size());
+    out.faces_.reserve(a.faces.size());
+    out.boundary_components_.reserve(a.faces[0].inner.size() + a.faces[0].isolated.size());
   }
 
   void from_half_edge(Index start) {

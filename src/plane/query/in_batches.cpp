@@ -32,7 +32,9 @@ std::vector<std::vector<Index>> batches(const BoundaryComponents& parts, const P
   for (Index k = 0; k < parts.size(); ++k) boxes.push_back(reached(parts.box(k), reach));
   std::vector<std::vector<Index>> out;
   std::size_t edges = each;
-  for (const std::vector<Index>& group : groups_apart(boxes)) {
+  const IndexGroups groups = groups_apart(boxes);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::span<const Index> group = groups[g];
     if (edges >= each) {
       out.emplace_back();
       edges = 0;

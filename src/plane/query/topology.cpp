@@ -47,6 +47,20 @@ void set_marks(Region& s, const std::vector<Mark>& edges, const std::vector<Mark
   for (Index v = 0; v < s.vertices.size(); ++v) s.vertices[v].mark = vertices[v];
 }
 
+/// Whether fit(mark, around) holds for every vertex or edge and each edge or face around it. What holds on the way from
+/// a vertex to an edge and from there to a face holds from the vertex to the face.
+template <class Fit>
+bool marks_fit(const Region& s, Fit fit) {
+  for (Index e = 0; e < s.edges.size(); ++e) {
+    const Edge& edge = s.edges[e];
+    if (!fit(edge.mark, s.faces[s.face(2 * e)].mark) || !fit(edge.mark, s.faces[s.face(2 * e + 1)].mark) ||
+        !fit(s.vertices[edge.v0].mark, edge.mark) || !fit(s.vertices[edge.v1].mark, edge.mark))
+      return false;
+  }
+  return std::all_of(s.vertices.begin(), s.vertices.end(),
+                     [&](const Vertex& v) { return v.out != kNone || fit(v.mark, s.faces[v.face].mark); });
+}
+
 bool marks_are(const Region& s, const std::vector<Mark>& edges, const std::vector<Mark>& vertices) {
   for (Index e = 0; e < s.edges.size(); ++e) {
     if (s.edges[e].mark != edges[e]) return false;
@@ -106,8 +120,8 @@ Region interior(Region s) {
 }
 
 Region closure(Region s) {
+  if (is_closed(s)) return s;
   StarMarks marks = star_marks(s);
-  if (marks_are(s, marks.edge_greatest, marks.vertex_greatest)) return s;
   set_marks(s, marks.edge_greatest, marks.vertex_greatest);
   return simplify(std::move(s));
 }
@@ -137,13 +151,11 @@ Region complement(Region s) {
 }
 
 bool is_open(const Region& s) {
-  StarMarks marks = star_marks(s);
-  return marks_are(s, marks.edge_least, marks.vertex_least);
+  return marks_fit(s, [](Mark mark, Mark around) { return mark <= around; });
 }
 
 bool is_closed(const Region& s) {
-  StarMarks marks = star_marks(s);
-  return marks_are(s, marks.edge_greatest, marks.vertex_greatest);
+  return marks_fit(s, [](Mark mark, Mark around) { return mark >= around; });
 }
 
 bool is_regular(const Region& s) {
