@@ -55,17 +55,25 @@ class FlowingText {
   std::string text_;
 };
 
-/// The same list as put_list() gives, with its lines.
-template <class Items, class Text>
-void put_lines(FlowingText& out, const Items& items, Text text) {
+/// The same list as put_list() gives, of what put_item(item) appends to the text.
+template <class Items, class PutItem>
+void put_items(FlowingText& out, const Items& items, PutItem put_item, bool lines = false) {
   out.text() += "[";
-  const char* separator = "\n      ";
+  const char* separator = lines ? "\n      " : "";
   for (const auto& item : items) {
-    out.text().append(separator).append(text(item));
-    separator = ",\n      ";
+    out.text() += separator;
+    put_item(item);
+    separator = lines ? ",\n      " : ", ";
     out.flow();
   }
   out.text() += "]";
+}
+
+/// The same, with its lines, of what text(item) gives.
+template <class Items, class Text>
+void put_lines(FlowingText& out, const Items& items, Text text) {
+  put_items(
+      out, items, [&](const auto& item) { out.text() += text(item); }, true);
 }
 
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.

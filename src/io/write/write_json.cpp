@@ -53,15 +53,17 @@ std::string ring_text(const Ring& ring) {
   return list(ring, [](const Side& s) { return std::to_string(s.curve); });
 }
 
-std::string face_text(const CurveNet& net, const plane::Face& f) {
-  std::string out = "{";
-  if (f.outer != kNone) put(out, "\"outer\": {}, ", ring_text(net.ring(f.outer)));
-  put(out, "\"holes\": {}, ", list(f.inner, [&](Index h) { return ring_text(net.ring(h)); }));
+/// Hole by hole: that around everything may have very many.
+void put_face(FlowingText& out, const CurveNet& net, const plane::Face& f) {
+  out.text() += "{";
+  if (f.outer != kNone) put(out.text(), "\"outer\": {}, ", ring_text(net.ring(f.outer)));
+  out.text() += "\"holes\": ";
+  put_items(out, f.inner, [&](Index h) { out.text() += ring_text(net.ring(h)); });
   if (!f.isolated.empty()) {
-    put(out, "\"points\": {}, ", list(f.isolated, [&](Index v) { return std::to_string(net.number(v)); }));
+    out.text() += ", \"points\": ";
+    put_items(out, f.isolated, [&](Index v) { put(out.text(), "{}", net.number(v)); });
   }
-  put(out, "\"in\": {}}}", truth(f.mark));
-  return out;
+  put(out.text(), ", \"in\": {}}}", truth(f.mark));
 }
 
 void put_cells(FlowingText& out, const CurveNet& net) {
@@ -73,7 +75,8 @@ void put_cells(FlowingText& out, const CurveNet& net) {
   out.text() += ",\n    \"edges\": ";
   put_lines(out, net.curves(), [&](const Curve& k) { return curve_text(net, k); });
   out.text() += ",\n    \"faces\": ";
-  put_lines(out, c.faces, [&](const plane::Face& f) { return face_text(net, f); });
+  put_items(
+      out, c.faces, [&](const plane::Face& f) { put_face(out, net, f); }, true);
   out.text() += "\n  }";
 }
 

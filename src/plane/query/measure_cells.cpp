@@ -39,19 +39,30 @@ CellMeasures::CellMeasures(const CellComplex& c) : c_(c), x_(c.vertices.size()),
 
 void CellMeasures::add_circles() {
   const CellComplex& c = c_;
-  const exact::Real* last = nullptr;  // circles of one offset share their radius
+  const exact::Real *last = nullptr, *last_kept = nullptr;  // circles of one offset share their radius
   Twofold radius;
   circle_of_supporting_curve_.assign(c.geometry.supporting_curves.size(), kNone);
   for (Index e = 0; e < c.edges.size(); ++e) {
     Index& place = circle_of_supporting_curve_[c.edges[e].supporting_curve];
     if (!c.is_arc(e) || place != kNone) continue;
-    place = Index(circles_.size());
     const exact::SupportingCurve& k = c.supporting_curve(e);
     if (&k.w() != last) radius = Twofold(k.w());
     last = &k.w();
-    circles_.push_back(k.grid ? Circle{twofold(k.a), twofold(k.b), radius}
-                              : Circle{Twofold(k.center_x()), Twofold(k.center_y()), radius});
+    if (!k.grid) {
+      place = Index(circles_.size());
+      circles_.push_back({Twofold(k.center_x()), Twofold(k.center_y()), radius});
+      continue;
+    }
+    if (last_kept != last) radii_.push_back(radius);
+    last_kept = last;
+    place = Index(radii_.size()) - 1;
   }
+}
+
+CellMeasures::Circle CellMeasures::circle(Index arc) const {
+  const exact::SupportingCurve& k = c_.supporting_curve(arc);
+  const Index place = circle_of_supporting_curve_[c_.edges[arc].supporting_curve];
+  return k.grid ? Circle{twofold(k.a), twofold(k.b), radii_[place]} : circles_[place];
 }
 
 CellMeasures::Spread CellMeasures::spread(Index arc) const {

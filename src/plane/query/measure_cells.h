@@ -33,9 +33,7 @@ class CellMeasures {
     Twofold x, y, radius;
   };
   /// Centre and radius of the circle that carries an arc.
-  const Circle& circle(Index arc) const {
-    return circles_[circle_of_supporting_curve_[c_.edges[arc].supporting_curve]];
-  }
+  Circle circle(Index arc) const;
 
  private:
   void add_circles();
@@ -49,8 +47,9 @@ class CellMeasures {
 
   const CellComplex& c_;
   std::vector<Twofold> x_, y_;
-  std::vector<Circle> circles_;
-  std::vector<Index> circle_of_supporting_curve_;
+  std::vector<Twofold> radii_;                     // of circles about grid points, which share them
+  std::vector<Circle> circles_;                    // the other ones
+  std::vector<Index> circle_of_supporting_curve_;  // among the ones or the others
 };
 
 }  // namespace findspace::plane
