@@ -34,6 +34,16 @@ std::vector<std::string> wanted_words(const Session& session) {
   return all ? std::vector<std::string>{} : usual_distance_words();
 }
 
+/// Where a check is asked for; refuses what it does not write.
+Pose checked_pose(const Session& session) {
+  check_outputs(session.options(), session.in_space() ? std::vector<std::string>{".json", ".svg"}
+                                                      : std::vector<std::string>{".svg", ".json"});
+  Pose pose = asked_pose(session);
+  if (session.scene().free().kind == Kind::kTime && !pose.time)
+    throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
+  return pose;
+}
+
 }  // namespace
 
 Outcome run_check(const Options& options, Reporter& reporter) {
@@ -41,18 +51,12 @@ Outcome run_check(const Options& options, Reporter& reporter) {
   if (is_board(options.scene) && options.move.empty()) return check_board(options, reporter);
   if (!options.at && !options.angle && !options.orientation)
     throw Error(ErrorCode::kUsage, "check wants a position: --at x,y (or x,y,z)");
-  const Session session(options, reporter);
-  const auto check = [](const Session& s) {
-    check_outputs(s.options(),
-                  s.in_space() ? std::vector<std::string>{".json", ".svg"} : std::vector<std::string>{".svg", ".json"});
-    const Pose pose = asked_pose(s);
-    if (s.scene().free().kind == Kind::kTime && !pose.time)
-      throw Error(ErrorCode::kUsage, "with \"free\": \"time\" check wants the instant too: --time t");
-    return told(s, s.scene().check(pose));
-  };
-  if (session.in_space()) return at_orientations(session, check);
+  Session session(options, reporter);
+  if (session.in_space())
+    return at_orientations(session, [](const Session& s) { return told(s, s.scene().check(checked_pose(s))); });
   refuse_orientation(options);
-  return check(session);
+  const Pose pose = checked_pose(session);
+  return told(session, session.take().check(pose));
 }
 
 Outcome run_measure(const Options& options, Reporter& reporter) {

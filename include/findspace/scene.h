@@ -239,7 +239,9 @@ class Scene {
   /// Refuses a pose as the questions do: Error(kBadValue), kOutOfRange, kSyntax.
   void require(const Pose& pose) const;
   /// Whether the formula holds at a pose, condition by condition; where it does not, the nearest feasible position too.
-  Answer check(const Pose& pose = {}, const CheckQuestion& question = {}) const;
+  /// The second is of a scene that is not needed any more: it may let go of its shapes.
+  Answer check(const Pose& pose = {}, const CheckQuestion& question = {}) const&;
+  Answer check(const Pose& pose = {}, const CheckQuestion& question = {}) &&;
   /// The feasible position that is nearest to a pose without degrees, which may be feasible itself.
   Answer nearest(const Pose& pose = {}) const;
   /// Of the plane: the distance between two vertices, edges or arcs of shapes: those nearest to two places, a vertex

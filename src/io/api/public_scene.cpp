@@ -224,13 +224,14 @@ Answer asked(std::shared_ptr<const Scene::Data> data, std::optional<exact::Real>
 
 /// What in_plane(scene, pose) or in_space(scene, position) says.
 template <class InPlane, class InSpace>
-Answer at_pose(const std::shared_ptr<const Scene::Data>& data, const Pose& pose, const InPlane& in_plane,
+Answer at_pose(std::shared_ptr<const Scene::Data> data, const Pose& pose, const InPlane& in_plane,
                const InSpace& in_space) {
   const bool solid = data->read.dimension == 3;
   const std::vector<exact::Real> at = data->position(pose);
+  const std::optional<exact::Real> instant = data->instant(pose);
   if (solid && pose.degrees)
     throw Error(ErrorCode::kUnsupported, "in space an orientation says how a shape is turned", data->read.file);
-  return asked(data, data->instant(pose), [&](io::AskedScene scene) {
+  return asked(std::move(data), instant, [&](io::AskedScene scene) {
     if (solid) return in_space(std::move(scene), space::RealVector{at[0], at[1], at[2]});
     io::PlanarPose where_it_is{{at[0], at[1]}};
     if (pose.degrees) where_it_is.degrees = api::real_of(*pose.degrees);
@@ -246,6 +247,20 @@ Answer::Data in_space(const io::AskedScene& scene, const MapQuestion& question) 
   if (auto found = io::map_of_space(scene, apply, question.surface, io::public_solid_world)) return *std::move(found);
   const io::RayChoice usual = io::usual_lines(scene, "map", question.before, question.listed, question.resolution);
   return io::map_on_lines(scene, usual, apply);
+}
+
+Answer check_of(std::shared_ptr<const Scene::Data> data, const Pose& pose, const CheckQuestion& question) {
+  if (data->read.free.kind == io::Free::Kind::kTime && !pose.time)
+    throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data->read.file);
+  io::CheckWishes wishes{question.nearest};
+  if (question.snap) wishes.snap = api::real_of(*question.snap);
+  if (wishes.snap.sign() < 0) throw Error(ErrorCode::kBadValue, "snap is a distance, not below 0", data->read.file);
+  return at_pose(
+      std::move(data), pose,
+      [&](io::AskedScene scene, const io::PlanarPose& at) { return io::check_in_plane(std::move(scene), at, wishes); },
+      [&](io::AskedScene scene, const space::RealVector& at) {
+        return io::check_in_space(std::move(scene), at, wishes);
+      });
 }
 
 Answer map_of(std::shared_ptr<const Scene::Data> data, const MapQuestion& question) {
@@ -481,18 +496,9 @@ void Scene::require(const Pose& pose) const {
   if (pose.degrees) api::real_of(*pose.degrees);
 }
 
-Answer Scene::check(const Pose& pose, const CheckQuestion& question) const {
-  if (data_->read.free.kind == io::Free::Kind::kTime && !pose.time)
-    throw Error(ErrorCode::kBadValue, "where \"free\" is \"time\" a check wants an instant", data_->read.file);
-  io::CheckWishes wishes{question.nearest};
-  if (question.snap) wishes.snap = api::real_of(*question.snap);
-  if (wishes.snap.sign() < 0) throw Error(ErrorCode::kBadValue, "snap is a distance, not below 0", name());
-  return at_pose(
-      data_, pose,
-      [&](io::AskedScene scene, const io::PlanarPose& at) { return io::check_in_plane(std::move(scene), at, wishes); },
-      [&](io::AskedScene scene, const space::RealVector& at) {
-        return io::check_in_space(std::move(scene), at, wishes);
-      });
+Answer Scene::check(const Pose& pose, const CheckQuestion& question) const& { return check_of(data_, pose, question); }
+Answer Scene::check(const Pose& pose, const CheckQuestion& question) && {
+  return check_of(std::move(data_), pose, question);
 }
 
 Answer Scene::nearest(const Pose& pose) const {

@@ -113,6 +113,7 @@ std::shared_ptr<PlanarQuestion> planar_question(AskedScene given, const PlanarPo
     out->pose = rotation_pose(asked, pose);
     out->rotated.emplace(*out->solver, out->pose);
   }
+  if (!asked.kept()) out->asked.forget_shapes();  // their sets stand
   return out;
 }
 
