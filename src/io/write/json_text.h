@@ -69,13 +69,6 @@ void put_items(FlowingText& out, const Items& items, PutItem put_item, bool line
   out.text() += "]";
 }
 
-/// The same, with its lines, of what text(item) gives.
-template <class Items, class Text>
-void put_lines(FlowingText& out, const Items& items, Text text) {
-  put_items(
-      out, items, [&](const auto& item) { out.text() += text(item); }, true);
-}
-
 /// What a summary of a set says whatever its dimension: its kind, then `measures`, its points, box and components.
 template <class Summary, class Point, class Box, class Component>
 void put_set(std::string& out, int dimension, const Summary& s, std::string_view unit, const std::string& measures,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 
 #include "io/write/json_text.h"
 #include "io/write/write_cells.h"
@@ -42,41 +43,88 @@ void put_summary(std::string& out, const plane::Summary& s, std::string_view uni
       [](const plane::Component& c) { return component_text(c); });
 }
 
-std::string curve_text(const CurveNet& net, const Curve& k) {
-  std::string out =
-      fmt::format(R"({{"from": {}, "to": {}, "in": {})", net.number(k.from), net.number(k.to), truth(k.mark));
-  if (k.arc) put(out, R"(, "arc": {{"center": {}, "radius": {}, "ccw": true}})", pair(k.center), json_number(k.radius));
-  return out + "}";
+// Cells may be very many, so they are appended number by number, without texts between.
+
+void put_number(std::string& out, double value) {
+  if (value != 0 && std::isfinite(value))
+    fmt::format_to(std::back_inserter(out), "{}", value);
+  else
+    out += json_number(value);
 }
 
-std::string ring_text(const Ring& ring) {
-  return list(ring, [](const Side& s) { return std::to_string(s.curve); });
+void put_index(std::string& out, Index k) {
+  const fmt::format_int digits(k);
+  out.append(digits.data(), digits.size());
+}
+
+void put_place(std::string& out, const Place& p) {
+  out += "[";
+  put_number(out, p[0]);
+  out += ", ";
+  put_number(out, p[1]);
+  out += "]";
+}
+
+void put_vertex(std::string& out, const CurveNet& net, Index v) {
+  out += "{\"at\": ";
+  put_place(out, net.at(v));
+  out.append(", \"in\": ").append(truth(net.complex().vertices[v].mark)).append("}");
+}
+
+void put_curve(std::string& out, const CurveNet& net, const Curve& k) {
+  out += "{\"from\": ";
+  put_index(out, net.number(k.from));
+  out += ", \"to\": ";
+  put_index(out, net.number(k.to));
+  out.append(", \"in\": ").append(truth(k.mark));
+  if (k.arc) {
+    out += ", \"arc\": {\"center\": ";
+    put_place(out, k.center);
+    out += ", \"radius\": ";
+    put_number(out, k.radius);
+    out += ", \"ccw\": true}";
+  }
+  out += "}";
+}
+
+void put_ring(std::string& out, const Ring& ring) {
+  const char* separator = "[";
+  for (const Side& s : ring) {
+    out += separator;
+    put_index(out, s.curve);
+    separator = ", ";
+  }
+  out += ring.empty() ? "[]" : "]";
 }
 
 /// Hole by hole: that around everything may have very many.
 void put_face(FlowingText& out, const CurveNet& net, const plane::Face& f) {
   out.text() += "{";
-  if (f.outer != kNone) put(out.text(), "\"outer\": {}, ", ring_text(net.ring(f.outer)));
+  if (f.outer != kNone) {
+    out.text() += "\"outer\": ";
+    put_ring(out.text(), net.ring(f.outer));
+    out.text() += ", ";
+  }
   out.text() += "\"holes\": ";
-  put_items(out, f.inner, [&](Index h) { out.text() += ring_text(net.ring(h)); });
+  put_items(out, f.inner, [&](Index h) { put_ring(out.text(), net.ring(h)); });
   if (!f.isolated.empty()) {
     out.text() += ", \"points\": ";
-    put_items(out, f.isolated, [&](Index v) { put(out.text(), "{}", net.number(v)); });
+    put_items(out, f.isolated, [&](Index v) { put_index(out.text(), net.number(v)); });
   }
   put(out.text(), ", \"in\": {}}}", truth(f.mark));
 }
 
 void put_cells(FlowingText& out, const CurveNet& net) {
-  const plane::CellComplex& c = net.complex();
+  constexpr bool kLines = true;
   out.text() += "  \"cells\": {\n    \"vertices\": ";
-  put_lines(out, net.vertices(), [&](Index v) {
-    return fmt::format(R"({{"at": {}, "in": {}}})", pair(net.at(v)), truth(c.vertices[v].mark));
-  });
+  put_items(
+      out, net.vertices(), [&](Index v) { put_vertex(out.text(), net, v); }, kLines);
   out.text() += ",\n    \"edges\": ";
-  put_lines(out, net.curves(), [&](const Curve& k) { return curve_text(net, k); });
+  put_items(
+      out, net.curves(), [&](const Curve& k) { put_curve(out.text(), net, k); }, kLines);
   out.text() += ",\n    \"faces\": ";
   put_items(
-      out, c.faces, [&](const plane::Face& f) { put_face(out, net, f); }, true);
+      out, net.complex().faces, [&](const plane::Face& f) { put_face(out, net, f); }, kLines);
   out.text() += "\n  }";
 }
 
