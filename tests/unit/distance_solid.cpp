@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/solid/box_maps.h"
+#include "distance/solid/fitting_places.h"
 #include "distance/solid/solid_pair.h"
 #include "findspace/error.h"
 #include "space/box/box_topology.h"
@@ -114,6 +115,27 @@ TEST(SolidPairs, Points) {
   EXPECT_EQ(box.value(Which::kEta1, place(10, 1, 1))->value, Real(7));
   EXPECT_EQ(box.value(Which::kGamma1, place(5, 1, 1))->value, Real(1));
   EXPECT_EQ(point.value(Which::kGamma1, place(12, 1, 1))->value, Real(2));
+}
+
+/// What is connected lies in one connected piece: that says where it fits, and mostly that it does not, without a look
+/// at what the pieces leave free.
+TEST(SolidPairs, PiecesFitIntoPieces) {
+  // Three rooms; the last one is two boxes that meet in a face.
+  const Body rooms = box_body(
+      {{{{0, 0, 0}, {4, 4, 4}}}, {{{10, 0, 0}, {14, 4, 4}}}, {{{20, 0, 0}, {23, 4, 4}}}, {{{23, 0, 0}, {29, 4, 4}}}});
+  const auto places = [&](const Body& b) { return fitting_places(b, rooms); };
+  EXPECT_FALSE(fitting_places(rooms, box_body({{{{0, 0, 0}, {30, 4, 4}}}})));  // one piece
+  EXPECT_EQ(places(box_body({{{{0, 0, 0}, {1, 1, 1}}}}))->size(), 3U);
+  EXPECT_EQ(places(box_body({{{{0, 0, 0}, {5, 1, 1}}}}))->size(), 1U);
+  EXPECT_EQ(places(box_body({{{{0, 0, 0}, {10, 1, 1}}}}))->size(), 0U);
+  const Body two = box_body({{{{0, 0, 0}, {2, 2, 2}}}, {{{11, 0, 0}, {13, 2, 2}}}}),
+             three = box_body({{{{0, 0, 0}, {2, 2, 2}}}, {{{11, 0, 0}, {13, 2, 2}}}, {{{5, 0, 0}, {7, 2, 2}}}});
+  EXPECT_EQ(places(two)->size(), 2U);
+  EXPECT_EQ(places(three)->size(), 0U);
+  const PairDistances pair = solid_pair(shared(two), shared(rooms));
+  EXPECT_EQ(pair.value(Which::kEta1, place(-5, 1, 1))->value, Real(5));
+  EXPECT_EQ(pair.value(Which::kEta1, place(8, 1, 1))->value, Real(2));
+  EXPECT_FALSE(solid_pair(shared(three), shared(rooms)).value(Which::kEta1, place(0, 1, 1)));
 }
 
 /// All of space but a point: a box about it protrudes by nothing.

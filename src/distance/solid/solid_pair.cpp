@@ -76,7 +76,7 @@ TriedAnswer SolidSide::protrusion(const RealVector& p, Depth depth) const {
 TriedAnswer SolidSide::reach_into_parts(const RealVector& p) const {
   const BodyPart& part = a_->parts[0];
   const bool point = a_->convex() && part.point();
-  if (!a_->round() && !point) return protrusion_of_cells(*b_, positions().cells, p);
+  if (!a_->round() && !point) return protrusion_of_cells(*b_, outside_of_fixed(), p);
   if (!a_->convex()) return reach_into_round_parts(p);
   // Within a radius r of a core the depth is r less the distance to the core, or r more than the depth in it.
   Answer out;

@@ -64,8 +64,9 @@ class SolidSide : public PairSide {
       exact::Real radius;
       space::OpenUnion cover;
     };
-    std::vector<space::OutsideCell> cells;
-    std::vector<Group> groups;  // one for each radius
+    std::vector<space::Extent> places{};    // of a union of several pieces: they hold E
+    std::vector<space::OutsideCell> cells;  // of a convex A less a radius
+    std::vector<Group> groups;              // one for each radius
     std::optional<space::BallMeet> balls;
     bool round = false;  // the boundary of E is
     bool none = false;   // the moving one is too large
@@ -92,6 +93,10 @@ class SolidSide : public PairSide {
     return *fit_.of([&] { return made_fit(); });
   }
   std::unique_ptr<Fit> made_fit() const;
+  /// Of A, which has no radius.
+  const std::vector<space::OutsideCell>& outside_of_fixed() const {
+    return outside_.of([&] { return space::outside_cells(*a_); });
+  }
   const PositionSet& boundary_of(const Fit& fit) const;
   TriedAnswer to_fit(const space::RealVector& p) const;
   /// Where B + p lies in A, a union of polyhedra: at most 0.
@@ -108,6 +113,7 @@ class SolidSide : public PairSide {
 
   std::shared_ptr<const space::Body> b_, a_;
   plane::Lazy<std::unique_ptr<const Fit>> fit_;
+  plane::Lazy<std::vector<space::OutsideCell>> outside_;
   plane::Lazy<space::OpenUnion> overlap_;
   plane::Lazy<std::shared_ptr<const PositionSet>> round_overlap_;
   Near near_;

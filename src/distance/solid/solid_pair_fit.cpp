@@ -20,6 +20,7 @@
 #include "distance/search/position_set.h"
 #include "distance/search/solid_protrusion.h"
 #include "distance/search/union_fit.h"
+#include "distance/solid/fitting_places.h"
 #include "distance/solid/solid_pair.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
@@ -82,7 +83,10 @@ std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
     group.cover = space::outside_cover(group.core, made->cells);
     return made;
   }
-  made->cells = space::outside_cells(a);
+  const auto places = fitting_places(b, a);
+  if (places) made->places = *places;
+  made->none = !fit_box(b, a) || (places && places->empty());
+  if (made->none) return made;
   std::vector<Real> radii;
   for (const BodyPart& part : b.parts) {
     if (std::find(radii.begin(), radii.end(), part.radius) == radii.end()) radii.push_back(part.radius);
@@ -97,10 +101,9 @@ std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
       group.core.parts.push_back(part);
       group.core.parts.back().radius = Real();
     }
-    group.cover = space::outside_cover(group.core, made->cells);
+    group.cover = space::outside_cover(group.core, outside_of_fixed());
   }
   made->round = b.round();
-  made->none = b.round() && !fit_box(b, a);
   return made;
 }
 
@@ -109,7 +112,7 @@ TriedAnswer SolidSide::to_fit(const RealVector& p) const {
   const Fit& f = positions();
   if (f.none) return std::nullopt;
   if (f.round) return boundary_of(f).nearest(p, false);
-  const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p);
+  const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p, f.places);
   return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
 }
 

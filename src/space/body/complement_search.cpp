@@ -28,8 +28,8 @@ double slack_in(const Extent& around, const Extent& box) {
 
 }  // namespace
 
-ComplementSearch::ComplementSearch(const OpenUnion& cover, const RealVector& p)
-    : cover_(cover), p_(p), near_(space::rounded(p)) {
+ComplementSearch::ComplementSearch(const OpenUnion& cover, const RealVector& p, std::span<const Extent> within)
+    : cover_(cover), p_(p), near_(space::rounded(p)), within_(within) {
   reach_ = std::max(1.0, margin::kWiderBox * size_of(near_));
   for (std::size_t k = 0; k < cover.size(); ++k) {
     const Extent& e = cover.extent(k);
@@ -75,7 +75,21 @@ bool ComplementSearch::sift(Cell& cell) const {
   return false;
 }
 
+void ComplementSearch::add(const Cell& cell, const Extent& box) {
+  Cell part{box, {}, box.distance(near_)};
+  if (part.distance > bound_) return;
+  for (const std::size_t k : cell.sets) {
+    if (box.meets(cover_.extent(k))) part.sets.push_back(k);
+  }
+  part.fruitless = cell.fruitless + (part.sets.size() == cell.sets.size() && box.bounded() ? 1 : 0);
+  queue_.push(std::move(part));
+}
+
 void ComplementSearch::divide(const Cell& cell) {
+  if (cell.whole && !within_.empty()) {
+    for (const Extent& box : within_) add(cell, box);
+    return;
+  }
   const Vector& low = cell.box.low;
   const Vector& high = cell.box.high;
   const Vector size = high - low;
@@ -86,15 +100,7 @@ void ComplementSearch::divide(const Cell& cell) {
     first.high.y = second.low.y = division(low.y, high.y, near_.y, reach_);
   else
     first.high.z = second.low.z = division(low.z, high.z, near_.z, reach_);
-  for (const Extent& box : {first, second}) {
-    Cell part{box, {}, box.distance(near_)};
-    if (part.distance > bound_) continue;
-    for (const std::size_t k : cell.sets) {
-      if (box.meets(cover_.extent(k))) part.sets.push_back(k);
-    }
-    part.fruitless = cell.fruitless + (part.sets.size() == cell.sets.size() && box.bounded() ? 1 : 0);
-    queue_.push(std::move(part));
-  }
+  for (const Extent& box : {first, second}) add(cell, box);
 }
 
 bool ComplementSearch::crowded() const {

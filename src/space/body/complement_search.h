@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "space/body/projection_search.h"
@@ -17,7 +18,8 @@ namespace findspace::space {
 
 class ComplementSearch {
  public:
-  ComplementSearch(const OpenUnion& cover, const RealVector& p);
+  /// `within`: boxes that hold the complement; none: it may be anywhere.
+  ComplementSearch(const OpenUnion& cover, const RealVector& p, std::span<const Extent> within = {});
   /// The complement point nearest to p; nothing where everything is covered.
   std::optional<RealVector> run();
 
@@ -45,6 +47,8 @@ class ComplementSearch {
   /// Leaves out the sets that do not meet the box; true where one covers it.
   bool sift(Cell& cell) const;
   void divide(const Cell& cell);
+  /// The part of the cell in the box, if that may hold a nearer place.
+  void add(const Cell& cell, const Extent& box);
   /// Whether so many sets may hold p that boxes are better than projections from the start.
   bool crowded() const;
 
@@ -58,6 +62,7 @@ class ComplementSearch {
   const OpenUnion& cover_;
   RealVector p_;
   Vector near_;
+  std::span<const Extent> within_;
   double reach_ = 1;  // what is bounded lies within it of p, along each axis
   plane::Subdivision<Cell> queue_;
   std::optional<RealVector> found_;

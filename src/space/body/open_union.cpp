@@ -60,8 +60,8 @@ int OpenUnion::covering(const RealVector& p) const {
   return found;
 }
 
-std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p) const {
-  return ComplementSearch(*this, p).run();
+std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p, std::span<const Extent> within) const {
+  return ComplementSearch(*this, p, within).run();
 }
 
 std::optional<RealVector> OpenUnion::nearest_touching(const RealVector& p) const {

@@ -19,6 +19,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "space/polytope/extent_tree.h"
@@ -36,8 +37,8 @@ class OpenUnion {
   /// A set that holds p, or -1.
   int covering(const RealVector& p) const;
   bool covers(const RealVector& p) const { return covering(p) >= 0; }
-  /// Nothing where everything is covered.
-  std::optional<RealVector> nearest_in_complement(const RealVector& p) const;
+  /// Nothing where everything is covered. `within`: boxes that hold the complement, if some are known.
+  std::optional<RealVector> nearest_in_complement(const RealVector& p, std::span<const Extent> within = {}) const;
   /// Nothing where there are no sets.
   std::optional<RealVector> nearest_touching(const RealVector& p) const;
   const Planes& planes(std::size_t k) const;

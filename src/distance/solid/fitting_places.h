@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+//
+// Boxes that hold all positions at which a body B lies in a body A, {p : B + p in A}. What is connected lies in one
+// connected piece of A, so B's pieces say each for itself in which boxes the positions are; what all of them say is
+// left. A piece is made of parts that meet. Guarantee: no such position is outside the boxes, which are a hair wider
+// than doubles say; where there would be very many, they are larger than need be. Cost: the pairs of parts whose boxes
+// meet, and the pairs of pieces. Keywords: connected components, containment, bounding boxes.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "space/body/body.h"
+#include "space/polytope/extent.h"
+
+namespace findspace::distance {
+
+/// Neither body is `outside`. No box where B fits nowhere; nothing where A is one piece, which says no more than the
+/// boxes of both bodies do.
+std::optional<std::vector<space::Extent>> fitting_places(const space::Body& b, const space::Body& a);
+
+}  // namespace findspace::distance
