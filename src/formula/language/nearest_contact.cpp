@@ -20,12 +20,26 @@ bool is_conjunction(const Node& node) {
          (node.op == Node::Op::kAnd && std::all_of(node.operands.begin(), node.operands.end(), is_atom));
 }
 
-/// Of an atom whose distance changes no faster than the position, and has a nearest contact.
+/// The farthest point of one shape has a nearest point of the other.
+bool is_directed(Kind kind) { return kind == Kind::kMu || kind == Kind::kH || kind == Kind::kHausdorff; }
+
+/// Of an atom whose distance changes no faster than the position, and has a nearest contact, or such points.
 bool is_simple(const Atom& atom) {
   const Kind kind = atom.distance.kind;
   const bool is_signed = kind == Kind::kGamma1 || kind == Kind::kEta1 || kind == Kind::kDelta1;
-  return !atom.minimum && atom.more.empty() && atom.distance.mode == Mode::kPlain && is_signed &&
+  return !atom.minimum && atom.more.empty() && atom.distance.mode == Mode::kPlain && (is_signed || is_directed(kind)) &&
          atom.relation != Relation::kNotEqual;
+}
+
+/// Where the two points of a directed distance would come together, with B moved there from p.
+std::optional<Coordinates> joined(const distance::SceneAnswer& m, const Coordinates& p) {
+  if (m.value.sign() <= 0 || m.witness.size() != 2 || m.witness[0].of_moving == m.witness[1].of_moving)
+    return std::nullopt;
+  const auto& moving = m.witness[m.witness[0].of_moving ? 0 : 1].at;
+  const auto& fixed = m.witness[m.witness[0].of_moving ? 1 : 0].at;
+  Coordinates out = p;
+  for (std::size_t k = 0; k < p.size(); ++k) out[k] += fixed[k] - moving[k];
+  return out;
 }
 
 /// p - by * unit
@@ -52,16 +66,20 @@ std::optional<NearestFeasible> apart(const ContactWorld& world, const Atom& atom
 std::optional<NearestFeasible> contact(const ContactWorld& world, const Atom& atom, const Coordinates& p) {
   if (!is_simple(atom)) return std::nullopt;
   const auto m = world.value(atom.distance, p);
-  if (!m || !m->proven || m->minus_infinity || !m->nearest || m->value.sign() == 0) return std::nullopt;
+  if (!m || !m->proven || m->minus_infinity || m->value.sign() == 0) return std::nullopt;
+  const bool directed = is_directed(atom.distance.kind);
+  const std::optional<Coordinates> to = directed ? joined(*m, p) : m->nearest;
+  if (!to) return std::nullopt;
   // From p in this direction the value grows as fast as it can, to the nearest contact at least.
   Coordinates unit = p;
-  for (std::size_t k = 0; k < p.size(); ++k) unit[k] = (p[k] - (*m->nearest)[k]) / m->value;
+  for (std::size_t k = 0; k < p.size(); ++k) unit[k] = (p[k] - (*to)[k]) / m->value;
   const Real fall = m->value - atom.level;
   const auto falls_by = [&](const Real& by) {
     const auto there = world.value(atom.distance, behind(p, by, unit));
     return there && there->proven && !there->minus_infinity && there->value == m->value - by;
   };
-  const bool limit = !holds(atom, 0), to_contact = fall.sign() == m->value.sign() && !(abs(fall) > abs(m->value));
+  const bool limit = !holds(atom, 0);
+  const bool to_contact = !directed && fall.sign() == m->value.sign() && !(abs(fall) > abs(m->value));
   // `<` and `>` hold as near to the level as one likes if they do all the way from it to here.
   const Real beyond = fall.sign() != 0 ? fall * Real::ratio(1025, 1024)
                                        : abs(m->value) * Real::ratio(atom.relation == Relation::kLess ? 1 : -1, 1024);

@@ -2,13 +2,14 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The nearest feasible position from contacts alone, in the plane and in space. All atoms must hold, and those that
-// fail compare gamma1, eta1 or delta1 with a number. Such a distance f changes no faster than the position, so no
-// position with the level is nearer to p than |f(p) - level|; one that is as near lies on the line through p and the
-// nearest contact, and it is the answer if f has the level there (beyond it, too, for `<` and `>`, which it bounds)
-// and the other atoms hold. Of a gap that is too small, where contacts end at edges and corners, a search of the
-// shapes grown by it finds the place (ContactWorld::apart). Guarantee: exact, but for that search, whose place is
-// feasible and nearest but for its error; nothing where contacts do not decide. Cost: a few values at a position.
-// Keywords: closest feasible configuration, minimum translation, penetration vector.
+// fail compare gamma1, eta1, delta1 or a directed distance (mu, h, hausdorff) with a number. Such a distance f changes
+// no faster than the position, so no position with the level is nearer to p than |f(p) - level|; one that is as near
+// lies on the line through p and the nearest contact (of a directed distance: as its two points show), and it is the
+// answer if f has the level there (beyond it, too, for `<` and `>`, which it bounds) and the other atoms hold. Of a gap
+// that is too small, where contacts end at edges and corners, a search of the shapes grown by it finds the place
+// (ContactWorld::apart). Guarantee: exact, but for that search, whose place is feasible and nearest but for its error;
+// nothing where contacts do not decide. Cost: a few values at a position. Keywords: closest feasible configuration,
+// minimum translation, penetration vector.
 #pragma once
 
 #include <functional>
