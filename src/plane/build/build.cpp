@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "exact/margins/plane.h"
+#include "exact/number/real_size.h"
 #include "findspace/error.h"
 #include "plane/base/result_store.h"
 #include "plane/build/hull.h"
@@ -41,6 +42,26 @@ constexpr std::size_t kOperands = 32;
 
 /// Units of work (plane/base/work_budget.h).
 constexpr std::uint64_t kCell = 20, kPair = 20;
+
+/// Bits of a sign about a sum for a unit of work. Few signs need as many as they may.
+constexpr double kBitsOfSign = 128;
+
+/// The coordinate of a vertex about which a sign may take the most bits.
+exact::Real longest_number(const Region& r) {
+  exact::Real longest;
+  double most = 0;
+  for (const Vertex& v : r.vertices) {
+    if (r.geometry.points[v.point].kind == exact::Point::Kind::kGrid) continue;
+    const exact::RealPoint at = r.geometry.exact(v.point);
+    for (const exact::Real& number : {at.x, at.y}) {
+      const double bits = exact::sign_bits(number);
+      if (bits <= most) continue;
+      most = bits;
+      longest = number;
+    }
+  }
+  return longest;
+}
 
 /// What can have more edges than its operands, and reach farther.
 bool is_construction(Kind kind) {
@@ -303,10 +324,13 @@ class Builder {
     }
   }
 
-  /// A sum looks at the edges of one operand with those of the other.
+  /// A sum looks at the edges of one operand with those of the other. Its places are sums of theirs, with the roots of
+  /// both: deciding about the longest ones may take as many bits as these have together.
   void charge_pairs(const Shape& s) {
-    const std::uint64_t a = child(s, 0)->edges.size(), b = child(s, 1)->edges.size();
-    work_.charge(kPair * a * b, "a Minkowski sum or difference of so many edges");
+    const RegionPtr a = child(s, 0), b = child(s, 1);
+    work_.charge(kPair * a->edges.size() * b->edges.size(), "a Minkowski sum or difference of so many edges");
+    const double units = exact::sign_bits(longest_number(*a) + longest_number(*b)) / kBitsOfSign;
+    work_.charge(std::uint64_t(std::min(units, 1e18)), "a Minkowski sum or difference of sums with so many roots");
   }
 
   /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
