@@ -21,7 +21,8 @@ std::string picture(std::vector<IntervalBox> boxes, bool with_fixed) {
   const BoxComplex region = BoxComplex::of_boxes(boxes);
   SpacePicture p{"Positions", "a < b", "mm", &region, {}, {}, Real(1)};
   if (with_fixed)
-    p.fixed.push_back(BoxComplex::of_boxes(std::vector<IntervalBox>{{closed(0, 1), closed(0, 1), closed(0, 1)}}));
+    p.fixed.push_back(
+        {"shelf & side", BoxComplex::of_boxes(std::vector<IntervalBox>{{closed(0, 1), closed(0, 1), closed(0, 1)}})});
   return space_svg(p);
 }
 
@@ -43,6 +44,12 @@ TEST(SpacePicture, LegendNamesWhatIsSeen) {
   EXPECT_TRUE(says(thin, "on a line only"));
   EXPECT_TRUE(says(thin, "single positions"));
   EXPECT_TRUE(says(thin, "fixed shapes"));
+}
+
+TEST(SpacePicture, ShapesHaveNamesAndAxesTicks) {
+  const std::string svg = picture({{closed(0, 4), closed(0, 4), closed(0, 4)}}, true);
+  EXPECT_TRUE(says(svg, ">shelf &amp; side<"));
+  for (const char* axis : {">x, mm<", ">y, mm<", ">z, mm<", ">4<", ">1<"}) EXPECT_TRUE(says(svg, axis)) << axis;
 }
 
 TEST(SpacePicture, TextIsEscaped) {

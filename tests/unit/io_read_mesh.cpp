@@ -145,7 +145,7 @@ TEST(ReadMesh, BrokenFilesAreRefused) {
 }
 
 TEST(WriteMesh, PictureShadesFacesAndDashesHiddenLines) {
-  const std::string svg = svg_text(surface(cube()), "a < b");
+  const std::string svg = svg_text(surface(cube()), "a < b", "mm");
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
   // Three faces are seen, each a shaded one with its edges: three of an edge are drawn once, with the nearer face.
   const auto dashed = svg.find("stroke-dasharray");
@@ -156,8 +156,10 @@ TEST(WriteMesh, PictureShadesFacesAndDashesHiddenLines) {
     return n;
   };
   EXPECT_EQ(count("M", dashed, svg.size()), 3u);
-  EXPECT_EQ(count("<path fill=", 0, dashed), 3u);
-  EXPECT_EQ(count("M", 0, dashed), 3u + 9u);
+  const std::size_t first = svg.find("fill-opacity");
+  EXPECT_EQ(count("fill-opacity", 0, dashed), 3u);
+  EXPECT_EQ(count("M", first, dashed), 2u + 9u);
+  EXPECT_NE(svg.find(">x, mm<"), std::string::npos);
   EXPECT_THROW(surface_text({}, "", ".dwg", ""), Error);
 }
 

@@ -246,7 +246,7 @@ std::string Shape::svg() const {
   if (dimension() == 2) return region().svg();
   const space::Body body = space::body(*data_->tree);
   io::BodiesPicture picture{"", "", {}, {}, {}, data_->grid.step_size()};
-  picture.bodies.push_back({&body, {}, false});
+  picture.bodies.push_back({"", &body});
   return io::bodies_svg(picture);
 }
 

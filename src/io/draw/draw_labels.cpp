@@ -29,10 +29,6 @@ constexpr double kMostPoints = 20000;
 
 std::array<double, 3> weight(const Component& c) { return {c.area ? 0.0 : 1.0, c.area.value_or(0), c.dangling_length}; }
 
-bool meet(const Bounds& a, const Bounds& b) {
-  return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
-}
-
 Place middle(const Bounds& b) { return {(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}; }
 
 }  // namespace
@@ -115,13 +111,13 @@ Labeller::Box Labeller::box_around(double x, double y, std::string_view text, co
 }
 
 bool Labeller::is_free(const Box& b) const {
-  return is_open(b) && std::none_of(lines_.begin(), lines_.end(), [&](const Box& t) { return meet(b, t); });
+  return is_open(b) && std::none_of(lines_.begin(), lines_.end(), [&](const Box& t) { return boxes_meet(b, t); });
 }
 
 bool Labeller::is_open(const Box& b) const {
   if (b.low[0] < frame_.left || b.high[0] > frame_.left + frame_.width()) return false;
   if (b.low[1] < frame_.top || b.high[1] > frame_.top + frame_.height()) return false;
-  return std::none_of(taken_.begin(), taken_.end(), [&](const Box& t) { return meet(b, t); });
+  return std::none_of(taken_.begin(), taken_.end(), [&](const Box& t) { return boxes_meet(b, t); });
 }
 
 Labeller::Box Labeller::pixel_box(const LabelledShape& s, const Bounds& b) const {
@@ -155,7 +151,7 @@ bool Labeller::is_on_region(const Box& b) {
 bool Labeller::meets_smaller(std::size_t shape, const Box& b) const {
   for (std::size_t i = 0; i < shape; ++i) {
     for (const Component& c : shapes_[i].summary.components) {
-      if (c.bbox && meet(pixel_box(shapes_[i], *c.bbox), b)) return true;
+      if (c.bbox && boxes_meet(pixel_box(shapes_[i], *c.bbox), b)) return true;
     }
   }
   return false;
@@ -174,7 +170,7 @@ bool Labeller::meets_other(std::size_t shape, const Box& b) const {
     for (const Component& c : shapes_[i].summary.components) {
       if (!c.bbox) continue;
       const Box t = pixel_box(shapes_[i], *c.bbox);
-      if (meet(t, b) && !surrounds(t)) return true;
+      if (boxes_meet(t, b) && !surrounds(t)) return true;
     }
   }
   return false;
@@ -234,7 +230,7 @@ std::optional<Labeller::Box> Labeller::place_beside(std::size_t shape, const Siz
       const Box b = box_around(way[0], way[1], s.name, size);
       if ((across ? is_open(b) : is_free(b)) && !(small_ ? meets_other(shape, b) : meets_smaller(shape, b))) return b;
     }
-  const bool named = std::any_of(names_.begin(), names_.end(), [&](const Box& n) { return meet(own, n); });
+  const bool named = std::any_of(names_.begin(), names_.end(), [&](const Box& n) { return boxes_meet(own, n); });
   return named ? std::nullopt : std::optional(own);
 }
 

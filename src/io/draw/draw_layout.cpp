@@ -70,6 +70,15 @@ double text_width(std::string_view text, double font_size) {
   return units * font_size;
 }
 
+Bounds text_box(const Place& middle, std::string_view text, double font_size) {
+  const double w = text_width(text, font_size) / 2 + 1, h = font_size * 0.6;
+  return {{middle[0] - w, middle[1] - h}, {middle[0] + w, middle[1] + h}};
+}
+
+bool boxes_meet(const Bounds& a, const Bounds& b) {
+  return a.low[0] < b.high[0] && b.low[0] < a.high[0] && a.low[1] < b.high[1] && b.low[1] < a.high[1];
+}
+
 std::vector<std::string> wrapped(std::string_view text, double width, double font_size) {
   std::vector<std::string> lines{""};
   while (!text.empty()) {

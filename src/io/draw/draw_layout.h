@@ -32,6 +32,10 @@ std::vector<double> ticks(double low, double high, double spacing);
 /// How wide a text is in pixels, about, in a common sans-serif face.
 double text_width(std::string_view text, double font_size = kFontSize);
 
+/// About where a text stands whose middle is there.
+plane::Bounds text_box(const plane::Place& middle, std::string_view text, double font_size);
+bool boxes_meet(const plane::Bounds& a, const plane::Bounds& b);
+
 /// The text in lines of at most `width` pixels, broken at blanks.
 std::vector<std::string> wrapped(std::string_view text, double width, double font_size = kFontSize);
 

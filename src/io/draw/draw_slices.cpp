@@ -10,6 +10,7 @@
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_layout.h"
 #include "io/draw/draw_legend.h"
+#include "io/draw/slice_names.h"
 #include "io/text/put.h"
 
 namespace findspace::io {
@@ -25,42 +26,53 @@ struct Panel {
   double strip;
 };
 
-void put_strip(std::string& strips, std::string& dots, const Panel& p, double from, double to, double y, bool point) {
-  if (point)
-    put(dots, "M{:.2f} {:.2f}h0", p.frame.x(from), p.frame.y(y));
-  else
-    put(strips, "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.frame.x(from), p.frame.y(y + p.strip / 2),
-        (to - from) * p.frame.scale, p.strip * p.frame.scale, (from - to) * p.frame.scale);
-}
-
 /// The intervals of line i, cut at the window.
-void put_line(std::string& strips, std::string& dots, const Panel& panel, const space::RayRow& row, int i, double y,
-              double scale, double low, double high) {
+void add_line(std::vector<Strip>& out, const space::RayRow& row, int i, double y, double scale, double low,
+              double high) {
   bool in = row.before[static_cast<std::size_t>(i)] <= 0;
   double from = low;
   for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
     const space::RayEvent& event = row.events[static_cast<std::size_t>(e)];
     const double at = std::clamp(event.at.value * scale, low, high);
     const bool after = event.after <= 0;
-    if (in && !after) put_strip(strips, dots, panel, from, at, y, false);
+    if (in && !after) out.push_back({from, at, y, false});
     if (!in && after) from = at;
-    if (!in && !after && event.here <= 0) put_strip(strips, dots, panel, at, at, y, true);
+    if (!in && !after && event.here <= 0) out.push_back({at, at, y, true});
     in = after;
   }
-  if (in) put_strip(strips, dots, panel, from, high, y, false);
+  if (in) out.push_back({from, high, y, false});
 }
 
 /// What a set's lines give to draw in a layer.
-struct Layer {
-  std::string strips, dots;
+std::vector<Strip> strips_of(const space::RayRow& row, const space::RayGrid& grid, const Panel& panel, double part) {
+  const plane::Bounds& shown = panel.frame.world;
+  std::vector<Strip> out;
+  for (int i = 0; i < grid.nu; ++i)
+    add_line(out, row, i, static_cast<double>(grid.u_at(i)) * part, part, shown.low[0], shown.high[0]);
+  return out;
+}
 
-  Layer(const space::RayRow& row, const space::RayGrid& grid, const Panel& panel, double part) {
-    const plane::Bounds& shown = panel.frame.world;
-    for (int i = 0; i < grid.nu; ++i)
-      put_line(strips, dots, panel, row, i, static_cast<double>(grid.u_at(i)) * part, part, shown.low[0],
-               shown.high[0]);
-  }
-};
+std::string strip_path(const std::vector<Strip>& strips, const Panel& p) {
+  std::string out;
+  for (const Strip& s : strips)
+    if (!s.point)
+      put(out, "M{:.2f} {:.2f}h{:.2f}v{:.2f}h{:.2f}z", p.frame.x(s.from), p.frame.y(s.y + p.strip / 2),
+          (s.to - s.from) * p.frame.scale, p.strip * p.frame.scale, (s.from - s.to) * p.frame.scale);
+  return out;
+}
+
+std::string dot_path(const std::vector<Strip>& strips, const Panel& p) {
+  std::string out;
+  for (const Strip& s : strips)
+    if (s.point) put(out, "M{:.2f} {:.2f}h0", p.frame.x(s.from), p.frame.y(s.y));
+  return out;
+}
+
+double length_of(const std::vector<Strip>& strips) {
+  double sum = 0;
+  for (const Strip& s : strips) sum += s.to - s.from;
+  return sum;
+}
 
 }  // namespace
 
@@ -105,22 +117,32 @@ struct Page {
   double per_unit, width;  // pixels
 };
 
-/// Layer k of the grid: the fixed shapes below the region. `points` becomes true where a line has a single point.
-std::string layer_svg(const SlicesPicture& picture, int k, const Frame& frame, double part, bool& points) {
+/// Layer k of the grid.
+SliceLayer layer_of(const SlicesPicture& picture, int k, const Frame& frame, double part) {
   const space::RayGrid& grid = picture.grid;
   const Panel panel{frame, static_cast<double>(grid.du) * part};
-  std::string out =
-      fmt::format("<g class=\"layer\">\n<text class=\"note\" x=\"{:.2f}\" y=\"{:.2f}\">z = {}{}</text>\n{}", frame.left,
-                  frame.top - 4, shown(static_cast<double>(grid.v_at(k)) * part), unit_after(picture), axes(frame));
-  for (const std::vector<space::RayRow>& shape : picture.fixed) {
-    const Layer section(shape[static_cast<std::size_t>(k)], grid, panel, part);
-    if (!section.strips.empty()) out += fmt::format("<path class=\"fixed strips\" d=\"{}\"/>\n", section.strips);
-  }
-  const Layer region(picture.rows[static_cast<std::size_t>(k)], grid, panel, part);
-  points = points || !region.dots.empty();
-  if (!region.strips.empty()) out += fmt::format("<path class=\"face strips\" d=\"{}\"/>\n", region.strips);
-  if (!region.dots.empty()) out += fmt::format("<path class=\"free dots\" d=\"{}\"/>\n", region.dots);
-  return out + "</g>\n";
+  const auto row = static_cast<std::size_t>(k);
+  SliceLayer out{frame, panel.strip, {}, strips_of(picture.rows[row], grid, panel, part)};
+  for (std::size_t n = 0; n < picture.fixed.size(); ++n)
+    out.sections.push_back({n, strips_of(picture.fixed[n].rows[row], grid, panel, part)});
+  std::stable_sort(out.sections.begin(), out.sections.end(), [](const SliceSection& a, const SliceSection& b) {
+    return length_of(a.strips) > length_of(b.strips);
+  });
+  return out;
+}
+
+/// The fixed shapes below the region, and their names above it.
+std::string layer_svg(const SliceLayer& layer, const std::string& height, const std::string& names) {
+  const Panel panel{layer.frame, layer.width};
+  std::string out = fmt::format("<g class=\"layer\">\n<text class=\"note\" x=\"{:.2f}\" y=\"{:.2f}\">z = {}</text>\n{}",
+                                layer.frame.left, layer.frame.top - 4, height, axes(layer.frame));
+  for (const SliceSection& section : layer.sections)
+    if (const std::string path = strip_path(section.strips, panel); !path.empty())
+      out += fmt::format("<path class=\"section\" d=\"{}\"/>\n", path);
+  const std::string strips = strip_path(layer.region, panel), dots = dot_path(layer.region, panel);
+  if (!strips.empty()) out += fmt::format("<path class=\"face strips\" d=\"{}\"/>\n", strips);
+  if (!dots.empty()) out += fmt::format("<path class=\"free dots\" d=\"{}\"/>\n", dots);
+  return out + names + "</g>\n";
 }
 
 /// What the marks mean and which window is shown, from `top` on.
@@ -144,10 +166,19 @@ std::string slices_svg(const SlicesPicture& picture) {
   const Block title = title_block(picture.title, picture.subtitle, kPanelGap, kPanelLine, kWidth - 2 * kPanelGap);
   const double top = kPanelLine + title.height + kPanelLine, below = page.below(top);
   const double part = picture.step / static_cast<double>(picture.grid.parts);
+  std::vector<SliceLayer> layers;
+  for (int k = 0; k < static_cast<int>(picture.rows.size()); ++k)
+    layers.push_back(layer_of(picture, k, page.frame(k, top), part));
+  std::vector<std::string> shapes;
+  for (const SlicesPicture::Fixed& shape : picture.fixed) shapes.push_back(shape.name);
+  const std::vector<std::string> names = slice_names(layers, shapes);
   std::string panels;
   bool points = false;
-  for (int k = 0; k < static_cast<int>(picture.rows.size()); ++k)
-    panels += layer_svg(picture, k, page.frame(k, top), part, points);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const std::string height = shown(static_cast<double>(picture.grid.v_at(static_cast<int>(k))) * part);
+    panels += layer_svg(layers[k], height + unit_after(picture), names[k]);
+    for (const Strip& s : layers[k].region) points = points || s.point;
+  }
   const Block says = below_layers(page, picture, points, below);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "

@@ -3,8 +3,8 @@
 //
 // A region of space in layers: one panel for each height, seen from above, in which the lines along x that the region
 // meets are drawn as strips of their spacing, places of length 0 as dots, and below them what the fixed shapes have at
-// that height. Guarantee: the ends of strips are those of
-// the ray map; between its lines nothing is claimed. Cost: one strip an interval. Keywords: slicing, layers, contour.
+// that height, each with its name. Guarantee: the ends of strips are those of the ray map; between its lines nothing is
+// claimed. Cost: one strip an interval. Keywords: slicing, layers, contour.
 #pragma once
 
 #include <string>
@@ -19,12 +19,16 @@ space::RayGrid slice_grid(const space::Point& low, const space::Point& high, int
 
 struct SlicesPicture {
   std::string title, subtitle, unit;
-  std::string meaning;                            // of what is drawn
-  space::RayGrid grid;                            // as slice_grid makes it
-  space::Point low, high;                         // the window
-  double step = 1;                                // a grid step in the scene's unit
-  std::vector<space::RayRow> rows;                // a row a layer, at most 0 in the region
-  std::vector<std::vector<space::RayRow>> fixed;  // the same of each fixed shape
+  std::string meaning;              // of what is drawn
+  space::RayGrid grid;              // as slice_grid makes it
+  space::Point low, high;           // the window
+  double step = 1;                  // a grid step in the scene's unit
+  std::vector<space::RayRow> rows;  // a row a layer, at most 0 in the region
+  struct Fixed {
+    std::string name;
+    std::vector<space::RayRow> rows;  // as those of the region
+  };
+  std::vector<Fixed> fixed;
 };
 
 std::string slices_svg(const SlicesPicture& picture);

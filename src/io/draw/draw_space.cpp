@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "io/draw/draw_canvas.h"
 #include "io/draw/draw_view.h"
+#include "io/draw/space_names.h"
 #include "io/text/put.h"
 #include "space/box/box_topology.h"
 
@@ -21,7 +23,7 @@ using space::BoxComplex;
 using space::Place3;
 using CellIndex = std::array<int, 3>;
 
-constexpr double kSpaceMargin = 36, kHeader = 58, kLegendLine = 20;
+constexpr double kSpaceMargin = 36, kHeader = 84, kLegendLine = 20, kNarrowest = 432;
 constexpr const char* kShades[3] = {"#6fa8a0", "#8cc0b8", "#b4dcd5"};
 constexpr const char* kSheet = "fill=\"#f2a33a\" fill-opacity=\"0.75\"";
 constexpr const char* kFixed = "stroke=\"#8a8f98\" stroke-width=\"1\"";
@@ -169,62 +171,43 @@ struct Stroke {
   std::string style;
 };
 
-/// From the scene's unit to pixels.
-class View {
- public:
-  void include(const Place3& p) {
-    const double c[2] = {dot(p, kRight), dot(p, kUp)};
-    for (int k = 0; k < 2; ++k) {
-      low_[k] = std::min(low_[k], c[k]);
-      high_[k] = std::max(high_[k], c[k]);
-    }
-  }
-  void fit() {
-    if (!(low_[0] <= high_[0])) {
-      low_[0] = low_[1] = 0;
-      high_[0] = high_[1] = 1;
-    }
-    scale_ = kViewSize / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});  // no sign: a picture of one point
-  }
-  std::string at(const Place3& p) const { return fmt::format("{:.1f},{:.1f}", x(p), y(p)); }
-  double x(const Place3& p) const { return (dot(p, kRight) - low_[0]) * scale_ + kSpaceMargin; }
-  double y(const Place3& p) const { return (high_[1] - dot(p, kUp)) * scale_ + kSpaceMargin + kHeader; }
-  double width() const { return std::max((high_[0] - low_[0]) * scale_, 360.0) + 2 * kSpaceMargin; }
-  double height() const { return (high_[1] - low_[1]) * scale_ + 2 * kSpaceMargin + kHeader; }
-
- private:
-  double low_[2] = {1e300, 1e300}, high_[2] = {-1e300, -1e300}, scale_ = 1;
-};
-
 /// All that is to be seen, in the scene's unit; faces from back to front.
 struct SpaceDrawing {
   std::vector<Polygon> faces;
   std::vector<Stroke> strokes;
   std::vector<Place3> points;
+  struct Outlined {
+    std::string name;
+    std::vector<Place3> ends;  // of its creases
+    bool moving;
+  };
+  std::vector<Outlined> shapes;
 };
 
 SpaceDrawing drawing(const SpacePicture& picture) {
   SpaceDrawing out;
-  const auto add_creases = [&](const BoxComplex& set, const char* style) {
-    Parts(set, picture.step).add_lines(false, [&](const Place3& a, const Place3& b, bool) {
-      out.strokes.push_back({a, b, style});
+  const auto add_creases = [&](const SpacePicture::Named& shape, bool moving) {
+    auto& outlined = out.shapes.emplace_back(SpaceDrawing::Outlined{shape.name, {}, moving});
+    Parts(shape.set, picture.step).add_lines(false, [&](const Place3& a, const Place3& b, bool) {
+      out.strokes.push_back({a, b, moving ? kMoving : kFixed});
+      outlined.ends.insert(outlined.ends.end(), {a, b});
     });
   };
-  for (const BoxComplex& set : picture.fixed) add_creases(set, kFixed);
+  for (const auto& shape : picture.fixed) add_creases(shape, false);
   const Parts region(*picture.region, picture.step);
   region.add_faces(out.faces);
   region.add_lines(true, [&](const Place3& a, const Place3& b, bool heavy) {
     out.strokes.push_back({a, b, heavy ? kHeavy : "stroke=\"#23605a\" stroke-width=\"1.2\""});
   });
   region.add_points([&](const Place3& p) { out.points.push_back(p); });
-  for (const BoxComplex& set : picture.moving) add_creases(set, kMoving);
+  for (const auto& shape : picture.moving) add_creases(shape, true);
   std::stable_sort(out.faces.begin(), out.faces.end(),
                    [](const Polygon& a, const Polygon& b) { return a.depth < b.depth; });
   return out;
 }
 
-View view_of(const SpaceDrawing& d) {
-  View view;
+SpaceView view_of(const SpaceDrawing& d) {
+  SpaceView view;
   for (const Polygon& f : d.faces) {
     for (const Place3& p : f.corners) view.include(p);
   }
@@ -233,24 +216,74 @@ View view_of(const SpaceDrawing& d) {
     view.include(s.to);
   }
   for (const Place3& p : d.points) view.include(p);
-  view.fit();
+  view.fit(kHeader);
   return view;
 }
 
-std::string elements(const SpaceDrawing& d, const View& view) {
+std::string elements(const SpaceDrawing& d, const SpaceView& view) {
   std::string out;
   for (const Polygon& f : d.faces) {
     std::string corners;
-    for (const Place3& p : f.corners) corners += view.at(p) + " ";
+    for (const Place3& p : f.corners) corners += fmt::format("{:.1f},{:.1f} ", view.at(p)[0], view.at(p)[1]);
     put(out, "<polygon points=\"{}\" {}/>\n", corners, f.style);
   }
   for (const Stroke& s : d.strokes) {
-    put(out, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n",
-        view.x(s.from), view.y(s.from), view.x(s.to), view.y(s.to), s.style);
+    const plane::Place from = view.at(s.from), to = view.at(s.to);
+    put(out, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke-linecap=\"round\" {}/>\n", from[0],
+        from[1], to[0], to[1], s.style);
   }
   for (const Place3& p : d.points)
-    put(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.x(p), view.y(p));
+    put(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#c8452c\"/>\n", view.at(p)[0], view.at(p)[1]);
   return out;
+}
+
+/// On the longest lines; two of the places are the ends of each.
+std::vector<plane::Place> on_longest(const std::vector<plane::Place>& ends) {
+  constexpr std::size_t kLongest = 8;
+  struct Line {
+    double length;
+    plane::Place from, to;
+  };
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+    lines.push_back({std::hypot(ends[i + 1][0] - ends[i][0], ends[i + 1][1] - ends[i][1]), ends[i], ends[i + 1]});
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.length > b.length; });
+  lines.resize(std::min(lines.size(), kLongest));
+  std::vector<plane::Place> out;
+  for (const double part : {0.5, 0.25, 0.75})
+    for (const Line& line : lines)
+      out.push_back(
+          {line.from[0] + (line.to[0] - line.from[0]) * part, line.from[1] + (line.to[1] - line.from[1]) * part});
+  return out;
+}
+
+/// The faces of the region, which names keep off; none where they are too many to look at.
+void add_region(const SpaceDrawing& d, const SpaceView& view, std::vector<NamedSolid>& named) {
+  constexpr std::size_t kMostFaces = 2000;
+  if (d.faces.size() > kMostFaces) return;
+  for (const Polygon& f : d.faces) {
+    std::vector<plane::Place> corners;
+    for (const Place3& p : f.corners) corners.push_back(view.at(p));
+    named.push_back({"", hull_on_page(std::move(corners)), {}, std::numeric_limits<double>::max()});
+  }
+}
+
+/// Names keep off the axes' numbers. All shapes are wires, which hide nothing.
+std::string names_of(const SpaceDrawing& d, const SpaceView& view, const SpaceAxes& axes) {
+  SpaceNames names({{2, view.top() - 18}, {view.width() - 2, view.bottom() - 2}});
+  for (const plane::Bounds& box : axes.texts) names.avoid(box);
+  for (const Stroke& s : d.strokes) names.shun(view.at(s.from), view.at(s.to));
+  std::vector<NamedSolid> named;
+  add_region(d, view, named);
+  for (const auto& shape : d.shapes) {
+    std::vector<plane::Place> ends;
+    for (const Place3& p : shape.ends) ends.push_back(view.at(p));
+    std::vector<plane::Place> on = on_longest(ends);
+    named.push_back({shape.name, hull_on_page(std::move(ends)), std::move(on), 0, true, true,
+                     shape.moving ? "#2f62c8" : "#33383d"});
+  }
+  names.name(std::move(named));
+  return names.svg();
 }
 
 /// What the colours mean, of those that are to be seen: a column of swatches.
@@ -284,18 +317,19 @@ std::string legend(const SpacePicture& picture, const SpaceDrawing& d, double to
 
 std::string space_svg(const SpacePicture& picture) {
   const SpaceDrawing d = drawing(picture);
-  const View view = view_of(d);
-  const std::string meanings = legend(picture, d, view.height() + kLegendLine / 2);
+  const SpaceView view = view_of(d);
+  const SpaceAxes axes = space_axes(view, picture.unit);
+  const std::string meanings = legend(picture, d, view.bottom() + kLegendLine / 2);
   const double below = kLegendLine * double(std::count(meanings.begin(), meanings.end(), '\n')) + kSpaceMargin;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
              "{1:.0f}\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-             view.width(), view.height() + below) +
+             std::max(view.width(), kNarrowest), view.bottom() + below) +
          fmt::format(
              "<text x=\"{0}\" y=\"28\" font-size=\"17\">{1}</text>\n<text x=\"{0}\" y=\"48\" "
              "font-size=\"12.5\" fill=\"#555\">{2}</text>\n",
              kSpaceMargin, xml_escaped(picture.title), xml_escaped(picture.subtitle)) +
-         elements(d, view) + meanings + "</svg>\n";
+         axes.svg + elements(d, view) + names_of(d, view, axes) + meanings + "</svg>\n";
 }
 
 }  // namespace findspace::io

@@ -3,7 +3,8 @@
 //
 // A picture of a 3D map of boxes: the solid parts of the region as shaded faces, its sheets in a second colour, lines
 // and points of the region drawn heavy, the fixed shapes as grey creases, and the moving shape as blue ones at a sample
-// position. An orthogonal view as in write_mesh.h; faces are laid from back to front. Cost: linear in the cells.
+// position. Each shape has its name, and axes with ticks stand about all. The view is that of draw_view.h; faces are
+// laid from back to front. Cost: linear in the cells.
 // Keywords: SVG, painter's algorithm.
 #pragma once
 
@@ -19,7 +20,11 @@ namespace findspace::io {
 struct SpacePicture {
   std::string title, subtitle, unit;
   const space::BoxComplex* region = nullptr;
-  std::vector<space::BoxComplex> fixed, moving;  // moving: already at the sample position
+  struct Named {
+    std::string name;
+    space::BoxComplex set;
+  };
+  std::vector<Named> fixed, moving;  // moving: already at the sample position
   exact::Real step;
 };
 

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/draw/draw_canvas.h"
-#include "io/draw/draw_surface.h"
+#include "io/draw/draw_bodies.h"
 #include "io/draw/draw_view.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/mesh_step.h"
@@ -39,34 +38,6 @@ Vec face_normal(const Surface& s, const std::vector<int>& face) {
     for (double& c : sum) c /= size;
   }
   return sum;
-}
-
-constexpr double kSize = 640, kMargin = 24;  // the longer side
-
-struct Picture {
-  double scale = 1, left = 0, top = 0, width = 0, height = 0;
-  std::array<double, 2> at(const Vec& p) const {
-    return {(dot(p, kRight) - left) * scale + kMargin, (top - dot(p, kUp)) * scale + kMargin};
-  }
-};
-
-Picture fit(const Surface& s) {
-  double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
-  for (const Vec& v : s.vertices) {
-    const double c[2] = {dot(v, kRight), dot(v, kUp)};
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], c[k]);
-      high[k] = std::max(high[k], c[k]);
-    }
-  }
-  Picture p;
-  p.scale = (kSize - 2 * kMargin) /
-            std::max({high[0] - low[0], high[1] - low[1], 1e-300});  // no sign: keeps a picture of nothing finite
-  p.left = low[0];
-  p.top = high[1];
-  p.width = (high[0] - low[0]) * p.scale + 2 * kMargin;
-  p.height = (high[1] - low[1]) * p.scale + 2 * kMargin;
-  return p;
 }
 
 std::string one_line(std::string_view text) {
@@ -140,39 +111,11 @@ std::string stl_text(const Surface& s, std::string_view title) {
   return out;
 }
 
-std::string svg_text(const Surface& s, std::string_view title) {
-  constexpr std::array<int, 3> kStone{223, 231, 235};
-  const Picture picture = fit(s);
-  const SeenSurface seen = seen_surface(s.vertices, s.faces);
-  std::string out;
-  put(out,
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" fill=\"none\" stroke=\"#123\" "
-      "stroke-width=\"1.4\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n",
-      picture.width, picture.height, xml_escaped(title));
-  const auto lines = [&](const std::vector<Edge3>& edges, const char* style) {
-    if (edges.empty()) return;
-    put(out, "<path{} d=\"", style);
-    for (const Edge3& e : edges) {
-      const auto a = picture.at(s.vertices[e[0]]), b = picture.at(s.vertices[e[1]]);
-      put(out, "M{:.2f} {:.2f}L{:.2f} {:.2f}", a[0], a[1], b[0], b[1]);
-    }
-    put(out, "\"/>\n");
-  };
-  for (const SeenFace& face : seen.faces) {
-    const std::string fill = shaded(kStone, face.light);
-    if (face.ring.size() > 2) {
-      put(out, "<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".6\" d=\"", fill);
-      for (std::size_t k = 0; k < face.ring.size(); ++k) {
-        const auto p = picture.at(s.vertices[face.ring[k]]);
-        put(out, "{}{:.2f} {:.2f}", k == 0 ? "M" : "L", p[0], p[1]);
-      }
-      put(out, "z\"/>\n");
-    }
-    lines(face.edges, "");
-  }
-  lines(seen.hidden, " stroke-dasharray=\"4 4\" stroke=\"#89a\"");
-  put(out, "</svg>\n");
-  return out;
+std::string svg_text(const Surface& s, std::string_view title, std::string_view unit) {
+  const DrawnSurface drawn{s.vertices, s.faces};
+  BodiesPicture picture{std::string(title), std::string(unit), {}, {}, {}};
+  picture.bodies.emplace_back().surface = &drawn;
+  return bodies_svg(picture);
 }
 
 std::string surface_text(const Surface& surface, std::string_view title, std::string_view ending,
@@ -184,7 +127,7 @@ std::string surface_text(const Surface& surface, std::string_view title, std::st
   if (ending == ".glb") return glb_text(assembly_of(surface), title, unit);
   if (ending == ".step") return step_text(surface, title, unit);
   if (ending == ".3mf") return text_3mf(assembly_of(surface), title, unit);
-  if (ending == ".svg") return svg_text(surface, title);
+  if (ending == ".svg") return svg_text(surface, title, unit);
   throw Error(ErrorCode::kUnsupported,
               fmt::format("a surface is written as {}, not '{}'", fmt::join(kSurfaceEndings, " "), ending));
 }

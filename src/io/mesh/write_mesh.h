@@ -48,7 +48,7 @@ Surface united(const Assembly& assembly);
 std::string obj_text(const Surface& surface, std::string_view title);
 std::string off_text(const Surface& surface);
 std::string stl_text(const Surface& surface, std::string_view title);
-std::string svg_text(const Surface& surface, std::string_view title);
+std::string svg_text(const Surface& surface, std::string_view title, std::string_view unit);
 
 /// The endings that surface_text() knows.
 inline constexpr std::array<const char*, 8> kSurfaceEndings{".obj", ".off",  ".stl", ".ply",

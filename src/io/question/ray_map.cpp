@@ -59,16 +59,21 @@ struct RaysQuestion {
 
  private:
   void aim();
-  std::vector<plane::ShapePtr> standing(const formula::Formula& where) const;
+  std::vector<RaySet::Fixed> standing(const formula::Formula& where) const;
   std::pair<space::Point, space::Point> shown_box() const;
 };
 
 /// The shapes of a formula that stay where they are.
-std::vector<plane::ShapePtr> RaysQuestion::standing(const formula::Formula& where) const {
+std::vector<RaySet::Fixed> RaysQuestion::standing(const formula::Formula& where) const {
   std::set<std::string> names = where.shapes();
   for (const std::string& moving : asked.scene().moving) names.erase(moving);
-  std::vector<plane::ShapePtr> out;
-  for (const std::string& name : names) out.push_back(asked.scene().shape(name));
+  std::vector<RaySet::Fixed> out;
+  const auto add = [&](const std::string& name, const auto& again) -> void {
+    const plane::ShapePtr shape = asked.scene().shape(name);
+    if (!drawn_by_members(asked, name)) return out.push_back({name, shape});
+    for (const plane::ShapePtr& member : shape->children) again(member->name, again);
+  };
+  for (const std::string& name : names) add(name, add);
   return out;
 }
 
@@ -189,8 +194,8 @@ std::string RaysQuestion::slices() const {
   const space::RayGrid slices = slice_grid(low, high, kLayers, std::max(cast->grid.nu, cast->grid.nv));
   SlicesPicture picture{set.title, set.subtitle, asked.unit(), set.meaning, slices, low, high, step(), {}, {}};
   picture.rows = space::all_rows(*set.source(slices).rays);
-  for (const plane::ShapePtr& fixed : set.fixed)
-    picture.fixed.push_back(space::all_rows(*space::shape_rays(*fixed, slices)));
+  for (const RaySet::Fixed& fixed : set.fixed)
+    picture.fixed.push_back({fixed.name, space::all_rows(*space::shape_rays(*fixed.shape, slices))});
   return slices_svg(picture);
 }
 

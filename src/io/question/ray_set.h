@@ -44,7 +44,11 @@ struct RayObjective {
 struct RaySet {
   std::string title, subtitle, meaning;  // of the picture; what the set consists of
   LineChoice lines;
-  std::vector<plane::ShapePtr> fixed;              // for the picture
+  struct Fixed {
+    std::string name;
+    plane::ShapePtr shape;
+  };
+  std::vector<Fixed> fixed;                        // for the picture
   space::Point low, high;                          // a box that holds the frontier
   bool unbounded = false;                          // the set goes on beyond it
   std::optional<space::RayAim> aim;                // what is looked for in the set

@@ -11,6 +11,7 @@
 
 #include "api/query/space_region_data.h"
 #include "api/values/region_data.h"
+#include "io/draw/draw_bodies.h"
 #include "io/draw/draw_space.h"
 #include "io/mesh/space_surface.h"
 #include "io/question/map_answer.h"
@@ -51,18 +52,34 @@ struct SpaceMapQuestion {
     const auto& convex = map.convex;
     return convex ? convex_surface(convex->set, convex->step) : box_surface(map.boxes, asked.step());
   }
+  /// A convex region among the shapes, the moving ones at a sample position.
+  std::string picture_of_convex() const {
+    const formula::SpaceWorld& world = solver->world();
+    BodiesPicture p{title(), asked.unit(), {}, {}, {}, world.step.to_double()};
+    if (const std::string& where = asked.scene().where.text; !where.empty()) p.lines.push_back(where);
+    std::optional<space::Place3> at;
+    if (!summary.components.empty()) at = summary.components[0].sample;
+    const KeptBodies kept = add_bodies(p, asked, world, at);
+    const Surface region = surface();
+    const DrawnSurface drawn{region.vertices, region.faces};
+    auto& added = p.bodies.emplace_back(BodiesPicture::Drawn{"positions"});
+    added.surface = &drawn;
+    added.role = BodiesPicture::Role::kRegion;
+    return bodies_svg(p);
+  }
   /// The region among the shapes that have boxes; the moving ones stand at a sample position.
   std::string picture() const {
+    if (map.convex) return picture_of_convex();
     const formula::SpaceWorld& world = solver->world();
     SpacePicture p{title(), asked.scene().where.text, asked.unit(), &map.boxes, {}, {}, asked.step()};
     for (const auto& [name, shape] : world.shapes) {
-      if (!shape.boxes) continue;
+      if (!shape.boxes || drawn_by_members(asked, name)) continue;
       if (std::find(world.moving.begin(), world.moving.end(), name) == world.moving.end()) {
-        p.fixed.push_back(*shape.boxes);
+        p.fixed.push_back({name, *shape.boxes});
       } else if (!summary.components.empty()) {
         space::RealVector by;
         for (std::size_t k = 0; k < 3; ++k) by[k] = Real::from_double(summary.components[0].sample[k]) / asked.step();
-        p.moving.push_back(space::translated(*shape.boxes, by));
+        p.moving.push_back({name, space::translated(*shape.boxes, by)});
       }
     }
     return space_svg(p);
@@ -111,7 +128,7 @@ std::optional<Answer::Data> map_of_space(AskedScene given, const Applied& apply,
     Surface made = q->surface();
     return findspace::Surface{std::move(made.vertices), std::move(made.faces)};
   };
-  if (!q->map.convex) out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture(), {}}; };
+  out.files[".svg"] = [q](const Telling&) { return Region::Drawn{q->picture(), {}}; };
   out.space_region = [q] { return q->region(); };
   if (q->map.extreme)
     out.best = [q] {

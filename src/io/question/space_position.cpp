@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "formula/language/text.h"
 #include "io/draw/draw_bodies.h"
+#include "io/draw/draw_layout.h"
 #include "io/question/position_answer.h"
 #include "io/question/space_shapes.h"
 #include "io/report/position_report.h"
@@ -32,41 +34,46 @@ std::array<double, 3> space_place(const distance::Coordinates& p) {
   return {p[0].to_double(), p[1].to_double(), p[2].to_double()};
 }
 
-/// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
-std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) {
-  if (!shape.cut) return shape.body.pointer();
-  space::Body all;
-  all.scale = shape.cut->scale;
-  for (const space::CsgPart& part : shape.cut->parts) {
-    all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
-    all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
-  }
-  return std::make_shared<const space::Body>(std::move(all));
+/// A distance that the picture shows.
+struct ShownDistance {
+  const formula::DistanceAt* distance;
+  bool fails;
+};
+
+/// The middle of the box about what moves, at its position; the position itself where nothing of it is drawn.
+space::Place3 middle_of_moving(const BodiesPicture& picture, const space::Place3& at) {
+  space::Place3 middle = at;
+  for (const auto& drawn : picture.bodies)
+    if (drawn.role == BodiesPicture::Role::kMoving) middle = middle_of(drawn, picture.step);
+  return middle;
 }
 
-/// The bodies with the moving ones at `at`, and pairs of points that take a distance.
+/// The points that take a distance and its value, or the way to a touching where there are none.
+void add_distance(BodiesPicture& picture, const space::RealVector& at, const ShownDistance& shown_distance,
+                  std::string_view unit) {
+  const formula::DistanceAt& d = *shown_distance.distance;
+  if (!d.answer) return;
+  const auto text = [&](double value) { return shown(value) + (unit.empty() ? "" : fmt::format(" {}", unit)); };
+  if (const auto& points = d.answer->witness; points.size() == 2) {
+    picture.pairs.push_back({{space_place(points[0].at), space_place(points[1].at)},
+                             d.value() ? text(*d.value()) : "",
+                             shown_distance.fails});
+  } else if (d.answer->nearest) {
+    const space::Place3 from = middle_of_moving(picture, space_place(distance::coordinates(at)));
+    space::Place3 to = from;
+    const space::Place3 there = space_place(*d.answer->nearest), here = space_place(distance::coordinates(at));
+    for (std::size_t k = 0; k < 3; ++k) to[k] += there[k] - here[k];
+    const double far = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    picture.pairs.push_back({{from, to}, text(far), shown_distance.fails, true});
+  }
+}
+
+/// The bodies with the moving ones at `at`, and what takes distances.
 std::string picture_at(const AskedScene& asked, const formula::SpaceSolver& solver, const space::RealVector& at,
-                       std::string title, std::vector<std::string> lines,
-                       const std::vector<formula::DistanceAt>& distances) {
-  const formula::SpaceWorld& world = solver.world();
-  BodiesPicture picture{std::move(title), asked.unit(), std::move(lines), {}, {}, world.step.to_double()};
-  std::vector<std::shared_ptr<const space::Body>> drawn;
-  for (const bool moving : {false, true}) {
-    for (const auto& [name, shape] : world.shapes) {
-      const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
-      if (moves != moving || (!shape.body && !shape.cut)) continue;
-      drawn.push_back(drawn_body(shape));
-      picture.bodies.push_back({drawn.back().get(), {}, moving});
-      if (moving) picture.bodies.back().by = {at[0].to_double(), at[1].to_double(), at[2].to_double()};
-    }
-  }
-  for (const auto& d : distances) {
-    if (!d.answer) continue;
-    const auto& points = d.answer->witness;
-    if (points.size() == 2) picture.pairs.push_back({space_place(points[0].at), space_place(points[1].at)});
-    if (d.answer->nearest)
-      picture.pairs.push_back({space_place(distance::coordinates(at)), space_place(*d.answer->nearest)});
-  }
+                       std::string title, std::vector<std::string> lines, const std::vector<ShownDistance>& distances) {
+  BodiesPicture picture{std::move(title), asked.unit(), std::move(lines), {}, {}, solver.world().step.to_double()};
+  const KeptBodies kept = add_bodies(picture, asked, solver.world(), space_place(distance::coordinates(at)));
+  for (const ShownDistance& d : distances) add_distance(picture, at, d, asked.unit());
   return bodies_svg(picture);
 }
 
@@ -99,10 +106,10 @@ struct SpaceQuestion {
   std::string moving() const { return fmt::format("{}", fmt::join(asked.scene().moving, ", ")); }
   std::string picture_of_check() const {
     std::vector<std::string> lines;
-    std::vector<formula::DistanceAt> shown;
+    std::vector<ShownDistance> shown;
     for (const formula::AtomAt& a : check->atoms) {
       lines.push_back(fmt::format("{}: {}", formula::written(a.atom), a.holds ? "true" : "false"));
-      shown.push_back(a.distance);
+      shown.push_back({&a.distance, !a.holds});
     }
     return picture_at(asked, *solver, at,
                       fmt::format("{} at {}: {}", moving(), where_text(at), check->holds ? "feasible" : "not feasible"),

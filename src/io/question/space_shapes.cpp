@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -53,6 +54,58 @@ formula::RayWorld ray_world(const AskedScene& asked) {
   world.moving = asked.scene().moving;
   world.step = asked.step();
   return world;
+}
+
+bool drawn_by_members(const AskedScene& asked, const std::string& name) {
+  const auto& shapes = asked.scene().shapes;
+  const auto known = [&](const plane::ShapePtr& member) {
+    return std::any_of(shapes.begin(), shapes.end(),
+                       [&](const plane::ShapePtr& s) { return !member->name.empty() && s->name == member->name; });
+  };
+  const plane::ShapePtr shape = asked.scene().shape(name);
+  return shape->collection && !shape->children.empty() &&
+         std::all_of(shape->children.begin(), shape->children.end(), known);
+}
+
+namespace {
+
+/// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
+std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) {
+  if (!shape.cut) return shape.body.pointer();
+  space::Body all;
+  all.scale = shape.cut->scale;
+  for (const space::CsgPart& part : shape.cut->parts) {
+    all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
+    all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
+  }
+  return std::make_shared<const space::Body>(std::move(all));
+}
+
+}  // namespace
+
+KeptBodies add_bodies(BodiesPicture& picture, const AskedScene& asked, const formula::SpaceWorld& world,
+                      const std::optional<space::Place3>& moving_at) {
+  KeptBodies kept;
+  for (const bool moving : {false, true}) {
+    if (moving && !moving_at) continue;
+    for (const auto& [name, shape] : world.shapes) {
+      const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
+      if (moves != moving || (!shape.body && !shape.cut) || drawn_by_members(asked, name)) continue;
+      BodiesPicture::Drawn drawn{name};
+      if (shape.surfaces) {
+        drawn.solids = shape.surfaces.get();  // its convex parts may be many
+      } else {
+        kept.push_back(drawn_body(shape));
+        drawn.body = kept.back().get();
+      }
+      if (moving) {
+        drawn.role = BodiesPicture::Role::kMoving;
+        drawn.by = *moving_at;
+      }
+      picture.bodies.push_back(std::move(drawn));
+    }
+  }
+  return kept;
 }
 
 void note_rounding(const AskedScene& asked, const std::string& name, const formula::SpaceShape& shape) {

@@ -69,15 +69,17 @@ std::string placement_svg(const planning::SpaceProblem& problem, const planning:
                           const PlacementPicture& picture) {
   BodiesPicture out{picture.title, picture.unit, picture.lines, {}, {}, problem.step.to_double()};
   for (const std::string& name : picture.fixed)
-    if (const auto& body = problem.built.at(name).body) out.bodies.push_back({body.get(), {}, false});
+    if (const auto& body = problem.built.at(name).body) out.bodies.push_back({name, body.get()});
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     const auto& pose = poses[b];
     if (!pose) continue;
-    for (const std::string& name : problem.bodies[b].variants[pose->angle]) {
-      const auto& body = problem.built.at(name).body;
+    const Body& placed = problem.bodies[b];
+    for (std::size_t k = 0; k < placed.shapes.size(); ++k) {
+      const auto& body = problem.built.at(placed.variants[pose->angle][k]).body;
       if (!body) continue;
-      out.bodies.push_back({body.get(), {}, true});
-      for (std::size_t k = 0; k < 3; ++k) out.bodies.back().by[k] = (pose->at[k] * problem.step).to_double();
+      auto& drawn = out.bodies.emplace_back(BodiesPicture::Drawn{placed.shapes[k], body.get()});
+      drawn.role = BodiesPicture::Role::kMoving;
+      for (std::size_t axis = 0; axis < 3; ++axis) drawn.by[axis] = (pose->at[axis] * problem.step).to_double();
     }
   }
   return bodies_svg(out);
