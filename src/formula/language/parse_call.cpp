@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "formula/language/parse_call.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 
@@ -115,7 +118,8 @@ std::size_t NameSet::slot(std::string_view name) const {
   return at;
 }
 
-/// Units of work for a further shape of a union: its maps and regions are kept.
+/// Units of work for a further shape of a union: its maps and regions are kept. The n-th distance costs n: each cell of
+/// a map is asked for all.
 constexpr std::uint64_t kSummand = 10'000;
 
 CallReader::CallReader(Cursor& cursor, const Context& context)
@@ -199,19 +203,54 @@ Atom CallReader::predicate() {
   return atom;
 }
 
+namespace {
+
+/// Words of other programs for distances and predicates.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kOtherWords{{{"apart", "disjoint"},
+                                                                                     {"separate", "disjoint"},
+                                                                                     {"separated", "disjoint"},
+                                                                                     {"outside", "disjoint"},
+                                                                                     {"touch", "touches"},
+                                                                                     {"touching", "touches"},
+                                                                                     {"intersects", "overlaps"},
+                                                                                     {"intersect", "overlaps"},
+                                                                                     {"collides", "overlaps"},
+                                                                                     {"collision", "overlaps"},
+                                                                                     {"contains", "covers"},
+                                                                                     {"contained", "inside"},
+                                                                                     {"in", "inside"},
+                                                                                     {"clearance", "gap"},
+                                                                                     {"separation", "gap"},
+                                                                                     {"dist", "distance"}}};
+
+/// "; did you mean 'covers'?", or else which predicates there are.
+std::string words_meant(std::string_view word) {
+  const auto other =
+      std::find_if(kOtherWords.begin(), kOtherWords.end(), [&](const auto& w) { return w.first == word; });
+  if (other != kOtherWords.end()) return fmt::format("; did you mean '{}'?", other->second);
+  std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"}, predicates;
+  for (const DistanceName& row : distance_names()) known.emplace_back(row.name);
+  for (const PredicateName& row : predicate_names()) predicates.emplace_back(row.name);
+  known.insert(known.end(), predicates.begin(), predicates.end());
+  const std::string near = question(word, known);
+  if (!near.empty()) return near;
+  return fmt::format("; the predicates are {}, and 'findspace help formula' lists the distances",
+                     fmt::join(predicates, ", "));
+}
+
+}  // namespace
+
 void CallReader::fail_unknown_word() const {
   const std::string word = cursor_.peek().text;
   if (known_.contains(word)) {
     cursor_.fail_syntax("'{}' is a shape; a distance or predicate is meant here, such as gap(B, A)", printable(word));
   }
-  std::vector<std::string> known{"true", "false", "not", "inf", "sup", "argmin"};
-  for (const DistanceName& row : distance_names()) known.emplace_back(row.name);
-  for (const PredicateName& row : predicate_names()) known.emplace_back(row.name);
   cursor_.fail(ErrorCode::kUnknownName, cursor_.peek().span, "unknown distance or predicate '{}'{}", printable(word),
-               question(word, known));
+               words_meant(word));
 }
 
 Call CallReader::call(std::string_view word, const Usage& usage, bool is_predicate) {
+  work_.charge(++calls_, "a formula with so many distances");
   Call result;
   const auto takes = [&] { return fmt::format("'{}' takes two shapes: {}", word, usage()); };
   result.span.begin = cursor_.peek().span.begin;

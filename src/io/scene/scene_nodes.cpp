@@ -34,6 +34,8 @@ ShapePtr build_several(ShapeReader& reader, const JsonValue& object, const JsonV
   for (std::size_t i = 0; i < value.size(); ++i) {
     shape.children.push_back(reader.shape(value.items()[i], label.part("operand", i)));
   }
+  if constexpr (kind == Shape::Kind::kMinkowskiSum || kind == Shape::Kind::kMinkowskiDifference)
+    reader.json().placed(label, value, [&] { reader.charge_pairs(shape); });
   return share(std::move(shape));
 }
 

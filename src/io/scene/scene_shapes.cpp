@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -57,7 +59,8 @@ const KnownKind* kind_of(const JsonValue& object) {
 
 ShapePtr share(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
 
-ShapeReader::ShapeReader(const SceneReader& json, const JsonValue& shapes) : json_(json) {
+ShapeReader::ShapeReader(const SceneReader& json, const JsonValue& shapes)
+    : json_(json), pairs_(json.context().options.work_limit) {
   json_.expect(shapes, JsonValue::Kind::kObject, "\"shapes\"", {});
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const std::string_view name = shapes.keys()[i];
@@ -145,11 +148,74 @@ ShapePtr ShapeReader::object(const JsonValue& value, const Label& label) {
   return known->kind->build(*this, value, *value.find(known->kind->key), label);
 }
 
+double ShapeReader::parts_of(const Shape& shape) {
+  if (shape.children.empty()) return 1;
+  if (const auto known = parts_.find(&shape); known != parts_.end()) return known->second;
+  double parts = parts_of(*shape.children[0]);
+  for (std::size_t k = 1; k < shape.children.size(); ++k) {
+    const double more = parts_of(*shape.children[k]);
+    parts = shape.kind == Shape::Kind::kMinkowskiSum ? parts * more : parts + more;
+  }
+  return parts_[&shape] = shape.kind == Shape::Kind::kHull ? 1 : parts;
+}
+
+void ShapeReader::charge_pairs(const Shape& sum) {
+  constexpr double kPair = 1000, kFarTooMuch = 1e18;
+  if (dimension() != 3) return;
+  const double a = parts_of(*sum.children[0]), b = parts_of(*sum.children[1]);
+  const double units = kPair * (a * b - std::max(a, b));
+  pairs_.charge(units < kFarTooMuch ? static_cast<std::uint64_t>(units) : std::numeric_limits<std::uint64_t>::max(),
+                "a Minkowski sum or difference of so many parts");
+}
+
+namespace {
+
+/// Words of other programs for kinds of shapes.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kOtherKinds{{
+    {"circle", "disc"},
+    {"disk", "disc"},
+    {"sphere", "ball"},
+    {"rectangle", "box"},
+    {"rect", "box"},
+    {"square", "box"},
+    {"cube", "box"},
+    {"cuboid", "box"},
+    {"cylinder", "prism"},
+    {"extrude", "prism"},
+    {"extrusion", "prism"},
+    {"line", "polyline"},
+    {"linestring", "polyline"},
+    {"subtract", "difference"},
+    {"intersect", "intersection"},
+    {"merge", "union"},
+    {"group", "union"},
+    {"move", "translate"},
+    {"translation", "translate"},
+    {"rotation", "rotate"},
+    {"buffer", "offset"},
+    {"convex_hull", "hull"},
+    {"nurbs", "spline"},
+    {"svg", "file"},
+    {"stl", "file"},
+    {"import", "file"},
+}};
+
+}  // namespace
+
 void ShapeReader::fail_unknown_kind(const JsonValue& value, const Label& label) const {
   std::vector<std::string> known;
+<<<<<<< HEAD
   for (const KnownKind& one : all_kinds()) known.emplace_back(one.kind->key);
   for (const std::string_view key : value.keys()) {
     std::string hint = suggestion(key, known);
+=======
+  for (const ShapeKind* kind : all_kinds()) known.emplace_back(kind->key);
+  for (const std::string& key : value.keys) {
+    const auto other =
+        std::find_if(kOtherKinds.begin(), kOtherKinds.end(), [&](const auto& w) { return w.first == key; });
+    const std::string hint =
+        other == kOtherKinds.end() ? suggestion(key, known) : fmt::format(", did you mean '{}'?", other->second);
+>>>>>>> 8af448e3 (Work limit: distances of a formula, sums of many solids)
     if (!hint.empty())
       json_.fail(ErrorCode::kUnknownName, fmt::format("unknown kind of shape '{}'{}", key, hint), label, value);
   }

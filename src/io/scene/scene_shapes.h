@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "io/text/scene_reader.h"
@@ -54,6 +55,9 @@ class ShapeReader {
 
   /// A new node that knows its place.
   plane::Shape node(plane::Shape::Kind kind, const Label& label, const JsonValue& at) const;
+  /// In 3D: charges for the pairs of parts of a Minkowski sum or difference, as far as the tree says them. One part
+  /// with many costs nothing: that is as much as the many.
+  void charge_pairs(const plane::Shape& sum);
   /// Records that the scene is 2D or 3D; refuses a mixture.
   void use_dimension(int dimension, const Label& label, const JsonValue& at);
 
@@ -71,7 +75,12 @@ class ShapeReader {
   [[noreturn]] void fail_too_deep(const JsonValue& at, const Label& label) const;
   [[noreturn]] void fail_cycle(std::string_view name, const JsonValue& at, const Label& label) const;
 
+  /// Convex parts that a shape may have, were each of its solids one.
+  double parts_of(const plane::Shape& shape);
+
   const SceneReader& json_;
+  plane::WorkBudget pairs_;  // of parts of sums
+  std::unordered_map<const plane::Shape*, double> parts_;
   std::vector<std::string> names_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::vector<std::string> trail_;  // names being built, outermost first
