@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include "command_line/help_pages.h"
 #include "command_line/option_checks.h"
@@ -54,6 +56,52 @@ bool is_unknown_verb(int argc, char** argv, Reporter& reporter) {
   reporter.error(
       fmt::format("there is no verb '{}'{}; the verbs are {}", word, meant(word, names), fmt::join(names, " ")));
   return true;
+}
+
+/// The names of a verb's options, as they are typed.
+std::vector<std::string> option_names(const VerbEntry& verb) {
+  CLI::App app;
+  Options options;
+  add_options(app, verb.name, options);
+  std::vector<std::string> out;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) out.push_back("-" + name);
+  }
+  return out;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What is wrong with arguments that are left: the first is an option of other verbs, or mistyped, or one too many.
+std::string left_over(const std::vector<std::string>& rest, std::string_view of_verb) {
+  const std::string name = rest.front().substr(0, rest.front().find('='));
+  if (name.size() < 2 || name[0] != '-') return fmt::format("not expected: {}", fmt::join(rest, " "));
+  std::vector<std::string> own, others;
+  for (const VerbEntry& verb : verbs()) {
+    const std::vector<std::string> names = option_names(verb);
+    if (verb.is(of_verb)) own = names;
+    if (contains(names, name)) others.push_back(verb.name);
+  }
+  if (contains(own, name)) return fmt::format("not expected: {}", fmt::join(rest, " "));
+  if (!others.empty()) return fmt::format("{} is no option of {}, but of {}", name, of_verb, fmt::join(others, ", "));
+  return fmt::format("{} has no option {}{}", of_verb, name, meant(name, own));
+}
+
+/// The library's words for a wrong number of arguments, plainly.
+std::string plainly(const std::string& text) {
+  constexpr std::string_view kMost = ": At Most 1 required but received ", kLeast = ": At least ",
+                             kReceived = " required but received ";
+  if (text == "A subcommand is required") return "a verb is required, such as map; 'findspace --help' lists them";
+  if (const std::size_t at = text.find(kMost); at != std::string::npos)
+    return fmt::format("{} is given {} times; once is meant", text.substr(0, at), text.substr(at + kMost.size()));
+  const std::size_t at = text.find(kLeast), received = text.find(kReceived);
+  if (at == std::string::npos || received == std::string::npos) return text;
+  const std::size_t number = at + kLeast.size();
+  return fmt::format("{}: {} are meant, given: {}", text.substr(0, at), text.substr(number, received - number),
+                     text.substr(received + kReceived.size()));
 }
 
 struct HelpRequest {
@@ -129,10 +177,13 @@ CommandLine read_command_line(int argc, char** argv) {
     out.answered = kDone;
     return out;
   } catch (const CLI::ExtrasError&) {
-    errors.error(fmt::format("not expected: {}\nTry 'findspace --help'.", fmt::join(app.remaining(true), " ")));
+    const auto verb = app.get_subcommands();
+    errors.error(fmt::format("{}\nTry 'findspace {}--help'.",
+                             left_over(app.remaining(true), verb.empty() ? "findspace" : verb.front()->get_name()),
+                             verb.empty() ? "" : verb.front()->get_name() + " "));
     return out;
   } catch (const CLI::ParseError& e) {
-    errors.error(fmt::format("{}\nTry 'findspace --help'.", e.what()));
+    errors.error(fmt::format("{}\nTry 'findspace --help'.", plainly(e.what())));
     return out;
   }
   if (help->parsed())
@@ -150,9 +201,9 @@ Options parse_question(std::string_view name, std::vector<std::string> arguments
   try {
     app.parse(arguments);
   } catch (const CLI::ExtrasError&) {
-    throw Error(ErrorCode::kUsage, fmt::format("not expected: {}", fmt::join(app.remaining(true), " ")));
+    throw Error(ErrorCode::kUsage, left_over(app.remaining(true), name));
   } catch (const CLI::Error& e) {
-    throw Error(ErrorCode::kUsage, e.what());
+    throw Error(ErrorCode::kUsage, plainly(e.what()));
   }
   return options;
 }

@@ -33,6 +33,17 @@ std::string visible(std::string_view text) {
   return out;
 }
 
+/// Without the end of what nobody would read: a name may be as long as a file.
+std::string cut(std::string text) {
+  constexpr std::size_t kLongest = 6000;
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  const std::size_t left = text.size() - end;
+  text.resize(end);
+  return text + fmt::format("... ({} more bytes)", left);
+}
+
 void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
@@ -56,7 +67,7 @@ void Reporter::error(std::string_view text) {
 }
 
 void Reporter::error(const Error& e) {
-  error(visible(e.place().empty() ? e.message() : e.place() + ": " + e.message()));
+  error(cut(visible(e.place().empty() ? e.message() : e.place() + ": " + e.message())));
   for (const auto& p : e.geometry()) say(fmt::format("  at ({}, {})\n", p[0], p[1]));
 }
 

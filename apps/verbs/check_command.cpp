@@ -25,8 +25,9 @@ std::vector<std::string> wanted_words(const Session& session) {
     for (DistanceWord& row : distance_words()) known.push_back(std::move(row.word));
     if (std::find(known.begin(), known.end(), options.only) != known.end()) return {options.only};
     const std::string near = nearest_word(options.only, known);
-    throw Error(ErrorCode::kUsage, "--only " + options.only + ": there is no such distance" +
-                                       (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    std::string hint = near.empty() ? "; the distances are" : "; did you mean '" + near + "'?";
+    for (std::size_t k = 0; near.empty() && k < known.size(); ++k) hint += (k > 0 ? ", " : " ") + known[k];
+    throw Error(ErrorCode::kUsage, "--only " + options.only + ": there is no such distance" + hint);
   }
   const bool file = std::any_of(options.outputs.begin(), options.outputs.end(),
                                 [](const auto& path) { return path.extension() == ".json"; });

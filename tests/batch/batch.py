@@ -93,7 +93,7 @@ class Batch(unittest.TestCase):
             ({"verb": "batch", "path": peg}, "usage", "no verb 'batch'"),
             ({"verb": "map"}, "usage", 'either "scene" or "path"'),
             ({"verb": "map", "path": peg, "option": {}}, "usage", "options"),
-            ({"verb": "map", "path": peg, "options": {"tat": 1}}, "usage", "not expected"),
+            ({"verb": "map", "path": peg, "options": {"tat": 1}}, "usage", "map has no option --tat"),
             ({"verb": "check", "path": peg, "options": {"at": {}}}, "usage", "option"),
             ({"verb": "map", "path": "no.json"}, "bad input", "no such file"),
             ({"verb": "map", "path": "secret.json"}, "bad input", "secret.json"),

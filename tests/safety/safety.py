@@ -129,6 +129,16 @@ class Reading(SafetyTest):
         result = self.expect(3, "2 faces stand twice", "describe", self.of_file("a.obj"))
         self.assertIn("3 faces, 2 of one sense and 1 of the other", result.err)
 
+    def test_what_a_file_is_instead(self):
+        for name, content, says in (("a.svg", b"\x1f\x8b\x08rest", "gzip has compressed it"), ("a.dxf", b"AC1032rest", "DWG drawing"),
+                                    ("a.svg", b"%PDF-1.7 rest", "PDF file"), ("a.obj", b"<html>rest", "a page of the web"),
+                                    ("a.off", b"", "it is empty"), ("a.stl", bytes(80) + b"\x05\0\0\0" + bytes(60), "cut off")):
+            self.file(name, content)
+            result = self.expect(3, says, "describe", self.of_file(name))
+            self.assertNotIn("rest", result.err)
+        self.file("a.svg", '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text></svg>')
+        self.expect(3, "there is no shape in it; 1 <text> left out; an editor turns text into paths", "describe", "a.svg")
+
     def test_unknown_type_of_geojson(self):
         self.file("part.geojson", {"type": "Poligon", "coordinates": []})
         self.expect(3, "'Poligon' is not a type of GeoJSON", "describe", self.of_file("part.geojson"))

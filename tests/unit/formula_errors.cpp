@@ -22,7 +22,8 @@ TEST(FormulaErrors, Words) {
          "  Gap(chip, board) >= 1\n"
          "  ^~~");
   expect("zebra(chip, board) >= 1",
-         "1:1: unknown distance or predicate 'zebra'\n"
+         "1:1: unknown distance or predicate 'zebra'; the predicates are overlaps, touches, disjoint, clear, within, far, "
+         "near, keepout, group, inside, covers, and 'findspace help formula' lists the distances\n"
          "  zebra(chip, board) >= 1\n"
          "  ^~~~~");
   expect("gamma1(chip, zebra) >= 1",

@@ -80,7 +80,8 @@ plane::ShapePtr chosen(std::vector<plane::ShapePtr> parts, const std::string& na
   if (!choice.index) return united(std::move(parts), name, true);
   if (*choice.index < parts.size()) return parts[*choice.index];
   throw Error(ErrorCode::kBadValue,
-              fmt::format("\"index\" {} is too large: it has {} shapes, counted from 0", *choice.index, parts.size()),
+              fmt::format("\"index\" {} is too large: it has {} shape{}, counted from 0", *choice.index, parts.size(),
+                          parts.size() == 1 ? "" : "s"),
               name);
 }
 

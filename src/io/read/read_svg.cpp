@@ -76,10 +76,13 @@ class SvgReader {
     add_elements();
     add_pooled();
     check_found();
+    std::string left_out;
     for (const auto& [element, count] : left_out_) {
       const char* hint = element == "text" ? "; an editor turns text into paths" : "";
       context_.notes.push_back(fmt::format("{}: {} <{}> left out{}", name_, count, element, hint));
+      left_out += fmt::format("; {} <{}> left out{}", count, element, hint);
     }
+    if (parts_.empty()) throw Error(ErrorCode::kGeometry, "there is no shape in it" + left_out, name_);
     for (const auto& [element, count] : empty_)
       context_.notes.push_back(fmt::format("{}: {} <{}> of no size left out", name_, count, element));
     note_what_is_not_followed();

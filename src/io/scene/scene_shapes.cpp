@@ -204,18 +204,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kOtherKi
 
 void ShapeReader::fail_unknown_kind(const JsonValue& value, const Label& label) const {
   std::vector<std::string> known;
-<<<<<<< HEAD
   for (const KnownKind& one : all_kinds()) known.emplace_back(one.kind->key);
   for (const std::string_view key : value.keys()) {
-    std::string hint = suggestion(key, known);
-=======
-  for (const ShapeKind* kind : all_kinds()) known.emplace_back(kind->key);
-  for (const std::string& key : value.keys) {
     const auto other =
         std::find_if(kOtherKinds.begin(), kOtherKinds.end(), [&](const auto& w) { return w.first == key; });
     const std::string hint =
         other == kOtherKinds.end() ? suggestion(key, known) : fmt::format(", did you mean '{}'?", other->second);
->>>>>>> 8af448e3 (Work limit: distances of a formula, sums of many solids)
     if (!hint.empty())
       json_.fail(ErrorCode::kUnknownName, fmt::format("unknown kind of shape '{}'{}", key, hint), label, value);
   }

@@ -80,13 +80,17 @@ std::string_view headline_word(std::string_view text) {
   return text.substr(0, text.find_first_of(kBlanks));
 }
 
+constexpr std::size_t kStlHead = 84, kStlTriangle = 50;  // bytes of a binary file
+
+/// Its count, which stands at the end of the head.
+std::size_t stl_triangles(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[kStlHead - 4 + i]); };
+  return byte(0) | byte(1) << 8U | byte(2) << 16U | std::size_t{byte(3)} << 24U;
+}
+
 /// Binary files have their length by their count of triangles.
 bool is_stl(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  if (text.size() >= 84) {
-    const std::size_t count = byte(80) | byte(81) << 8U | byte(82) << 16U | std::size_t{byte(83)} << 24U;
-    if (text.size() == 84 + 50 * count) return true;
-  }
+  if (text.size() >= kStlHead && text.size() == kStlHead + kStlTriangle * stl_triangles(text)) return true;
   return trimmed(text).starts_with("solid") && text.find("facet") != std::string_view::npos;
 }
 
@@ -125,6 +129,30 @@ const FileKind* kind_of(std::string_view ending) {
   return found == kKinds.end() ? nullptr : &*found;
 }
 
+/// A kind of file by its first bytes, and what to do about it. None of the file's words is shown.
+struct OtherKind {
+  std::string_view begin, what;
+};
+constexpr std::array<OtherKind, 8> kOtherFiles{{{"\x1f\x8b", "gzip has compressed it: unpack it first"},
+                                                {"PK\x03\x04", "it is a ZIP archive: unpack it first"},
+                                                {"AC10", "it is a DWG drawing: save it as DXF"},
+                                                {"%PDF", "it is a PDF file: export SVG or DXF"},
+                                                {"\x89PNG", "it is a picture of pixels"},
+                                                {"\xff\xd8\xff", "it is a picture of pixels"},
+                                                {"GIF8", "it is a picture of pixels"},
+                                                {"<!DOCTYPE html", "it is a page of the web"}}};
+
+/// ": what it is instead", where that is known.
+std::string what_instead(const FileKind& kind, std::string_view text) {
+  if (text.empty()) return ": it is empty";
+  for (const OtherKind& other : kOtherFiles)
+    if (text.starts_with(other.begin)) return fmt::format(": {}", other.what);
+  if (same(trimmed(text).substr(0, 5), "<html")) return ": it is a page of the web";
+  const bool stl = kind.ending == ".stl" && text.size() >= kStlHead && !trimmed(text).starts_with("solid");
+  if (!stl) return "";
+  return ": its length does not fit its count of triangles, so it is cut off or no mesh";
+}
+
 /// Of JSON that is not a shape: what a shape would have. Nothing of the file is shown: it may be anyone's.
 std::string lacks(const FileKind& kind, std::string_view text) {
   if (kind.is != is_shape_json || !trimmed(text).starts_with('{')) return "";
@@ -137,8 +165,11 @@ std::string lacks(const FileKind& kind, std::string_view text) {
 void require_kind(std::string_view text, std::string_view ending, const std::string& name) {
   const FileKind* kind = kind_of(ending);
   if (kind == nullptr || kind->is(text)) return;
-  throw Error(ErrorCode::kFile, fmt::format("this is not {}, by how it begins{}", kind->name, lacks(*kind, text)),
-              name);
+  const std::string instead = what_instead(*kind, text);
+  throw Error(
+      ErrorCode::kFile,
+      fmt::format("this is not {}, by how it begins{}", kind->name, instead.empty() ? lacks(*kind, text) : instead),
+      name);
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {

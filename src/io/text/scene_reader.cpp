@@ -28,8 +28,13 @@ void add_number(long number, fmt::memory_buffer& all) {
 }  // namespace
 
 // Every shape has its place, so it is put together without formats.
-void Label::put(fmt::memory_buffer& all) const {
-  if (outer) outer->put(all);
+std::size_t Label::put(fmt::memory_buffer& all, std::size_t within) const {
+  constexpr std::size_t kFirst = 3, kLast = 3;  // of a long way the levels that are said
+  const std::size_t about = outer != nullptr ? outer->put(all, within + 1) : 0, levels = about + 1 + within;
+  if (levels > kFirst + kLast + 1 && about >= kFirst && within >= kLast) {
+    if (about == kFirst) fmt::format_to(std::back_inserter(all), ", ... ({} more)", levels - kFirst - kLast);
+    return about + 1;
+  }
   if (all.size() > 0 && !what.empty()) add_text(", ", all);
   add_text(what, all);
   if (!name.empty()) {
@@ -41,6 +46,7 @@ void Label::put(fmt::memory_buffer& all) const {
     add_text(" ", all);
     add_number(index, all);
   }
+  return about + 1;
 }
 
 std::string Label::text() const {

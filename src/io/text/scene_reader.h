@@ -31,8 +31,8 @@ struct Label {
   Label part(std::string_view word) const { return {this, word}; }
   /// "shape 'board', hole 1, vertex 3"
   std::string text() const;
-  /// Appends that.
-  void put(fmt::memory_buffer& all) const;
+  /// Appends that, where so many levels follow; gives back how many levels it has.
+  std::size_t put(fmt::memory_buffer& all, std::size_t within = 0) const;
 };
 
 class SceneReader {

@@ -42,7 +42,9 @@ void weld(Mesh& mesh, std::vector<std::string>& notes) {
     }
   }
   const auto unused = std::count(to.begin(), to.end(), -1);
-  if (unused > 0) notes.push_back(fmt::format("{} vertices belong to no face and were dropped", unused));
+  if (unused > 0)
+    notes.push_back(unused == 1 ? "1 vertex belongs to no face and was dropped"
+                                : fmt::format("{} vertices belong to no face and were dropped", unused));
   mesh.vertices = std::move(kept);
 }
 

@@ -113,7 +113,7 @@ Rotation Rotation::of_matrix(const Matrix& rows, const Point& about) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Real square = dot(rows[i], rows[i]);
     if (!(square == Real(1)))
-      throw Error(ErrorCode::kBadValue, fmt::format("row {} of a rotation's matrix has length {:.17g}, not 1{}", i,
+      throw Error(ErrorCode::kBadValue, fmt::format("row {} of a rotation's matrix has length {:.9g}, not 1{}", i,
                                                     std::sqrt(square.to_double()), kOtherWays));
     for (std::size_t j = 0; j < i; ++j) {
       const Real product = dot(rows[i], rows[j]);
