@@ -21,11 +21,12 @@ TEST(FormulaErrors, Words) {
          "1:1: unknown distance or predicate 'Gap'; did you mean 'gap'?\n"
          "  Gap(chip, board) >= 1\n"
          "  ^~~");
-  expect("zebra(chip, board) >= 1",
-         "1:1: unknown distance or predicate 'zebra'; the predicates are overlaps, touches, disjoint, clear, within, far, "
-         "near, keepout, group, inside, covers, and 'findspace help formula' lists the distances\n"
-         "  zebra(chip, board) >= 1\n"
-         "  ^~~~~");
+  expect(
+      "zebra(chip, board) >= 1",
+      "1:1: unknown distance or predicate 'zebra'; the predicates are overlaps, touches, disjoint, clear, within, far, "
+      "near, keepout, group, inside, covers, and 'findspace help formula' lists the distances\n"
+      "  zebra(chip, board) >= 1\n"
+      "  ^~~~~");
   expect("gamma1(chip, zebra) >= 1",
          "1:14: unknown shape 'zebra'; the shapes are 'board', 'chip', 'key', 'screws', 'my part'\n"
          "  gamma1(chip, zebra) >= 1\n"
