@@ -91,6 +91,21 @@ TEST(DrawBodies, OutlinesAndHiddenLines) {
   EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 'M'), 3);
 }
 
+/// Of surfaces, as of a body with the same faces: three faces are seen, and three edges are hidden.
+TEST(DrawBodies, Surfaces) {
+  const std::vector<space::Point> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0},
+                                          {0, 0, 4}, {4, 0, 4}, {0, 4, 4}, {4, 4, 4}};
+  std::vector<space::RaySolid> solids(1);
+  solids[0].surface = space::triangles(space::Polytope::hull(corners));
+  BodiesPicture picture{"box", "mm", {}, {}, {}};
+  picture.bodies.emplace_back().solids = &solids;
+  const std::string svg = bodies_svg(picture);
+  EXPECT_EQ(count(svg, "fill-opacity"), 6);  // two triangles a face
+  const std::size_t dashed = svg.find("stroke-dasharray");
+  const std::string hidden = svg.substr(dashed, svg.find("/>", dashed) - dashed);
+  EXPECT_EQ(std::count(hidden.begin(), hidden.end(), 'M'), 3);
+}
+
 /// Where names stand: their boxes never meet.
 TEST(SpaceNames, DoNotMeet) {
   SpaceNames names({{0, 0}, {400, 300}});
