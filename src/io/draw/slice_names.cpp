@@ -16,9 +16,9 @@ using plane::Bounds;
 using plane::Place;
 
 constexpr double kSliceFont = 10, kCell = 3, kOffSection = 4;  // pixels
-constexpr int kNobody = -1, kRegion = -2;
+constexpr int kNobody = -1;
 // What a cell under a name counts, by what is there.
-constexpr double kEmptyCell = 0.4, kRegionCell = 1, kOtherCell = 2;
+constexpr double kEmptyCell = 0.4, kRegionCell = 1, kRegionOnOwnCell = 0.5, kOtherCell = 2;
 constexpr double kUpwards = 0.3;
 constexpr double kRoom = 0.75;  // of a name that lies on its section, at least
 
@@ -29,7 +29,8 @@ class SliceCells {
       : frame_(frame),
         columns_(static_cast<int>(std::ceil(frame.width() / kCell))),
         rows_(static_cast<int>(std::ceil(frame.height() / kCell))),
-        seen_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNobody) {}
+        seen_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNobody),
+        region_(seen_.size()) {}
 
   /// The cells whose middles lie in a strip.
   template <class Visit>
@@ -47,6 +48,10 @@ class SliceCells {
   void put(const std::vector<Strip>& strips, double width, int what) {
     for (const Strip& s : strips) each(s, width, [&](int x, int y) { seen_[index(x, y)] = what; });
   }
+  /// The region lies on the sections and lets them be seen.
+  void put_region(const std::vector<Strip>& strips, double width) {
+    for (const Strip& s : strips) each(s, width, [&](int x, int y) { region_[index(x, y)] = true; });
+  }
   Place middle(int x, int y) const { return {frame_.left + (x + 0.5) * kCell, frame_.top + (y + 0.5) * kCell}; }
 
   struct Under {
@@ -63,10 +68,12 @@ class SliceCells {
       for (int x = x0; x <= x1; ++x) {
         const int what = seen_[index(x, y)];
         ++all;
+        const bool covered = region_[index(x, y)];
+        mine += what == own ? 1 : 0;
         if (what == own)
-          ++mine;
+          cost += covered ? kRegionOnOwnCell : 0;
         else
-          cost += what == kNobody ? kEmptyCell : what == kRegion ? kRegionCell : kOtherCell;
+          cost += covered ? kRegionCell : what == kNobody ? kEmptyCell : kOtherCell;
       }
     return {mine / all, cost / all};
   }
@@ -84,6 +91,7 @@ class SliceCells {
   const Frame& frame_;
   int columns_, rows_;
   std::vector<int> seen_;
+  std::vector<bool> region_;
 };
 
 struct SlicePlace {
@@ -97,7 +105,7 @@ class SliceLabels {
  public:
   explicit SliceLabels(const SliceLayer& layer) : layer_(layer), cells_(layer.frame) {
     for (const SliceSection& s : layer.sections) cells_.put(s.strips, layer.width, static_cast<int>(s.shape));
-    cells_.put(layer.region, layer.width, kRegion);
+    cells_.put_region(layer.region, layer.width);
   }
 
   /// The best place for the name of a section; none where there is none.
