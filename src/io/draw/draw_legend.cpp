@@ -167,7 +167,6 @@ path, circle {{ fill: none; stroke-linejoin: round }}
 .label {{ text-anchor: middle; fill: #33383d; stroke: #fff; stroke-width: 3.5; stroke-opacity: .85; paint-order: stroke }}
 {}.fixed {{ fill: #5b6873; fill-opacity: .13; fill-rule: evenodd; stroke: none }}
 .fixed-line {{ stroke: #5b6873; stroke-width: 1.1 }}
-.section {{ fill: #e9ebec; stroke: #7d8891; stroke-width: 1.6; paint-order: stroke }}
 .fixed-dot {{ fill: #5b6873 }}
 .moving {{ fill: #f6b73c; fill-opacity: .78; fill-rule: evenodd; stroke: none }}
 .moving-line {{ stroke: #a86c00; stroke-width: 1.3 }}

@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kWidth = 900, kPanelGap = 18, kPanelLine = 16;
 
+// Opaque, so that the line below shows at the rim alone and not between strips.
+constexpr const char* kSection = "fill:#e9ebec;stroke:#7d8891;stroke-width:1.6;paint-order:stroke";
 constexpr double kTicksLeft = 38, kTicksBelow = 20;  // room for the numbers of a panel
 
 /// One layer: where it stands on the page, and how wide its strips are.
@@ -138,7 +140,7 @@ std::string layer_svg(const SliceLayer& layer, const std::string& height, const 
                                 layer.frame.left, layer.frame.top - 4, height, axes(layer.frame));
   for (const SliceSection& section : layer.sections)
     if (const std::string path = strip_path(section.strips, panel); !path.empty())
-      out += fmt::format("<path class=\"section\" d=\"{}\"/>\n", path);
+      out += fmt::format("<path class=\"section\" style=\"{}\" d=\"{}\"/>\n", kSection, path);
   const std::string strips = strip_path(layer.region, panel), dots = dot_path(layer.region, panel);
   if (!strips.empty()) out += fmt::format("<path class=\"face strips\" d=\"{}\"/>\n", strips);
   if (!dots.empty()) out += fmt::format("<path class=\"free dots\" d=\"{}\"/>\n", dots);
