@@ -325,7 +325,13 @@ void read_distances(Cursor& cursor, const Context& context, Objective& objective
 
 }  // namespace
 
-Formula parse_formula(std::string_view text, const Context& context) { return Grammar(text, context).formula(); }
+/// A cell of a map is asked for all conditions, so the n-th of those that differ costs n units of work.
+Formula parse_formula(std::string_view text, const Context& context) {
+  Formula formula = Grammar(text, context).formula();
+  const std::uint64_t n = formula.sign_maps().size();
+  plane::WorkBudget(context.work_limit).charge(n * (n + 1) / 2, "a formula with so many conditions");
+  return formula;
+}
 
 Objective parse_objective(std::string_view text, const Context& context) {
   static constexpr char kForms[] =

@@ -118,8 +118,7 @@ std::size_t NameSet::slot(std::string_view name) const {
   return at;
 }
 
-/// Units of work for a further shape of a union: its maps and regions are kept. The n-th distance costs n: each cell of
-/// a map is asked for all.
+/// Units of work for a further shape of a union: its maps and regions are kept.
 constexpr std::uint64_t kSummand = 10'000;
 
 CallReader::CallReader(Cursor& cursor, const Context& context)
@@ -250,7 +249,6 @@ void CallReader::fail_unknown_word() const {
 }
 
 Call CallReader::call(std::string_view word, const Usage& usage, bool is_predicate) {
-  work_.charge(++calls_, "a formula with so many distances");
   Call result;
   const auto takes = [&] { return fmt::format("'{}' takes two shapes: {}", word, usage()); };
   result.span.begin = cursor_.peek().span.begin;

@@ -75,7 +75,6 @@ class CallReader {
   Cursor& cursor_;
   const Context& context_;
   plane::WorkBudget work_;
-  std::uint64_t calls_ = 0;
   NameSet known_;  // shapes, by names in the context
 };
 
