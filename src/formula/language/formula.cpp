@@ -65,11 +65,17 @@ bool same_sign_map(const Atom& a, const Atom& b) {
   return a.minimum == b.minimum && a.distance == b.distance && a.level == b.level && a.more == b.more;
 }
 
+/// The same with the level, as far as it is a rational number.
+std::size_t bucket(const Atom& atom) {
+  const std::size_t key = bucket(atom.distance);
+  return atom.level.is_rational() ? 31 * key + std::hash<double>()(atom.level.to_double()) : key;
+}
+
 /// Of every atom the first one that has the same sign map.
 std::vector<std::size_t> first_alike(const std::vector<Atom>& atoms) {
   std::vector<std::pair<std::size_t, std::size_t>> by_key;
   by_key.reserve(atoms.size());
-  for (const Atom& atom : atoms) by_key.emplace_back(bucket(atom.distance), by_key.size());
+  for (const Atom& atom : atoms) by_key.emplace_back(bucket(atom), by_key.size());
   std::sort(by_key.begin(), by_key.end());
   std::vector<std::size_t> first(atoms.size());
   for (auto begin = by_key.begin(), at = begin; at != by_key.end(); ++at) {
