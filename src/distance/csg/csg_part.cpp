@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/name_place.h"
@@ -133,10 +134,9 @@ NearSet CsgPartSearch::near_set() const {
     if (set.radius.sign() > 0) continue;
     const std::vector<HalfSpace> planes = set.planes();
     out.planes.insert(out.planes.end(), planes.begin(), planes.end());
+    out.ways.push_back(way_to(planes));
   }
-  for (const BodyPart& set : sets->without) {
-    if (set.point()) out.add_ball(set);
-  }
+  for (const BodyPart& set : sets->without) out.take_away(set);
   return out;
 }
 

@@ -25,10 +25,11 @@ struct NearestPlace {
   std::size_t set = 0;
 };
 
-/// A place that nothing of a set is nearer than.
+/// A place that nothing of a set is nearer than; it is of the set, if said so.
 struct Projection {
   double least = 0;
   Vector at;
+  bool belongs = false;
 };
 
 using Ball = NearSet::Ball;
@@ -88,14 +89,90 @@ std::optional<Projection> out_of_ball(const Ball& outer, const Ball& ball, const
   return on_circle(space::plus(outer.center, space::scaled(ahead, axis)), axis, square, x);
 }
 
-/// Of a convex set that holds the set, of what is out of a ball, or of both: where it belongs to the set it is the
+/// Of x in the set, onto its boundary: from a core without interior any way that a plane of it says.
+std::optional<Projection> out_of_cut(const NearSet::Cut& cut, const Vector& x) {
+  Touching at = cut.boundary(x);
+  if (at.value >= 0) return std::nullopt;
+  if (space::length(at.slope) == 0) at.slope = highest_plane(cut.planes, {})(x).slope;  // no sign: none is stated
+  return Projection{-at.value, x - space::scaled(at.value, at.slope)};
+}
+
+/// The place of the ellipse (longer * cos, shorter * sin) nearest to (x, y), both at least 0. Its normal through the
+/// place leads to (x, y); along that the place is one root of a convex function, which Newton's steps reach from below.
+std::pair<double, double> on_ellipse(double longer, double shorter, double x, double y) {
+  const double apart = longer * longer - shorter * shorter;
+  if (y == 0) {  // no sign: on the axis the root is known
+    if (!(longer * x < apart)) return {longer, 0};
+    const double cosine = longer * x / apart;
+    return {longer * cosine, shorter * std::sqrt(1 - cosine * cosine)};
+  }
+  double s = shorter * y;
+  for (;;) {
+    const double u = longer * x / (s + apart), v = shorter * y / s;
+    const double step = (u * u + v * v - 1) / (2 * (u * u / (s + apart) + v * v / s));
+    if (!(s + step > s)) break;
+    s += step;
+  }
+  return {longer * longer * x / (s + apart), shorter * shorter * y / s};
+}
+
+/// From the point of the plane in the ellipse in which it cuts a drill through it onto that ellipse; nothing where it
+/// comes near the balls at the ends.
+std::optional<Vector> onto_crossing(const space::HalfSpace& plane, const NearSet::Drill& drill, const Vector& x) {
+  const double from = plane.approx_value(drill.from), to = plane.approx_value(drill.to);
+  if (!(from * to < 0) || std::min(std::fabs(from), std::fabs(to)) <= drill.radius) return std::nullopt;
+  const Vector way = drill.to - drill.from, middle = space::plus(drill.from, space::scaled(from / (from - to), way));
+  const double ahead = std::min(1.0, std::fabs(from - to) / space::length(way));  // the cosine of the angle
+  if (ahead < margin::kSharpEdge) return std::nullopt;
+  Vector across = space::cross(plane.unit, way);
+  if (space::length(across) <= margin::kSameNormal * space::length(way))
+    across = space::cross(plane.unit, std::fabs(plane.unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  across = space::scaled(1 / space::length(across), across);
+  const Vector along = space::cross(plane.unit, across);
+  const double x_along = space::dot(x - middle, along), x_across = space::dot(x - middle, across);
+  const auto [u, v] = on_ellipse(drill.radius / ahead, drill.radius, std::fabs(x_along), std::fabs(x_across));
+  return space::plus(middle, space::plus(space::scaled(std::copysign(u, x_along), along),
+                                         space::scaled(std::copysign(v, x_across), across)));
+}
+
+/// The same where the drill runs along the plane: what they have in common is a segment grown by a disc.
+std::optional<Vector> onto_groove(const space::HalfSpace& plane, const NearSet::Drill& drill, const Vector& x) {
+  const double high = plane.approx_value(drill.from), square = drill.radius * drill.radius - high * high;
+  const Vector way = drill.to - drill.from, from = drill.from - space::scaled(high, plane.unit);
+  if (!(square > 0)) return std::nullopt;
+  const double part = std::clamp(space::dot(x - from, way) / space::dot(way, way), 0.0, 1.0);
+  const Vector on = space::plus(from, space::scaled(part, way));
+  Vector across = x - on;
+  if (space::length(across) == 0) across = space::cross(plane.unit, way);  // no sign: both sides are as near
+  return space::plus(on, space::scaled(std::sqrt(square) / space::length(across), across));
+}
+
+/// Of x in the drill, or behind the plane's part in the drill, onto the edge in which the plane meets it.
+std::optional<Projection> out_of_drill(const space::HalfSpace& plane, const NearSet::Cut& cut, const Vector& x) {
+  const double high = plane.approx_value(x);
+  const Vector foot = x - space::scaled(high, plane.unit);
+  if (cut.boundary(high > 0 ? foot : x).value >= 0) return std::nullopt;
+  const std::optional<Projection> out = out_of_cut(cut, x);
+  if (out && plane.approx_value(out->at) <= 0) return std::nullopt;
+  const NearSet::Drill& drill = *cut.drill;
+  const Vector way = drill.to - drill.from;
+  const bool level = std::fabs(space::dot(plane.unit, way)) <= margin::kSameNormal * space::length(way);
+  const std::optional<Vector> at = level ? onto_groove(plane, drill, foot) : onto_crossing(plane, drill, foot);
+  return at ? std::optional(Projection{space::length(x - *at), *at}) : std::nullopt;
+}
+
+/// Of a convex set that holds the set, of what is out of another, or of both: where it belongs to the set it is the
 /// nearest place of that.
-std::optional<Projection> projected(const NearSet& set, const Vector& x, double size) {
+Projection projected(const NearSet& set, const Vector& x, double size) {
   const Constraints& constraints = set.places->constraints();
   Projection most{0, x};
   for (const TouchingConstraint& constraint : constraints.convex) {
     const Touching at = constraint(x);
     if (at.value > most.least) most = {at.value, x - space::scaled(at.value, at.slope)};
+  }
+  for (const auto& way : set.ways) {
+    const Vector off = way(x);
+    if (space::length(off) > most.least) most = {space::length(off), space::plus(x, off)};
   }
   const auto take = [&](const std::optional<Projection>& found) {
     if (found && found->least > most.least) most = *found;
@@ -107,12 +184,17 @@ std::optional<Projection> projected(const NearSet& set, const Vector& x, double 
     for (const space::HalfSpace& plane : set.planes) take(out_of_ball(plane, ball, x));
     for (const Ball& outer : set.outer) take(out_of_ball(outer, ball, x));
   }
+  for (const NearSet::Cut& cut : set.cuts) {
+    take(out_of_cut(cut, x));
+    if (!cut.drill) continue;
+    for (const space::HalfSpace& plane : set.planes) take(out_of_drill(plane, cut, x));
+  }
   const double noise = margin::kDistanceNoise * size;
-  const bool belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),
-                                   [&](const TouchingConstraint& f) { return f(most.at).value <= noise; }) &&
-                       std::all_of(constraints.reverse_convex.begin(), constraints.reverse_convex.end(),
-                                   [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
-  return belongs ? std::optional(most) : std::nullopt;
+  most.belongs = std::all_of(constraints.convex.begin(), constraints.convex.end(),
+                             [&](const TouchingConstraint& f) { return f(most.at).value <= noise; }) &&
+                 std::all_of(constraints.reverse_convex.begin(), constraints.reverse_convex.end(),
+                             [&](const ConvexDistance& f) { return f(most.at) >= -noise; });
+  return most;
 }
 
 class PlacesOfSets : public MaxMinTarget {
@@ -122,11 +204,9 @@ class PlacesOfSets : public MaxMinTarget {
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     if (missed_) return false;
-    double reach = 0;
-    for (const Vector& v : cell.corner) reach = std::max(reach, space::length(v - middle));
     columns(cell);
     if (!best.worth(cell.bound)) return true;
-    cell.bound = std::min(cell.bound, seen(middle, cell, best) + reach + margin::kFoundError * size_);
+    cell.bound = std::min(cell.bound, seen(middle, cell, best) + reach(cell, middle) + margin::kFoundError * size_);
     columns(cell);
     return true;
   }
@@ -141,23 +221,35 @@ class PlacesOfSets : public MaxMinTarget {
   int rounds() const override { return kPlaceRounds; }
 
   double offer_in(const Vector& x, MaxMinBest& best) const override {
-    const NearestPlace found = nearest(x);
+    const NearestPlace found = nearest(x, share_);
     best.offer(x, found.least);
     return found.value;
   }
 
-  NearestPlace nearest(const Vector& x) const {
+  /// Known but for that share.
+  NearestPlace nearest(const Vector& x, double share) const {
     NearestPlace best;
     double missed = exact::kInfinity;
+    const auto take = [&](const Projection& found, std::size_t set) {
+      best.least = std::min(best.least, found.least);
+      const double d = space::length(x - found.at);
+      if (d < best.value) best = {best.least, d, found.at, set};
+    };
+    std::vector<std::pair<double, std::size_t>> left;  // with what nothing of them is nearer than
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       const NearSet& set = sets_[k];
-      if (set.places->box().distance(x) >= best.value) continue;
-      auto found = set.places->has_more() ? std::nullopt : projected(set, x, size_);
-      if (!found) found = searched(*set.places, x, missed);
-      if (!found) continue;
-      best.least = std::min(best.least, found->least);
-      const double d = space::length(x - found->at);
-      if (d < best.value) best = {best.least, d, found->at, k};
+      const double least = set.places->box().distance(x);
+      if (least >= best.value) continue;
+      const Projection found = set.places->has_more() ? Projection{} : projected(set, x, size_);
+      if (found.belongs)
+        take(found, k);
+      else
+        left.emplace_back(std::max(least, found.least), k);
+    }
+    std::sort(left.begin(), left.end());
+    for (const auto& [least, k] : left) {
+      if (least >= best.value) break;
+      if (const auto found = searched(*sets_[k].places, x, share, missed)) take(*found, k);
     }
     missed_ = missed_ || missed < best.value || best.value == exact::kInfinity;
     return best;
@@ -168,13 +260,19 @@ class PlacesOfSets : public MaxMinTarget {
 
  private:
   /// `missed`: nothing of a set of which no place was found is nearer.
-  std::optional<Projection> searched(const PositionSet& places, const Vector& x, double& missed) const {
+  std::optional<Projection> searched(const PositionSet& places, const Vector& x, double share, double& missed) const {
     // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
-    const Until until{0, 1 - share_};
+    const Until until{0, 1 - share};
     const BoundaryPlace found = places.nearest_to(distance_to_point(x), {0, {}, &until});
     if (found.found) return Projection{found.bound, found.place};
     missed = std::min(missed, found.bound);
     return std::nullopt;
+  }
+
+  static double reach(const MaxMinCell& cell, const Vector& x) {
+    double out = 0;
+    for (const Vector& v : cell.corner) out = std::max(out, space::length(v - x));
+    return out;
   }
 
   const NearestPlace& place(int set) const { return places_[static_cast<std::size_t>(set)]; }
@@ -182,7 +280,9 @@ class PlacesOfSets : public MaxMinTarget {
   /// The distance of a place of the cell from A; it is remembered, and offered if it is in B.
   double seen(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const {
     if (cell.round && cell.round->beyond(x) > 0) offer_in(cell.round->pulled_in(x), best);
-    const NearestPlace found = nearest(x);
+    // The bound of the cell is off by the square of its size.
+    const double wide = reach(cell, x) / size_;
+    const NearestPlace found = nearest(x, std::max(share_, wide * wide / 8));
     cell.sets.push_back(static_cast<int>(places_.size()));
     places_.push_back(found);
     if (!cell.round || cell.round->beyond(x) <= 0) best.offer(x, found.least);
@@ -217,6 +317,17 @@ class PlacesOfSets : public MaxMinTarget {
 
 }  // namespace
 
+void NearSet::take_away(const space::BodyPart& part) {
+  if (part.point()) {
+    balls.push_back(ball(part));
+    return;
+  }
+  const double radius = part.radius.to_double();
+  cuts.push_back({touching_boundary(part, {}, radius), part.planes()});
+  if (!part.core && part.flat.size() == 2)
+    cuts.back().drill = Drill{exact::approx(part.flat[0]), exact::approx(part.flat[1]), radius};
+}
+
 exact::Refusal not_protruding() {
   return exact::Refusal(
       "the protrusion from a shape that round ones are cut out of was not found within the limit of the search");
@@ -242,7 +353,7 @@ exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vect
   SetProtrusion out{tetrahedral_max_min(solids, target, start, most), {}, 0};
   if (target.missed()) return not_protruding();
   if (known) out.found.bound = std::min(out.found.bound, known->bound);
-  const NearestPlace nearest = target.nearest(out.found.place);
+  const NearestPlace nearest = target.nearest(out.found.place, near / size / 4);
   out.nearest = nearest.at;
   out.set = nearest.set;
   return out;

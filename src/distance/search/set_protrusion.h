@@ -10,6 +10,8 @@
 // cells, each a nearest place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "distance/search/position_set.h"
@@ -17,19 +19,34 @@
 
 namespace findspace::distance {
 
-/// A set of places; some of the planes and balls that hold it, and of the balls that it is out of, say without a search
-/// which place is nearest, mostly.
+/// A set of places; some of the planes and balls that hold it, and of the balls and grown sets that it is out of, say
+/// without a search which place is nearest, mostly.
 struct NearSet {
   struct Ball {
     space::Vector center;
     double radius;
   };
+  /// A ball along a segment.
+  struct Drill {
+    space::Vector from, to;
+    double radius;
+  };
+  /// A convex set: the signed distance to its boundary, and the planes of its core.
+  struct Cut {
+    TouchingConstraint boundary;
+    std::vector<space::HalfSpace> planes;
+    std::optional<Drill> drill{};
+  };
   const PositionSet* places = nullptr;
+  /// To convex sets that hold the set, beside those of its constraints.
+  std::vector<std::function<space::Vector(const space::Vector&)>> ways{};
   std::vector<space::HalfSpace> planes{};
   std::vector<Ball> outer{}, balls{};
+  std::vector<Cut> cuts{};
 
   static Ball ball(const space::BodyPart& part) { return {exact::approx(part.center), part.radius.to_double()}; }
-  void add_ball(const space::BodyPart& part) { balls.push_back(ball(part)); }
+  /// What the set is out of.
+  void take_away(const space::BodyPart& part);
 };
 
 struct SetProtrusion {

@@ -103,9 +103,7 @@ TriedAnswer SolidSide::reach_into_round_parts(const RealVector& p) const {
   const PositionSet free = PositionSet::outside_of(*a_);
   NearSet left;
   left.places = &free;
-  for (const BodyPart& part : a_->parts) {
-    if (part.point()) left.add_ball(part);
-  }
+  for (const BodyPart& part : a_->parts) left.take_away(part);
   const Solids solids = solids_of(*b_, p);
   const space::Extent about = space::rounded(box);
   const double size = 1 + space::length(space::rounded(p)) + space::length(about.low) + space::length(about.high);
