@@ -72,6 +72,12 @@ Tried<bool> CsgSide::is_whole(const Answer& worst) const {
   return *there && (*there)->proven && (*there)->value.sign() <= 0;
 }
 
+/// Whether made_fits() takes them; else A is a union of its parts.
+bool CsgSide::by_containers() const {
+  const auto taken = [](const Body& body) { return body.convex() || !(body.outside || body.round()); };
+  return !containers_.empty() && (a_->walls || std::all_of(a_->containers.begin(), a_->containers.end(), taken));
+}
+
 TriedAnswer CsgSide::fit(const RealVector& p) const {
   if (containers_.empty()) return contained_in_union(p);
   TriedAnswer worst = worst_fit(p);
@@ -79,6 +85,7 @@ TriedAnswer CsgSide::fit(const RealVector& p) const {
   const Tried<bool> whole = is_whole(**worst);
   if (!whole) return whole.refusal();
   if (*whole) return worst;
+  if (!by_containers()) return contained_in_union(p);
   const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
@@ -90,8 +97,10 @@ CsgSide::TriedFits CsgSide::made_fits() const {
   std::vector<PositionSet> all;
   const space::Bounds3 inner = bounds(*b_);
   for (const Body& container : a_->containers) {
-    if (!container.convex())
-      return Refusal("how far a shape is from fitting into such a shape is computed where its containers are convex");
+    if (!container.convex() && (container.outside || container.round()))
+      return Refusal(
+          "how far a shape is from fitting into such a shape is not computed where a container is round and "
+          "not convex");
     const space::Bounds3 outer = bounds(container);
     space::Bounds3 one{space::minus(outer.low, inner.low), space::minus(outer.high, inner.high)};
     if (!box) box = one;
@@ -103,9 +112,14 @@ CsgSide::TriedFits CsgSide::made_fits() const {
   for (std::size_t k = 0; k < 3; ++k) {
     if (box->high[k] < box->low[k]) return std::nullopt;
   }
-  for (const Body& container : a_->containers)
-    all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
   std::vector<GrownSet> sets;
+  for (const Body& container : a_->containers) {
+    if (container.convex()) {
+      all.push_back(PositionSet::inside(*b_, container.parts[0], box->low, box->high));
+      continue;
+    }
+    for (GrownSet& set : differences_of_outside(container, *b_)) sets.push_back(std::move(set));
+  }
   for (const Body& obstacle : a_->obstacles) {
     for (GrownSet& set : differences_of_parts(obstacle, *b_)) sets.push_back(std::move(set));
   }
@@ -114,7 +128,7 @@ CsgSide::TriedFits CsgSide::made_fits() const {
 }
 
 TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
-  if (containers_.empty()) return farthest_in_union(p);
+  if (!by_containers()) return farthest_in_union(p);
   const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();
   if (!*fits) return std::nullopt;
@@ -184,6 +198,7 @@ std::optional<TriedBetween> CsgSide::nearly(Which which, double level, const Rea
   if (points_ && containers_.empty() && (fit || (out && level <= 0))) return std::nullopt;
   if ((fit || (out && level <= 0)) && containers_.empty()) return nearly_in_union(p, level);
   if (out && level > 0) return a_->walls ? TriedBetween(left_walls()) : nearly_protrudes(p, level);
+  if (fit && level > 0 && !by_containers()) return points_ ? std::nullopt : std::optional(nearly_in_union(p, level));
   if (fit && level > 0) return nearly_fits(p, level);
   return std::nullopt;
 }

@@ -7,9 +7,9 @@
 //   gamma2
 //   eta1, dstar     of B in A by its containers and obstacles: E is what fits into every container and meets no
 //   obstacle; mu, h           of B to A as eta1 where B + p lies in A, else by set_protrusion.h; hausdorff where the
-//   other one is known; eta2  where all containers are convex;
-//                   in unions of such eta1 and eta2 by what the union leaves of a box: B is in A where it is free of
-//                   that;
+//   other one is known; eta2;
+//                   in unions of such, and where a container is not convex, eta1 and eta2 by what A leaves of a box: B
+//                   is in A where it is free of that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A;
 //   diameter   exact where two places of A are as far from each other as two of the sets that hold it, else enclosed;
 //   least values (csg_least)   gamma1 and eta1 by the deepest place of a set of positions, others as solid_least.h.
@@ -92,9 +92,10 @@ class CsgSide : public PairSide {
     return free_.of([&] { return free_positions(*b_, parts_, size_); });
   }
   TriedAnswer overlapping(const space::RealVector& p) const;
-  TriedAnswer free_of_sets(const space::RealVector& p) const;
+  std::optional<Answer> free_of_sets(const space::RealVector& p) const;
   /// Of A.
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
+  bool by_containers() const;
   TriedAnswer worst_fit(const space::RealVector& p) const;
   exact::Tried<bool> is_whole(const Answer& worst) const;
   /// Without containers: by what A leaves of a box.

@@ -23,24 +23,20 @@ using space::RealVector;
 using space::Vector;
 
 /// The distance to the nearest position at which B is free of a container, or in an obstacle, and so free of A.
-TriedAnswer CsgSide::free_of_sets(const RealVector& p) const {
+std::optional<Answer> CsgSide::free_of_sets(const RealVector& p) const {
   std::optional<Answer> best;
-  const auto take = [&](std::optional<Answer> v, bool negated) {
-    if (!v || !v->proven) return;
-    if (negated) v->value = -v->value;
-    if (!best || v->value < best->value) best = std::move(v);
+  const auto take = [&](const TriedAnswer& found, bool negated) {
+    if (!found || !*found || !(*found)->proven) return;
+    Answer v = negated ? minus(**found) : **found;
+    if (!best || v.value < best->value) best = std::move(v);
   };
+  // Others take a search as long as that for what they are to help with.
+  const auto exact = [](const space::Body& body) { return body.convex() || !body.round(); };
   for (std::size_t k = 0; k < containers_.size(); ++k) {
-    if (!a_->containers[k].convex()) continue;
-    TriedAnswer v = containers_[k].try_value(Which::kGamma1, p);
-    if (!v) return v;
-    take(*std::move(v), true);
+    if (exact(a_->containers[k])) take(containers_[k].try_value(Which::kGamma1, p), true);
   }
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-    if (!a_->obstacles[k].convex()) continue;
-    TriedAnswer v = obstacles_[k].try_value(Which::kEta1, p);
-    if (!v) return v;
-    take(*std::move(v), false);
+    if (exact(a_->obstacles[k])) take(obstacles_[k].try_value(Which::kEta1, p), false);
   }
   return best;
 }
@@ -48,9 +44,8 @@ TriedAnswer CsgSide::free_of_sets(const RealVector& p) const {
 TriedAnswer CsgSide::overlapping(const RealVector& p) const {
   const Tried<PositionSet>& free = this->free();
   if (!free) return free.refusal();
-  const TriedAnswer known = free_of_sets(p);
-  if (!known) return known;
-  TriedAnswer found = free->nearest(p, true, [&] { return *known; });
+  const std::optional<Answer> known = free_of_sets(p);
+  TriedAnswer found = free->nearest(p, true, [&] { return known; });
   if (!found) return found;
   return minus(**std::move(found));
 }

@@ -215,14 +215,12 @@ class CsgSide::FreeNear : public NearRule {
     space::Extent way{p, p};
     way.add({q, q});
     std::optional<Vector> out_of_one;
-    std::optional<exact::Refusal> refused;
-    const Incumbent ask = [&] { return out_of_set(p, q, out_of_one, refused); };
+    const Incumbent ask = [&] { return out_of_set(p, q, out_of_one); };
     const exact::Tried<PositionSet>& free = side_->free();
     if (!free) return free.refusal();
     const Until wanted{depth_, until.share, until.blur};
     const BoundaryPlace found =
         free->nearest_to(distance_to_segment(start, unit, from, to), {0, ask, &wanted, grown(way, reach)});
-    if (refused) return *refused;
     Least out{found.bound - error - depth_, exact::kInfinity, {}};
     if (!found.found && !(found.known && out_of_one)) return out;
     out.high = found.value + error - depth_;
@@ -236,17 +234,10 @@ class CsgSide::FreeNear : public NearRule {
 
  private:
   /// From one of the ends by taking B out of one container, or into one obstacle. Between them that is not nearer.
-  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place,
-                                   std::optional<exact::Refusal>& refused) const {
+  std::optional<double> out_of_set(const Vector& p, const Vector& q, std::optional<Vector>& place) const {
     std::optional<double> best;
     for (const Vector& from : {p, q}) {
-      const RealVector at = space::real(from);
-      const TriedAnswer found = side_->free_of_sets(at);
-      if (!found) {
-        refused = found.refusal();
-        return best;
-      }
-      const std::optional<Answer>& free = *found;
+      const std::optional<Answer> free = side_->free_of_sets(space::real(from));
       if (!free || !free->nearest || free->value.sign() <= 0) continue;
       const Vector there = space::rounded(*free->nearest);
       const double d = space::length(there - from);
