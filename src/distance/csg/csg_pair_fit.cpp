@@ -181,8 +181,7 @@ TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
   const std::shared_ptr<const Among>& all = *made;
   if (!all) return std::nullopt;
   const double error = margin::kFoundError * size_, least = space::rounded(all->places).distance(space::rounded(p));
-  if (level <= 0 && least > 0) return Between{least - error - level, exact::kInfinity};
-  if (least - error > level) return Between{least - error - level, exact::kInfinity};
+  if (least > 0 && (level <= 0 || least - error > level)) return Between{least - error - level, exact::kInfinity};
   if (inside(p, all->places)) {
     const Tried<double> slack = all->left->common_depth(p, margin::kDepthOnLines);
     if (!slack) return slack.refusal();
