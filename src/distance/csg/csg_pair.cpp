@@ -136,7 +136,7 @@ TriedAnswer CsgSide::farthest_fit(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::protrusion(const RealVector& p, Depth /*depth*/) const {
-  TriedAnswer worst = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  TriedAnswer worst = containers_.empty() ? inside_union(p) : worst_fit(p);
   // B that fits nowhere protrudes everywhere.
   if (!worst || (*worst && (*worst)->value.sign() <= 0)) return worst;
   if (a_->walls) return left_walls();
@@ -152,7 +152,7 @@ double CsgSide::protrudes_at_most(const RealVector& p) const {
 }
 
 TriedAnswer CsgSide::clearance(const RealVector& p) const {
-  TriedAnswer v = containers_.empty() ? contained_in_union(p) : worst_fit(p);
+  TriedAnswer v = containers_.empty() ? inside_union(p) : worst_fit(p);
   if (!v) return v;
   return cut_off(*std::move(v), true);
 }

@@ -106,11 +106,15 @@ class CsgSide : public PairSide {
   const TriedAmong& among() const {
     return among_.of([&] { return made_among(); });
   }
+  static TriedAnswer inside_among(const Among& all, const space::RealVector& p);
   static TriedAnswer fit_among(const Among& all, const space::RealVector& p);
   static TriedAnswer farthest_among(const Among& all, const space::RealVector& p);
   /// Of a body and a solid that moves against it, at positions of the body in that box; both of one scale.
   static TriedAmong among_cells(const space::Body& fixed, const space::CsgSolid& moving, const space::Bounds3& places);
   TriedAnswer contained_in_union(const space::RealVector& p) const;
+  TriedAnswer inside_union(const space::RealVector& p) const;
+  TriedAnswer in_union(const space::RealVector& p,
+                       TriedAnswer (*among_all)(const Among& all, const space::RealVector& p)) const;
   TriedAnswer farthest_in_union(const space::RealVector& p) const;
   TriedBetween nearly_in_union(const space::RealVector& p, double level) const;
   TriedBetween nearly_fits(const space::RealVector& p, double level) const;

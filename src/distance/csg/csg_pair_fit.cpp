@@ -26,8 +26,9 @@ using space::Vector;
 std::optional<Answer> CsgSide::free_of_sets(const RealVector& p) const {
   std::optional<Answer> best;
   const auto take = [&](const TriedAnswer& found, bool negated) {
-    if (!found || !*found || !(*found)->proven) return;
+    if (!found || !*found) return;
     Answer v = negated ? minus(**found) : **found;
+    if (!v.proven && !(v.nearest && v.error <= margin::kMostFoundError * size_)) return;
     if (!best || v.value < best->value) best = std::move(v);
   };
   // Others take a search as long as that for what they are to help with.
@@ -78,17 +79,23 @@ struct CsgSide::Among {
   }
 };
 
-/// How far B + p is from fitting, or minus how deep it is in A.
-TriedAnswer CsgSide::fit_among(const Among& all, const RealVector& position) {
+/// Minus how deep B + p is in A; nothing where it is not in A.
+TriedAnswer CsgSide::inside_among(const Among& all, const RealVector& position) {
   const RealVector p = space::scaled(all.parts, position);
-  if (inside(p, all.places)) {
-    Tried<Gap> gap = all.left->gap_at(p);
-    if (!gap) return gap.refusal();
-    if (!(gap->depth > 0)) return all.in_steps(std::optional(minus(std::move(gap->value))));
-  }
+  if (!inside(p, all.places)) return std::nullopt;
+  Tried<Gap> gap = all.left->gap_at(p);
+  if (!gap) return gap.refusal();
+  if (gap->depth > 0) return std::nullopt;
+  return all.in_steps(std::optional(minus(std::move(gap->value))));
+}
+
+/// The same, and how far B + p is from fitting.
+TriedAnswer CsgSide::fit_among(const Among& all, const RealVector& position) {
+  TriedAnswer held = inside_among(all, position);
+  if (!held || *held) return held;
   const Tried<PositionSet> fits = all.fits();
   if (!fits) return fits.refusal();
-  return all.in_steps(fits->nearest(p, false));
+  return all.in_steps(fits->nearest(space::scaled(all.parts, position), false));
 }
 
 TriedAnswer CsgSide::farthest_among(const Among& all, const RealVector& position) {
@@ -153,7 +160,12 @@ CsgSide::TriedAmong CsgSide::among_cells(const space::Body& fixed, const space::
   return std::shared_ptr<const Among>(std::move(out));
 }
 
-TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
+TriedAnswer CsgSide::contained_in_union(const RealVector& p) const { return in_union(p, &CsgSide::fit_among); }
+
+/// Minus how deep B + p is in A, or more than 0 or nothing: how far it is from fitting is not asked.
+TriedAnswer CsgSide::inside_union(const RealVector& p) const { return in_union(p, &CsgSide::inside_among); }
+
+TriedAnswer CsgSide::in_union(const RealVector& p, TriedAnswer (*among_all)(const Among&, const RealVector&)) const {
   const TriedAmong& made = among();
   if (!made) return made.refusal();
   const std::shared_ptr<const Among>& all = *made;
@@ -164,7 +176,7 @@ TriedAnswer CsgSide::contained_in_union(const RealVector& p) const {
     TriedAnswer apart = this->apart(p);
     if (!apart || away(**apart)) return apart;
   }
-  return fit_among(*all, p);
+  return among_all(*all, p);
 }
 
 TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {

@@ -217,7 +217,13 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
     Answer out = searched_answer(found, size_ + std::fabs(found.bound));
     const bool same =
         known && off <= margin::kSearchesAgree * slack && abs(known->value - out.value).to_double() <= out.error;
-    if (same) out = *known;  // no sign: the same value
+    if (same) {  // no sign: the same value
+      out = *known;
+      if (!out.proven) {
+        out.error += off + slack;
+        out.enclosed.reset();
+      }
+    }
     if (!out.nearest && (belongs || known)) out.nearest = belongs ? place : known->nearest;
     return out;
   }

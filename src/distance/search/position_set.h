@@ -46,7 +46,7 @@ class PositionSet {
   using Box = space::Extent;
   using Holds = std::function<bool(const space::RealVector&)>;
   using MakeLazy = std::function<std::unique_ptr<LazyConstraints>()>;
-  /// A value that some place is known to have exactly, perhaps with the place.
+  /// A value that some place is known to have, perhaps with the place: exactly, or with an error of its own.
   using Known = std::function<std::optional<Answer>()>;
 
   static PositionSet outside(std::vector<GrownSet> sets, const space::RealVector& low, const space::RealVector& high);
