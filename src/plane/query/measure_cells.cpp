@@ -18,9 +18,10 @@ Twofold determinant(const Twofold& ax, const Twofold& ay, const Twofold& bx, con
   return ax * by - ay * bx;
 }
 
+/// Of a coordinate on the grid, which is far below what 64 bits hold.
 Twofold twofold(std::int64_t whole) {
   const auto high = static_cast<double>(whole);
-  return {high, static_cast<double>(exact::int128(whole) - static_cast<exact::int128>(high))};
+  return {high, static_cast<double>(whole - static_cast<std::int64_t>(high))};
 }
 
 }  // namespace
