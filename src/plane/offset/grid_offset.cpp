@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "plane/grid/boundary_box.h"
-#include "plane/offset/outer_walks.h"
+#include "plane/offset/offset_walks.h"
 
 namespace findspace::plane {
 namespace {
@@ -30,7 +30,7 @@ class Offset {
   /// Closed walks but for those whose other side is in D as well: wholly so, as everything between crossings is. The
   /// outer boundary of a bounded D is one that stays.
   void find_rings(bool unbounded) {
-    OuterWalks walks = outer_walks(c_, meetings_);
+    OffsetWalks walks = offset_walks(c_, meetings_);
     const auto& rings = walks.rings;
     edges_ = std::move(walks.edges);
     const bool all_stay = !unbounded && rings.size() == 1;

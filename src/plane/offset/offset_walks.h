@@ -14,7 +14,7 @@
 
 namespace findspace::plane {
 
-struct OuterWalks {
+struct OffsetWalks {
   struct Ring {
     Index start;                  // its first edge; it ends before the next
     std::array<Index, 2> pieces;  // at its first corner
@@ -24,6 +24,6 @@ struct OuterWalks {
   std::vector<Ring> rings;
 };
 
-OuterWalks outer_walks(const OffsetCurves& curves, const OffsetMeetings& meetings);
+OffsetWalks offset_walks(const OffsetCurves& curves, const OffsetMeetings& meetings);
 
 }  // namespace findspace::plane

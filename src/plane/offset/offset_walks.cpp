@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
-#include "plane/offset/outer_walks.h"
+#include "plane/offset/offset_walks.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +18,7 @@ class Walker {
     to_.edges.resize(meetings.part_count());
   }
 
-  OuterWalks run() && {
+  OffsetWalks run() && {
     Index piece = 0;
     for (auto next = walked_.begin(); (next = std::find(next, walked_.end(), char(false))) != walked_.end();) {
       const Index part = Index(next - walked_.begin());
@@ -73,13 +73,13 @@ class Walker {
   const OffsetCurves& c_;
   const OffsetMeetings& m_;
   std::vector<char> walked_;  // of each part
-  OuterWalks to_;
+  OffsetWalks to_;
   Index size_ = 0;  // edges that are kept
 };
 
 }  // namespace
 
-OuterWalks outer_walks(const OffsetCurves& curves, const OffsetMeetings& meetings) {
+OffsetWalks offset_walks(const OffsetCurves& curves, const OffsetMeetings& meetings) {
   return Walker(curves, meetings).run();
 }
 
