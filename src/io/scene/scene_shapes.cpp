@@ -160,7 +160,7 @@ double ShapeReader::parts_of(const Shape& shape) {
 }
 
 void ShapeReader::charge_pairs(const Shape& sum) {
-  constexpr double kPair = 1000, kFarTooMuch = 1e18;
+  constexpr double kPair = 200, kFarTooMuch = 1e18;
   if (dimension() != 3) return;
   const double a = parts_of(*sum.children[0]), b = parts_of(*sum.children[1]);
   const double units = kPair * (a * b - std::max(a, b));
