@@ -18,6 +18,8 @@ using exact::Real;
 
 namespace {
 
+constexpr std::string_view kMoreLevels = ", ... (";
+
 void add_text(std::string_view text, fmt::memory_buffer& all) { all.append(text.data(), text.data() + text.size()); }
 
 void add_number(long number, fmt::memory_buffer& all) {
@@ -32,7 +34,11 @@ std::size_t Label::put(fmt::memory_buffer& all, std::size_t within) const {
   constexpr std::size_t kFirst = 3, kLast = 3;  // of a long way the levels that are said
   const std::size_t about = outer != nullptr ? outer->put(all, within + 1) : 0, levels = about + 1 + within;
   if (levels > kFirst + kLast + 1 && about >= kFirst && within >= kLast) {
-    if (about == kFirst) fmt::format_to(std::back_inserter(all), ", ... ({} more)", levels - kFirst - kLast);
+    if (about == kFirst) {
+      add_text(kMoreLevels, all);
+      add_number(static_cast<long>(levels - kFirst - kLast), all);
+      add_text(" more)", all);
+    }
     return about + 1;
   }
   if (all.size() > 0 && !what.empty()) add_text(", ", all);
@@ -71,6 +77,10 @@ std::string SceneReader::place(const Label& label, const JsonValue& at) const {
 
 bool SceneReader::is_within(std::string_view place, const Label& label) {
   const std::string outer = label.text();
+  // Of a long way the first levels are said, which the label may pass.
+  const std::string_view first = place.substr(0, place.find(kMoreLevels));
+  if (first.size() < place.size() && outer.size() > first.size() && outer.starts_with(first))
+    return std::string_view(outer).substr(first.size()).starts_with(", ");
   if (outer.empty() || !place.starts_with(outer)) return false;
   place.remove_prefix(outer.size());
   return place.starts_with(", ") || place.starts_with(" (");
