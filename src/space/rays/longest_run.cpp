@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "exact/margins/rounding.h"
 #include "plane/base/subdivide.h"
@@ -276,12 +278,28 @@ class RunSearch {
   std::optional<LongestRun> found_;
 };
 
+/// By their least corners, so that of equal runs the one that is found does not depend on the order of shapes.
+std::vector<const RunStart*> in_order(std::span<const RunStart> starts) {
+  using Corner = std::array<double, 3>;
+  std::vector<std::pair<Corner, const RunStart*>> placed;
+  for (const RunStart& start : starts) {
+    Corner least{exact::kInfinity, exact::kInfinity, exact::kInfinity};
+    for (const ConvexRegion::Vertex& v : start.facet.vertices())
+      least = std::min(least, {v.near.x, v.near.y, v.near.z});
+    placed.emplace_back(least, &start);
+  }
+  std::stable_sort(placed.begin(), placed.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+  std::vector<const RunStart*> out;
+  for (const auto& [corner, start] : placed) out.push_back(start);
+  return out;
+}
+
 }  // namespace
 
 std::optional<LongestRun> longest_run(std::span<const ConvexRegion> pieces, std::span<const RunStart> starts,
                                       const RealVector& direction, const RealVector& low, const RealVector& high) {
   RunSearch search(pieces, direction, low, high);
-  for (const RunStart& start : starts) search.look_from(start);
+  for (const RunStart* start : in_order(starts)) search.look_from(*start);
   return search.found();
 }
 
