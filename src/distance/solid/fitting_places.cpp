@@ -103,6 +103,7 @@ std::vector<Extent> places_in(const Extent& box, const std::vector<Extent>& cont
 }  // namespace
 
 std::optional<std::vector<Extent>> fitting_places(const Body& b, const Body& a) {
+  if (a.rounded > 0) return std::nullopt;
   const std::vector<Extent> containers = boxes_of_pieces(a);
   if (containers.size() == 1) return std::nullopt;
   std::vector<std::vector<Extent>> all;

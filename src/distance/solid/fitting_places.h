@@ -17,7 +17,7 @@
 namespace findspace::distance {
 
 /// Neither body is `outside`. No box where B fits nowhere; nothing where A is one piece, which says no more than the
-/// boxes of both bodies do.
+/// boxes of both bodies do, and where parts of A were rounded: those that touched may be apart (outside_cells.h).
 std::optional<std::vector<space::Extent>> fitting_places(const space::Body& b, const space::Body& a);
 
 }  // namespace findspace::distance

@@ -85,7 +85,9 @@ std::unique_ptr<SolidSide::Fit> SolidSide::made_fit() const {
   }
   const auto places = fitting_places(b, a);
   if (places) made->places = *places;
-  made->none = !fit_box(b, a) || (places && places->empty());
+  // B may fit a hair beyond parts that were rounded (outside_cells.h).
+  const bool boxes_tell = b.round() || a.rounded == 0;
+  made->none = (boxes_tell && !fit_box(b, a)) || (places && places->empty());
   if (made->none) return made;
   std::vector<Real> radii;
   for (const BodyPart& part : b.parts) {
