@@ -4,7 +4,7 @@
 #include "plane/grid/convex_sum.h"
 
 #include "plane/base/arena.h"
-#include "plane/complex/ring_map.h"
+#include "plane/grid/one_ring.h"
 
 namespace findspace::plane {
 namespace {
@@ -66,8 +66,7 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
     if (o <= 0) p.advance();
     if (o >= 0) q.advance();
   }
-  Index start = 0;
-  return ring_map(std::move(geometry), edges, rings_of_one_face(std::span(&start, 1)), kOpenSetSigns);
+  return ring_complex(std::move(geometry), edges, kOneRing, kOpenSetSigns);
 }
 
 }  // namespace findspace::plane

@@ -91,8 +91,8 @@ class FacePair {
       : out_(out), a_(a), b_(b), choice_(choice), within_(choice.within), sums_(place_and_count(), a, b, memory) {}
 
   void add() {
-    add_edges(b_, choice_.b.geometry, a_, false);
-    add_edges(a_, choice_.a.geometry, b_, true);
+    add_edges<false>(b_, choice_.b.geometry, a_);
+    add_edges<true>(a_, choice_.a.geometry, b_);
   }
 
  private:
@@ -238,32 +238,36 @@ class FacePair {
     out_.sides.resize(piece_ + count);
   }
 
-  void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan, bool moved_first) {
+  /// `kMovedFirst`: the edges are those of A. Small sums spend much here, so nothing in the loops is left to be called.
+  template <bool kMovedFirst>
+  void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan) {
     auto& g = out_.geometry;
     const exact::SupportingCurve* const lines = geometry.supporting_curves.data();
     const GridCorner *const edges = moved.corners.data(), *const corners = fan.corners.data();
     Piece* piece = out_.pieces.data() + piece_;
     InnerSide* side = out_.sides.data() + piece_;
-    const auto add = [&](Index e, Index v) {
+    const auto point = [&](Index e, Index v, std::int64_t x, std::int64_t y) __attribute__((always_inline)) {
+      Index& at = kMovedFirst ? sums_.of(e, v) : sums_.of(v, e);
+      if (at == kNone) at = g.add_grid_point(x, y);
+      return at;
+    };
+    const auto add = [&](Index e, Index v) __attribute__((always_inline)) {
       if (!reaches(moved, e, fan, v)) return;
-      const GridCorner& edge = edges[e];
+      const GridCorner &edge = edges[e], &next = edges[edge.next];
       const GridPoint by = corners[v].at, start{edge.at.x + by.x, edge.at.y + by.y};
-      Index& from = moved_first ? sums_.of(e, v) : sums_.of(v, e);
-      if (from == kNone) from = g.add_grid_point(start.x, start.y);
-      const Index p = from;
-      Index& to = moved_first ? sums_.of(edge.next, v) : sums_.of(v, edge.next);
-      if (to == kNone) to = g.add_grid_point(edges[edge.next].at.x + by.x, edges[edge.next].at.y + by.y);
-      const Index q = to;
+      const Index p = point(e, v, start.x, start.y), q = point(edge.next, v, next.at.x + by.x, next.at.y + by.y);
       const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
       piece->supporting_curve = g.add_parallel(lines[edge.supporting_curve], start.x, start.y);
       piece->p0 = right ? p : q;
       piece->p1 = right ? q : p;
       ++piece;
       *side++ = {.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides};
-      ++piece_;
     };
-    if (!chosen_) return each(moved, fan, add);
-    for (const auto& [e, v] : kept_[moved_first ? 1 : 0]) add(e, v);
+    if (chosen_)
+      for (const auto& [e, v] : kept_[kMovedFirst ? 1 : 0]) add(e, v);
+    else
+      each(moved, fan, add);
+    piece_ = Index(piece - out_.pieces.data());
   }
 
   ReducedConvolution& out_;

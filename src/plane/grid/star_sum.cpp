@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "plane/base/arena.h"
-#include "plane/complex/ring_map.h"
 #include "plane/contour/star_shaped.h"
+#include "plane/grid/one_ring.h"
 
 namespace findspace::plane {
 namespace {
@@ -21,35 +21,39 @@ class StarRing {
   /// Whether all curves follow each other, round once as seen from one point. Each of them starts at its own point.
   bool closes() {
     const Index n = Index(c_.pieces.size());
-    std::pmr::vector<Index> leaves(n, kNone, memory_);
+    const Piece* const pieces = c_.pieces.data();
+    const InnerSide* const sides = c_.sides.data();
+    std::pmr::vector<Index> leaving(n, kNone, memory_);
+    Index* const leaves = leaving.data();
     for (Index i = 0; i < n; ++i) {
-      const Piece& piece = c_.pieces[i];
-      Index& leaving = leaves[c_.sides[i].left ? piece.p0 : piece.p1];
-      if (leaving != kNone) return false;
-      leaving = i;
+      const Index start = sides[i].left ? pieces[i].p0 : pieces[i].p1;
+      if (leaves[start] != kNone) return false;
+      leaves[start] = i;
     }
-    std::pmr::vector<GridPoint> corners(n, memory_);
     ring_.resize(n);
+    RingEdge* const ring = ring_.data();
     Index i = 0;
     for (Index k = 0; k < n; ++k) {
       if (i == 0 && k > 0) return false;
-      const Piece& piece = c_.pieces[i];
-      const bool right = c_.sides[i].left;
-      const Index start = right ? piece.p0 : piece.p1;
-      const exact::Point& p = c_.geometry.points[start];
-      corners[k] = {p.gx, p.gy};
-      ring_[k] = {start, piece.supporting_curve, right};
+      const Piece& piece = pieces[i];
+      const bool right = sides[i].left;
+      ring[k] = {right ? piece.p0 : piece.p1, piece.supporting_curve, right};
       i = leaves[right ? piece.p1 : piece.p0];
     }
-    return i == 0 && star_shaped(n, [&](std::size_t k) { return corners[k]; }) > 0;
+    const auto corner = [ring, points = c_.geometry.points.data()](std::size_t k) {
+      const exact::Point& p = points[ring[k].point];
+      return GridPoint{p.gx, p.gy};
+    };
+    return i == 0 && star_shaped(n, corner) > 0;
   }
 
   /// Without straight corners.
   std::span<const RingEdge> edges() {
+    const exact::SupportingCurve* const lines = c_.geometry.supporting_curves.data();
     RingEdge* end = ring_.data();
-    const exact::SupportingCurve* before = &line(ring_.back());
+    const exact::SupportingCurve* before = &lines[ring_.back().supporting_curve];
     for (const RingEdge& e : ring_) {
-      const exact::SupportingCurve* const next = &line(e);
+      const exact::SupportingCurve* const next = &lines[e.supporting_curve];
       if (before->a != next->a || before->b != next->b) *end++ = e;
       before = next;
     }
@@ -57,10 +61,6 @@ class StarRing {
   }
 
  private:
-  const exact::SupportingCurve& line(const RingEdge& e) const {
-    return c_.geometry.supporting_curves[e.supporting_curve];
-  }
-
   const ReducedConvolution& c_;
   std::pmr::vector<RingEdge> ring_;
   Memory memory_;
@@ -75,8 +75,8 @@ std::optional<SignMap> star_sum(ReducedConvolution& convolution) {
   StarRing ring(convolution, arena.memory());
   if (!ring.closes()) return std::nullopt;
   const std::span<const RingEdge> edges = ring.edges();
-  const Index start = 0;
-  return ring_map(std::move(convolution.geometry), edges, rings_of_one_face(std::span(&start, 1)), kOpenSetSigns);
+  const bool all = edges.size() == convolution.pieces.size();  // their lines and points
+  return (all ? ring_complex : ring_map)(std::move(convolution.geometry), edges, kOneRing, kOpenSetSigns, false);
 }
 
 }  // namespace findspace::plane

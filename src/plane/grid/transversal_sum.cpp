@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "plane/complex/ring_map.h"
+#include "plane/grid/one_ring.h"
 #include "plane/walk/outer_walks.h"
 #include "plane/walk/point_between.h"
 
@@ -26,6 +26,7 @@ class TransversalSum {
 
   std::optional<SignMap> run() {
     if (!find_rings() || has_slot() || has_lonely_point()) return std::nullopt;
+    if (starts_.size() == 1) return ring_map(std::move(c_.geometry), rings_, kOneRing, kOpenSetSigns);
     return ring_map(std::move(c_.geometry), rings_, rings_of_one_face(starts_), kOpenSetSigns);
   }
 
