@@ -137,15 +137,21 @@ CellGrid::CellGrid(const exact::Geometry& g, std::span<const Piece> pieces, std:
 void CellGrid::enter_sorted() {
   column_scale_ = 1 / std::max(box_.x1 - box_.x0, 1e-300);  // no sign: keeps the scale of a flat box finite
   row_scale_ = 1 / std::max(box_.y1 - box_.y0, 1e-300);     // no sign: keeps the scale of a flat box finite
-  sorted_.resize(boxes_.size());
-  for (Index i = 0; i < boxes_.size(); ++i) sorted_[i] = {boxes_[i].x0, i};
-  if (sorted_.size() <= kFewToSort)
-    insert_all(sorted_.begin(), sorted_.end(), [](const Left& p, const Left& q) { return p.x0 < q.x0; });
-  else
+  const auto n = Index(boxes_.size());
+  const PieceBox* const boxes = boxes_.data();
+  sorted_.resize(n);
+  items_.resize(n);
+  if (n <= kFewToSort) {
+    // Numbers alone are moved: what has just been written in two parts is slow to read as a whole.
+    for (Index i = 0; i < n; ++i) items_[i] = i;
+    insert_all(items_.data(), items_.data() + n, [boxes](Index p, Index q) { return boxes[p].x0 < boxes[q].x0; });
+    for (Index k = 0; k < n; ++k) sorted_[k] = {boxes[items_[k]].x0, items_[k]};
+  } else {
+    for (Index i = 0; i < n; ++i) sorted_[i] = {boxes[i].x0, i};
     std::sort(sorted_.begin(), sorted_.end(),
               [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
-  items_.resize(sorted_.size());
-  for (Index k = 0; k < items_.size(); ++k) items_[k] = sorted_[k].piece;
+    for (Index k = 0; k < n; ++k) items_[k] = sorted_[k].piece;
+  }
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {

@@ -73,20 +73,24 @@ std::span<const CurvePart> OuterWalks::next() {
 
 std::span<const CurvePart> OuterWalks::walk(CurvePart from) {
   const Index walk = walks_++;
+  Index* const walk_of = walk_of_.data();
   parts_.clear();
-  CurvePart at = from;
+  // Two numbers: as one that is taken apart again and again, each step would wait for it.
+  Index curve = from.curve, slot = from.slot;
   for (;;) {
-    Index& passed = walk_of_[curves_.part(at)];
+    Index& passed = walk_of[curves_.part({curve, slot})];
     if (passed == walk) break;
     if (passed != kNone) return {};
     passed = walk;
-    parts_.push_back(at);
-    at = before(at);
-    if (at.curve == kNone) return {};
+    parts_.push_back({curve, slot});
+    const CurvePart next = before({curve, slot});
+    if (next.curve == kNone) return {};
+    curve = next.curve;
+    slot = next.slot;
   }
   // A walk may start on a curve that runs along another one: then it comes back to a later part.
   auto start = std::find_if(parts_.begin(), parts_.end(),
-                            [&](const CurvePart& p) { return p.curve == at.curve && p.slot == at.slot; });
+                            [&](const CurvePart& p) { return p.curve == curve && p.slot == slot; });
   return std::span(start, parts_.end());
 }
 
