@@ -89,7 +89,7 @@ along a direction, lines that way | exact · quick | exact · quick | exact · q
 along a direction, other lines | exact · quick | exact · quick | exact or enclosed 2^-30 · quick | exact · slow | enclosed 2^-30 · quick | `gap` from 0 up and `reach` enclosed, others refused · slow | exact · slow
 a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · quick | exact · quick | exact · slow | exact · quick | enclosed 2^-30 · fast | exact · quick
 # Least values (`-> min`)
-`distance`, `depth`, `dstar` | exact · quick | exact · quick | exact · quick | exact · fast | exact · fast | exact · fast | refused: no least value
+`distance`, `depth`, `dstar` | exact · quick | exact · quick | exact · quick | exact · fast | exact · fast | exact or enclosed 2^-30 · fast | refused: no least value
 `reach`, `eta2`, `delta2` | exact · quick | exact · quick | exact · quick | exact · slow | enclosed 2^-36 · slow | enclosed 2^-36 · fast | refused: no least value
 `gap`, `eta1`, `delta1` | exact or enclosed 2^-40 · quick | exact or enclosed 2^-40 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
 `protrusion`, where B fits | enclosed 2^-40 · slow | enclosed 2^-36 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed 2^-36 · slow | refused: no least value
