@@ -68,12 +68,10 @@ Ring clean(Contour& edges, std::size_t number, Label name, std::int64_t& repeate
   Ring ring{edges, number, name};
   std::int64_t same = 0;
   bool arcs = false;
-  const ContourEdge* before = edges.empty() ? nullptr : &edges.back();
-  for (const ContourEdge& e : edges) {
-    const bool moves = before->start != e.start;
+  for (std::size_t k = 0, before = edges.size() - 1; k < edges.size(); before = k++) {
+    const bool moves = edges[before].start != edges[k].start;
     same += !moves;
-    arcs |= moves && before->arc;
-    before = &e;
+    arcs |= moves && edges[before].arc;
   }
   ring.straight = !arcs;
   if (same > 0) drop_repeated(ring);
