@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Surfaces out: OBJ, OFF and ASCII STL, and a wireframe picture in SVG with hidden lines dashed; PLY, GLB, 3MF and STEP
-// by write_mesh_binary.h, mesh_3mf.h and mesh_step.h. Guarantee: OBJ, OFF, PLY and STEP keep polygons and every bit of
-// the vertices; STL, GLB and 3MF triangulate faces about their first corner (faces are convex). The picture is an
-// orthogonal view; an edge is hidden if both its faces look away.
+// Surfaces out: OBJ, OFF and ASCII STL, and a picture in SVG: a wireframe with hidden lines dashed, or the surface of a
+// large mesh; PLY, GLB, 3MF and STEP by write_mesh_binary.h, mesh_3mf.h and mesh_step.h. Guarantee: OBJ, OFF, PLY and
+// STEP keep polygons and every bit of the vertices; STL, GLB and 3MF triangulate faces about their first corner (faces
+// are convex). The picture is an orthogonal view; an edge is hidden if both its faces look away.
 #pragma once
 
 #include <array>
