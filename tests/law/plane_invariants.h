@@ -53,7 +53,7 @@ inline std::string face_faults(const CellComplex& c) {
   for (Index f = 0; f < c.faces.size(); ++f) {
     const Face& face = c.faces[f];
     if ((f == 0) != (face.outer == kNone)) return at("outer boundary missing or too many at face", f);
-    std::vector<Index> starts = face.inner;
+    std::vector<Index> starts(face.inner.begin(), face.inner.end());
     if (face.outer != kNone) starts.push_back(face.outer);
     for (Index h : starts) {
       if (c.face(h) != f) return at("a boundary cycle of another face at face", f);

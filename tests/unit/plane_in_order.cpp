@@ -25,7 +25,7 @@ auto cells(const CellComplex& c) {
   for (std::size_t e = 0; e < c.edges.size(); ++e)
     edges.push_back({c.edges[e].v0, c.edges[e].v1, Index(c.edges[e].half + 1), Index(c.edges[e].mark),
                      c.half_edges[2 * e].face, c.half_edges[2 * e + 1].face});
-  std::vector<std::tuple<int, Index, std::vector<Index>, std::vector<Index>>> faces;
+  std::vector<std::tuple<int, Index, ShortList<Index>, ShortList<Index>>> faces;
   for (const Face& f : c.faces) faces.emplace_back(f.mark, f.outer, f.inner, f.isolated);
   return std::tuple(vertices, edges, faces);
 }

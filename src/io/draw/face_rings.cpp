@@ -19,8 +19,8 @@ using Ring = plane::CurveNet::Ring;
 using Side = plane::CurveNet::Side;
 
 std::vector<Index> all_cycles(const plane::Face& f) {
-  std::vector<Index> starts = f.inner;
-  starts.insert(starts.begin(), f.outer);
+  std::vector<Index> starts{f.outer};
+  starts.insert(starts.end(), f.inner.begin(), f.inner.end());
   return starts;
 }
 

@@ -134,8 +134,8 @@ Face take_face(ByteReader& in) {
   Face f;
   f.mark = in.take<Mark>();
   f.outer = in.take<Index>();
-  f.inner = in.take_all<Index>();
-  f.isolated = in.take_all<Index>();
+  f.inner = ShortList<Index>(in.take_all<Index>());
+  f.isolated = ShortList<Index>(in.take_all<Index>());
   return f;
 }
 

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/base/short_list.h"
 
 namespace findspace::plane {
 
@@ -49,9 +50,9 @@ struct HalfEdge {
 
 struct Face {
   Mark mark = 0;
-  Index outer = kNone;          // a half-edge of its outer boundary; kNone for the unbounded face
-  std::vector<Index> inner;     // one half-edge of each inner boundary cycle
-  std::vector<Index> isolated;  // isolated vertices inside
+  Index outer = kNone;        // a half-edge of its outer boundary; kNone for the unbounded face
+  ShortList<Index> inner;     // one half-edge of each inner boundary cycle
+  ShortList<Index> isolated;  // isolated vertices inside
 };
 
 struct CellComplex {

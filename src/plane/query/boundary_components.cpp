@@ -4,6 +4,7 @@
 #include "plane/query/boundary_components.h"
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 
 #include "plane/complex/extent.h"
@@ -163,8 +164,10 @@ CellComplex BoundaryComponents::of(const CellComplex& a, std::span<const Index> 
   for (const Index f : faces) {
     const Face& was = a.faces[f];
     Face& now = out.faces.emplace_back(Face{was.mark, edge.half_edge(was.outer), {}, {}});
-    for (const Index h : f == 0 ? outer : was.inner) now.inner.push_back(edge.half_edge(h));
-    for (const Index v : f == 0 ? alone : was.isolated) now.isolated.push_back(vertex.cell(v));
+    const std::span<const Index> inner = f == 0 ? std::span<const Index>(outer) : was.inner;
+    const std::span<const Index> isolated = f == 0 ? std::span<const Index>(alone) : was.isolated;
+    for (const Index h : inner) now.inner.push_back(edge.half_edge(h));
+    for (const Index v : isolated) now.isolated.push_back(vertex.cell(v));
   }
   take_geometry(out, a.geometry);
   return out;
