@@ -51,7 +51,7 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   const ConvolutionIndex index(x, y);
   ReducedConvolution curves = reduced_convolution(x, y);
   ReducedConvolution same = curves, merged = merged_curves(curves), arranged = merged;
-  const MeetingCurves meeting(same, std::pmr::new_delete_resource());
+  const MeetingCurves meeting(same, kHeap);
   const DegenerateVertices& degenerate_vertices = meeting.degenerate_vertices();
   bool doubled = !meeting.parts_with_two_inner_sides().empty(), degenerate = false;
   for (Index k = 0; k < degenerate_vertices.count(); ++k) degenerate |= degenerate_vertices.is_surrounded(k);

@@ -70,7 +70,7 @@ std::map<std::pair<Index, Index>, std::size_t> order_in_tree(std::size_t pieces)
 /// How many pairs of boxes meet.
 void expect_all_in_order(const Region& set, std::int64_t r, int& count) {
   const exact::Real radius(r);
-  const std::vector<GridCorner> corners = all_corners(*grid_faces(set, is_in, false));
+  const GridCorners corners = all_corners(*grid_faces(set, is_in, false));
   OffsetEdges edges(corners, radius);
   const OffsetCurves curves = offset_curves(corners, set.geometry, radius, edges);
   const std::vector<PiecePair> pairs = near_pairs(curves);

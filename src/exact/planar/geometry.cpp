@@ -9,6 +9,7 @@
 
 #include "exact/number/primitive.h"
 #include "exact/planar/geometry_stages.h"
+#include "exact/planar/parallel_line.h"
 
 namespace findspace::exact {
 namespace {
@@ -120,11 +121,7 @@ void Geometry::add_lines(std::uint32_t first, std::uint32_t count, std::uint32_t
 }
 
 std::uint32_t Geometry::add_parallel(const SupportingCurve& line, std::int64_t x, std::int64_t y) {
-  // The unit normal is off by at most 7u of it, the rounded coordinates, the products and the sum by u each.
-  const double along_x = line.x().value * double(x), along_y = line.y().value * double(y);
-  supporting_curves.emplace_back(line, int128(line.a) * x + int128(line.b) * y, along_x + along_y,
-                                 ErrorBound::units<11>(std::abs(along_x) + std::abs(along_y)));
-  return std::uint32_t(supporting_curves.size() - 1);
+  return add(parallel_line(line, x, y));
 }
 
 std::uint32_t Geometry::add_real_point(const Real& x, const Real& y) {

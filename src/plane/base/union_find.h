@@ -5,17 +5,17 @@
 #pragma once
 
 #include <cstdint>
-#include <memory_resource>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#include "plane/base/arena.h"
 
 namespace findspace::plane {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t n, std::pmr::memory_resource* memory = std::pmr::new_delete_resource())
-      : parent_(n, memory) {
+  explicit UnionFind(std::size_t n, Memory memory = kHeap) : parent_(n, memory) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
   std::uint32_t find(std::uint32_t k) {
@@ -31,7 +31,7 @@ class UnionFind {
   }
 
  private:
-  std::pmr::vector<std::uint32_t> parent_;
+  ArenaVector<std::uint32_t> parent_;
 };
 
 }  // namespace findspace::plane

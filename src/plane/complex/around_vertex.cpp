@@ -70,7 +70,7 @@ void sort_around_vertices(Arrangement& a) {
   }
   for (Index v = 0; v < n; ++v) a.out_start[v + 1] += a.out_start[v];
   a.out.resize(2 * m);
-  std::pmr::vector<Index> at(a.out_start.begin(), a.out_start.end() - 1, a.out.get_allocator());
+  ArenaVector<Index> at(a.out_start.begin(), a.out_start.end() - 1, a.out.get_allocator());
   for (Index e = 0; e < m; ++e) a.out[at[a.edges[e].v0]++] = 2 * e;  // right-going first
   for (Index e = 0; e < m; ++e) a.out[at[a.edges[e].v1]++] = 2 * e + 1;
   a.rank.resize(2 * m);

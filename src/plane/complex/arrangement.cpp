@@ -22,7 +22,7 @@ using exact::Geometry;
 constexpr std::size_t kManyToSort = 2000;  // from here on ranges of them are worked on at once
 
 struct Chains {
-  std::pmr::vector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
+  ArenaVector<Index> start, point;  // piece -> its points from p0 to p1, ties dropped
 
   explicit Chains(Memory memory) : start(memory), point(memory) {}
 };
@@ -34,13 +34,13 @@ class AlongPieces {
       : g_(g), pieces_(pieces), start_(pieces.size() + 1, 0, memory), sorted_(found.splits.size(), memory) {
     for (auto& s : found.splits) ++start_[s.piece + 1];
     for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
-    std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, memory);
+    ArenaVector<Index> at(start_.begin(), start_.end() - 1, memory);
     for (auto& s : found.splits) sorted_[at[s.piece]++] = s.point;
   }
 
   struct Sorted {
     Chains chains;  // without the last start
-    std::pmr::vector<PieceMeetings::Tie> ties;
+    ArenaVector<PieceMeetings::Tie> ties;
 
     explicit Sorted(Memory memory) : chains(memory), ties(memory) {}
     void append(const Sorted& next) {
@@ -73,7 +73,7 @@ class AlongPieces {
  private:
   const Geometry& g_;
   std::span<const Piece> pieces_;
-  std::pmr::vector<Index> start_, sorted_;  // piece -> its splits
+  ArenaVector<Index> start_, sorted_;  // piece -> its splits
 };
 
 /// Ranges of the pieces at once where there are many.
@@ -84,7 +84,7 @@ Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceM
   if (const std::size_t count = range_count(pieces.size(), kManyToSort); count == 1) {
     along.sort({0, pieces.size()}, all);
   } else {
-    std::vector<AlongPieces::Sorted> parts(count, AlongPieces::Sorted(std::pmr::new_delete_resource()));
+    std::vector<AlongPieces::Sorted> parts(count, AlongPieces::Sorted(kHeap));
     parallel_for(count, [&](std::size_t k) { along.sort(range(k, count, pieces.size()), parts[k]); });
     all.chains.start.reserve(pieces.size() + 1);
     all.chains.point.reserve(found.splits.size() + 2 * pieces.size());
@@ -107,10 +107,10 @@ void unite_isolated(const Geometry& g, std::span<const Index> isolated, UnionFin
 void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index> isolated, UnionFind& same,
                      Memory memory) {
   const auto& points = a.geometry.points;
-  std::pmr::vector<char> used(points.size(), 0, memory);
+  ArenaVector<char> used(points.size(), 0, memory);
   for (Index p : chains.point) used[same.find(p)] = 1;
   for (Index p : isolated) used[same.find(p)] = 1;
-  std::pmr::vector<Index> vertex(points.size(), kNone, memory);
+  ArenaVector<Index> vertex(points.size(), kNone, memory);
   a.vertex_point.reserve(points.size());
   for (Index p = 0; p < points.size(); ++p)
     if (used[p]) {
@@ -133,13 +133,13 @@ struct PiecePart {
 };
 
 struct Parts {
-  std::pmr::vector<Index> start;  // of each vertex
-  std::pmr::vector<PiecePart> parts;
+  ArenaVector<Index> start;  // of each vertex
+  ArenaVector<PiecePart> parts;
 };
 
 Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
   Index n = a.vertex_count();
-  std::pmr::vector<Index> start(n + 1, 0, memory);
+  ArenaVector<Index> start(n + 1, 0, memory);
   a.chain_start.reserve(a.pieces.size() + 1);
   a.chain_start.push_back(0);
   for (Index i = 0; i < a.pieces.size(); ++i) {
@@ -147,8 +147,8 @@ Parts parts_by_vertex(Arrangement& a, const Chains& chains, Memory memory) {
     a.chain_start.push_back(a.chain_start.back() + (chains.start[i + 1] - chains.start[i] - 1));
   }
   for (Index v = 0; v < n; ++v) start[v + 1] += start[v];
-  std::pmr::vector<PiecePart> parts(start.back(), memory);
-  std::pmr::vector<Index> at(start.begin(), start.end() - 1, memory);
+  ArenaVector<PiecePart> parts(start.back(), memory);
+  ArenaVector<Index> at(start.begin(), start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = chains.start[i]; k + 1 < chains.start[i + 1]; ++k) {
       Index v0 = a.point_vertex[chains.point[k]], v1 = a.point_vertex[chains.point[k + 1]];
@@ -164,12 +164,12 @@ bool same_curve(const Arrangement& a, const Arrangement::Edge& e, const Piece& p
 }
 
 /// Which pieces each edge lies on, given how many.
-void make_covers(Arrangement& a, const std::pmr::vector<Index>& cover_count, Memory memory) {
+void make_covers(Arrangement& a, const ArenaVector<Index>& cover_count, Memory memory) {
   a.cover_start.reserve(cover_count.size() + 1);
   a.cover_start.push_back(0);
   for (Index c : cover_count) a.cover_start.push_back(a.cover_start.back() + c);
   a.cover.resize(a.chain.size());
-  std::pmr::vector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1, memory);
+  ArenaVector<Index> fill(a.cover_start.begin(), a.cover_start.end() - 1, memory);
   for (Index i = 0; i < a.pieces.size(); ++i)
     for (Index k = a.chain_start[i]; k < a.chain_start[i + 1]; ++k) a.cover[fill[a.chain[k]]++] = i;
 }
@@ -215,7 +215,7 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
   std::vector<Index> before{0};
   for (const EdgesOfRange& r : found) before.push_back(before.back() + Index(r.edges.size()));
   a.edges.reserve(before.back());
-  std::pmr::vector<Index> cover_count(memory);
+  ArenaVector<Index> cover_count(memory);
   cover_count.reserve(before.back());
   for (const EdgesOfRange& r : found) {
     a.edges.insert(a.edges.end(), r.edges.begin(), r.edges.end());

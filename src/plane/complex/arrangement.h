@@ -36,10 +36,10 @@ struct Arrangement {
 
   exact::Geometry geometry;
   std::vector<Piece> pieces;
-  using Indices = std::pmr::vector<Index>;
+  using Indices = ArenaVector<Index>;
   Indices vertex_point;  // vertex -> point
   Indices point_vertex;  // point -> vertex, kNone if unused
-  std::pmr::vector<Edge> edges;
+  ArenaVector<Edge> edges;
   Indices cover_start, cover;  // edge -> pieces that cover it
   Indices chain_start, chain;  // piece -> its edges from p0 to p1
   Indices out_start, out;      // vertex -> half-edges, counter-clockwise from straight down
@@ -74,7 +74,7 @@ struct Arrangement {
 
 /// `memory`: where the arrangement is kept; it must outlive it.
 Arrangement arrange(exact::Geometry geometry, std::vector<Piece> pieces, std::span<const Index> isolated_points = {},
-                    Memory memory = std::pmr::new_delete_resource());
+                    Memory memory = kHeap);
 
 /// Marks of all cells of an arrangement, to be turned into a complex.
 struct Marks {

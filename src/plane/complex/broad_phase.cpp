@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace {
 
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
-constexpr std::size_t kFewToSort = 32;      // are inserted one by one
+constexpr std::size_t kFewToSort = 8;       // that start in one column are inserted one by one
 constexpr std::size_t kManyToEnter = 2000;  // from here on ranges of pieces are entered at once
 
 /// y of the supporting curve at x, clamped into the piece's box by the caller.
@@ -141,9 +142,8 @@ void CellGrid::enter_sorted() {
   const PieceBox* const boxes = boxes_.data();
   sorted_.resize(n);
   items_.resize(n);
-  if (n <= kFewToSort) {
+  if (enter_by_columns(n) <= kFewToSort) {
     // Numbers alone are moved: what has just been written in two parts is slow to read as a whole.
-    for (Index i = 0; i < n; ++i) items_[i] = i;
     insert_all(items_.data(), items_.data() + n, [boxes](Index p, Index q) { return boxes[p].x0 < boxes[q].x0; });
     for (Index k = 0; k < n; ++k) sorted_[k] = {boxes[items_[k]].x0, items_[k]};
   } else {
@@ -152,6 +152,24 @@ void CellGrid::enter_sorted() {
               [](const Left& p, const Left& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.piece < q.piece; });
     for (Index k = 0; k < n; ++k) items_[k] = sorted_[k].piece;
   }
+}
+
+Index CellGrid::enter_by_columns(Index n) {
+  std::array<std::uint16_t, kFewPieces> column_of, end;  // of a piece; of the pieces before a column, then in it
+  std::fill_n(end.begin(), n, std::uint16_t(0));
+  const PieceBox* const boxes = boxes_.data();
+  const double origin = box_.x0, scale = column_scale_ * n;
+  for (Index i = 0; i < n; ++i) ++end[column_of[i] = std::uint16_t(clamp(boxes[i].x0, origin, scale, n))];
+  Index before = 0, most = 0;
+  for (Index c = 0; c < n; ++c) {
+    const Index count = end[c];
+    end[c] = std::uint16_t(before);
+    before += count;
+    most = std::max(most, count);
+  }
+  Index* const items = items_.data();
+  for (Index i = 0; i < n; ++i) items[end[column_of[i]]++] = i;
+  return most;
 }
 
 void CellGrid::set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra) {
@@ -200,7 +218,7 @@ CellGrid::Rows CellGrid::rows_in(Index c, const exact::Geometry& g, const Piece&
 
 /// Appends the rows of some pieces; those of each end at its place in rows_start_.
 void CellGrid::find_rows(const exact::Geometry& g, std::span<const Piece> pieces, IndexRange some,
-                         std::pmr::vector<Rows>& to) {
+                         ArenaVector<Rows>& to) {
   to.reserve(2 * some.size());
   for (auto i = Index(some.first); i < some.end; ++i) {
     const PieceBox& b = boxes_[i];
@@ -216,7 +234,7 @@ void CellGrid::find_rows(const exact::Geometry& g, std::span<const Piece> pieces
   first_column_.resize(pieces.size());
   rows_start_.resize(pieces.size() + 1);
   const std::size_t ranges = range_count(pieces.size(), kManyToEnter);
-  std::vector<std::pmr::vector<Rows>> more(ranges - 1);
+  std::vector<ArenaVector<Rows>> more(ranges - 1);
   each_range(ranges, [&](std::size_t k) {
     find_rows(g, pieces, range(k, ranges, pieces.size()), k == 0 ? piece_rows_ : more[k - 1]);
   });
@@ -234,7 +252,7 @@ void CellGrid::enter(const exact::Geometry& g, std::span<const Piece> pieces) {
   each_cell([&](Index, std::size_t cell) { ++start_[cell + 1]; });
   for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
   items_.resize(start_.back());
-  std::pmr::vector<Index> at(start_.begin(), start_.end() - 1, start_.get_allocator());
+  ArenaVector<Index> at(start_.begin(), start_.end() - 1, start_.get_allocator());
   each_cell([&](Index piece, std::size_t cell) { items_[at[cell]++] = piece; });
 }
 

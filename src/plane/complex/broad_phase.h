@@ -72,9 +72,11 @@ class CellGrid {
   void set_boxes(const exact::Geometry& g, std::span<const Piece> pieces, std::span<const Index> extra);
   void set_resolution(std::size_t pieces);
   void enter_sorted();
+  /// Few pieces, in the order of the columns that they start in, of n; the most in one column.
+  Index enter_by_columns(Index n);
   void enter(const exact::Geometry& g, std::span<const Piece> pieces);
   void find_rows(const exact::Geometry& g, std::span<const Piece> pieces);
-  void find_rows(const exact::Geometry& g, std::span<const Piece> pieces, IndexRange some, std::pmr::vector<Rows>& to);
+  void find_rows(const exact::Geometry& g, std::span<const Piece> pieces, IndexRange some, ArenaVector<Rows>& to);
   /// Calls visit(piece, cell) for the cells that each piece may cross, one piece after the other.
   template <class Visit>
   void each_cell(Visit&& visit) const;
@@ -82,14 +84,14 @@ class CellGrid {
   Rows rows_in(Index column, const exact::Geometry& g, const Piece& piece, const PieceBox& box) const;
   bool first_common_cell(Index i, Index j, Index column, Index row) const;
 
-  std::pmr::vector<PieceBox> boxes_;
-  std::pmr::vector<Left> sorted_;  // the left ends of few pieces
+  ArenaVector<PieceBox> boxes_;
+  ArenaVector<Left> sorted_;  // the left ends of few pieces
   PieceBox box_{0, 0, 1, 1};
   double slack_ = 0, column_scale_ = 1, row_scale_ = 1;
   Index columns_ = 1, rows_ = 1;
-  std::pmr::vector<Index> first_column_, rows_start_;  // per piece
-  std::pmr::vector<Rows> piece_rows_;                  // per piece and column
-  std::pmr::vector<Index> start_, items_;              // cell -> pieces; of few pieces only items_
+  ArenaVector<Index> first_column_, rows_start_;  // per piece
+  ArenaVector<Rows> piece_rows_;                  // per piece and column
+  ArenaVector<Index> start_, items_;              // cell -> pieces; of few pieces only items_
 };
 
 /// How far off a box of pieces may be, from the largest error and the largest coordinate of their ends.

@@ -29,7 +29,7 @@ void empty_all(std::span<Thing> things) {
 
 /// Numbers what is used (not 0) in its order, the rest kNone, and drops the rest of the things.
 template <class Thing>
-void keep_used(std::pmr::vector<Index>& used, std::vector<Thing>& things) {
+void keep_used(ArenaVector<Index>& used, std::vector<Thing>& things) {
   constexpr std::size_t kLittle = 8192;  // bytes that may lie idle
   Index count = 0;
   for (Index k = 0; k < used.size(); ++k) {

@@ -67,7 +67,7 @@ class DownwardRay {
 
 struct Components {
   UnionFind connected;
-  std::pmr::vector<Index> first;  // leading vertex -> its lexicographically smallest vertex
+  ArenaVector<Index> first;  // leading vertex -> its lexicographically smallest vertex
   Components(const Arrangement& a, Memory memory)
       : connected(a.vertex_count(), memory), first(a.vertex_count(), kNone, memory), a_(a) {}
 
@@ -89,7 +89,7 @@ struct Components {
 constexpr std::size_t kManyHalfEdges = 10'000;  // from here on cycles and components are found at once
 
 /// Which cycle each half-edge is part of; how many there are.
-Index number_cycles(const Arrangement& a, std::pmr::vector<Index>& cycle) {
+Index number_cycles(const Arrangement& a, ArenaVector<Index>& cycle) {
   Index cycles = 0;
   for (Index h = 0; h < a.next.size(); ++h) {
     if (cycle[h] != kNone) continue;
@@ -102,7 +102,7 @@ Index number_cycles(const Arrangement& a, std::pmr::vector<Index>& cycle) {
 }  // namespace
 
 void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
-  std::pmr::vector<Index> cycle(a.next.size(), kNone, memory);
+  ArenaVector<Index> cycle(a.next.size(), kNone, memory);
   Index cycles = 0;
   Components parts(a, memory);
   at_once(2, a.next.size(), kManyHalfEdges, [&](std::size_t k) {
@@ -111,14 +111,14 @@ void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
     else
       parts.find();
   });
-  std::pmr::vector<Index> order(memory);
+  ArenaVector<Index> order(memory);
   for (Index v = 0; v < a.vertex_count(); ++v)
     if (parts.first[v] != kNone) order.push_back(parts.first[v]);
   // From left to right, so that the component a ray hits is known before.
   std::sort(order.begin(), order.end(),
             [&](Index v, Index w) { return compare_xy(a.geometry, a.vertex_point[v], a.vertex_point[w]) < 0; });
-  std::pmr::vector<Index> face_of(cycles, kNone, memory);
-  std::pmr::vector<char> outside(cycles, 0, memory);
+  ArenaVector<Index> face_of(cycles, kNone, memory);
+  ArenaVector<char> outside(cycles, 0, memory);
   for (Index v : order)
     if (a.degree(v)) outside[cycle[a.out[a.out_start[v + 1] - 1]]] = 1;
   a.face_count = 1;

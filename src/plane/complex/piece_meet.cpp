@@ -119,7 +119,7 @@ struct OfStrip {
   std::size_t split = 0, tie = 0;
 
   OfStrip(const Geometry& g, std::span<const Piece> pieces, const CellGrid& grid, IndexRange columns)
-      : strip(g, pieces, grid, columns), meetings(strip.geometry(), strip.pieces(), std::pmr::new_delete_resource()) {}
+      : strip(g, pieces, grid, columns), meetings(strip.geometry(), strip.pieces(), kHeap) {}
 };
 
 /// Adds what was found in the strips, one after the other, and drops them.

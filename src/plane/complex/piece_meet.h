@@ -48,8 +48,8 @@ class PieceMeetings {
   /// Records an isolated point if it lies on the piece.
   void add_point(Index point, Index piece);
 
-  std::pmr::vector<Split> splits;
-  std::pmr::vector<Tie> ties;
+  ArenaVector<Split> splits;
+  ArenaVector<Tie> ties;
 
  private:
   void lines(Index i, Index j);

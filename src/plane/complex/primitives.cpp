@@ -139,9 +139,8 @@ Region region_of_rings(std::span<const Contour> rings) { return region_of_polygo
 Region region_of_polygons(Polygons polygons) {
   Arena arena(polygons.empty() || polygons[0].empty() ? 0 : polygons[0][0].size());
   RingCurves curves = ring_curves(polygons, arena.memory());
-  Region region = ring_complex(std::move(curves.geometry), curves.edges, curves.rings, {1, 1, 0});
-  if (curves.could_merge) return simplify(std::move(region));
-  return region;
+  const auto region = [&] { return ring_complex(std::move(curves.geometry), curves.edges, curves.rings, {1, 1, 0}); };
+  return curves.could_merge ? simplify(region()) : region();
 }
 
 Region region_of_disc(const exact::Real& cx, const exact::Real& cy, const exact::Real& radius) {

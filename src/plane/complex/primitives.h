@@ -22,9 +22,9 @@ struct RingCurves {
   explicit RingCurves(Memory memory) : edges(memory), rings(memory) {}
 
   exact::Geometry geometry;
-  std::pmr::vector<RingEdge> edges;
-  std::pmr::vector<NestedRing> rings;  // of every set the outer one first
-  bool could_merge = false;            // some that follow each other may be one edge
+  ArenaVector<RingEdge> edges;
+  ArenaVector<NestedRing> rings;  // of every set the outer one first
+  bool could_merge = false;       // some that follow each other may be one edge
 };
 RingCurves ring_curves(Polygons polygons, Memory memory);
 

@@ -40,15 +40,15 @@ class UsedGeometry {
     }
   }
 
-  Index supporting_curve(Index old) const { return all_ ? old : supporting_curve_[old]; }
-  Index point(Index old) const { return all_ ? old : point_[old]; }
+  /// Nothing was dropped: the numbers are as before.
+  bool all() const { return all_; }
+  Index supporting_curve(Index old) const { return supporting_curve_[old]; }
+  Index point(Index old) const { return point_[old]; }
 
  private:
-  static bool all_used(const std::pmr::vector<Index>& used) {
-    return std::find(used.begin(), used.end(), 0u) == used.end();
-  }
+  static bool all_used(const ArenaVector<Index>& used) { return std::find(used.begin(), used.end(), 0u) == used.end(); }
 
-  std::pmr::vector<Index> supporting_curve_, point_, real_;
+  ArenaVector<Index> supporting_curve_, point_, real_;
   bool all_ = false;
 };
 
@@ -151,6 +151,7 @@ CellComplex ring_map(exact::Geometry&& geometry, std::span<const RingEdge> edges
                      RingMarks marks, bool unbounded) {
   Arena arena(geometry.supporting_curves.size() / 4);
   const UsedGeometry used(geometry, edges, arena.memory());
+  if (used.all()) return ring_complex(std::move(geometry), edges, rings, marks, unbounded);
   return joined(
       std::move(geometry), edges, rings, marks, unbounded,
       [&](const RingEdge& e) { return used.supporting_curve(e.supporting_curve); },

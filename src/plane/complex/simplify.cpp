@@ -187,7 +187,7 @@ class Merger {
   Index new_half_edge(Index h) const { return h & 1u ? 2 * ends_[h / 2] + 1 : 2 * starts_[h / 2]; }
 
   void make_vertices() {
-    std::pmr::vector<Index> number(raw_.vertex_count(), kNone, memory_);
+    ArenaVector<Index> number(raw_.vertex_count(), kNone, memory_);
     out_.vertices.reserve(raw_.vertex_count() - std::size_t(std::count(passes_.begin(), passes_.end(), 1)));
     for (Index v = 0; v < raw_.vertex_count(); ++v) {
       const Vertex& w = raw_.vertex(v);
@@ -225,7 +225,7 @@ class Merger {
   }
 
   void number_faces() {
-    std::pmr::vector<Index> number(raw_.face_count(), kNone, memory_);
+    ArenaVector<Index> number(raw_.face_count(), kNone, memory_);
     auto use = [&](Index& f) {
       if (number[f] == kNone) {
         number[f] = Index(out_.faces.size());
@@ -247,14 +247,14 @@ class Merger {
   void collect_cycles() {
     UnionFind parts(out_.vertices.size(), memory_);
     for (const Edge& e : out_.edges) parts.unite(e.v0, e.v1);
-    std::pmr::vector<Index> smallest(out_.vertices.size(), kNone, memory_);
+    ArenaVector<Index> smallest(out_.vertices.size(), kNone, memory_);
     for (Index v = 0; v < out_.vertices.size(); ++v) {
       Index h = out_.vertices[v].out;
       if (h == kNone || (out_.clockwise(h) & 1u)) continue;  // has a half-edge to its left
       Index& s = smallest[parts.find(v)];
       if (s == kNone || compare_xy(geometry_, out_.vertices[v].point, out_.vertices[s].point) < 0) s = v;
     }
-    std::pmr::vector<char> seen(out_.half_edges.size(), 0, memory_);
+    ArenaVector<char> seen(out_.half_edges.size(), 0, memory_);
     auto walk = [&](Index h) {
       for (Index k = h; !seen[k]; k = out_.next(k)) seen[k] = 1;
     };
@@ -274,8 +274,7 @@ class Merger {
   /// Keeps what is used where it stands, in order, so that crossings keep the order of their supporting curves.
   void compact_geometry() {
     exact::Geometry& g = geometry_;
-    std::pmr::vector<Index> supporting_curve(g.supporting_curves.size(), 0, memory_),
-        point(g.points.size(), 0, memory_);
+    ArenaVector<Index> supporting_curve(g.supporting_curves.size(), 0, memory_), point(g.points.size(), 0, memory_);
     for (const Edge& e : out_.edges) supporting_curve[e.supporting_curve] = 1;
     for (const Vertex& v : out_.vertices) {
       const exact::Point& p = g.points[v.point];
@@ -307,10 +306,10 @@ class Merger {
   CellComplex out_;
   Memory memory_;
   UnionFind faces_;
-  std::pmr::vector<char> kept_, passes_;            // per raw edge, per raw vertex
-  std::pmr::vector<Index> first_;                   // raw vertex -> first kept half-edge
-  std::pmr::vector<Index> starts_, ends_;           // raw edge -> the new edge it starts / ends
-  std::pmr::vector<Index> first_part_, last_part_;  // new edge -> its first / last raw edge
+  ArenaVector<char> kept_, passes_;            // per raw edge, per raw vertex
+  ArenaVector<Index> first_;                   // raw vertex -> first kept half-edge
+  ArenaVector<Index> starts_, ends_;           // raw edge -> the new edge it starts / ends
+  ArenaVector<Index> first_part_, last_part_;  // new edge -> its first / last raw edge
 };
 
 }  // namespace

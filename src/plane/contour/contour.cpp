@@ -161,9 +161,9 @@ struct EdgeBoxes {
     return std::uint32_t(std::upper_bound(first.begin(), first.end(), i) - first.begin() - 1);
   }
 
-  std::pmr::vector<Box> boxes;
-  std::pmr::vector<std::uint32_t> chains;  // where begin the segments that all run to the right, or left, up to each
-  std::pmr::vector<std::size_t> first;     // of each ring
+  ArenaVector<Box> boxes;
+  ArenaVector<std::uint32_t> chains;  // where begin the segments that all run to the right, or left, up to each
+  ArenaVector<std::size_t> first;     // of each ring
 };
 
 /// Checks neighbours as well: those that both run to the right, or left, cannot fold back.
@@ -208,7 +208,7 @@ Box box_of(const Contour& ring) {
   return all;
 }
 
-using Rings = std::pmr::vector<Ring>;
+using Rings = ArenaVector<Ring>;
 
 /// Of the contours, which stay where they are.
 Rings clean_and_check(std::span<Contour> contours, Label name, std::int64_t& repeated, double step, Memory memory) {

@@ -29,7 +29,7 @@ class ConvexRing {
   }
 
  private:
-  const std::vector<GridCorner>& corners_;
+  std::span<const GridCorner> corners_;
   const exact::Geometry& geometry_;
   std::size_t at_ = 0, taken_ = 0;
 };
@@ -52,7 +52,7 @@ SignMap convex_sum(ConvexOperand a, ConvexOperand b) {
   geometry.supporting_curves.reserve(most);
   geometry.points.reserve(most);
   Arena arena(most);
-  std::pmr::vector<RingEdge> edges(arena.memory());
+  ArenaVector<RingEdge> edges(arena.memory());
   edges.reserve(most);
   while (!p.ended() || !q.ended()) {
     // An edge of one ring starts at the sum of its start and of the corner where the other ring stands.

@@ -75,7 +75,7 @@ bool lies_inside(const GridFace& face, const BoxSlabs& slabs, double x, double y
   return sure && odd != face.unbounded;
 }
 
-std::vector<BoxSlabs::Entry> bounded_boxes(const std::vector<GridFace>& faces) {
+std::vector<BoxSlabs::Entry> bounded_boxes(const GridFaces& faces) {
   std::vector<BoxSlabs::Entry> out;
   for (Index k = 0; k < faces.size(); ++k) {
     if (faces[k].unbounded) continue;
@@ -100,7 +100,7 @@ int compare_grid(Geometry& g, GridPoint p, Compare&& compare) {
 }  // namespace
 
 ConvolutionIndex::Side::Side(const GridFace& face)
-    : fan(face, std::pmr::new_delete_resource()), slabs(edge_slabs(face)), place(face.corners.size()) {
+    : fan(face, kHeap), slabs(edge_slabs(face)), place(face.corners.size()) {
   for (Index k = 0; k < fan.rays.size(); ++k) place[fan.rays[k].corner] = k;
   for (Index k = 0; k < face.corners.size(); ++k) by_place.push_back({face.corners[k].at, k});
   std::sort(by_place.begin(), by_place.end(), [](const auto& p, const auto& q) {
@@ -116,7 +116,7 @@ ConvolutionIndex::ConvolutionIndex(const GridOperand& a, const GridOperand& b)
   sides_[0].resize(a.faces.size());
   sides_[1].resize(b.faces.size());
   const bool more_in_a = a.faces.size() > b.faces.size();
-  const std::vector<GridFace>&many = (more_in_a ? a : b).faces, &others = (more_in_a ? b : a).faces;
+  const GridFaces &many = (more_in_a ? a : b).faces, &others = (more_in_a ? b : a).faces;
   for (Index i = 0; i < many.size(); ++i)
     if (many[i].unbounded) unbounded_.push_back(i);
   for (const GridFace& f : others) others_.push_back(box_of({&f, 1}));
@@ -162,7 +162,7 @@ std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
   const auto add = [&](Index of_many, Index of_few) {
     out.push_back(many == 0 ? of_many * Index(b_.faces.size()) + of_few : of_few * Index(b_.faces.size()) + of_many);
   };
-  const std::vector<GridFace>&faces = operand(int(many)).faces, &others = operand(1 - int(many)).faces;
+  const GridFaces &faces = operand(int(many)).faces, &others = operand(1 - int(many)).faces;
   for (Index k = 0; k < others.size(); ++k) {
     if (others[k].unbounded) {
       for (Index i = 0; i < faces.size(); ++i) add(i, k);
@@ -221,7 +221,7 @@ bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
 bool ConvolutionIndex::holds_by_a_corner(const exact::Point& q, Index pair) const {
   if (face_of(pair, 0).corners.size() * face_of(pair, 1).corners.size() < kManyPairs) return false;
   for (int s : {0, 1}) {
-    const std::vector<GridCorner>& corners = face_of(pair, 1 - s).corners;
+    const GridCorners& corners = face_of(pair, 1 - s).corners;
     for (std::size_t v = 0; v < corners.size(); v += kCornerStep) {
       const double x = q.x - double(corners[v].at.x), y = q.y - double(corners[v].at.y);
       if (lies_inside(face_of(pair, s), of(pair, s).slabs, x, y, q.error + margin::kInsideFace)) return true;

@@ -17,7 +17,7 @@ constexpr std::size_t kMostTried = 128;    // of them: those that are near
 constexpr std::size_t kBuckets = 16;       // along each side of the box of the corners
 constexpr double kWider = 2;               // grid steps: far more than the rounding of sums below 2^43 steps
 
-Outline outline(const std::vector<GridFace>& faces) {
+Outline outline(const GridFaces& faces) {
   Outline out;
   for (const GridFace& face : faces)
     for (const GridCorner& c : face.corners) {
@@ -29,7 +29,7 @@ Outline outline(const std::vector<GridFace>& faces) {
 
 }  // namespace
 
-CoveredCurves::Corners::Corners(const std::vector<GridFace>& faces) {
+CoveredCurves::Corners::Corners(const GridFaces& faces) {
   std::size_t count = 0;
   for (const GridFace& f : faces) count += f.corners.size();
   const std::size_t step = count / kMostCorners + 1;
@@ -63,7 +63,7 @@ std::span<const CoveredCurves::Spot> CoveredCurves::Corners::near(const Spot& pl
   return std::span(near_).subspan(bucket * each_, each_);
 }
 
-CoveredCurves::Set::Set(const std::vector<GridFace>& faces) : corners(faces) {
+CoveredCurves::Set::Set(const GridFaces& faces) : corners(faces) {
   const GridBox box = box_of(faces);
   side = std::max(std::ceil(double(std::max(box.x1 - box.x0, box.y1 - box.y0)) / kCells), 4.0);
   const std::vector<LatticeRun> runs = cell_runs(outline(faces), side);

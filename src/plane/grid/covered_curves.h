@@ -28,7 +28,7 @@ struct CoveredBox {
 class CoveredCurves {
  public:
   /// Of the faces of two bounded sets; keeps references.
-  CoveredCurves(const std::vector<GridFace>& a, const std::vector<GridFace>& b) : faces_{&a, &b} {}
+  CoveredCurves(const GridFaces& a, const GridFaces& b) : faces_{&a, &b} {}
 
   bool prepared() const { return sets_.has_value(); }
   /// The box lies in the open sum. Prepares what it needs when asked first; one thread at a time.
@@ -41,7 +41,7 @@ class CoveredCurves {
   /// Some corners, spread over an outline, and for places about it those that are near.
   class Corners {
    public:
-    explicit Corners(const std::vector<GridFace>& faces);
+    explicit Corners(const GridFaces& faces);
     /// The corners to try, the nearest first; not all.
     std::span<const Spot> near(const Spot& place) const;
 
@@ -57,12 +57,12 @@ class CoveredCurves {
     Corners corners;
     std::optional<Spot> last;  // the corner that served last
 
-    explicit Set(const std::vector<GridFace>& faces);
+    explicit Set(const GridFaces& faces);
     bool covers(double x, double y, double half) const;
   };
   static bool covers(const Set& cells, Set& moved, const CoveredBox& box);
 
-  std::array<const std::vector<GridFace>*, 2> faces_;
+  std::array<const GridFaces*, 2> faces_;
   std::optional<std::array<Set, 2>> sets_;
 };
 

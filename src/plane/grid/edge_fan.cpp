@@ -23,7 +23,7 @@ double diamond_angle(const GridCorner& c) {
 }
 
 /// Order of the directions of two edges by angle in [0, 360).
-int compare(const std::vector<GridCorner>& p, const EdgeRay& r, const std::vector<GridCorner>& q, const EdgeRay& s) {
+int compare(std::span<const GridCorner> p, const EdgeRay& r, std::span<const GridCorner> q, const EdgeRay& s) {
   double gap = r.angle - s.angle;
   if (std::abs(gap) > margin::kDiamondAngle) return gap > 0 ? 1 : -1;
   const GridCorner &c = p[r.corner], &d = q[s.corner];
@@ -34,7 +34,7 @@ int compare(const std::vector<GridCorner>& p, const EdgeRay& r, const std::vecto
 bool is_lower_edge(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
 
 /// Those of all corners, in order.
-void set_rays(const std::vector<GridCorner>& corners, std::span<EdgeRay> rays) {
+void set_rays(std::span<const GridCorner> corners, std::span<EdgeRay> rays) {
   const Index n = Index(corners.size());
   // A ring that turns left nearly everywhere has its edges nearly in order from here on.
   Index start = 0;

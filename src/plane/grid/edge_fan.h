@@ -23,9 +23,9 @@ class EdgeFan {
   /// Gives the edges of both faces their ranks.
   static void place(EdgeFan& first, EdgeFan& other);
 
-  const std::vector<GridCorner>& corners;
+  std::span<const GridCorner> corners;
   std::span<const EdgeRay> rays;  // by angle
-  std::pmr::vector<Index> rank;   // corner -> rays of the other fan before its own
+  ArenaVector<Index> rank;        // corner -> rays of the other fan before its own
 
   /// Places among the rays of the other fan: first, first + 1, ..., end - 1, past the last one round to 0 if `wraps`.
   struct Sweep {
@@ -34,19 +34,19 @@ class EdgeFan {
     std::size_t size(std::size_t all) const { return wraps ? all - first + end : end - first; }
     bool holds(Index place) const { return wraps ? place >= first || place < end : place >= first && place < end; }
   };
-  /// The directions between the two edges of a corner, counter-clockwise whichever way it turns.
-  Sweep sweep(Index corner) const {
+  /// The directions between the two edges of a corner, counter-clockwise whichever way it turns. Inline, as a caller
+  /// would read its parts as one while they are still being written, which is slow.
+  [[gnu::always_inline]] Sweep sweep(Index corner) const {
     const GridCorner& c = corners[corner];
     if (c.turn == 0) return {};
-    const Index from = c.turn > 0 ? c.before : corner, to = c.turn > 0 ? corner : c.before;
-    // A turn that sweeps the direction 0 ends below where it starts; so does none else.
-    return {rank[from], rank[to], lower(corners[from]) && !lower(corners[to])};
+    const Index from = rank[c.turn > 0 ? c.before : corner], to = rank[c.turn > 0 ? corner : c.before];
+    // It sweeps less than half a turn, which never holds all the edges of closed rings. So only what passes the
+    // direction 0 ends at a lower place.
+    return {from, to, to < from};
   }
 
  private:
-  static bool lower(const GridCorner& c) { return c.dy < 0 || (c.dy == 0 && c.dx < 0); }
-
-  std::pmr::vector<EdgeRay> own_rays_;  // where the face has none
+  ArenaVector<EdgeRay> own_rays_;  // where the face has none
 };
 
 /// Makes the rays of faces that are added to many others.

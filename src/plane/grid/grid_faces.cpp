@@ -28,7 +28,7 @@ class Walk {
   /// Were all edges so far segments between grid points?
   bool on_grid() const { return on_grid_; }
 
-  void ring(Index start, std::vector<GridCorner>& out) {
+  void ring(Index start, GridCorners& out) {
     const HalfEdge* const half_edges = c_.half_edges.data();
     const Index first = Index(out.size());
     Index end = first, h = start;
@@ -120,18 +120,18 @@ bool GridFace::is_convex() const {
   return rounds == 1;
 }
 
-std::optional<std::vector<GridFace>> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored) {
+std::optional<GridFaces> grid_faces(const CellComplex& c, bool (*wanted)(Mark), bool mirrored, Memory memory) {
   Faces in(c.faces.size(), 0);
   for (Index f = 0; f < c.faces.size(); ++f) in[f] = char(wanted(c.faces[f].mark));
   if (has_more(c, in, wanted)) return std::nullopt;
-  std::vector<GridFace> faces;
+  GridFaces faces(memory);
   faces.reserve(std::size_t(std::count(in.begin(), in.end(), char(1))));
   Walk walk(c, mirrored);
   for (Index f = 0; f < c.faces.size(); ++f) {
     if (!in[f]) continue;
     for (Index v : c.faces[f].isolated)
       if (!wanted(c.vertices[v].mark)) return std::nullopt;
-    GridFace& face = faces.emplace_back();
+    GridFace& face = faces.emplace_back(memory);
     face.unbounded = f == 0;
     if (c.faces[f].outer != kNone) walk.ring(c.faces[f].outer, face.corners);
     for (Index h : c.faces[f].inner) walk.ring(h, face.corners);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "plane/base/arena.h"
 #include "plane/complex/cell_complex.h"
 #include "plane/contour/shape.h"
 
@@ -28,18 +29,24 @@ struct EdgeRay {
   Index corner;  // whose edge it is
 };
 
+using GridCorners = ArenaVector<GridCorner>;
+
 struct GridFace {
-  std::vector<GridCorner> corners;  // ring by ring
+  explicit GridFace(Memory memory) : corners(memory), rays(memory) {}
+
+  GridCorners corners;  // ring by ring
   bool unbounded = false;
-  std::vector<EdgeRay> rays = {};  // by angle, where that has been made (edge_fan.h)
+  ArenaVector<EdgeRay> rays;  // by angle, where that has been made (edge_fan.h)
 
   /// One ring that turns left at every corner and round once.
   bool is_convex() const;
 };
+using GridFaces = ArenaVector<GridFace>;
 
 /// The faces with marks of the given kind. Nothing where a part of the set lies outside the closure of these faces, a
 /// face meets an edge from both sides or lacks a single point, or an edge is not a segment between grid points.
-/// `mirrored`: of the set reflected through the origin.
-std::optional<std::vector<GridFace>> grid_faces(const CellComplex& complex, bool (*wanted)(Mark), bool mirrored);
+/// `mirrored`: of the set reflected through the origin. `memory`: for all that is returned.
+std::optional<GridFaces> grid_faces(const CellComplex& complex, bool (*wanted)(Mark), bool mirrored,
+                                    Memory memory = kHeap);
 
 }  // namespace findspace::plane

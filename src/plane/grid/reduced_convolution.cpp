@@ -7,7 +7,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
+#include "exact/planar/parallel_line.h"
+#include "plane/base/append_made.h"
 #include "plane/base/parallel.h"
 #include "plane/base/reserve_more.h"
 #include "plane/grid/edge_fan.h"
@@ -71,8 +74,8 @@ class CornerSums {
   }
 
   std::size_t columns_;
-  std::pmr::vector<Index> all_;
-  std::pmr::vector<Slot> slots_;
+  ArenaVector<Index> all_;
+  ArenaVector<Slot> slots_;
 };
 
 /// The operands, and which of their curves are made.
@@ -238,26 +241,30 @@ class FacePair {
     out_.sides.resize(piece_ + count);
   }
 
-  /// `kMovedFirst`: the edges are those of A. Small sums spend much here, so nothing in the loops is left to be called.
+  /// `kMovedFirst`: the edges are those of A. Small sums spend much here, so little in the loops is left to be called.
   template <bool kMovedFirst>
   void add_edges(const EdgeFan& moved, const exact::Geometry& geometry, const EdgeFan& fan) {
-    auto& g = out_.geometry;
-    const exact::SupportingCurve* const lines = geometry.supporting_curves.data();
+    auto& points = out_.geometry.points;
     const GridCorner *const edges = moved.corners.data(), *const corners = fan.corners.data();
     Piece* piece = out_.pieces.data() + piece_;
     InnerSide* side = out_.sides.data() + piece_;
+    Index point_count = Index(points.size());
     const auto point = [&](Index e, Index v, std::int64_t x, std::int64_t y) __attribute__((always_inline)) {
       Index& at = kMovedFirst ? sums_.of(e, v) : sums_.of(v, e);
-      if (at == kNone) at = g.add_grid_point(x, y);
+      if (at == kNone) {
+        at = point_count++;
+        points.emplace_back(x, y);
+      }
       return at;
     };
     const auto add = [&](Index e, Index v) __attribute__((always_inline)) {
       if (!reaches(moved, e, fan, v)) return;
       const GridCorner &edge = edges[e], &next = edges[edge.next];
-      const GridPoint by = corners[v].at, start{edge.at.x + by.x, edge.at.y + by.y};
-      const Index p = point(e, v, start.x, start.y), q = point(edge.next, v, next.at.x + by.x, next.at.y + by.y);
+      const GridPoint by = corners[v].at;
+      const Index p = point(e, v, edge.at.x + by.x, edge.at.y + by.y);
+      const Index q = point(edge.next, v, next.at.x + by.x, next.at.y + by.y);
       const bool right = edge.dx > 0 || (edge.dx == 0 && edge.dy > 0), hides = edge.turn < 0;
-      piece->supporting_curve = g.add_parallel(lines[edge.supporting_curve], start.x, start.y);
+      piece->supporting_curve = edge.supporting_curve;
       piece->p0 = right ? p : q;
       piece->p1 = right ? q : p;
       ++piece;
@@ -267,7 +274,22 @@ class FacePair {
       for (const auto& [e, v] : kept_[kMovedFirst ? 1 : 0]) add(e, v);
     else
       each(moved, fan, add);
-    piece_ = Index(piece - out_.pieces.data());
+    const Index end = Index(piece - out_.pieces.data());
+    add_lines(piece_, end, geometry.supporting_curves.data());
+    piece_ = end;
+  }
+
+  /// The lines of some pieces, which so far have the numbers of those to which they are parallel.
+  void add_lines(Index first, Index end, const exact::SupportingCurve* parallel) {
+    auto& lines = out_.geometry.supporting_curves;
+    append_made(lines, end - first,
+                [parallel, piece = out_.pieces.data() + first, side = out_.sides.data() + first,
+                 points = out_.geometry.points.data(), line = Index(lines.size())](std::size_t k) {
+                  const exact::Point& start = points[side[k].left ? piece[k].p0 : piece[k].p1];
+                  const exact::SupportingCurve& along =
+                      parallel[std::exchange(piece[k].supporting_curve, line + Index(k))];
+                  return exact::parallel_line(along, start.gx, start.gy);
+                });
   }
 
   ReducedConvolution& out_;
@@ -280,8 +302,8 @@ class FacePair {
   CornerSums sums_;
 };
 
-std::pmr::vector<EdgeFan> fans(const GridOperand& o, Memory memory) {
-  std::pmr::vector<EdgeFan> out(memory);
+ArenaVector<EdgeFan> fans(const GridOperand& o, Memory memory) {
+  ArenaVector<EdgeFan> out(memory);
   out.reserve(o.faces.size());
   for (const GridFace& f : o.faces) out.emplace_back(f, memory);
   return out;
@@ -295,8 +317,8 @@ std::size_t corner_count(const GridOperand& o) {
 
 /// Of many faces that are made pair by pair, the room that all of them fill: a list that grows is copied, and both are
 /// there. Where curves are left out less is filled, and what is not filled costs nothing.
-void reserve_all(ReducedConvolution& out, const std::pmr::vector<EdgeFan>& p, const std::pmr::vector<EdgeFan>& q) {
-  const auto corners = [](const std::pmr::vector<EdgeFan>& fans) {
+void reserve_all(ReducedConvolution& out, const ArenaVector<EdgeFan>& p, const ArenaVector<EdgeFan>& q) {
+  const auto corners = [](const ArenaVector<EdgeFan>& fans) {
     std::size_t n = 0;
     for (const EdgeFan& f : fans) n += f.corners.size();
     return n;
@@ -314,7 +336,7 @@ ReducedConvolution reduced_convolution(const GridOperand& a, const GridOperand& 
                                        CoveredCurves* covered) {
   ReducedConvolution out;
   Arena arena(corner_count(a) + corner_count(b));
-  std::pmr::vector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
+  ArenaVector<EdgeFan> p = fans(a, arena.memory()), q = fans(b, arena.memory());
   if (!within && (p.size() == 1) != (q.size() == 1)) reserve_all(out, p, q);
   const Choice choice{a, b, within, covered};
   for (EdgeFan& f : p)

@@ -24,7 +24,7 @@ struct ReducedConvolution : DirectedCurves {
 
 /// A set: its faces and the geometry of their supporting_curves.
 struct GridOperand {
-  const std::vector<GridFace>& faces;
+  const GridFaces& faces;
   const exact::Geometry& geometry;
 };
 

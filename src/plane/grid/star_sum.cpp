@@ -23,7 +23,7 @@ class StarRing {
     const Index n = Index(c_.pieces.size());
     const Piece* const pieces = c_.pieces.data();
     const InnerSide* const sides = c_.sides.data();
-    std::pmr::vector<Index> leaving(n, kNone, memory_);
+    ArenaVector<Index> leaving(n, kNone, memory_);
     Index* const leaves = leaving.data();
     for (Index i = 0; i < n; ++i) {
       const Index start = sides[i].left ? pieces[i].p0 : pieces[i].p1;
@@ -62,7 +62,7 @@ class StarRing {
 
  private:
   const ReducedConvolution& c_;
-  std::pmr::vector<RingEdge> ring_;
+  ArenaVector<RingEdge> ring_;
   Memory memory_;
 };
 

@@ -38,7 +38,7 @@ class Labels {
   }
 
   SignMap result() {
-    std::pmr::vector<Mark> faces(memory_), edges(memory_), vertices(memory_);
+    ArenaVector<Mark> faces(memory_), edges(memory_), vertices(memory_);
     faces.reserve(a_.face_count);
     edges.reserve(a_.edge_count());
     vertices.reserve(a_.vertex_count());
@@ -78,7 +78,7 @@ class Labels {
 
   /// A face all of whose sides are outer sides has the number of any of its edges, displaced away from it.
   void decide_faces() {
-    std::pmr::vector<char> known(a_.face_count, 0, memory_);
+    ArenaVector<char> known(a_.face_count, 0, memory_);
     known[0] = 1;
     for (Index h = 0; h < side_.size(); ++h) {
       Index f = a_.face[h];
@@ -149,10 +149,9 @@ class Labels {
   const std::vector<InnerSide>& sides_;
   const InsideTest& inside_;
   Memory memory_;
-  std::pmr::vector<char> face_in_, edge_in_, vertex_in_, side_;
-  std::pmr::vector<char>
-      hides_;  // per half-edge: at its origin, directions to its left / right may lie behind its curve
-  std::pmr::vector<char> covered_;  // arena
+  ArenaVector<char> face_in_, edge_in_, vertex_in_, side_;
+  ArenaVector<char> hides_;    // per half-edge: at its origin, directions to its left / right may lie behind its curve
+  ArenaVector<char> covered_;  // arena
 };
 
 }  // namespace

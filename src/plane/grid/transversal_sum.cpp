@@ -45,14 +45,15 @@ class TransversalSum {
   /// The curve that starts at the leftmost corner of the sum: it is part of the outer ring. Ends made by pruning lie
   /// inside.
   Index leftmost() const {
-    const auto& points = c_.geometry.points;
+    const exact::Point* const points = c_.geometry.points.data();
+    const exact::Point* least = nullptr;
     Index best = kNone;
-    for (Index i = 0; i < curves_.size(); ++i) {
+    for (Index i = 0, n = curves_.size(); i < n; ++i) {
       const exact::Point& p = points[curves_.start(i)];
       if (p.kind != exact::Point::Kind::kGrid) continue;
-      if (best == kNone) best = i;
-      const exact::Point& q = points[curves_.start(best)];
-      if (p.gx < q.gx || (p.gx == q.gx && p.gy < q.gy)) best = i;
+      if (least != nullptr && (p.gx != least->gx ? p.gx > least->gx : p.gy >= least->gy)) continue;
+      least = &p;
+      best = i;
     }
     return best;
   }
@@ -104,9 +105,9 @@ class TransversalSum {
   ReducedConvolution& c_;
   const InsideTest& inside_;
   MeetingCurves curves_;
-  std::pmr::vector<RingEdge> rings_;
-  std::pmr::vector<Index> starts_;
-  std::pmr::vector<int> passed_;  // degenerate vertex -> times a ring passed it
+  ArenaVector<RingEdge> rings_;
+  ArenaVector<Index> starts_;
+  ArenaVector<int> passed_;  // degenerate vertex -> times a ring passed it
   Memory memory_;
 };
 

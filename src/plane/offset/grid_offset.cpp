@@ -67,7 +67,7 @@ std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark),
   if (!faces || (faces->size() > 1 && shares_edges(set, wanted))) return std::nullopt;
   if (faces->empty()) return CellComplex::uniform(marks.outside);
   const bool unbounded = has_unbounded(*faces), connected = faces->size() == 1;
-  const std::vector<GridCorner> corners = all_corners(*std::move(faces));
+  const GridCorners corners = all_corners(*std::move(faces));
   if (corners.empty()) return CellComplex::uniform(marks.inside);
   if (std::any_of(corners.begin(), corners.end(), [](const GridCorner& c) { return c.turn == 0; })) return std::nullopt;
   OffsetEdges edges(corners, radius);

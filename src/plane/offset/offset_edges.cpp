@@ -41,8 +41,8 @@ PieceBox grown(const PieceBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x
 
 }  // namespace
 
-std::vector<GridCorner> all_corners(std::vector<GridFace> faces) {
-  std::vector<GridCorner> all;
+GridCorners all_corners(GridFaces faces) {
+  GridCorners all;
   for (GridFace& f : faces) {
     const Index base = Index(all.size());
     if (base == 0) {

@@ -20,7 +20,7 @@
 namespace findspace::plane {
 
 /// The corners of all faces in one list, with `next` and `before` as places in it.
-std::vector<GridCorner> all_corners(std::vector<GridFace> faces);
+GridCorners all_corners(GridFaces faces);
 
 class OffsetEdges {
  public:

@@ -23,7 +23,7 @@ bool OffsetMeetings::is_inside(Index point, std::initializer_list<Index> pieces)
 }
 
 bool OffsetMeetings::find() {
-  PieceMeetings found(c_.geometry, c_.pieces, std::pmr::new_delete_resource());
+  PieceMeetings found(c_.geometry, c_.pieces, kHeap);
   for (const auto& [i, j] : near_pairs(c_)) {
     const Index known = Index(c_.geometry.points.size());
     found.add_pair(i, j);

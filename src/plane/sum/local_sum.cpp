@@ -14,7 +14,7 @@ GridBox around_both(const GridBox& a, const GridBox& b) {
 
 }  // namespace
 
-LocalSum::LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<GridFace> q)
+LocalSum::LocalSum(Operand a, Operand b, GridFaces p, GridFaces q)
     : a_(a),
       b_(b),
       p_(std::move(p)),
@@ -28,7 +28,7 @@ LocalSum::LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<Gr
   }
 }
 
-std::vector<LocalSum::Convex> LocalSum::convex_faces(const std::vector<GridFace>& faces) {
+std::vector<LocalSum::Convex> LocalSum::convex_faces(const GridFaces& faces) {
   std::vector<Convex> out;
   out.reserve(faces.size());
   for (const GridFace& face : faces)

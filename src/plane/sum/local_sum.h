@@ -36,7 +36,7 @@ class LocalSum {
               const std::function<bool(const exact::Point&)>& surely = {}) const;
 
  private:
-  LocalSum(Operand a, Operand b, std::vector<GridFace> p, std::vector<GridFace> q);
+  LocalSum(Operand a, Operand b, GridFaces p, GridFaces q);
   static std::shared_ptr<const LocalSum> made(Operand a, Operand b);
 
   /// Convex faces.
@@ -44,10 +44,10 @@ class LocalSum {
     GridBox box;  // around all
     std::size_t faces, corners;
   };
-  static std::vector<Convex> convex_faces(const std::vector<GridFace>& faces);
+  static std::vector<Convex> convex_faces(const GridFaces& faces);
 
   Operand a_, b_;
-  std::vector<GridFace> p_, q_;
+  GridFaces p_, q_;
   ConvolutionIndex index_;
   std::optional<GridBox> bounds_;
   std::vector<Convex> many_;     // each of the set that has more faces

@@ -24,20 +24,20 @@ namespace {
 /// The faces of an operand, which may have been made before.
 class GridOf {
  public:
-  explicit GridOf(const Operand& o) : known_(o.known_grid) {
-    if (known_ == nullptr) made_ = o.grid();
+  GridOf(const Operand& o, Memory memory) : known_(o.known_grid) {
+    if (known_ == nullptr) made_ = o.grid(memory);
   }
 
-  const std::optional<std::vector<GridFace>>& faces() const { return known_ != nullptr ? *known_ : made_; }
+  const std::optional<GridFaces>& faces() const { return known_ != nullptr ? *known_ : made_; }
 
  private:
-  const std::optional<std::vector<GridFace>>* known_;
-  std::optional<std::vector<GridFace>> made_;
+  const std::optional<GridFaces>* known_;
+  std::optional<GridFaces> made_;
 };
 
 /// With what many sums need.
-std::optional<std::vector<GridFace>> prepared_grid(const Operand& o) {
-  std::optional<std::vector<GridFace>> faces = o.grid();
+std::optional<GridFaces> prepared_grid(const Operand& o) {
+  std::optional<GridFaces> faces = o.grid();
   if (faces) make_rays(*faces);
   return faces;
 }
@@ -52,8 +52,7 @@ struct InsideOfSum {
 };
 
 /// The open sum of two sets bounded by grid segments, without parts that have no interior. `p`, `q`: their faces.
-SignMap open_grid_sum(const Operand& a, const std::vector<GridFace>& p, const Operand& b,
-                      const std::vector<GridFace>& q) {
+SignMap open_grid_sum(const Operand& a, const GridFaces& p, const Operand& b, const GridFaces& q) {
   const GridOperand x{p, a.cells.geometry}, y{q, b.cells.geometry};
   std::unique_ptr<InsideOfSum> sum;
   const auto inside = [&](exact::Geometry& g, Index point) {
@@ -80,8 +79,9 @@ SignMap open_sum(const Operand& a, const Operand& b) {
 bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
 
 SignMap sum_at_once(const Operand& a, const Operand& b) {
-  if (const GridOf p(a); p.faces())
-    if (const GridOf q(b); q.faces()) return open_grid_sum(a, *p.faces(), b, *q.faces());
+  Arena arena(a.cells.edges.size() + b.cells.edges.size());
+  if (const GridOf p(a, arena.memory()); p.faces())
+    if (const GridOf q(b, arena.memory()); q.faces()) return open_grid_sum(a, *p.faces(), b, *q.faces());
   SignMap open = open_sum(a, b);
   std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
   if (q.empty()) return open;
@@ -103,7 +103,7 @@ SignMap made_sum(const Operand& a, const Operand& b) {
   if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
   if (is_worth_batches(a.cells) && !unbounded(a) && !a.mirrored)
     if (const auto reach = extent_of(b)) {
-      const Lazy<std::optional<std::vector<GridFace>>> of_b;
+      const Lazy<std::optional<GridFaces>> of_b;
       if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
             Operand again = b;
             if (b.known_grid == nullptr) again.known_grid = &of_b.of([&] { return prepared_grid(b); });
@@ -134,7 +134,7 @@ SignMap sum_map(const Operand& a, const Operand& b) {
 
 SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, is_in}, {b, is_in, true}); }
 
-const std::optional<std::vector<GridFace>>& SumOperand::faces(bool mirrored) const {
+const std::optional<GridFaces>& SumOperand::faces(bool mirrored) const {
   return faces_[mirrored ? 1 : 0].of([&] { return prepared_grid({region_, is_in, mirrored}); });
 }
 

@@ -35,11 +35,11 @@ class SumOperand {
 
   const Region& region() const { return region_; }
   /// Of the set, or of its reflection through the origin; nothing where a sum needs more than these.
-  const std::optional<std::vector<GridFace>>& faces(bool mirrored) const;
+  const std::optional<GridFaces>& faces(bool mirrored) const;
 
  private:
   const Region& region_;
-  std::array<Lazy<std::optional<std::vector<GridFace>>>, 2> faces_;
+  std::array<Lazy<std::optional<GridFaces>>, 2> faces_;
 };
 SignMap contact_map(const SumOperand& a, const SumOperand& b);
 

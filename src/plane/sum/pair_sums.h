@@ -19,8 +19,8 @@ struct Operand {
   const CellComplex& cells;
   bool (*wanted)(Mark);
   bool mirrored = false;
-  bool flat = true;                                                  // with its parts that have no interior
-  const std::optional<std::vector<GridFace>>* known_grid = nullptr;  // grid(), where it has been made
+  bool flat = true;                                      // with its parts that have no interior
+  const std::optional<GridFaces>* known_grid = nullptr;  // grid(), where it has been made
 
   std::vector<Part> solid_parts() const { return oriented(face_parts(cells, wanted)); }
   /// Calls `use` with one solid part after another, none of them kept.
@@ -35,7 +35,7 @@ struct Operand {
   std::vector<Part> flat_parts() const {
     return flat ? oriented(plane::flat_parts(cells, wanted)) : std::vector<Part>();
   }
-  std::optional<std::vector<GridFace>> grid() const { return grid_faces(cells, wanted, mirrored); }
+  std::optional<GridFaces> grid(Memory memory = kHeap) const { return grid_faces(cells, wanted, mirrored, memory); }
 
  private:
   std::vector<Part> oriented(std::vector<Part> parts) const;

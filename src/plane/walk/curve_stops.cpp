@@ -26,10 +26,10 @@ bool same_meeting(const Stop& s, const Stop& t) {
 struct Found {
   explicit Found(Memory memory) : stops(memory), opposite(memory), ties(memory) {}
 
-  std::pmr::vector<Stop> stops;
-  std::pmr::vector<std::pair<Index, Index>> opposite;
-  std::pmr::vector<std::pair<Index, Index>> ties;  // points at one place, or one that is a degenerate vertex
-  Index further = 0;                               // by how much the points made of crossings move up
+  ArenaVector<Stop> stops;
+  ArenaVector<std::pair<Index, Index>> opposite;
+  ArenaVector<std::pair<Index, Index>> ties;  // points at one place, or one that is a degenerate vertex
+  Index further = 0;                          // by how much the points made of crossings move up
 };
 
 /// Finds where curves meet, in any order.
@@ -94,9 +94,9 @@ class StopSorter {
   void sort_all();
   Sorted sort_stops(IndexRange curves);
   /// Whether all are known to be at different places.
-  bool sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates);
+  bool sort_stops_of(Index i, ArenaVector<Estimate>& estimates);
   /// As nearly as approximate coordinates tell.
-  void sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates);
+  void sort_by_estimate(Index i, ArenaVector<Estimate>& estimates);
   void tie_stops_of(Index i, Sorted& out);
   void drop_repeated();
   void mark_degenerate();
@@ -225,7 +225,7 @@ void StopSorter::group_stops(std::span<const Stop> found) {
 
 /// The stops of each part of what was found go to places of their own.
 void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
-  std::pmr::vector<Index> at(found.size() * size(), 0, memory_);  // of a part and a curve: stops, then their place
+  ArenaVector<Index> at(found.size() * size(), 0, memory_);  // of a part and a curve: stops, then their place
   each_range(found.size(), [&](std::size_t k) {
     Index* const count = at.data() + k * size();
     for (const Stop& s : found[k].stops) ++count[s.piece];
@@ -249,14 +249,14 @@ void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
 
 StopSorter::Sorted StopSorter::sort_stops(IndexRange curves) {
   Sorted out;
-  std::pmr::vector<Estimate> estimates;
+  ArenaVector<Estimate> estimates;
   const Index* const first = out_.first.data();
   for (auto i = Index(curves.first); i < curves.end; ++i)
     if (first[i + 1] - first[i] > 1 && !sort_stops_of(i, estimates)) tie_stops_of(i, out);
   return out;
 }
 
-bool StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
+bool StopSorter::sort_stops_of(Index i, ArenaVector<Estimate>& estimates) {
   const auto first = out_.stops.begin() + std::ptrdiff_t(out_.first[i]);
   const auto last = out_.stops.begin() + std::ptrdiff_t(out_.first[i + 1]);
   const bool few = stop_count(i) <= kFewStops;
@@ -272,7 +272,7 @@ bool StopSorter::sort_stops_of(Index i, std::pmr::vector<Estimate>& estimates) {
   return apart;
 }
 
-void StopSorter::sort_by_estimate(Index i, std::pmr::vector<Estimate>& estimates) {
+void StopSorter::sort_by_estimate(Index i, ArenaVector<Estimate>& estimates) {
   const exact::Point &from = g_.points[start_of(c_, i)], &to = g_.points[end_of(c_, i)];
   double dx = to.x - from.x, dy = to.y - from.y;
   estimates.clear();
@@ -331,7 +331,7 @@ void StopSorter::mark_degenerate() {
 
 void StopSorter::find_twins(std::size_t known) {
   // Of each point made of a crossing, the stop of the curve with less number.
-  std::pmr::vector<Index> first(g_.points.size() - known, kNone, memory_);
+  ArenaVector<Index> first(g_.points.size() - known, kNone, memory_);
   each_stop([&](Index at) {
     const Stop& s = out_.stops[at];
     if (s.other != kNone && s.piece < s.other) first[s.point - known] = at;
@@ -347,11 +347,11 @@ void StopSorter::find_twins(std::size_t known) {
 }
 
 /// Of strips of the grid at once; the same as one after the other.
-std::pmr::vector<Found> find_meetings(DirectedCurves& c, const CellGrid& grid, std::size_t count, Memory memory) {
+ArenaVector<Found> find_meetings(DirectedCurves& c, const CellGrid& grid, std::size_t count, Memory memory) {
   std::vector<exact::Point>& points = c.geometry.points;
   const std::vector<IndexRange> strips = grid.strips(count);
-  std::pmr::vector<Found> found(memory);
-  for (std::size_t k = 0; k < count; ++k) found.emplace_back(std::pmr::new_delete_resource());
+  ArenaVector<Found> found(memory);
+  for (std::size_t k = 0; k < count; ++k) found.emplace_back(kHeap);
   std::vector<std::vector<exact::Point>> made(count);
   parallel_for(count, [&](std::size_t k) {
     StopFinder finder(c, made[k], found[k]);
@@ -387,7 +387,7 @@ CurveStops in_order(const DirectedCurves& c, std::span<const Found> found, std::
 CurveStops find_stops(DirectedCurves& c, Memory memory) {
   const std::size_t known = c.geometry.points.size(), count = range_count(c.pieces.size(), kManyToMeetAtOnce);
   if (count > 1) {
-    const std::pmr::vector<Found> found = find_meetings(c, CellGrid(c.geometry, c.pieces, {}, memory), count, memory);
+    const ArenaVector<Found> found = find_meetings(c, CellGrid(c.geometry, c.pieces, {}, memory), count, memory);
     return in_order(c, found, known, memory);
   }
   Found found(memory);

@@ -33,10 +33,10 @@ struct CurveStops {
   CurveStops(std::size_t points, Memory memory)
       : stops(memory), first(memory), opposite(memory), degenerate_vertices(points, memory) {}
 
-  std::pmr::vector<Stop> stops;                        // along every curve
-  std::pmr::vector<Index> first;                       // of curve i: from first[i] to first[i + 1] - 1
-  std::pmr::vector<std::pair<Index, Index>> opposite;  // curves that run along each other, the one to the right first
-  DegenerateVertices degenerate_vertices;              // settled
+  ArenaVector<Stop> stops;                        // along every curve
+  ArenaVector<Index> first;                       // of curve i: from first[i] to first[i + 1] - 1
+  ArenaVector<std::pair<Index, Index>> opposite;  // curves that run along each other, the one to the right first
+  DegenerateVertices degenerate_vertices;         // settled
 };
 
 /// Adds the crossings to the geometry of `c`.

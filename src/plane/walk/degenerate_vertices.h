@@ -67,10 +67,10 @@ class DegenerateVertices {
   Index& parent(Index point);
 
   std::size_t points_;
-  std::pmr::vector<Index> degenerate_of_;  // point -> degenerate vertex; empty while there is none
-  std::pmr::vector<Index> same_;  // degenerate vertex -> one with a smaller number at the same place, or itself
-  std::pmr::vector<DirectedEdge> directed_edges_;
-  std::pmr::vector<Index> first_directed_edge_;  // degenerate vertex -> the last one added
+  ArenaVector<Index> degenerate_of_;  // point -> degenerate vertex; empty while there is none
+  ArenaVector<Index> same_;           // degenerate vertex -> one with a smaller number at the same place, or itself
+  ArenaVector<DirectedEdge> directed_edges_;
+  ArenaVector<Index> first_directed_edge_;  // degenerate vertex -> the last one added
   Index count_ = 0;
 };
 

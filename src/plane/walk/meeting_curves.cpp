@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "plane/walk/meeting_curves.h"
 
+#include "plane/base/append_made.h"
 #include "plane/complex/piece_meet.h"
 
 namespace findspace::plane {
@@ -55,27 +56,26 @@ MeetingCurves::MeetingCurves(DirectedCurves& c, Memory memory) : MeetingCurves(c
 
 MeetingCurves::MeetingCurves(const DirectedCurves& c, CurveStops found, Memory memory)
     : c_(c), found_(std::move(found)), curves_(memory), memory_(memory) {
-  std::pmr::vector<Index> ends_at(c.geometry.points.size(), kNone, memory);
+  ArenaVector<Index> ends_at(c.geometry.points.size(), kNone, memory);
   const Index n = Index(c.pieces.size());
-  curves_.resize(n + 1);
+  curves_.reserve(n + 1);
+  append_made(curves_, n,
+              [first = found_.first.data(), pieces = c.pieces.data(), sides = c.sides.data(),
+               ends_at = ends_at.data()](std::size_t i) {
+                const Piece& p = pieces[i];
+                const bool right = sides[i].left;
+                const Index start = right ? p.p0 : p.p1, end = right ? p.p1 : p.p0;
+                ends_at[end] = Index(i);
+                return Curve{start, end, kNone, first[i] + Index(i)};
+              });
   Curve* const curves = curves_.data();
-  const Index* const first = found_.first.data();
-  for (Index i = 0; i < n; ++i) {
-    const Piece& p = c.pieces[i];
-    const bool runs_on = right(i);
-    const Index end = runs_on ? p.p1 : p.p0;
-    curves[i].start = runs_on ? p.p0 : p.p1;
-    curves[i].end = end;
-    curves[i].first_part = first[i] + i;
-    ends_at[end] = i;
-  }
-  curves[n].first_part = part_count();
   for (Index i = 0; i < n; ++i) curves[i].before = ends_at[curves[i].start];
+  curves_.push_back({kNone, kNone, kNone, part_count()});
   if (!found_.degenerate_vertices.empty()) DirectedEdges(*this, c_, found_.degenerate_vertices).add_all();
 }
 
-std::pmr::vector<CurvePart> MeetingCurves::parts_with_two_inner_sides() const {
-  std::pmr::vector<CurvePart> found(memory_);
+ArenaVector<CurvePart> MeetingCurves::parts_with_two_inner_sides() const {
+  ArenaVector<CurvePart> found(memory_);
   for (const auto& both : found_.opposite) {
     auto on_other = [&](Index point) { return within(c_.geometry, c_.pieces[both.second], point) != Within::kOutside; };
     for (CurvePart p{both.first, 0}; p.slot <= stop_count(p.curve); ++p.slot)

@@ -48,7 +48,7 @@ class MeetingCurves {
   const DegenerateVertices& degenerate_vertices() const { return found_.degenerate_vertices; }
 
   /// Parts along which another curve runs the other way, so that both their sides are inner sides; some come twice.
-  std::pmr::vector<CurvePart> parts_with_two_inner_sides() const;
+  ArenaVector<CurvePart> parts_with_two_inner_sides() const;
 
  private:
   /// As it is walked along.
@@ -58,7 +58,7 @@ class MeetingCurves {
 
   const DirectedCurves& c_;
   CurveStops found_;
-  std::pmr::vector<Curve> curves_;  // and one more, of which only the first part counts
+  ArenaVector<Curve> curves_;  // and one more, of which only the first part counts
   Memory memory_;
 };
 

@@ -16,29 +16,15 @@ constexpr std::size_t kShortWay = 32;      // parts; at half the crossings a way
 
 }  // namespace
 
-std::optional<std::vector<Index>> OuterWalks::candidates() {
+// A part is inner or not whoever finds out first, so it does not matter what other threads have noted so far.
+void OuterWalks::close_short_ways() {
   const std::size_t ranges = range_count(curves_.size(), kManyToWalk);
-  if (ranges == 1) return std::nullopt;
-  std::vector<std::vector<Index>> found(ranges);
+  if (ranges == 1) return;
   parallel_for(ranges, [&](std::size_t k) {
     const IndexRange curves = range(k, ranges, curves_.size());
     for (auto i = Index(curves.first); i < curves.end; ++i)
-      if (is_candidate(i)) found[k].push_back(i);
+      for (Index slot = 0; slot <= curves_.stop_count(i); ++slot) close_short_way({i, slot});
   });
-  std::vector<Index> all;
-  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
-  return all;
-}
-
-// A part is inner or not whoever finds out first, so it does not matter what other threads have noted so far.
-bool OuterWalks::is_candidate(Index curve) {
-  bool left = false;
-  for (Index k = 0; k <= curves_.stop_count(curve); ++k) {
-    std::atomic_ref<Index> walk(walk_of_[curves_.part({curve, k})]);
-    if (walk.load(std::memory_order_relaxed) == kNone) close_short_way({curve, k});
-    left |= walk.load(std::memory_order_relaxed) == kNone;
-  }
-  return left;
 }
 
 void OuterWalks::close_short_way(CurvePart from) {
@@ -57,17 +43,16 @@ void OuterWalks::close_short_way(CurvePart from) {
 }
 
 std::span<const CurvePart> OuterWalks::next() {
-  if (tried_ == 0 && tried_slots_ == 0) candidates_ = candidates();
-  const Index count = candidates_ ? Index(candidates_->size()) : curves_.size();
-  for (; tried_ < count; ++tried_, tried_slots_ = 0) {
-    const Index i = candidates_ ? (*candidates_)[tried_] : tried_;
-    const Index first = curves_.part({i, 0}), parts = curves_.stop_count(i) + 1;
-    while (tried_slots_ < parts) {
-      const Index k = tried_slots_++;
-      if (walk_of_[first + k] != kNone) continue;
-      if (const auto found = walk({i, k}); !found.empty()) return found;
-    }
+  if (tried_ == 0) close_short_ways();
+  const auto first = walk_of_.begin(), end = walk_of_.end();
+  for (auto at = first + tried_; (at = std::find(at, end, kNone)) != end;) {
+    const auto part = Index(at++ - first);
+    while (curves_.part({curve_ + 1, 0}) <= part) ++curve_;
+    const auto found = walk({curve_, part - curves_.part({curve_, 0})});
+    tried_ = part + 1;
+    if (!found.empty()) return found;
   }
+  tried_ = Index(walk_of_.size());
   return {};
 }
 

@@ -6,7 +6,6 @@
 // linear in the parts of curves. Source: Behar & Lien 2011. Keywords: outer loops.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,21 +28,18 @@ class OuterWalks {
  private:
   static constexpr Index kShort = kNone - 1;  // no walk, but a short way to an inner side
 
-  /// The curves with parts from which a walk may be closed, in order: where there are many curves, ranges of them are
-  /// looked at at once, and short ways to an inner side are known afterwards. Nothing where all may have some.
-  std::optional<std::vector<Index>> candidates();
-  /// Whether some part of the curve is left, after those from which a way soon ends are known as inner.
-  bool is_candidate(Index curve);
+  /// Where there are many curves, ranges of them are looked at at once, and short ways to an inner side are known
+  /// afterwards.
+  void close_short_ways();
   void close_short_way(CurvePart from);
   /// The part before, or no curve where the walk would pass an inner side.
   CurvePart before(CurvePart at) const;
 
   const MeetingCurves& curves_;
-  std::pmr::vector<Index> walk_of_;  // part -> the walk that has passed it first, or kNone
+  ArenaVector<Index> walk_of_;  // part -> the walk that has passed it first, or kNone
   Index walks_ = 0;
-  std::optional<std::vector<Index>> candidates_;
-  Index tried_ = 0, tried_slots_ = 0;  // candidates, and parts of the next one
-  std::pmr::vector<CurvePart> parts_;
+  Index tried_ = 0, curve_ = 0;  // parts, and the curve of one that was tried
+  ArenaVector<CurvePart> parts_;
 };
 
 }  // namespace findspace::plane

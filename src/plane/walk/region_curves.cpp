@@ -195,7 +195,7 @@ bool RegionCurves::add_pairs(Index a, Index b, Pairs& to) {
   numbers.insert(numbers.end(), of_b.begin(), of_b.end());
   std::vector<Piece> pieces;
   for (const Index i : numbers) pieces.push_back(curves.pieces[i]);
-  const CellGrid grid(curves.geometry, pieces, {}, std::pmr::new_delete_resource());
+  const CellGrid grid(curves.geometry, pieces, {}, kHeap);
   grid.pairs([&](Index i, Index j) {
     if (pieces[i].group != pieces[j].group) to.emplace_back(numbers[i], numbers[j]);
   });

@@ -21,7 +21,7 @@ namespace findspace::plane {
 
 class RegionCurves {
  public:
-  using Pairs = std::pmr::vector<std::pair<Index, Index>>;
+  using Pairs = ArenaVector<std::pair<Index, Index>>;
 
   /// Nothing where a set is not bounded, not closed or not regular, its rings touch, or an edge is no segment of a grid
   /// line.
@@ -75,14 +75,14 @@ class RegionCurves {
 
   Index set_count() const { return Index(first_.size()) - 1; }
 
-  std::pmr::vector<Index> first_;  // set -> its first curve
+  ArenaVector<Index> first_;  // set -> its first curve
   CoarseGrid grid_;
-  std::pmr::vector<CoarseBox> boxes_;  // of curves, then of sets
-  std::pmr::vector<PieceBox> region_boxes_;
-  std::pmr::vector<Index> near_, first_near_;  // set -> those whose boxes meet its box
-  std::pmr::vector<std::size_t> near_curves_;  // set -> how many curves those have
+  ArenaVector<CoarseBox> boxes_;  // of curves, then of sets
+  ArenaVector<PieceBox> region_boxes_;
+  ArenaVector<Index> near_, first_near_;  // set -> those whose boxes meet its box
+  ArenaVector<std::size_t> near_curves_;  // set -> how many curves those have
   std::size_t looks_ = 0;
-  std::pmr::vector<Index> of_a_, of_b_;  // room for the curves of one set
+  ArenaVector<Index> of_a_, of_b_;  // room for the curves of one set
   double slack_ = 0;
 };
 

@@ -19,8 +19,8 @@ namespace {
 struct Rings {
   explicit Rings(Memory memory) : edges(memory), starts(memory) {}
 
-  std::pmr::vector<RingEdge> edges;
-  std::pmr::vector<Index> starts;
+  ArenaVector<RingEdge> edges;
+  ArenaVector<Index> starts;
   bool touch = false;  // one itself, or another one; then those that run straight on are not joined
 
   Index end(std::size_t r) const { return r + 1 < starts.size() ? starts[r + 1] : Index(edges.size()); }
@@ -114,12 +114,12 @@ class UnionRings {
   RegionCurves& sets_;
   const MeetingCurves& curves_;
   Rings rings_;
-  std::pmr::vector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
+  ArenaVector<Index> place_, passed_;  // of a degenerate vertex: its point; how often a ring passes it
 };
 
 /// What the rings use is reduced: their lines, and the lines of corners where others cross.
 void reduce_lines(exact::Geometry& geometry, const Rings& rings, Memory memory) {
-  std::pmr::vector<Index> lines(memory), crossings(memory);
+  ArenaVector<Index> lines(memory), crossings(memory);
   lines.reserve(rings.edges.size());
   for (std::size_t r = 0; r < rings.starts.size(); ++r) {
     Index before = rings.edges[rings.end(r) - 1].supporting_curve;
