@@ -47,23 +47,40 @@ double RoughCurve::least() const {
   return along >= square ? length(q) : std::abs(cross(d, p)) / std::sqrt(square);
 }
 
+namespace {
+
+/// Whether a feature of A and one of B can touch at some angle between middle - half and middle + half.
+bool can_touch(const Cone& a, Outside of_a, const Cone& b, Outside of_b, double middle, double half) {
+  return may_meet(of_a, of_b) &&
+         cones_meet(a, {b.from + middle - half + kPi, b.width + 2 * half}, margin::kOneDirection);
+}
+
+}  // namespace
+
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {
-  const auto shifted = [&](const Cone& c) { return Cone{c.from + middle - half + kPi, c.width + 2 * half}; };
-  const auto meet = [&](const Cone& a, Outside of_a, const Cone& b, Outside of_b) {
-    return may_meet(of_a, of_b) && cones_meet(a, shifted(b), margin::kOneDirection);
-  };
   if (k.kind == Kind::kTurningEdge) {
     const RoundFeature& a = fixed_.rounds[k.fixed];
-    const EdgeFeature& b = rotation_.edges[k.rotating];
-    return meet(a.normals, a.outside, {b.normal, 0}, b.outside);
+    const EdgeFeature& b = rotation_->edges[k.rotating];
+    return can_touch(a.normals, a.outside, {b.normal, 0}, b.outside, middle, half);
   }
-  const RoundFeature& b = rotation_.rounds[k.rotating];
+  const RoundFeature& b = rotation_->rounds[k.rotating];
   if (k.kind == Kind::kRounds) {
     const RoundFeature& a = fixed_.rounds[k.fixed];
-    return meet(a.normals, a.outside, b.normals, b.outside);
+    return can_touch(a.normals, a.outside, b.normals, b.outside, middle, half);
   }
   const EdgeFeature& a = fixed_.edges[k.fixed];
-  return meet({a.normal, 0}, a.outside, b.normals, b.outside);
+  return can_touch({a.normal, 0}, a.outside, b.normals, b.outside, middle, half);
+}
+
+bool may_touch_one(const ContactFeatures& these, bool fixed, const FeatureOutline& other) {
+  const auto touches = [&](const Cone& normals, Outside outside) {
+    return fixed ? can_touch(normals, outside, other.normals, other.outside, 0, 0)
+                 : can_touch(other.normals, other.outside, normals, outside, 0, 0);
+  };
+  const auto round = [&](const RoundFeature& f) { return touches(f.normals, f.outside); };
+  const auto edge = [&](const EdgeFeature& f) { return touches({f.normal, 0}, f.outside); };
+  return std::any_of(these.rounds.begin(), these.rounds.end(), round) ||
+         (!other.edge && std::any_of(these.edges.begin(), these.edges.end(), edge));
 }
 
 std::vector<ContactPair> ContactCurves::pairs(double middle, double half) const {
@@ -75,9 +92,9 @@ std::vector<ContactPair> ContactCurves::pairs(double middle, double half) const 
         if (may_touch(pair, middle, half)) out.push_back(pair);
       }
   };
-  add(Kind::kRounds, fixed_.rounds.size(), rotation_.rounds.size());
-  add(Kind::kFixedEdge, fixed_.edges.size(), rotation_.rounds.size());
-  add(Kind::kTurningEdge, fixed_.rounds.size(), rotation_.edges.size());
+  add(Kind::kRounds, fixed_.rounds.size(), rotation_->rounds.size());
+  add(Kind::kFixedEdge, fixed_.edges.size(), rotation_->rounds.size());
+  add(Kind::kTurningEdge, fixed_.rounds.size(), rotation_->edges.size());
   return out;
 }
 
@@ -93,7 +110,7 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
   const RoughPoint by = std::polar(1.0, angle);
   RoughCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_->rounds[k.rotating];
     c.center = center(a) - by * center(b);
     c.radius = a.r + b.r;
     c.normals = a.normals;
@@ -103,7 +120,7 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = rotation_.rounds[k.rotating];
+    const RoundFeature& b = rotation_->rounds[k.rotating];
     const RoughPoint way = b.r * normal(a) - by * center(b);
     c.normal = normal(a);
     c.p = RoughPoint(a.x0, a.y0) + way;
@@ -111,7 +128,7 @@ RoughCurve ContactCurves::rough(const ContactPair& k, double angle) const {
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = rotation_.edges[k.rotating];
+  const EdgeFeature& b = rotation_->edges[k.rotating];
   c.normal = -by * normal(b);
   const RoughPoint from = center(a) + a.r * c.normal;
   c.p = from - by * RoughPoint(b.x0, b.y0);
@@ -126,7 +143,7 @@ Real times_length(const Real& r, const RealVector& n) { return r.sign() == 0 ? R
 ExactCurve ContactCurves::exact(const ContactPair& k, const exact::ExactAngle& rotation) const {
   ExactCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_->rounds[k.rotating];
     c.center = a.center - rotation(b.center);
     c.radius = a.radius + b.radius;
     return c;
@@ -134,13 +151,13 @@ ExactCurve ContactCurves::exact(const ContactPair& k, const exact::ExactAngle& r
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = rotation_.rounds[k.rotating];
+    const RoundFeature& b = rotation_->rounds[k.rotating];
     c.normal = exact_normal(a);
     c.offset = plane::dot(c.normal, a.p - rotation(b.center)) + times_length(b.radius, c.normal);
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = rotation_.edges[k.rotating];
+  const EdgeFeature& b = rotation_->edges[k.rotating];
   const RealVector n = exact_normal(b);
   c.normal = -rotation(n);
   c.offset = plane::dot(c.normal, a.center) + times_length(a.radius, n) + plane::dot(n, b.p);
@@ -156,7 +173,7 @@ ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters)
     return linear(0, plane::dot(v, w), plane::cross(w, v));
   };
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_->rounds[k.rotating];
     const RealVector &p = a.center, &v = b.center;
     const Real radius = a.radius + b.radius;
     const Real squares = plane::dot(p, p) + plane::dot(v, v) - radius * radius;
@@ -165,7 +182,7 @@ ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters)
   }
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = rotation_.rounds[k.rotating];
+    const RoundFeature& b = rotation_->rounds[k.rotating];
     const RealVector n = exact_normal(a);
     const Real own = plane::dot(n, a.p) + times_length(b.radius, n);
     return {true,
@@ -175,7 +192,7 @@ ExactSectorCurve ContactCurves::exact_sector(const ContactPair& k, int quarters)
             {}};
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = rotation_.edges[k.rotating];
+  const EdgeFeature& b = rotation_->edges[k.rotating];
   const RealVector n = exact_normal(b), back = -n;
   const Real own = times_length(a.radius, n) + plane::dot(n, b.p);
   return {true,
@@ -189,7 +206,7 @@ SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {
   const RoughPoint by = std::polar(1.0, middle);
   SectorCurve c;
   if (k.kind == Kind::kRounds) {
-    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_.rounds[k.rotating];
+    const RoundFeature &a = fixed_.rounds[k.fixed], &b = rotation_->rounds[k.rotating];
     const RoughPoint v = by * center(b);
     c.radius = a.r + b.r;
     c.nx = HalfAngle::linear(a.x, -v.real(), v.imag());
@@ -201,7 +218,7 @@ SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {
   c.line = true;
   if (k.kind == Kind::kFixedEdge) {
     const EdgeFeature& a = fixed_.edges[k.fixed];
-    const RoundFeature& b = rotation_.rounds[k.rotating];
+    const RoundFeature& b = rotation_->rounds[k.rotating];
     c.nx = HalfAngle::linear(a.nx, 0, 0);
     c.ny = HalfAngle::linear(a.ny, 0, 0);
     const double own = dot(normal(a), {a.x0, a.y0}) + b.r;
@@ -209,7 +226,7 @@ SectorCurve ContactCurves::sector(const ContactPair& k, double middle) const {
     return c;
   }
   const RoundFeature& a = fixed_.rounds[k.fixed];
-  const EdgeFeature& b = rotation_.edges[k.rotating];
+  const EdgeFeature& b = rotation_->edges[k.rotating];
   const RoughPoint n = -by * normal(b);
   c.nx = HalfAngle::linear(0, n.real(), -n.imag());
   c.ny = HalfAngle::linear(0, n.imag(), n.real());

@@ -10,6 +10,8 @@
 // moving convolution.
 #pragma once
 
+#include <memory>
+
 #include "plane/rotation/contact_features.h"
 #include "plane/rotation/curve_forms.h"
 #include "plane/rotation/rough_overlap.h"
@@ -48,6 +50,8 @@ class ContactCurves {
  public:
   /// Features of B relative to the point it rotates about, of A relative to where that point comes to lie.
   ContactCurves(ContactFeatures rotating, ContactFeatures fixed)
+      : ContactCurves(std::make_shared<ContactFeatures>(std::move(rotating)), std::move(fixed)) {}
+  ContactCurves(std::shared_ptr<const ContactFeatures> rotating, ContactFeatures fixed)
       : rotation_(std::move(rotating)), fixed_(std::move(fixed)) {}
 
   /// The pairs that can touch at some angle (radians) between middle - half and middle + half.
@@ -60,14 +64,18 @@ class ContactCurves {
   SectorCurve sector(const ContactPair& pair, double middle) const;
   ExactSectorCurve exact_sector(const ContactPair& pair, int quarters) const;
 
-  const ContactFeatures& rotating() const { return rotation_; }
+  const ContactFeatures& rotating() const { return *rotation_; }
   const ContactFeatures& fixed() const { return fixed_; }
 
  private:
   bool may_touch(const ContactPair& pair, double middle, double half) const;
 
-  ContactFeatures rotation_, fixed_;
+  std::shared_ptr<const ContactFeatures> rotation_;
+  ContactFeatures fixed_;
 };
+
+/// Whether a feature of the other set, as it stands, may touch one of these. `fixed`: they stand still.
+bool may_touch_one(const ContactFeatures& these, bool fixed, const FeatureOutline& other);
 
 /// Its normal of the edge's length, exact.
 RealVector exact_normal(const EdgeFeature& e);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "exact/margins/plane.h"
 
@@ -25,52 +26,80 @@ struct Leaving {
 
 class FeatureCollector {
  public:
-  FeatureCollector(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& material)
-      : c_(c), material_(material), net_(RotatedNet::of(c, about)), leaving_(c.vertices.size()) {}
+  FeatureCollector(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& material,
+                   const ChosenFeatures& chosen)
+      : c_(c), material_(material), chosen_(chosen), net_(c, about) {
+    points_.reserve(net_.vertex_count());
+    for (Index v = 0; v < net_.vertex_count(); ++v) points_.push_back(rough(net_.vertex(v)));
+    make_room();
+  }
 
   ContactFeatures run() {
-    for (const RotatedEdge& e : net_.edges) add_edge(e);
-    for (Index v = 0; v < net_.vertices.size(); ++v) add_vertex(v);
+    for (const Index e : net_.edges()) add_edge(e);
+    for (Index v = 0; v < net_.vertex_count(); ++v) add_vertex(v);
     return std::move(out_);
   }
 
  private:
   bool material_left_of(Index half_edge) const { return material_(c_.faces[c_.face(half_edge)].mark); }
 
-  void add_edge(const RotatedEdge& e) {
-    const Index half_edge = 2 * e.cell + (c_.edges[e.cell].half > 0 ? 1 : 0);
+  /// For the edges that leave each vertex.
+  void make_room() {
+    leaving_start_.assign(net_.vertex_count() + 1, 0);
+    for (const Edge& e : c_.edges)
+      for (const Index v : {e.v0, e.v1}) ++leaving_start_[v + 1];
+    for (Index v = 0; v < net_.vertex_count(); ++v) leaving_start_[v + 1] += leaving_start_[v];
+    leaving_.resize(leaving_start_.back());
+    leaving_end_.assign(leaving_start_.begin(), leaving_start_.end() - 1);
+  }
+
+  bool is_chosen(bool edge, const Cone& normals, Outside outside) {
+    const Index number = edge ? edges_++ : rounds_++;
+    return !chosen_ || chosen_({edge, number, normals, outside});
+  }
+
+  void add_edge(Index k) {
+    const bool arc = c_.edges[k].half != 0, swapped = c_.edges[k].half > 0;
+    const Index v0 = swapped ? c_.edges[k].v1 : c_.edges[k].v0, v1 = swapped ? c_.edges[k].v0 : c_.edges[k].v1;
+    const Index half_edge = 2 * k + (swapped ? 1 : 0);
     const bool left = material_left_of(half_edge), right = material_left_of(half_edge ^ 1u);
-    const double x0 = rough(e.p.x), y0 = rough(e.p.y), x1 = rough(e.q.x), y1 = rough(e.q.y);
+    const double x0 = points_[v0].real(), y0 = points_[v0].imag(), x1 = points_[v1].real(), y1 = points_[v1].imag();
     const Outside beside = left == right ? Outside::kSeveral : Outside::kOneSide;
     double start = std::atan2(y1 - y0, x1 - x0), end = start + kPi;  // the tangents that leave the ends
-    if (e.arc) {
+    if (arc) {
+      const RotatedEdge e = net_.edge(k);
       const double cx = rough(e.center.x), cy = rough(e.center.y), r = rough(e.radius);
       const double from = std::atan2(y0 - cy, x0 - cx), to = std::atan2(y1 - cy, x1 - cx);
       const double width = positive(to - from);
       start = from + kPi / 2;
       end = to - kPi / 2;
-      if (left || !right) out_.rounds.push_back({e.center, e.radius, cx, cy, r, {from, width}, beside});
-      if (right || !left) out_.rounds.push_back({e.center, -e.radius, cx, cy, -r, {from + kPi, width}, beside});
+      const Cone outwards{from, width}, inwards{from + kPi, width};
+      if ((left || !right) && is_chosen(false, outwards, beside))
+        out_.rounds.push_back({e.center, e.radius, cx, cy, r, outwards, beside});
+      if ((right || !left) && is_chosen(false, inwards, beside))
+        out_.rounds.push_back({e.center, -e.radius, cx, cy, -r, inwards, beside});
     } else {
       const double length = std::hypot(x1 - x0, y1 - y0);
       for (int side : {1, -1}) {
         const bool inside = side > 0 ? left : right, outside = side > 0 ? right : left;
         if (inside && !outside) continue;
-        const double nx = side * (y0 - y1) / length, ny = side * (x1 - x0) / length;
-        out_.edges.push_back({e.p, e.q, side, x0, y0, x1, y1, nx, ny, std::atan2(ny, nx), beside});
+        const double nx = side * (y0 - y1) / length, ny = side * (x1 - x0) / length, normal = std::atan2(ny, nx);
+        if (is_chosen(true, {normal, 0}, beside))
+          out_.edges.push_back({net_.vertex(v0), net_.vertex(v1), side, x0, y0, x1, y1, nx, ny, normal, beside});
       }
     }
-    leaving_[e.v0].push_back({positive(start), left, right, e.arc});
-    leaving_[e.v1].push_back({positive(end), right, left, e.arc});
+    leaving_[leaving_end_[v0]++] = {positive(start), left, right, arc};
+    leaving_[leaving_end_[v1]++] = {positive(end), right, left, arc};
   }
 
   void add_corner(Index v, Cone normals, Outside outside = Outside::kOneSide) {
-    const RealVector& p = net_.vertices[v];
-    out_.rounds.push_back({p, exact::Real(), rough(p.x), rough(p.y), 0, normals, outside});
+    if (!is_chosen(false, normals, outside)) return;
+    out_.rounds.push_back({net_.vertex(v), exact::Real(), points_[v].real(), points_[v].imag(), 0, normals, outside});
   }
 
   void add_vertex(Index v) {
-    std::vector<Leaving>& around = leaving_[v];
+    const std::span<Leaving> around =
+        std::span(leaving_).subspan(leaving_start_[v], leaving_start_[v + 1] - leaving_start_[v]);
     if (around.empty()) return add_corner(v, {0, 2 * kPi});
     std::sort(around.begin(), around.end(), [](const auto& p, const auto& q) { return p.direction < q.direction; });
     const bool smooth = around.size() == 2 && (around[0].arc || around[1].arc);
@@ -95,16 +124,20 @@ class FeatureCollector {
 
   const CellComplex& c_;
   const std::function<bool(Mark)>& material_;
+  const ChosenFeatures& chosen_;
   RotatedNet net_;
-  std::vector<std::vector<Leaving>> leaving_;
+  std::vector<RoughPoint> points_;                  // the vertices
+  std::vector<Index> leaving_start_, leaving_end_;  // of each vertex: its edges so far
+  std::vector<Leaving> leaving_;
+  Index rounds_ = 0, edges_ = 0;  // so far, chosen or not
   ContactFeatures out_;
 };
 
 }  // namespace
 
 ContactFeatures contact_features(const CellComplex& complex, const exact::RealPoint& about,
-                                 const std::function<bool(Mark)>& material) {
-  return FeatureCollector(complex, about, material).run();
+                                 const std::function<bool(Mark)>& material, const ChosenFeatures& chosen) {
+  return FeatureCollector(complex, about, material, chosen).run();
 }
 
 bool cones_meet(const Cone& a, const Cone& b, double tolerance) {

@@ -54,9 +54,19 @@ struct ContactFeatures {
   std::vector<EdgeFeature> edges;
 };
 
-/// Of the set of faces with a wanted mark and all edges and vertices. Relative to `about`.
+/// A feature that may be made: its number among all rounds, or all edges, and its normals.
+struct FeatureOutline {
+  bool edge;
+  Index number;
+  Cone normals;
+  Outside outside;
+};
+using ChosenFeatures = std::function<bool(const FeatureOutline&)>;
+
+/// Of the set of faces with a wanted mark and all edges and vertices. Relative to `about`. `chosen`: only these, or
+/// all; a set has many, of which one direction is a few.
 ContactFeatures contact_features(const CellComplex& complex, const exact::RealPoint& about,
-                                 const std::function<bool(Mark)>& material);
+                                 const std::function<bool(Mark)>& material, const ChosenFeatures& chosen = {});
 
 /// Two ranges of directions have one in common, up to `tolerance`.
 bool cones_meet(const Cone& a, const Cone& b, double tolerance);

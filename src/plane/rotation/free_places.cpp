@@ -21,10 +21,6 @@ namespace {
 
 constexpr double kBeside = 64;  // tolerances: how far beside a point a position is tried
 
-ContactCurves contact_curves(const Region& a, const Region& b, FreePlaces::Keep keep, const RealPoint& p) {
-  return {contact_features(b, {}, is_in), contact_features(a, p, keep == FreePlaces::Keep::kApart ? is_in : is_out)};
-}
-
 /// Around the curve; of a part of a circle, around the whole circle.
 RoughBox box_of(const RoughCurve& c, double tolerance) {
   RoughPoint low = c.line ? c.p : c.center, high = low;
@@ -67,13 +63,22 @@ std::shared_ptr<const FreePlaces> FreePlaces::make(const Region& a, const Region
 }
 
 FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
-    : a_(a),
-      b_(b),
-      keep_(keep),
-      around_(signs(a)),
-
-      tolerance_(margin::kRotatedTolerance * (size_of(a) + size_of(b))) {
-  const ContactCurves all = contact_curves(a, b, keep, {});
+    : a_(a), b_(b), keep_(keep), around_(signs(a)), tolerance_(margin::kRotatedTolerance * (size_of(a) + size_of(b))) {
+  // Of the larger set those that touch some of the other.
+  ContactFeatures fixed;
+  if (a.edges.size() > b.edges.size()) {
+    features_of_b_ = std::make_shared<ContactFeatures>(contact_features(b, {}, is_in));
+    fixed = features_of_a({}, [&](const FeatureOutline& f) {
+      const bool touches = may_touch_one(*features_of_b_, false, f);
+      if (touches) chosen_of_a_[f.edge].push_back(f.number);
+      return touches;
+    });
+  } else {
+    fixed = features_of_a({});
+    features_of_b_ = std::make_shared<ContactFeatures>(
+        contact_features(b, {}, is_in, [&](const FeatureOutline& f) { return may_touch_one(fixed, true, f); }));
+  }
+  const ContactCurves all(features_of_b_, std::move(fixed));
   RoughBox whole{1, 0, 0, 0};
   for (const ContactPair& k : all.pairs(0, 0)) {
     const RoughBox box = box_of(all.rough(k, 0), tolerance_);
@@ -86,6 +91,10 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
   if (curves_.empty()) return;
   bounds_ = GridBox{std::llround(whole.x0) - 1, std::llround(whole.y0) - 1, std::llround(whole.x1) + 1,
                     std::llround(whole.y1) + 1};
+}
+
+ContactFeatures FreePlaces::features_of_a(const RealPoint& about, const ChosenFeatures& chosen) const {
+  return contact_features(a_, about, keep_ == Keep::kApart ? is_in : is_out, chosen);
 }
 
 bool FreePlaces::is_free(const RealPoint& s) const {
@@ -118,8 +127,21 @@ FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, const Curves& among) 
   return out;
 }
 
+/// The features of A that the curves are of, and they have the same numbers, wherever they are seen from.
+ContactFeatures FreePlaces::seen_from(const RealPoint& p) const {
+  if (a_.edges.size() <= b_.edges.size()) return features_of_a(p);
+  std::array<std::size_t, 2> next{0, 0};
+  return features_of_a(p, [&](const FeatureOutline& f) {
+    const std::vector<Index>& chosen = chosen_of_a_[f.edge];
+    std::size_t& k = next[f.edge];
+    const bool taken = k < chosen.size() && chosen[k] == f.number;
+    k += taken;
+    return taken;
+  });
+}
+
 FreePlaces::From::From(const FreePlaces& places, const RealPoint& p)
-    : places_(places), p_(p), contacts_(contact_curves(places.a_, places.b_, places.keep_, p)) {}
+    : places_(places), p_(p), contacts_(places.features_of_b_, places.seen_from(p)) {}
 
 /// Everything relative to p.
 class FreePlaces::From::Search {

@@ -14,6 +14,7 @@
 // Source: rotated_free.h, which asks the same at all angles. Keywords: penetration depth, contact curve.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -60,10 +61,15 @@ class FreePlaces {
   };
   FreePlaces(const Region& a, const Region& b, Keep keep);
   Curves curves_in(const RoughBox& box) const;
+  /// Of A, relative to a point.
+  ContactFeatures features_of_a(const exact::RealPoint& about, const ChosenFeatures& chosen = {}) const;
+  ContactFeatures seen_from(const exact::RealPoint& p) const;
 
   const Region &a_, &b_;
   Keep keep_;
-  SignMap around_;  // the sign of a point's distance to A
+  std::shared_ptr<const ContactFeatures> features_of_b_;  // that touch some of A, or all if there are few
+  std::array<std::vector<Index>, 2> chosen_of_a_;         // rounds and edges that touch some of B, if not all are taken
+  SignMap around_;                                        // the sign of a point's distance to A
   mutable std::mutex guard_;
   mutable std::optional<RotatedContact> contact_;  // of B with that, once it is asked for; guarded
   std::vector<Curve> curves_;

@@ -26,14 +26,14 @@ RotatedContact::RotatedContact(const Pair& pair)
       fixed_(pair.fixed),
       about_(pair.about),
       to_(pair.to),
-      net_(RotatedNet::of(rotation_, about_)),
-      fixed_net_(RotatedNet::of(fixed_, to_)),
+      net_(rotation_, about_, [](Mark m) { return m != 0; }),
+      fixed_net_(fixed_, to_),
       rough_(net_, fixed_net_),
       unbounded_(rotation_.faces[0].mark != 0),
       locate_rotation_(rotation_),
       locate_fixed_(fixed_) {
-  std::erase_if(net_.edges, [&](const RotatedEdge& e) { return rotation_.edges[e.cell].mark == 0; });
-  for (const RotatedEdge& e : fixed_net_.edges) fixed_boxes_.push_back(box_of(e));
+  fixed_vertices_.reserve(fixed_net_.vertex_count());
+  for (Index v = 0; v < fixed_net_.vertex_count(); ++v) fixed_vertices_.push_back(rough(fixed_net_.vertex(v)));
   add_samples();
 }
 
@@ -50,15 +50,18 @@ void RotatedContact::add_samples() {
 std::vector<ExactAngle> RotatedContact::events() const { return contact_rotations(net_, fixed_net_); }
 
 const RealVector& RotatedContact::vertex(Index v) {
-  if (!vertices_[v]) vertices_[v] = angle_(net_.vertices[v]) + shift_;
-  return *vertices_[v];
+  if (place_[v] == kNone) {
+    place_[v] = Index(vertices_.size());
+    vertices_.push_back(angle_(net_.vertex(v)) + shift_);
+  }
+  return vertices_[place_[v]];
 }
 
-RotatedEdge RotatedContact::edge(const RotatedEdge& e) {
-  RotatedEdge now = e;
-  now.p = vertex(e.v0);
-  now.q = vertex(e.v1);
-  if (e.arc) now.center = angle_(e.center) + shift_;
+RotatedEdge RotatedContact::edge(Index e) {
+  RotatedEdge now = net_.edge(e);
+  now.p = vertex(now.v0);
+  now.q = vertex(now.v1);
+  if (now.arc) now.center = angle_(now.center) + shift_;
   return now;
 }
 
@@ -74,21 +77,22 @@ MarkSet RotatedContact::marks_met(const ExactAngle& angle, MarkSet enough, const
   angle_ = angle;
   shift_ = shift;
   rough_.set(angle, shift);
-  vertices_.assign(net_.vertices.size(), std::nullopt);
-  in_face_.assign(net_.vertices.size(), 0);
-  for (Index v = 0; v < net_.vertices.size() && (met & enough) == 0; ++v) {
+  place_.assign(net_.vertex_count(), kNone);
+  vertices_.clear();
+  in_face_.assign(net_.vertex_count(), 0);
+  for (Index v = 0; v < net_.vertex_count() && (met & enough) == 0; ++v) {
     if (rotation_.vertices[v].mark == 0) continue;
     const Cell cell = cell_of(v);
     met |= bit(mark_of(fixed_, cell));
     in_face_[v] = cell.dimension == 2;
   }
-  for (const RotatedEdge& e : net_.edges) {
+  for (const Index e : net_.edges()) {
     if ((met & enough) != 0) return met;
-    const auto crossed = rough_.crossed(e);
+    const auto crossed = rough_.crossed(rotation_.edges[e]);
     if (!crossed) meet_edge(edge(e), met, enough);
     if (!crossed) continue;
     for (const Index k : *crossed) {
-      const Index cell = fixed_net_.edges[k].cell;
+      const Index cell = fixed_net_.edges()[k];
       met |= bit(fixed_.edges[cell].mark);
       for (const Index side : {2 * cell, 2 * cell + 1}) met |= bit(fixed_.faces[fixed_.face(side)].mark);
     }
@@ -100,19 +104,20 @@ MarkSet RotatedContact::marks_met(const ExactAngle& angle, MarkSet enough, const
 void RotatedContact::meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enough) {
   const RoughBox box = box_of(e);
   std::vector<RealVector> stops;
-  for (std::size_t k = 0; k < fixed_net_.edges.size(); ++k) {
-    if (box.apart(fixed_boxes_[k])) continue;
-    const RotatedEdge& f = fixed_net_.edges[k];
+  for (Index k = 0; k < fixed_net_.edges().size(); ++k) {
+    if (box.apart(rough_.fixed_box(k))) continue;
+    const RotatedEdge f = fixed_net_.edge(fixed_net_.edges()[k]);
     for (RealVector& p : meetings(e, f)) {
       met |= bit(fixed_.edges[f.cell].mark);
       stops.push_back(std::move(p));
     }
   }
-  for (Index v = 0; v < fixed_net_.vertices.size(); ++v) {
-    const RealVector& p = fixed_net_.vertices[v];
-    if (box.apart(rough(p.x), rough(p.y)) || !lies_on(e, p)) continue;
+  for (Index v = 0; v < fixed_vertices_.size(); ++v) {
+    if (box.apart(fixed_vertices_[v].real(), fixed_vertices_[v].imag())) continue;
+    RealVector p = fixed_net_.vertex(v);
+    if (!lies_on(e, p)) continue;
     met |= bit(fixed_.vertices[v].mark);
-    stops.push_back(p);
+    stops.push_back(std::move(p));
   }
   if ((met & enough) != 0) return;
   std::sort(stops.begin(), stops.end(), [&](const auto& s, const auto& t) { return compare_along(e, s, t) < 0; });

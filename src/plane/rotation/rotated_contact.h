@@ -15,6 +15,7 @@
 // sweep.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "plane/complex/cell_complex.h"
@@ -57,7 +58,7 @@ class RotatedContact {
   void add_samples();
   /// A vertex and an edge of T in the pose looked at.
   const RealVector& vertex(Index v);
-  RotatedEdge edge(const RotatedEdge& e);
+  RotatedEdge edge(Index e);
   Cell cell_of(Index vertex);
   void meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enough);
   MarkSet marks_inside(MarkSet met);
@@ -66,14 +67,15 @@ class RotatedContact {
   const SignMap& fixed_;
   RealVector about_, to_;
   RotatedNet net_, fixed_net_;
-  std::vector<RoughBox> fixed_boxes_;
+  std::vector<RoughPoint> fixed_vertices_;
   std::vector<Sample> samples_;
   RoughContact rough_;
   // Of the pose looked at:
   exact::ExactAngle angle_;
   RealVector shift_;
-  std::vector<std::optional<RealVector>> vertices_;  // of T, where they were needed
-  std::vector<char> in_face_;                        // which of them lie in faces of M
+  std::vector<Index> place_;         // of T's vertices: among those that were needed
+  std::deque<RealVector> vertices_;  // these
+  std::vector<char> in_face_;        // which of T's vertices lie in faces of M
   bool unbounded_ = false;
   Locator locate_rotation_, locate_fixed_;
 };

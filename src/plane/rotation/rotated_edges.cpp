@@ -13,37 +13,45 @@ namespace findspace::plane {
 using exact::ExactAngle;
 using exact::Real;
 
-namespace {
-
-RotatedEdge edge_of(const CellComplex& c, Index e, const std::vector<RealVector>& vertices, const RealVector& about) {
-  const Edge& edge = c.edges[e];
-  RotatedEdge out;
-  out.cell = e;
-  // A lower half runs counter-clockwise from left to right, an upper one from right to left.
-  out.v0 = edge.half > 0 ? edge.v1 : edge.v0;
-  out.v1 = edge.half > 0 ? edge.v0 : edge.v1;
-  out.p = vertices[out.v0];
-  out.q = vertices[out.v1];
-  if (edge.half == 0) return out;
-  const exact::SupportingCurve& k = c.supporting_curve(e);
-  out.arc = true;
-  out.center = RealVector{k.center_x(), k.center_y()} - about;
-  out.radius = k.w();
-  return out;
-}
-
-}  // namespace
-
 double rough(const Real& r) {
   const exact::Interval i = r.interval();
   return i.lo + (i.hi - i.lo) / 2;
 }
 
-RotatedNet RotatedNet::of(const CellComplex& c, const RealVector& about) {
-  RotatedNet net;
-  for (const Vertex& v : c.vertices) net.vertices.push_back(c.geometry.exact(v.point) - about);
-  for (Index e = 0; e < c.edges.size(); ++e) net.edges.push_back(edge_of(c, e, net.vertices, about));
-  return net;
+RotatedNet::RotatedNet(const CellComplex& complex, RealVector about, bool (*wanted)(Mark))
+    : complex_(complex), about_(std::move(about)) {
+  edges_.reserve(complex.edges.size());
+  for (Index e = 0; e < complex.edges.size(); ++e)
+    if (wanted(complex.edges[e].mark)) edges_.push_back(e);
+  for (Index v = 0; v < vertex_count(); ++v) {
+    if (complex.point(v).kind == exact::Point::Kind::kGrid) continue;
+    if (place_.empty()) place_.resize(vertex_count());
+    place_[v] = Index(off_grid_.size());
+    off_grid_.push_back(complex.geometry.exact(complex.vertices[v].point) - about_);
+  }
+}
+
+RealVector RotatedNet::vertex(Index v) const {
+  const exact::Point& p = complex_.point(v);
+  if (p.kind != exact::Point::Kind::kGrid) return off_grid_[place_[v]];
+  return {Real(p.gx) - about_.x, Real(p.gy) - about_.y};
+}
+
+RotatedEdge RotatedNet::edge(Index e) const {
+  const Edge& edge = complex_.edges[e];
+  RotatedEdge out;
+  out.cell = e;
+  // A lower half runs counter-clockwise from left to right, an upper one from right to left.
+  out.v0 = edge.half > 0 ? edge.v1 : edge.v0;
+  out.v1 = edge.half > 0 ? edge.v0 : edge.v1;
+  out.p = vertex(out.v0);
+  out.q = vertex(out.v1);
+  if (edge.half == 0) return out;
+  const exact::SupportingCurve& k = complex_.supporting_curve(e);
+  out.arc = true;
+  out.center = RealVector{k.center_x(), k.center_y()} - about_;
+  out.radius = k.w();
+  return out;
 }
 
 RoughBox box_of(const RotatedEdge& e) {

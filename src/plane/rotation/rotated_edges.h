@@ -6,6 +6,7 @@
 // degrees. Guarantee: exact. Cost: a few exact operations an edge, a few dozen a pair that meets.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "exact/planar/angle.h"
@@ -31,12 +32,26 @@ struct RoughBox {
   bool apart(double x, double y) const { return x < x0 || x > x1 || y < y0 || y > y1; }
 };
 
-/// Vertices (all, by their index in the complex) and edges of a complex, moved by -about.
-struct RotatedNet {
-  std::vector<RealVector> vertices;
-  std::vector<RotatedEdge> edges;
+inline bool is_any(Mark) { return true; }
 
-  static RotatedNet of(const CellComplex& complex, const exact::RealPoint& about);
+/// All vertices and the edges with wanted marks of a complex, moved by -about. Edges, and vertices on the grid, are
+/// made when they are asked for: all of them would take 400 bytes a vertex. The complex must outlive it.
+class RotatedNet {
+ public:
+  RotatedNet(const CellComplex& complex, exact::RealPoint about, bool (*wanted)(Mark) = is_any);
+
+  Index vertex_count() const { return Index(complex_.vertices.size()); }
+  const std::vector<Index>& edges() const { return edges_; }
+  /// By their places in the complex.
+  RealVector vertex(Index v) const;
+  RotatedEdge edge(Index e) const;
+
+ private:
+  const CellComplex& complex_;
+  exact::RealPoint about_;
+  std::vector<Index> edges_;
+  std::vector<RealVector> off_grid_;  // vertices that take long to make
+  std::vector<Index> place_;          // of a vertex among them; empty where there are none
 };
 
 /// A double near the number; within a few ulps of the largest coordinates it is made of.

@@ -45,29 +45,38 @@ bool near(const RoughEdge& e, RoughPoint at, double tolerance) {
   return dot(d, at - e.p) >= -tolerance * std::abs(d) && dot(d, at - e.q) <= tolerance * std::abs(d);
 }
 
+/// What is looked at many times, made once.
+struct Side {
+  std::vector<RealVector> vertices;
+  std::vector<RotatedEdge> edges;
+  std::vector<RoughEdge> rough_edges;
+  double size = 1;  // at least the greatest distance from the centre of rotation
+
+  explicit Side(const RotatedNet& net) {
+    for (Index v = 0; v < net.vertex_count(); ++v) {
+      vertices.push_back(net.vertex(v));
+      size = std::max(size, std::abs(rough(vertices.back())));
+    }
+    for (const Index k : net.edges()) {
+      edges.push_back(net.edge(k));
+      const RoughEdge& e = rough_edges.emplace_back(rough_edge(edges.back()));
+      size = std::max({size, std::abs(e.p), std::abs(e.q), std::abs(e.center) + e.radius});
+    }
+  }
+};
+
 class EventCollector {
  public:
-  EventCollector(const RotatedNet& rotating, const RotatedNet& fixed) : t_(rotating), f_(fixed) {
-    for (const RotatedEdge& e : t_.edges) {
-      t_rough_.push_back(rough_edge(e));
-      grow(t_rough_.back());
-    }
-    for (const RotatedEdge& e : f_.edges) {
-      f_rough_.push_back(rough_edge(e));
-      grow(f_rough_.back());
-    }
-    for (const RealVector& v : t_.vertices) size_ = std::max(size_, std::abs(rough(v)));
-    for (const RealVector& v : f_.vertices) size_ = std::max(size_, std::abs(rough(v)));
-    tolerance_ = size_ * margin::kTangencyTolerance;
-  }
+  EventCollector(const Side& rotating, const Side& fixed)
+      : t_(rotating), f_(fixed), tolerance_(std::max(t_.size, f_.size) * margin::kTangencyTolerance) {}
 
   std::vector<ExactAngle> run() {
     for (const RealVector& v : t_.vertices) {
-      for (std::size_t k = 0; k < f_.edges.size(); ++k) vertex_on_edge(v, f_.edges[k], f_rough_[k], false);
+      for (std::size_t k = 0; k < f_.edges.size(); ++k) vertex_on_edge(v, f_.edges[k], f_.rough_edges[k], false);
       for (const RealVector& w : f_.vertices) vertex_on_vertex(v, w);
     }
     for (const RealVector& w : f_.vertices) {
-      for (std::size_t k = 0; k < t_.edges.size(); ++k) vertex_on_edge(w, t_.edges[k], t_rough_[k], true);
+      for (std::size_t k = 0; k < t_.edges.size(); ++k) vertex_on_edge(w, t_.edges[k], t_.rough_edges[k], true);
     }
     for (std::size_t i = 0; i < t_.edges.size(); ++i) {
       for (std::size_t k = 0; k < f_.edges.size(); ++k) tangent(i, k);
@@ -76,10 +85,6 @@ class EventCollector {
   }
 
  private:
-  void grow(const RoughEdge& e) {
-    size_ = std::max({size_, std::abs(e.p), std::abs(e.q), std::abs(e.center) + e.radius});
-  }
-
   /// a cos + b sin = c, where `plausible` (of the turn as a unit number) holds. `back`: of the turn by minus the angle.
   template <class Plausible>
   void add(const Real& a, const Real& b, const Real& c, bool back, Plausible plausible) {
@@ -121,7 +126,7 @@ class EventCollector {
 
   void tangent(std::size_t i, std::size_t k) {
     const RotatedEdge &e = t_.edges[i], &f = f_.edges[k];
-    const RoughEdge &r = t_rough_[i], &s = f_rough_[k];
+    const RoughEdge &r = t_.rough_edges[i], &s = f_.rough_edges[k];
     if (r.least > s.most + tolerance_ || s.least > r.most + tolerance_) return;
     if (e.arc && f.arc) return circles(i, k);
     if (f.arc) return line_and_circle(e, r, f, s, true);
@@ -148,7 +153,7 @@ class EventCollector {
 
   void circles(std::size_t i, std::size_t k) {
     const RotatedEdge &e = t_.edges[i], &f = f_.edges[k];
-    const RoughEdge &r = t_rough_[i], &s = f_rough_[k];
+    const RoughEdge &r = t_.rough_edges[i], &s = f_.rough_edges[k];
     const Real a = Real(2) * plane::dot(e.center, f.center), b = Real(2) * plane::cross(e.center, f.center);
     const Real squares = plane::dot(e.center, e.center) + plane::dot(f.center, f.center);
     for (int side : {-1, 1}) {
@@ -179,16 +184,16 @@ class EventCollector {
     return out;
   }
 
-  const RotatedNet &t_, &f_;
-  std::vector<RoughEdge> t_rough_, f_rough_;
-  double size_ = 1, tolerance_ = 0;
+  const Side &t_, &f_;
+  double tolerance_;
   std::vector<ExactAngle> found_;
 };
 
 }  // namespace
 
 std::vector<ExactAngle> contact_rotations(const RotatedNet& rotating, const RotatedNet& fixed) {
-  return EventCollector(rotating, fixed).run();
+  const Side t(rotating), f(fixed);
+  return EventCollector(t, f).run();
 }
 
 }  // namespace findspace::plane

@@ -22,26 +22,28 @@ double square_away(RoughPoint at, RoughPoint p, RoughPoint q) {
 }  // namespace
 
 RoughContact::RoughContact(const RotatedNet& rotating, const RotatedNet& fixed) {
-  for (const RealVector& v : rotating.vertices) vertices_.push_back(rounded_point(v));
-  std::vector<char> on_edge(fixed.vertices.size(), 0);
+  vertices_.reserve(rotating.vertex_count());
+  for (Index v = 0; v < rotating.vertex_count(); ++v) vertices_.push_back(rounded_point(rotating.vertex(v)));
+  std::vector<char> on_edge(fixed.vertex_count(), 0);
+  lines_.reserve(fixed.edges().size());
   for (const RoughPoint& v : vertices_) reach_ = std::max(reach_, length(v));
-  for (const RotatedEdge& e : fixed.edges) {
+  for (const Index k : fixed.edges()) {
+    const RotatedEdge e = fixed.edge(k);
     lines_.push_back({rounded_point(e.p), rounded_point(e.q), box_of(e), e.arc});
     reach_ = std::max({reach_, length(lines_.back().p), length(lines_.back().q)});
     on_edge[e.v0] = on_edge[e.v1] = 1;
   }
-  for (Index v = 0; v < fixed.vertices.size(); ++v) {
+  for (Index v = 0; v < fixed.vertex_count(); ++v) {
     if (on_edge[v]) continue;
-    alone_.push_back(rounded_point(fixed.vertices[v]));
+    alone_.push_back(rounded_point(fixed.vertex(v)));
     reach_ = std::max(reach_, length(alone_.back()));
   }
 }
 
 void RoughContact::set(const exact::ExactAngle& angle, const RealVector& shift) {
-  const RoughPoint by = rounded_point(shift), rotation(angle.cos.to_double(), angle.sin.to_double());
-  tolerance_ = margin::kRotatedPoint * (reach_ + length(by));
-  now_.clear();
-  for (const RoughPoint& v : vertices_) now_.push_back(rotation * v + by);
+  shift_ = rounded_point(shift);
+  rotation_ = {angle.cos.to_double(), angle.sin.to_double()};
+  tolerance_ = margin::kRotatedPoint * (reach_ + length(shift_));
 }
 
 bool RoughContact::is_near(const Line& f, RoughPoint at) const {
@@ -53,7 +55,7 @@ bool RoughContact::is_near(const Line& f, RoughPoint at) const {
 }
 
 std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
-  const RoughPoint at = now_[vertex];
+  const RoughPoint at = now(vertex);
   for (const Line& f : lines_)
     if (is_near(f, at)) return std::nullopt;
   for (const RoughPoint& p : alone_)
@@ -61,9 +63,9 @@ std::optional<RoughPoint> RoughContact::clear(Index vertex) const {
   return at;
 }
 
-std::optional<std::vector<Index>> RoughContact::crossed(const RotatedEdge& e) const {
-  if (e.arc) return std::nullopt;
-  const RoughPoint p = now_[e.v0], q = now_[e.v1], d = q - p;
+std::optional<std::vector<Index>> RoughContact::crossed(const Edge& e) const {
+  if (e.half != 0) return std::nullopt;
+  const RoughPoint p = now(e.v0), q = now(e.v1), d = q - p;
   const RoughBox box{std::min(p.real(), q.real()) - tolerance_, std::min(p.imag(), q.imag()) - tolerance_,
                      std::max(p.real(), q.real()) + tolerance_, std::max(p.imag(), q.imag()) + tolerance_};
   for (const RoughPoint& a : alone_)

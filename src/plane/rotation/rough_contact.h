@@ -25,20 +25,25 @@ class RoughContact {
   void set(const exact::ExactAngle& angle, const RealVector& shift);
   /// A vertex in the pose, if it is certainly off all edges and vertices that stand still.
   std::optional<RoughPoint> clear(Index vertex) const;
-  /// The fixed edges (by their places in the net) that a rotated edge certainly crosses, if it meets nothing else.
-  std::optional<std::vector<Index>> crossed(const RotatedEdge& e) const;
+  /// The fixed edges (by their places in the net) that a rotating one certainly crosses, if it meets nothing else.
+  std::optional<std::vector<Index>> crossed(const Edge& e) const;
+  /// Contains a fixed edge.
+  const RoughBox& fixed_box(Index place) const { return lines_[place].box; }
 
  private:
   struct Line {
     RoughPoint p, q;
-    RoughBox box;  // with tolerance
+    RoughBox box;
     bool arc;
   };
   bool is_near(const Line& f, RoughPoint at) const;
+  /// A vertex in the pose.
+  RoughPoint now(Index vertex) const { return rotation_ * vertices_[vertex] + shift_; }
 
-  std::vector<RoughPoint> vertices_, now_;  // of the rotating net; in the pose
-  std::vector<Line> lines_;                 // of the fixed one
-  std::vector<RoughPoint> alone_;           // its isolated vertices
+  std::vector<RoughPoint> vertices_;  // of the rotating net
+  std::vector<Line> lines_;           // of the fixed one
+  std::vector<RoughPoint> alone_;     // its isolated vertices
+  RoughPoint rotation_, shift_;
   double reach_ = 0, tolerance_ = 0;
 };
 

@@ -116,9 +116,10 @@ Line moved(Line e, RoughPoint by) {
 
 RoughSet::RoughSet(const CellComplex& c, const exact::RealPoint& about, const std::function<bool(Mark)>& inside)
     : unbounded_(inside(c.faces[0].mark)) {
-  const RotatedNet net = RotatedNet::of(c, about);
-  std::vector<char> seen(net.vertices.size());
-  for (const RotatedEdge& e : net.edges) {
+  const RotatedNet net(c, about);
+  std::vector<char> seen(net.vertex_count());
+  for (const Index k : net.edges()) {
+    const RotatedEdge e = net.edge(k);
     Line line{rough(e.p), rough(e.q), {}, 0};
     if (e.arc) {
       line.center = rough(e.center);
@@ -131,10 +132,10 @@ RoughSet::RoughSet(const CellComplex& c, const exact::RealPoint& about, const st
     points_.push_back(middle(line));
     seen[e.v0] = seen[e.v1] = 1;
   }
-  for (Index v = 0; v < net.vertices.size(); ++v) {
+  for (Index v = 0; v < net.vertex_count(); ++v) {
     const bool isolated_inside =
         seen[v] == 0 && c.vertices[v].face != kNone && inside(c.faces[c.vertices[v].face].mark);
-    points_.push_back(rough(net.vertices[v]));
+    points_.push_back(rough(net.vertex(v)));
     if (isolated_inside) lines_.push_back({points_.back(), points_.back(), {}, 0});
   }
 }
