@@ -4,9 +4,11 @@
 #include "plane/complex/arrangement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/parallel.h"
+#include "plane/base/release.h"
 #include "plane/base/small_sort.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/around_vertex.h"
@@ -88,7 +90,7 @@ Chains sort_along(const Geometry& g, std::span<const Piece> pieces, const PieceM
     parallel_for(count, [&](std::size_t k) { along.sort(range(k, count, pieces.size()), parts[k]); });
     all.chains.start.reserve(pieces.size() + 1);
     all.chains.point.reserve(found.splits.size() + 2 * pieces.size());
-    for (const AlongPieces::Sorted& part : parts) all.append(part);
+    for (AlongPieces::Sorted& part : parts) all.append(std::exchange(part, AlongPieces::Sorted(memory)));
   }
   for (const auto& t : all.ties) same.unite(t.p, t.q);
   all.chains.start.push_back(Index(all.chains.point.size()));
@@ -125,6 +127,17 @@ void number_vertices(Arrangement& a, const Chains& chains, std::span<const Index
         points[a.vertex_point[v]].kind != exact::Point::Kind::kGrid)
       a.vertex_point[v] = p;
   }
+}
+
+/// Vertices where pieces meet and end; the points along the pieces.
+Chains make_vertices(Arrangement& a, PieceMeetings& found, std::span<const Index> isolated, Memory memory) {
+  UnionFind same(a.geometry.points.size(), memory);
+  for (auto& t : found.ties) same.unite(t.p, t.q);
+  Chains chains = sort_along(a.geometry, a.pieces, found, same, memory);
+  release(found.splits);
+  unite_isolated(a.geometry, isolated, same);
+  number_vertices(a, chains, isolated, same, memory);
+  return chains;
 }
 
 /// A part of a piece between neighbouring points on it, at its first vertex.
@@ -206,8 +219,9 @@ void find_edges(Arrangement& a, Parts& all, IndexRange vertices, EdgesOfRange& o
 }
 
 /// Cuts the pieces into edges, those of ranges of vertices at once.
-void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
+void make_edges(Arrangement& a, Chains chains, Memory memory) {
   Parts all = parts_by_vertex(a, chains, memory);
+  release(chains.point);
   a.chain.resize(a.chain_start.back());
   const std::size_t ranges = range_count(a.vertex_count(), kManyToSort);
   std::vector<EdgesOfRange> found(ranges);
@@ -217,15 +231,18 @@ void make_edges(Arrangement& a, const Chains& chains, Memory memory) {
   a.edges.reserve(before.back());
   ArenaVector<Index> cover_count(memory);
   cover_count.reserve(before.back());
-  for (const EdgesOfRange& r : found) {
+  for (EdgesOfRange& r : found) {
     a.edges.insert(a.edges.end(), r.edges.begin(), r.edges.end());
     cover_count.insert(cover_count.end(), r.cover_count.begin(), r.cover_count.end());
+    release(r.edges);
+    release(r.cover_count);
   }
   each_range(ranges, [&](std::size_t k) {
     if (k == 0) return;
     const IndexRange vertices = range(k, ranges, a.vertex_count());
     for (Index p = all.start[vertices.first]; p < all.start[vertices.end]; ++p) a.chain[all.parts[p].slot] += before[k];
   });
+  release(all.parts);
   make_covers(a, cover_count, memory);
 }
 
@@ -244,12 +261,8 @@ Arrangement arrange(Geometry geometry, std::vector<Piece> pieces, std::span<cons
     const exact::Point q = a.geometry.points[p];
     for (Index i : grid.cell(grid.column(q.x), grid.row(q.y))) found.add_point(p, i);
   }
-  UnionFind same(a.geometry.points.size(), working);
-  for (auto& t : found.ties) same.unite(t.p, t.q);
-  Chains chains = sort_along(a.geometry, a.pieces, found, same, working);
-  unite_isolated(a.geometry, isolated, same);
-  number_vertices(a, chains, isolated, same, working);
-  make_edges(a, chains, working);
+  Chains chains = make_vertices(a, found, isolated, working);
+  make_edges(a, std::move(chains), working);
   sort_around_vertices(a);
   nest(a, grid, working);
   return a;

@@ -102,7 +102,8 @@ Index number_cycles(const Arrangement& a, ArenaVector<Index>& cycle) {
 }  // namespace
 
 void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
-  ArenaVector<Index> cycle(a.next.size(), kNone, memory);
+  auto& cycle = a.face;  // of each half-edge, until the faces are known
+  cycle.assign(a.next.size(), kNone);
   Index cycles = 0;
   Components parts(a, memory);
   at_once(2, a.next.size(), kManyHalfEdges, [&](std::size_t k) {
@@ -134,8 +135,7 @@ void nest(Arrangement& a, const CellGrid& grid, Memory memory) {
     else
       a.isolated_face[v] = f;
   }
-  a.face.resize(a.next.size());
-  for (Index h = 0; h < a.next.size(); ++h) a.face[h] = face_of[cycle[h]];
+  for (Index& f : a.face) f = face_of[f];
 }
 
 }  // namespace findspace::plane

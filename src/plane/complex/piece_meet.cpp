@@ -71,13 +71,21 @@ class Strip {
   /// Of a piece of the whole, the number here.
   Index place(Index of_whole) const { return place_[of_whole]; }
 
-  std::size_t crossings() const { return geometry_.points.size() - points_.size(); }
+  /// Keeps the crossings alone: there are many strips.
+  void drop_copies() {
+    crossings_.assign(geometry_.points.begin() + std::ptrdiff_t(points_.size()), geometry_.points.end());
+    geometry_ = {};
+    pieces_ = {};
+    place_ = {};
+  }
+
+  std::size_t crossings() const { return crossings_.size(); }
   /// Sets the crossings found, which start at `first` there, and what is known of them.
   void put_into(Geometry& whole, Index first, const PieceMeetings& found, std::span<PieceMeetings::Split> splits,
                 std::span<PieceMeetings::Tie> ties) const {
     const Index known = Index(points_.size());
-    for (std::size_t k = known; k < geometry_.points.size(); ++k) {
-      exact::Point& p = whole.points[first + (k - known)] = geometry_.points[k];
+    for (std::size_t k = 0; k < crossings_.size(); ++k) {
+      exact::Point& p = whole.points[first + k] = crossings_[k];
       p.i = curves_[p.i];
       p.j = curves_[p.j];
     }
@@ -109,6 +117,7 @@ class Strip {
   std::vector<Index> place_;                       // piece of the whole -> here
   std::vector<Piece> pieces_;
   Geometry geometry_;
+  std::vector<exact::Point> crossings_;
 };
 
 /// A strip and what was found there.
@@ -210,6 +219,7 @@ void PieceMeetings::add_pairs(const CellGrid& grid) {
     found[k] = std::make_unique<OfStrip>(g_, pieces_, grid, strips[k]);
     const Strip& strip = found[k]->strip;
     grid.pairs(strips[k], [&](Index i, Index j) { found[k]->meetings.add_pair(strip.place(i), strip.place(j)); });
+    found[k]->strip.drop_copies();
   });
   join(g_, *this, found);
 }
@@ -310,9 +320,22 @@ void PieceMeetings::curves(Index i, Index j) {
   std::size_t known = splits.size();
   for (int k = 0; k < m.count; ++k)
     if (k != skip) meet_at(i, j, roots[k]);
-  bool used = false;
-  for (std::size_t s = known; s < splits.size(); ++s) used |= splits[s].point >= before;
-  if (!used) g_.points.resize(before);
+  drop_unused(before, known);
+}
+
+/// Of two roots mostly one lies on both pieces: a point that none of the splits from `first` on names goes.
+void PieceMeetings::drop_unused(std::size_t first_point, std::size_t first) {
+  const std::span<Split> found = std::span(splits).subspan(first);
+  const auto is_used = [&](std::size_t point) {
+    return std::any_of(found.begin(), found.end(), [&](const Split& s) { return s.point == point; });
+  };
+  if (g_.points.size() == first_point + 2 && !is_used(first_point)) {
+    for (Split& s : found)
+      if (s.point == first_point + 1) s.point = Index(first_point);
+    g_.points[first_point] = g_.points[first_point + 1];
+    g_.points.pop_back();
+  }
+  if (!is_used(g_.points.size() - 1)) g_.points.pop_back();
 }
 
 }  // namespace findspace::plane

@@ -57,6 +57,7 @@ class PieceMeetings {
   void curves(Index i, Index j);
   void place(Index piece, Index point, Within where);
   void meet_at(Index i, Index j, Index point);
+  void drop_unused(std::size_t first_point, std::size_t first);
   Index shared_end(const Piece& p, const Piece& q) const;
   bool is_root(Index end, Index root_point, Index other_root_point) const;
 

@@ -9,6 +9,7 @@
 
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/parallel.h"
+#include "plane/base/release.h"
 #include "plane/base/union_find.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/keep_used.h"
@@ -18,14 +19,8 @@ namespace {
 
 constexpr std::size_t kManyToClassify = 4000;  // vertices: from here on ranges of them are worked on at once
 
-template <class List>
-void release(List& list) {
-  list.clear();
-  list.shrink_to_fit();
-}
-
 /// Cells to be merged, read where they are: of a complex, or of an arrangement with its marks. Their geometry, most of
-/// the memory of a large set, is taken and not copied. A list of a complex goes as soon as nothing reads it.
+/// the memory of a large set, is taken and not copied. A list goes as soon as nothing reads it.
 struct ComplexCells {
   CellComplex& c;
 
@@ -61,9 +56,13 @@ struct ArrangedCells {
   Mark face_mark(Index f) const { return marks.faces[f]; }
   Index next(Index h) const { return a.next[h]; }
   Index face(Index h) const { return a.face[h]; }
-  void release_vertices() const {}
-  void release_edges() const {}
-  void release_half_edges() const {}
+  void release_vertices() const {
+    for (auto* list : {&a.vertex_point, &a.out_start, &a.out, &a.isolated_face}) release(*list);
+  }
+  void release_edges() const { release(a.edges); }
+  void release_half_edges() const {
+    for (auto* list : {&a.next, &a.face}) release(*list);
+  }
 };
 
 template <class Cells>

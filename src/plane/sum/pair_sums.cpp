@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "plane/base/parallel.h"
+#include "plane/base/release.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/observe_pieces.h"
 
@@ -31,7 +32,7 @@ exact::Real reach_of(const Part& p) {
 constexpr std::size_t kManyCells = 4000;  // edges: from here on ranges of cells are marked at once
 
 /// -1 where the number is positive, 0 beside a face where it is, else 1.
-Marks marks_of_open_sum(const Arrangement& a, const Windings& w) {
+Marks marks_of_open_sum(const Arrangement& a, Windings w) {
   Marks m;
   m.faces.reserve(w.faces.size());
   for (auto k : w.faces) m.faces.push_back(k > 0 ? -1 : 1);
@@ -51,6 +52,12 @@ Marks marks_of_open_sum(const Arrangement& a, const Windings& w) {
     }
   });
   return m;
+}
+
+/// Of an arrangement whose cells are numbered, what extract() does not read.
+void drop_pieces(Arrangement& a) {
+  release(a.pieces);
+  for (auto* list : {&a.point_vertex, &a.cover_start, &a.cover, &a.chain_start, &a.chain, &a.rank}) release(*list);
 }
 
 }  // namespace
@@ -82,7 +89,10 @@ SignMap SumOfPairs::open_sum() && {
   add_circled(a, w);
   for (Index p : lonely_)
     w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
-  const Marks m = marks_of_open_sum(a, w);
+  release(chains_);
+  release(corners_);
+  drop_pieces(a);
+  const Marks m = marks_of_open_sum(a, std::move(w));
   return extract(std::move(a), m);
 }
 
