@@ -140,6 +140,18 @@ TEST(InBatches, LevelsWithoutTheBaseAreThoseOfIt) {
   EXPECT_FALSE(contact_level_in_batches(b, b, Real(1)));
 }
 
+/// A base that is not kept is moved into the level, with arcs and without.
+TEST(InBatches, LevelsOfABaseThatGoesAreThoseOfIt) {
+  const Region b = box(-3, 1, -1, 2);
+  for (const Region& set :
+       {box(0, 0, 9, 5), region_of_disc(3, -2, Real(7)), complement(region_of_disc(0, 0, Real(40)))})
+    for (const Real& level : {Real(0), Real::ratio(3, 4), Real(-2)}) {
+      const SignMap base = contact_map(set, b);
+      EXPECT_TRUE(same(level_map(SignMap(base), level), level_map(base, level))) << level.to_double();
+      EXPECT_TRUE(same(contact_map(Region(set), b), base));
+    }
+}
+
 /// Through the public way.
 TEST(InBatches, LargeSetsGoThroughBatches) {
   const Region set = five_thousand_boxes(), b = box(0, 0, 1, 2);

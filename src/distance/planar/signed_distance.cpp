@@ -18,6 +18,13 @@ using plane::CellComplex;
 using plane::Mark;
 using plane::SignMap;
 
+namespace {
+
+/// From here on a base is not kept beside the first level: it is made again if a second question needs it.
+constexpr std::size_t kManyEdges = 200'000;
+
+}  // namespace
+
 SignedDistance::SignedDistance(SignMap base) : defined_(plane::any_mark(base, [](Mark m) { return m <= 0; })) {
   base_->map = std::move(base);
 }
@@ -47,8 +54,11 @@ const SignMap& SignedDistance::base() const {
 
 SignMap SignedDistance::sign_map(const exact::Real& level) const {
   if (!defined_) return CellComplex::uniform(1);
-  if (base_->of && !base_->asked.exchange(true))
-    if (auto map = contact_level_in_batches(base_->of->first, base_->of->second, level)) return *std::move(map);
+  if (base_->of && !base_->asked.exchange(true)) {
+    const plane::Region &fixed = base_->of->first, &moving = base_->of->second;
+    if (auto map = contact_level_in_batches(fixed, moving, level)) return *std::move(map);
+    if (fixed.edges.size() + moving.edges.size() > kManyEdges) return level_map(contact_map(fixed, moving), level);
+  }
   return level_map(base(), level);
 }
 

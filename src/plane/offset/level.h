@@ -16,6 +16,8 @@
 namespace findspace::plane {
 
 SignMap level_map(const SignMap& base, const exact::Real& level);
+/// The same; the base goes as soon as it is not read again.
+SignMap level_map(SignMap&& base, const exact::Real& level);
 
 /// level_map(contact_map(a, b), level) part by part (in_batches.h), so that the base is never there as a whole. Nothing
 /// where that does not pay, where a set is not bounded, or where bases are kept for other questions (result_store.h).
@@ -23,5 +25,6 @@ std::optional<SignMap> contact_level_in_batches(const Region& a, const Region& b
 
 /// The sign of d(p, C) - radius for a closed set C and radius > 0; + everywhere if C is empty.
 SignMap distance_map(const Region& closed, const exact::Real& radius);
+SignMap distance_map(Region&& closed, const exact::Real& radius);
 
 }  // namespace findspace::plane

@@ -62,32 +62,30 @@ SignMap open_grid_sum(const Operand& a, const GridFaces& p, const Operand& b, co
   return grid_sum(x, y, std::cref(inside));
 }
 
-/// -1 on U = (int A (+) B) u (A (+) int B), 0 on its boundary, +1 elsewhere.
-SignMap open_sum(const Operand& a, const Operand& b) {
+bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
+
+using Drop = std::function<void()>;
+
+/// -1 on U = (int A (+) B) u (A (+) int B), 0 on the rest of the sum, +1 elsewhere. `drop`: A is not read again.
+SignMap sum_at_once(const Operand& a, const Operand& b, const Drop& drop) {
+  Arena arena(a.cells.edges.size() + b.cells.edges.size());
+  if (const GridOf p(a, arena.memory()); p.faces())
+    if (const GridOf q(b, arena.memory()); q.faces()) return open_grid_sum(a, *p.faces(), b, *q.faces());
   SumOfPairs sum(true);
   sum.reserve(a.cells.edges.size() + a.cells.vertices.size());  // about what a convex set makes of a larger one
-  std::vector<Part> q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
+  const std::vector<Part> q = b.solid_parts(), p_flat = a.flat_parts(), q_flat = b.flat_parts();
   a.each_solid_part([&](const Part& x) {
     for (const Part& y : q) sum.add(x, y);
     for (const Part& y : q_flat) sum.add(x, y);
   });
   for (const Part& x : p_flat)
     for (const Part& y : q) sum.add(x, y);
-  return std::move(sum).open_sum();
-}
-
-bool unbounded(const Operand& a) { return a.wanted(a.cells.faces[0].mark); }
-
-SignMap sum_at_once(const Operand& a, const Operand& b) {
-  Arena arena(a.cells.edges.size() + b.cells.edges.size());
-  if (const GridOf p(a, arena.memory()); p.faces())
-    if (const GridOf q(b, arena.memory()); q.faces()) return open_grid_sum(a, *p.faces(), b, *q.faces());
-  SignMap open = open_sum(a, b);
-  std::vector<Part> p = a.flat_parts(), q = p.empty() ? p : b.flat_parts();
-  if (q.empty()) return open;
+  if (drop) drop();
+  SignMap open = std::move(sum).open_sum();
+  if (p_flat.empty() || q_flat.empty()) return open;
   SumOfPairs flat(false);
-  for (const Part& x : p)
-    for (const Part& y : q) flat.add(x, y);
+  for (const Part& x : p_flat)
+    for (const Part& y : q_flat) flat.add(x, y);
   Region closed = std::move(flat).closed_sum();
   std::array<const CellComplex*, 2> both{&open, &closed};
   return overlay(both, [](std::span<const Mark> m) { return Mark(m[0] <= 0 ? m[0] : m[1] > 0 ? 0 : 1); });
@@ -99,19 +97,19 @@ std::optional<PieceBox> extent_of(const Operand& a) {
   return box && a.mirrored ? PieceBox{-box->x1, -box->y1, -box->x0, -box->y0} : box;
 }
 
-SignMap made_sum(const Operand& a, const Operand& b) {
-  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a);
+SignMap made_sum(const Operand& a, const Operand& b, const Drop& drop) {
+  if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a, {});
   if (is_worth_batches(a.cells) && !unbounded(a) && !a.mirrored)
     if (const auto reach = extent_of(b)) {
       const Lazy<std::optional<GridFaces>> of_b;
       if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
             Operand again = b;
             if (b.known_grid == nullptr) again.known_grid = &of_b.of([&] { return prepared_grid(b); });
-            return sum_at_once({part, a.wanted, a.mirrored, a.flat}, again);
+            return sum_at_once({part, a.wanted, a.mirrored, a.flat}, again, {});
           }))
         return *std::move(sum);
     }
-  return sum_at_once(a, b);
+  return sum_at_once(a, b, drop);
 }
 
 bool put_operand(const Operand& a, ByteWriter& out) {
@@ -122,9 +120,9 @@ bool put_operand(const Operand& a, ByteWriter& out) {
 }
 
 /// {a + b} for a in A, b in B: -1 on the open part U, 0 on the rest of the sum, +1 elsewhere.
-SignMap sum_map(const Operand& a, const Operand& b) {
+SignMap sum_map(const Operand& a, const Operand& b, const Drop& drop = {}) {
   SignMap sum = stored<SignMap>({"sum", [&](ByteWriter& out) { return put_operand(a, out) && put_operand(b, out); },
-                                 [&] { return made_sum(a, b); }, put_cells, take_cells});
+                                 [&] { return made_sum(a, b, drop); }, put_cells, take_cells});
   if (StageObserver* observer = stage_observer())
     observer->cells("sum", "Minkowski sum: -1 in its open part, 0 on the rest of it, 1 elsewhere", sum);
   return sum;
@@ -133,6 +131,11 @@ SignMap sum_map(const Operand& a, const Operand& b) {
 }  // namespace
 
 SignMap contact_map(const Region& a, const Region& b) { return sum_map({a, is_in}, {b, is_in, true}); }
+
+SignMap contact_map(Region&& a, const Region& b) {
+  Region own = std::move(a);
+  return sum_map({own, is_in}, {b, is_in, true}, [&] { own = Region{}; });
+}
 
 const std::optional<GridFaces>& SumOperand::faces(bool mirrored) const {
   return faces_[mirrored ? 1 : 0].of([&] { return prepared_grid({region_, is_in, mirrored}); });

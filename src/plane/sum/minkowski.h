@@ -25,6 +25,8 @@
 namespace findspace::plane {
 
 SignMap contact_map(const Region& a, const Region& b);
+/// The same; a large `a` is given back where only the pairs of its curves with those of `b` are needed any more.
+SignMap contact_map(Region&& a, const Region& b);
 
 /// A set that is summed with many others: what a sum needs of it alone is found once, when it is asked for first.
 /// Guarantee: the same sums. Threads may ask at once.
