@@ -152,6 +152,14 @@ TEST(PublicWorld, ChecksAtomByAtom) {
   EXPECT_EQ(check.atoms[1].distance.value, 1);
 }
 
+TEST(PublicWorld, AtomsHaveTheValueOfTheirWord) {
+  const Check check = boxes().check("margin(B, A) >= -3 and eta1(B, A) <= 3 and inside(B, A)", {1, 0});
+  ASSERT_EQ(check.atoms.size(), 3u);
+  EXPECT_EQ(check.atoms[0].distance.value, boxes().distance("margin(B, A)", {1, 0}).value);
+  EXPECT_EQ(check.atoms[0].distance.value, -*check.atoms[1].distance.value);
+  EXPECT_EQ(check.atoms[2].distance.value, check.atoms[0].distance.value);
+}
+
 TEST(PublicQuery, ValuesOfManyPositions) {
   const World world = boxes();
   const std::vector<Position> at{{6, 0}, {6, 5}, {0, 0}, {0, -8}};

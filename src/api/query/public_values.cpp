@@ -79,7 +79,7 @@ Optimum public_optimum(const distance::OptimalValue& best, Region at) {
 Check public_check(const formula::Check& check) {
   Check out{check.holds, {}};
   for (const formula::AtomAt& a : check.atoms) {
-    formula::DistanceAt value = a.distance;
+    formula::DistanceAt value = formula::negated(a.atom.distance) ? formula::minus(a.distance) : a.distance;
     value.refused.clear();  // the truth is known without the value
     out.atoms.push_back({formula::written(a.atom), a.holds, public_value(value), a.lacks});
     if (!a.distance.refused.empty()) {
