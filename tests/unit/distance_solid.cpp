@@ -46,6 +46,22 @@ double box_distance(const std::array<double, 3>& c, const std::array<double, 3>&
   return std::sqrt(out) + std::min(most, 0.0);
 }
 
+TEST(SolidPairs, NothingAttainsAZeroThatIsCutOff) {
+  const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 1)), shared(ball(0, 0, 0, 3)));
+  for (const auto& [which, p] : {std::pair{Which::kPenetration, place(9, 0, 0)},
+                                 {Which::kDstarBack, place(9, 0, 0)},
+                                 {Which::kD1, place(3, 0, 0)},
+                                 {Which::kH, place(1, 0, 0)}}) {
+    const auto v = pair.value(which, p);
+    ASSERT_TRUE(v);
+    EXPECT_EQ(v->value.sign(), 0);
+    EXPECT_TRUE(v->proven);
+    EXPECT_FALSE(v->nearest);
+    EXPECT_TRUE(v->witness.empty());
+  }
+  EXPECT_TRUE(pair.value(Which::kD1, place(9, 0, 0))->nearest);
+}
+
 TEST(SolidPairs, Balls) {
   const PairDistances pair = solid_pair(shared(ball(0, 0, 0, 1)), shared(ball(0, 0, 0, 3)));
   for (const auto& [p, d] :

@@ -225,6 +225,12 @@ std::optional<AnswerOf<V>> cut_off(std::optional<AnswerOf<V>> v, bool negated) {
     if (x.sign() < 0) x = exact::Real();
   };
   if (negated) v = minus(*std::move(v));
+  if (const Enclosure ends = v->bounds(); ends.upper && ends.upper->sign() < 0) {
+    // What attains v does not attain 0.
+    AnswerOf<V> none;
+    none.way = v->way;
+    return none;
+  }
   cut(v->value);
   if (v->enclosed && v->enclosed->lower) cut(*v->enclosed->lower);
   if (v->enclosed && v->enclosed->upper) cut(*v->enclosed->upper);
