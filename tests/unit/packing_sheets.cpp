@@ -106,6 +106,14 @@ TEST(Sheets, TooManyOfAKind) {
   EXPECT_EQ(verify(problem, layout).faults.at(0).kind, Fault::Kind::kOutside);
 }
 
+TEST(Sheets, TheDensityIsThatOfWhatIsUsed) {
+  Problem problem;
+  problem.sheets.push_back({"plate", 1, {}, box(10, 10)});
+  problem.parts = {{"square", 1, box(4, 4), {0}}};
+  const Layout layout{1, {{0, 1, 0, false, 4, 0, 0}}, {}, {0}};  // 8 are used, not 1
+  EXPECT_DOUBLE_EQ(verify(problem, layout).density, 0.2);
+}
+
 TEST(Strip, AFixedPartStandsAtItsAngleHoweverThatIsWritten) {
   Problem problem;
   problem.height = 10;

@@ -49,8 +49,7 @@ class Check {
     }
     check_pairs();
     result_.used = Fraction(used, common_);
-    const double all = packing::container_area(problem_, layout_);
-    result_.density = all > 0 ? area(problem_, layout_) / all : 0;
+    result_.density = density();
     std::stable_sort(result_.faults.begin(), result_.faults.end(),
                      [](const Fault& f, const Fault& g) { return f.depth > g.depth; });
     return std::move(result_);
@@ -59,6 +58,16 @@ class Check {
  private:
   const std::vector<Standing>& items() const { return parts_.items(); }
   std::size_t sheet_of(std::size_t i) const { return layout_.items[i].sheet; }
+
+  /// Of a last sheet as much counts as is used, whatever the layout says.
+  double density() const {
+    Layout used;
+    used.length = problem_.on_sheets() ? std::max(layout_.length, result_.used + problem_.edge) : layout_.length;
+    used.sheets = layout_.sheets;
+    used.height = layout_.height;
+    const double all = packing::container_area(problem_, used);
+    return all > 0 ? area(problem_, layout_) / all : 0;
+  }
 
   /// No more sheets of a kind than there are, and every item on one of them.
   void count_sheets() {
