@@ -38,6 +38,26 @@ TEST(Sheets, NoPartLiesAcrossAWall) {
   EXPECT_EQ(layout.length, Fraction(3));
 }
 
+/// As many tenths as a sheet, a strip or a box have; in doubles some of these sizes come out larger than others.
+TEST(Sheets, PartsWithoutClearanceInTenths) {
+  for (int size = 1; size < 40; ++size) {
+    Problem problem;
+    problem.digits = 1;
+    problem.parts = {{"part", 2, make_polygon({box_ring(13, 7, 13 + size, 7 + size)}, "part"), {0}}};
+    problem.height = Fraction(size, 10);
+    EXPECT_EQ(found(problem, 1e3).length, Fraction(2 * size, 10)) << size;
+    problem.edge = Fraction(2, 10);
+    problem.sheets.push_back({"plate", 2, {}, box(size + 4, size + 4)});
+    EXPECT_TRUE(found(problem, 1e3).left_out.empty()) << size;
+    problem.parts[0].shape = make_polygon({box_ring(13, 7, 13 + size, 8 + size)}, "higher");
+    const std::atomic<bool> stop = false;
+    EXPECT_FALSE(search_strip(problem, {}, {}, stop).has_value()) << size;
+    problem.sheets.clear();
+    problem.edge = 0;
+    EXPECT_THROW(FieldTable{problem}, Error) << size;
+  }
+}
+
 TEST(Sheets, OutlineHoleAndZone) {
   Problem problem;
   // An L of two squares of 4 and a corner, with a hole of 2 in the corner; squares of 4 have two places.
@@ -162,6 +182,19 @@ TEST(Box, OfTheLeastArea) {
   ASSERT_TRUE(layout.has_value());
   EXPECT_TRUE(verify(problem, *layout).feasible());
   EXPECT_DOUBLE_EQ(container_area(problem, *layout), 24);
+}
+
+TEST(Box, OfOnePartInTenths) {
+  Problem problem;
+  problem.digits = 1;
+  problem.box = true;
+  problem.parts = {{"bar", 1, box(10, 3), {0}}};
+  const std::atomic<bool> stop = false;
+  SearchOptions options;
+  options.work = 1e4;
+  const auto layout = search_box(problem, options, {}, stop);
+  ASSERT_TRUE(layout.has_value());
+  EXPECT_EQ(layout->height, Fraction(3, 10));
 }
 
 TEST(Box, BeginsWithALayout) {

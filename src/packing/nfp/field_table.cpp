@@ -35,14 +35,16 @@ void take_box(Variant& variant, const Part& part) {
   variant.high = {double(box.high.x) * variant.shape.step, double(box.high.y) * variant.shape.step};
 }
 
-/// Whether the variant fits the strip's height, or the box of a sheet, between the edges.
-bool fits_somewhere(const Problem& problem, const Variant& v, double height) {
-  if (!problem.on_sheets()) return v.high.y - v.low.y <= height;
-  const double steps = double(problem.steps()), edges = 2 * problem.edge.to_double();
+/// Whether a box of the grid fits the strip's height, or the box of a sheet, between the edges. Exact, so that what has
+/// no clearance fits.
+bool fits_somewhere(const Problem& problem, const LatticeBox& box) {
+  const int128 steps = problem.steps();
+  const Fraction edges = problem.edge + problem.edge, width = Fraction(box.high.x - box.low.x, steps) + edges,
+                 height = Fraction(box.high.y - box.low.y, steps) + edges;
+  if (!problem.on_sheets()) return height <= problem.height;
   const auto fits = [&](const Sheet& sheet) {
-    const LatticeBox box = box_of(sheet);
-    return sheet.count > 0 && v.high.x - v.low.x <= double(box.high.x) / steps - edges &&
-           v.high.y - v.low.y <= double(box.high.y) / steps - edges;
+    const LatticeBox room = box_of(sheet);
+    return sheet.count > 0 && width <= Fraction(room.high.x, steps) && height <= Fraction(room.high.y, steps);
   };
   return std::any_of(problem.sheets.begin(), problem.sheets.end(), fits);
 }
@@ -84,9 +86,9 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
   for (const bool mirrored : {false, true})
     for (const Fraction& angle : part.angles) {
       if (mirrored && !part.mirrored) continue;
+      if (!fits_somewhere(problem, box_of(part, angle, mirrored))) continue;
       Variant variant = variant_of(number, angle, mirrored, search_shape(problem, part, angle, mirrored));
       take_box(variant, part);
-      if (!fits_somewhere(problem, variant, height_)) continue;
       const auto form = normal_form(variant.shape);
       const auto same = [&](std::size_t v) { return normal_form(variants_[v].shape) == form; };
       if (std::any_of(of_part_[number].begin(), of_part_[number].end(), same)) continue;

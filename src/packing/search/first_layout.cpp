@@ -75,10 +75,12 @@ class Builder {
     return true;
   }
 
+  /// Of a part without clearance the far side may come out before the near one, by a rounding.
   bool is_in_room(const Variant& shape, Vec at) const {
     const Room<Vec>& room = row_.rooms()[row_.room_of(shape, at)];
-    return at.x >= room.low.x - shape.low.x && at.x <= room.high.x - shape.high.x && at.y >= -shape.low.y &&
-           at.y <= room.high.y - shape.high.y;
+    const auto between = [](double c, double low, double high) { return c >= low && c <= std::max(low, high); };
+    return between(at.x, room.low.x - shape.low.x, room.high.x - shape.high.x) &&
+           between(at.y, -shape.low.y, room.high.y - shape.high.y);
   }
 
   std::optional<Vec> leftmost(std::size_t v) const {
