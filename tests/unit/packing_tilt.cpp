@@ -8,6 +8,7 @@
 #include "packing/problem/round_part.h"
 #include "packing/proof/lower_bound.h"
 #include "packing/proof/remnant.h"
+#include "packing/search/make_room.h"
 #include "packing_found.h"
 #include "plane/complex/primitives.h"
 #include "plane/contour/contour.h"
@@ -85,6 +86,18 @@ TEST(Tilt, OnASheet) {
   EXPECT_EQ(layout.sheets.size(), 1u);
   const Remnant left = largest_remnant(problem, layout).value();  // the bars lie along the sheet
   EXPECT_GT(left.width.to_double() * left.height.to_double(), 0.95 * 24 * 12);
+}
+
+/// A part that is put elsewhere by hand stands as it stood, and so do the others.
+TEST(Tilt, StaysWhereAPartIsMovedByHand) {
+  const Problem problem = strip(10, {tilting({"bar", 2, box(6, 2), {0, 90}}, 5)});
+  const Layout layout{30, {{0, 1, 92, false, 10, 1}, {0, 2, 88, false, 20, 1}}, {}};
+  ASSERT_TRUE(verify(problem, layout).feasible());
+  const auto moved = with_room(problem, layout, 0, {11, 1});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_TRUE(verify(problem, *moved).feasible());
+  EXPECT_EQ(moved->items.at(0).angle, Fraction(92));
+  EXPECT_EQ(moved->items.at(1).angle, Fraction(88));
 }
 
 TEST(Tilt, OfAPartWithAnArc) {

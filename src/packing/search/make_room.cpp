@@ -13,6 +13,7 @@
 #include "exact/margins/packing.h"
 #include "packing/compaction/finish.h"
 #include "packing/search/separation.h"
+#include "packing/search/tilting.h"
 
 namespace findspace::packing {
 namespace {
@@ -118,7 +119,8 @@ std::optional<Layout> with_room(const Problem& problem, const Layout& layout, st
   moved.items[item].y = on_grid(problem, at[1]);
   for (const FixedPart& fixed : problem.fixed)
     if (is_fixed_part(moved, moved.items[item], fixed)) return std::nullopt;
-  const RoomMaker maker(problem, moved, item);
+  const Problem standing = with_angles_of(problem, layout);  // of tilted parts
+  const RoomMaker maker(standing, moved, item);
   if (!maker.fits()) return std::nullopt;
   if (problem.on_sheets()) return maker.on_its_sheets();
   auto made = maker.separated();
