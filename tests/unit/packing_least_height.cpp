@@ -282,6 +282,13 @@ TEST(PackingLeastHeight, ConditionsThatAreHardToKeep) {
 }
 
 /// With a gap the bound is that without it; it stays below the layout.
+/// As where the time is over before it begins.
+TEST(PackingLeastHeight, IsAboveNothingBeforeItBegins) {
+  const SolidProblem problem = problem_of(2, 2, {box("brick", 2, 1, 1, 1)});
+  const SolidTable table(problem);
+  EXPECT_EQ(LeastHeight(problem, table, 2).bound(), 0);
+}
+
 TEST(PackingLeastHeight, GapsAreAboveTheBound) {
   SolidProblem problem = problem_of(3, 3, {box("slab", 3, 2, 2, 1)});
   problem.gap = 1;

@@ -83,7 +83,7 @@ LeastHeight::LeastHeight(const SolidProblem& problem, const SolidTable& table, d
 double LeastHeight::bound() const {
   double result = std::min(over_, below_);
   for (const HeightTree& tree : trees_) result = std::min(result, tree.bound());
-  return result;
+  return std::max(result, 0.0);  // of trees that were not visited nothing is known
 }
 
 std::uint64_t LeastHeight::programs() const {
