@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
+#include <numeric>
+#include <span>
 
 #include "space/body/body_boxes.h"
 #include "space/polytope/convex_region.h"
@@ -19,7 +22,11 @@ namespace {
 OutsideCell cell_of(const ConvexRegion& region, const PlacedSurroundings& place) {
   OutsideCell cell;
   std::vector<int> number(region.planes().size(), -1);
-  for (const int f : region.facets()) {
+  const std::vector<int> facets = region.facets();
+  cell.planes.reserve(facets.size());
+  cell.vertices.reserve(region.vertices().size());
+  cell.tight.reserve(region.vertices().size());
+  for (const int f : facets) {
     number[static_cast<std::size_t>(f)] = static_cast<int>(cell.planes.size());
     cell.planes.push_back(place.at(region.planes()[static_cast<std::size_t>(f)]));
   }
@@ -48,9 +55,9 @@ struct Convex {
   std::vector<HalfSpace> planes;
 };
 
+/// Of sets whose boxes meet.
 bool overlaps(const ConvexRegion& region, const Convex& set) {
-  return extent_of(region).meets(set.extent) &&
-         std::all_of(set.planes.begin(), set.planes.end(), [&](const HalfSpace& h) { return region.sides(h).inside; });
+  return std::all_of(set.planes.begin(), set.planes.end(), [&](const HalfSpace& h) { return region.sides(h).inside; });
 }
 
 /// Adds the closures of the pieces of region \ set that have interior; they do not overlap. What is left of the region
@@ -97,28 +104,63 @@ Carved carved(const PlacedSurroundings& place) {
 }
 
 void subtract(ConvexRegion region, const Carved& mesh, std::vector<ConvexRegion>& out) {
-  if (!overlaps(region, mesh.box)) {
+  const auto overlap = [&](const Convex& set) { return extent_of(region).meets(set.extent) && overlaps(region, set); };
+  if (!overlap(mesh.box)) {
     out.push_back(std::move(region));
     return;
   }
   subtract(region, mesh.box, out);
   for (const Convex& cell : mesh.cells) {
-    if (!overlaps(region, cell)) continue;
+    if (!overlap(cell)) continue;
     ConvexRegion kept = region;
     for (const HalfSpace& h : cell.planes) kept.cut(h);
     if (kept.dimension() == 3) out.push_back(std::move(kept));
   }
 }
 
-void take_away(std::vector<ConvexRegion>& regions, const Convex& set) {
-  std::vector<ConvexRegion> left;
-  for (ConvexRegion& r : regions) {
-    if (overlaps(r, set))
-      subtract(r, set, left);
-    else
-      left.push_back(std::move(r));
+/// A region, and the sets that are not yet taken away from it.
+struct Piece {
+  ConvexRegion region;
+  std::shared_ptr<const std::vector<std::size_t>> sets;
+  std::size_t from;
+};
+
+/// Takes away the next set that overlaps the piece, which then is what to do with the pieces left; false where none
+/// does.
+bool subtract_next(Piece& piece, std::span<const Convex> sets, std::vector<ConvexRegion>& left) {
+  const Extent extent = extent_of(piece.region);
+  auto near = std::make_shared<std::vector<std::size_t>>();
+  std::copy_if(piece.sets->begin() + static_cast<std::ptrdiff_t>(piece.from), piece.sets->end(),
+               std::back_inserter(*near), [&](std::size_t k) { return extent.meets(sets[k].extent); });
+  const auto next =
+      std::find_if(near->begin(), near->end(), [&](std::size_t k) { return overlaps(piece.region, sets[k]); });
+  if (next == near->end()) return false;
+  piece.from = static_cast<std::size_t>(next - near->begin()) + 1;
+  piece.sets = near;
+  left.clear();
+  subtract(piece.region, sets[*next], left);
+  return true;
+}
+
+/// take(region) for all that the sets leave of the regions, in their order. A piece is asked only of the sets whose
+/// boxes it meets.
+template <class Take>
+void take_away(std::vector<ConvexRegion> regions, std::span<const Convex> sets, Take&& take) {
+  auto all = std::make_shared<std::vector<std::size_t>>(sets.size());
+  std::iota(all->begin(), all->end(), std::size_t{0});
+  std::vector<Piece> open;
+  std::for_each(regions.rbegin(), regions.rend(), [&](ConvexRegion& r) { open.push_back({std::move(r), all, 0}); });
+  while (!open.empty()) {
+    Piece piece = std::move(open.back());
+    open.pop_back();
+    if (!subtract_next(piece, sets, regions)) {
+      take(std::move(piece.region));
+      continue;
+    }
+    std::for_each(regions.rbegin(), regions.rend(), [&](ConvexRegion& r) {
+      open.push_back({std::move(r), piece.sets, piece.from});
+    });
   }
-  regions.swap(left);
 }
 
 Convex convex_of(const BodyPart& part) {
@@ -152,25 +194,44 @@ bool thin(const ConvexRegion& region, const Real& width) {
   });
 }
 
-/// Parts that touched before their corners were rounded may be up to twice the farthest move apart. Of thin regions
-/// only what is farther from parts is left. Meshes, whose parts are skipped, have no cracks.
-void close_cracks(std::vector<ConvexRegion>& regions, const Body& body, const std::vector<bool>& skipped) {
+/// Twice the farthest move of a corner: parts that touched before these were rounded may be as far apart.
+Real width_of_cracks(const Body& body) {
   const double most = 2 * body.moved * static_cast<double>(body.scale);
-  const Real width(std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(most))));
-  const auto first =
-      std::partition(regions.begin(), regions.end(), [&](const ConvexRegion& r) { return !thin(r, width + width); });
-  std::vector<ConvexRegion> cracks;
-  std::move(first, regions.end(), std::back_inserter(cracks));
-  regions.erase(first, regions.end());
-  for (std::size_t k = 0; k < body.parts.size() && !cracks.empty(); ++k) {
-    if (!skipped[k]) take_away(cracks, grown(body.parts[k], width));
-  }
-  std::move(cracks.begin(), cracks.end(), std::back_inserter(regions));
+  return Real(std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(most))));
 }
 
-std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
+/// Of what is thin only that is left which is farther from parts than cracks are wide. Meshes, whose parts are skipped,
+/// have no cracks.
+void add_cells(std::vector<ConvexRegion> regions, const Body& body, const std::vector<bool>& skipped,
+               std::vector<OutsideCell>& cells) {
+  const auto sets_of = [&](const auto& make) {
+    std::vector<Convex> sets;
+    for (std::size_t k = 0; k < body.parts.size(); ++k) {
+      if (!skipped[k]) sets.push_back(make(body.parts[k]));
+    }
+    return sets;
+  };
+  const auto add = [&](const ConvexRegion& r) { cells.push_back(cell_of(r, {})); };
+  const std::vector<Convex> parts = sets_of(convex_of);
+  if (body.rounded == 0) {
+    take_away(std::move(regions), parts, add);
+    return;
+  }
+  const Real width = width_of_cracks(body);
+  std::vector<ConvexRegion> cracks;
+  take_away(std::move(regions), parts, [&](ConvexRegion r) {
+    if (thin(r, width + width))
+      cracks.push_back(std::move(r));
+    else
+      add(r);
+  });
+  if (cracks.empty()) return;
+  take_away(std::move(cracks), sets_of([&](const BodyPart& part) { return grown(part, width); }), add);
+}
+
+void add_bounded(const Body& body, const Bounds3& box, std::vector<OutsideCell>& cells) {
   std::vector<ConvexRegion> regions{ConvexRegion(box.low, box.high)}, next;
-  if (regions[0].dimension() < 3) return {};  // of points
+  if (regions[0].dimension() < 3) return;  // of points
   std::vector<bool> done(body.parts.size());
   for (const PlacedSurroundings& place : body.around) {
     next.clear();
@@ -179,12 +240,9 @@ std::vector<ConvexRegion> subtracted(const Body& body, const Bounds3& box) {
     regions.swap(next);
     std::fill_n(done.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, true);
   }
-  for (std::size_t k = 0; k < body.parts.size(); ++k) {
+  for (std::size_t k = 0; k < body.parts.size(); ++k)
     done[k] = done[k] || body.parts[k].point();  // a point leaves the same closure
-    if (!done[k]) take_away(regions, convex_of(body.parts[k]));
-  }
-  if (body.rounded > 0) close_cracks(regions, body, done);
-  return regions;
+  add_cells(std::move(regions), body, done, cells);
 }
 
 }  // namespace
@@ -220,7 +278,7 @@ std::vector<OutsideCell> outside_cells(const Body& body) {
     }
     return cells;
   }
-  for (const ConvexRegion& r : subtracted(body, box)) cells.push_back(cell_of(r, {}));
+  add_bounded(body, box, cells);
   return cells;
 }
 

@@ -58,6 +58,25 @@ bool all_rational(const RealVector& p) {
   return std::all_of(p.begin(), p.end(), [](const Real& c) { return c.is_rational(); });
 }
 
+bool all_integers(const RealVector& p) {
+  return std::all_of(p.begin(), p.end(), [](const Real& c) { return c.integer().has_value(); });
+}
+
+/// Where the segment from v to w crosses the last of the planes that the point lies on. Three planes of integers give
+/// it with one division a coordinate, and roots of several numbers in a short expression.
+RealVector crossing(const RealVector& v, const RealVector& w, const std::vector<HalfSpace>& planes,
+                    const std::vector<int>& tight) {
+  std::optional<RealVector> met;
+  if (!all_integers(v) || !all_integers(w)) met = meeting(planes, tight);
+  if (met && all_rational(*met)) return *std::move(met);
+  const HalfSpace& plane = planes[std::size_t(tight.back())];
+  const Real f = plane.value(v), g = plane.value(w);
+  RealVector at = along(v, f / (f - g), minus(w, v));
+  if (all_rational(at)) return at;
+  if (!met) met = meeting(planes, tight);
+  return met ? *std::move(met) : at;
+}
+
 }  // namespace
 
 ConvexRegion::ConvexRegion(const RealVector& low, const RealVector& high) {
@@ -116,16 +135,10 @@ bool ConvexRegion::cut(const HalfSpace& plane) {
     if (sign[v] >= 0) continue;
     for (const int w : beyond) {
       if (!adjacent(v, w)) continue;
-      const Real f = plane.value(vertices_[v].at), g = plane.value(vertices_[w].at);
-      const Real t = f / (f - g);
       Vertex fresh;
-      fresh.at = along(vertices_[v].at, t, minus(vertices_[w].at, vertices_[v].at));
       fresh.tight = common(vertices_[v].tight, vertices_[w].tight);
       fresh.tight.push_back(id);
-      // Roots of several numbers: an expression of three planes is short, one of the vertices before it is not.
-      if (!all_rational(fresh.at)) {
-        if (auto at = meeting(planes_, fresh.tight)) fresh.at = std::move(*at);
-      }
+      fresh.at = crossing(vertices_[v].at, vertices_[w].at, planes_, fresh.tight);
       fresh.near = space::rounded(fresh.at);
       kept.push_back(std::move(fresh));
     }
