@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "exact/margins/rounding.h"
@@ -25,12 +26,12 @@ namespace {
 
 void append(Body& sum, const Body& more) {
   const std::int64_t scale = joint_scale(sum.scale, more.scale);
-  Body a = at_scale(sum, scale), b = at_scale(more, scale);
-  append(a.around, std::move(b.around), a.parts.size());
-  a.parts.insert(a.parts.end(), b.parts.begin(), b.parts.end());
-  a.rounded += b.rounded;
-  a.moved = std::max(a.moved, b.moved);
-  sum = std::move(a);
+  if (sum.scale != scale) sum = at_scale(sum, scale);
+  Body next = at_scale(more, scale);
+  append(sum.around, std::move(next.around), sum.parts.size());
+  std::move(next.parts.begin(), next.parts.end(), std::back_inserter(sum.parts));
+  sum.rounded += next.rounded;
+  sum.moved = std::max(sum.moved, next.moved);
 }
 
 std::int64_t in_range(int128 c) {

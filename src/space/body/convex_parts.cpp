@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -130,13 +131,14 @@ std::int64_t put_together(ConvexParts& a, ConvexParts& b) {
 
 void add(ConvexParts& sum, ConvexParts more) {
   const std::int64_t scale = put_together(sum, more);
-  std::vector<Polytope> parts = at_scale(sum, scale), others = at_scale(more, scale);
-  enlarge(sum.around, scale / sum.scale);
-  enlarge(more.around, scale / more.scale);
-  append(sum.around, std::move(more.around), parts.size());
-  parts.insert(parts.end(), others.begin(), others.end());
-  sum.parts = std::move(parts);
-  sum.scale = scale;
+  for (ConvexParts* each : {&sum, &more}) {
+    if (each->scale == scale) continue;  // the sum of many is not copied for each
+    each->parts = at_scale(*each, scale);
+    enlarge(each->around, scale / each->scale);
+    each->scale = scale;
+  }
+  append(sum.around, std::move(more.around), sum.parts.size());
+  std::move(more.parts.begin(), more.parts.end(), std::back_inserter(sum.parts));
   sum.rounded += more.rounded;
   sum.moved = std::max(sum.moved, more.moved);
 }
