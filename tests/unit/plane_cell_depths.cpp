@@ -2,14 +2,17 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // How deep cells lie among marked ones, against a look at all cells around: rows shorter and longer than the vectors
-// they are worked on in, holes, and depths that reach the most that is told.
+// they are worked on in, holes, and depths that reach the most that is told. Also that two threads find the same.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "plane/base/cell_depths.h"
+#include "plane/base/parallel.h"
 
 namespace findspace::plane {
 namespace plane_cell_depths {
@@ -87,6 +90,28 @@ TEST(CellDepths, AtRandom) {
         if (random() % 8 != 0) cells.add({r, std::min(p, q), std::max(p, q)});
       }
     expect_depths(cells);
+  }
+}
+
+/// Rows are divided into two blocks, and into more, where two threads are at work.
+TEST(CellDepths, OfBlocksOfRows) {
+  std::mt19937 random(2);
+  const auto below = [&](int end) { return std::int64_t(random() % unsigned(end)); };
+  for (const auto& [columns, rows] : {std::pair{170, 300}, {900, 101}, {64, 1100}, {700, 1700}}) {
+    Bitmap cells = full(columns, rows);
+    for (int round = 0; round < 4; ++round) {
+      std::optional<ThreadLimit> threads(1);
+      const CellDepths one(cells);
+      threads.emplace(2);
+      const CellDepths two(cells);
+      for (std::int64_t r = 0; r < rows; ++r)
+        for (std::int64_t c = 0; c < columns; ++c)
+          ASSERT_EQ(one.depth(7 + c, r - 3), two.depth(7 + c, r - 3)) << columns << ": " << c << ' ' << r;
+      for (int k = 0; k < 3; ++k) {
+        const std::int64_t c = below(columns);
+        cells.line(below(rows) - 3)[c / 64] &= ~(std::uint64_t(1) << (c % 64));
+      }
+    }
   }
 }
 

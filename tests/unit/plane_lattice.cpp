@@ -152,7 +152,8 @@ TEST(LatticeSum, IsTheSetOfSums) {
     auto points = random_runs(rng, 3, 70 + 20 * round), cells = random_runs(rng, 4, 300);
     LatticeBox box = LatticeBox::around(points) + LatticeBox::around(cells);
     Bitmap sums(box);
-    add_sums(points, cells, sums);
+    const LatticeSum sum{points, cells};
+    add_sums(std::span(&sum, 1), sums);
     std::set<Place> expected;
     for (const LatticeRun& p : points)
       for (const LatticeRun& c : cells)
@@ -169,7 +170,8 @@ TEST(LatticeSum, WithAFilledMiddle) {
     auto points = random_runs(rng, 50, 100 + 100 * round), cells = random_runs(rng, 40, 500);
     LatticeBox box = LatticeBox::around(points) + LatticeBox::around(cells);
     Bitmap sums(box);
-    add_sums(points, cells, sums);
+    const LatticeSum sum{points, cells};
+    add_sums(std::span(&sum, 1), sums);
     const std::int64_t columns = box.column1 - box.column0 + 1;
     std::vector<char> expected(std::size_t((box.row1 - box.row0 + 1) * columns));
     for (const LatticeRun& p : points)
@@ -200,8 +202,8 @@ TEST(LatticeSum, OfRowsWithoutGapsAddedToOneMap) {
       box.add(LatticeBox::around(points[k]) + LatticeBox::around(cells[k]));
     }
     Bitmap sums(box), expected(box);
+    add_sums(std::array<LatticeSum, 2>{{{points[0], cells[0]}, {points[1], cells[1]}}}, sums);
     for (std::size_t k = 0; k < 2; ++k) {
-      add_sums(points[k], cells[k], sums);
       for (const LatticeRun& p : points[k])
         for (const LatticeRun& c : cells[k]) expected.add({p.row + c.row, p.first + c.first, p.last + c.last});
     }

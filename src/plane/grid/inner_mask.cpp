@@ -63,10 +63,16 @@ InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side, double effo
   if (factors.empty()) return;
   LatticeBox box;
   for (const Factors& f : factors) box.add(f.box());
-  at_once(factors.size(), edges, kManyEdges, [&](std::size_t k) { factors[k].limit(effort / double(factors.size())); });
-  Bitmap sums(box);
-  for (const Factors& f : factors) add_sums(f.points, f.cells, sums);
-  depths_ = CellDepths(sums);
+  std::vector<LatticeSum> sums;
+  for (Factors& f : factors) {
+    f.limit(effort / double(factors.size()));
+    sums.push_back({f.points, f.cells});
+  }
+  Bitmap inside(box);
+  // Both of a pair at once; of all at once too much would be kept.
+  for (std::size_t k = 0; k < sums.size(); k += 2)
+    add_sums(std::span(sums).subspan(k, std::min<std::size_t>(2, sums.size() - k)), inside);
+  depths_ = CellDepths(inside);
 }
 
 }  // namespace findspace::plane

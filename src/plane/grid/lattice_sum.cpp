@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "plane/base/parallel.h"
@@ -219,21 +220,41 @@ std::vector<RowOfPoints> scattered_rows(std::span<const LatticeRun> points, std:
   return out;
 }
 
+/// What the rows of a sum are made of.
+class Terms {
+ public:
+  explicit Terms(const LatticeSum& sum)
+      : widened_(sum.cells, longest(sum.points)),
+        steps_(steps(sum.points, widened_)),
+        rows_(scattered_rows(sum.points, steps_)) {}
+  Terms(const Terms&) = delete;
+  Terms& operator=(const Terms&) = delete;
+
+  void add_row(Bitmap& to, std::int64_t row) const {
+    const LatticeBox& box = widened_.box();
+    RowOfSums sums(widened_, to, row);
+    for (const RowOfPoints& p : rows_)
+      if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
+  }
+
+ private:
+  WidenedCells widened_;
+  std::vector<Step> steps_;
+  std::vector<RowOfPoints> rows_;
+};
+
 }  // namespace
 
-void add_sums(std::span<const LatticeRun> points, std::span<const LatticeRun> cells, Bitmap& to) {
-  const WidenedCells widened(cells, longest(points));
-  const LatticeBox& box = widened.box();
-  const auto all = steps(points, widened);
-  const auto rows = scattered_rows(points, all);
+void add_sums(std::span<const LatticeSum> sums, Bitmap& to) {
+  std::size_t points = 0;
+  for (const LatticeSum& sum : sums) points += sum.points.size();
+  const std::size_t many_rows = points < kManyRuns ? SIZE_MAX : kManyRows;
   const auto count = std::size_t(to.box().row1 - to.box().row0 + 1);
-  in_ranges(count, points.size() < kManyRuns ? SIZE_MAX : kManyRows, [&](IndexRange some) {
-    for (std::size_t k = some.first; k < some.end; ++k) {
-      const std::int64_t row = to.box().row0 + std::int64_t(k);
-      RowOfSums sums(widened, to, row);
-      for (const RowOfPoints& p : rows)
-        if (box.row0 <= row - p.row && row - p.row <= box.row1) sums.add(p.steps, row - p.row);
-    }
+  std::vector<std::optional<Terms>> terms(sums.size());
+  at_once(sums.size(), count, many_rows, [&](std::size_t k) { terms[k].emplace(sums[k]); });
+  in_ranges(count, many_rows, [&](IndexRange some) {
+    for (std::size_t k = some.first; k < some.end; ++k)
+      for (const std::optional<Terms>& t : terms) t->add_row(to, to.box().row0 + std::int64_t(k));
   });
 }
 

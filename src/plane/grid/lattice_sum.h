@@ -13,8 +13,12 @@
 
 namespace findspace::plane {
 
-/// Adds the sums to `to`, where they must fit. Points and cells in order of their rows, the points also of their
-/// columns.
-void add_sums(std::span<const LatticeRun> points, std::span<const LatticeRun> cells, Bitmap& to);
+/// Points and cells in order of their rows, the points also of their columns.
+struct LatticeSum {
+  std::span<const LatticeRun> points, cells;
+};
+
+/// Adds the sums to `to`, where they must fit.
+void add_sums(std::span<const LatticeSum> sums, Bitmap& to);
 
 }  // namespace findspace::plane
