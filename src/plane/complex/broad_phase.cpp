@@ -19,7 +19,7 @@ namespace {
 /// Up to here a sweep along x costs less than the cells.
 constexpr std::size_t kFewPieces = 256;
 constexpr std::size_t kFewToSort = 8;       // that start in one column are inserted one by one
-constexpr std::size_t kManyToEnter = 2000;  // from here on ranges of pieces are entered at once
+constexpr std::size_t kManyToEnter = 6000;  // from here on ranges of pieces are entered at once
 
 /// y of the supporting curve at x, clamped into the piece's box by the caller.
 double y_at(const exact::Geometry& g, const Piece& p, double x) {

@@ -40,7 +40,8 @@ void keep_used(ArenaVector<Index>& used, std::vector<Thing>& things) {
     if (count != k) things[count] = std::move(things[k]);
     used[k] = count++;
   }
-  if constexpr (!std::is_trivially_destructible_v<Thing>) empty_all(std::span(things).subspan(count));
+  // Of a curve only a pointer is given back, which costs less than to wake another thread.
+  if constexpr (std::is_same_v<Thing, exact::RealPoint>) empty_all(std::span(things).subspan(count));
   things.erase(things.begin() + std::ptrdiff_t(count), things.end());
   if (2 * count < things.capacity() && things.capacity() * sizeof(Thing) > kLittle) things.shrink_to_fit();
 }

@@ -3,6 +3,7 @@
 #include "plane/walk/curve_stops.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "exact/planar/geometry_signs.h"
 #include "exact/planar/segment_sides.h"
@@ -15,7 +16,9 @@ namespace findspace::plane {
 namespace {
 
 constexpr Index kFewStops = 8;
-constexpr std::size_t kManyToMeetAtOnce = 2000;  // from here on strips and ranges of them are worked on at once
+// From here on work is divided: curves, and pairs that share a cell as their strips count them; stops. Less gains
+// nothing where processors share no cache.
+constexpr std::size_t kManyToMeet = 2000, kManyToCompare = 120'000, kManyStops = 6000;
 
 /// One crossing, or one degenerate vertex.
 bool same_meeting(const Stop& s, const Stop& t) {
@@ -29,7 +32,6 @@ struct Found {
   ArenaVector<Stop> stops;
   ArenaVector<std::pair<Index, Index>> opposite;
   ArenaVector<std::pair<Index, Index>> ties;  // points at one place, or one that is a degenerate vertex
-  Index further = 0;                          // by how much the points made of crossings move up
 };
 
 /// Finds where curves meet, in any order.
@@ -71,10 +73,15 @@ class StopFinder {
 /// there twice.
 class StopSorter {
  public:
-  StopSorter(const DirectedCurves& c, CurveStops& out, Memory memory)
-      : c_(c), g_(c.geometry), out_(out), memory_(memory), ranges_(range_count(size(), kManyToMeetAtOnce)) {}
+  StopSorter(const DirectedCurves& c, std::span<const Found> found, CurveStops& out, Memory memory)
+      : c_(c),
+        g_(c.geometry),
+        found_(found),
+        out_(out),
+        memory_(memory),
+        ranges_(range_count(found_stops(), kManyStops)) {}
   /// `known`: points of the geometry that are not made of crossings.
-  void run(std::span<const Found> found, std::size_t known);
+  void run(std::size_t known);
 
  private:
   struct Estimate {
@@ -89,8 +96,12 @@ class StopSorter {
 
   Index size() const { return Index(c_.pieces.size()); }
   Index stop_count(Index i) const { return out_.first[i + 1] - out_.first[i]; }
-  void group_stops(std::span<const Stop> found);
-  void group_stops(std::span<const Found> found, std::size_t known);
+  std::size_t found_stops() const {
+    std::size_t stops = 0;
+    for (const Found& part : found_) stops += part.stops.size();
+    return stops;
+  }
+  void group_stops();
   void sort_all();
   Sorted sort_stops(IndexRange curves);
   /// Whether all are known to be at different places.
@@ -108,6 +119,7 @@ class StopSorter {
 
   const DirectedCurves& c_;
   const exact::Geometry& g_;
+  std::span<const Found> found_;
   CurveStops& out_;
   Memory memory_;
   const std::size_t ranges_;  // of curves
@@ -186,11 +198,8 @@ void StopFinder::touch(Index i, Index node) {
   out_.stops.emplace_back(i, node, kNone, false);
 }
 
-void StopSorter::run(std::span<const Found> found, std::size_t known) {
-  if (found.size() == 1)
-    group_stops(found[0].stops);
-  else
-    group_stops(found, known);
+void StopSorter::run(std::size_t known) {
+  group_stops();
   if (!out_.stops.empty()) sort_all();
   out_.degenerate_vertices.settle(g_.points.size());
   if (!out_.degenerate_vertices.empty()) mark_degenerate();
@@ -213,38 +222,19 @@ void StopSorter::sort_all() {
   if (repeated > 0) drop_repeated();
 }
 
-/// In the order in which they were found.
-void StopSorter::group_stops(std::span<const Stop> found) {
+/// In the order in which they were found. By one thread: what several put down here and there would have to go from one
+/// processor to the other.
+void StopSorter::group_stops() {
   out_.first.assign(size() + 1, 0);
-  for (const Stop& s : found) ++out_.first[s.piece];
+  for (const Found& part : found_)
+    for (const Stop& s : part.stops) ++out_.first[s.piece];
   Index end = 0;
   for (Index& first : out_.first) first = end += first;
   out_.stops.resize(end);
-  for (std::size_t k = found.size(); k-- > 0;) out_.stops[--out_.first[found[k].piece]] = found[k];
-}
-
-/// The stops of each part of what was found go to places of their own.
-void StopSorter::group_stops(std::span<const Found> found, std::size_t known) {
-  ArenaVector<Index> at(found.size() * size(), 0, memory_);  // of a part and a curve: stops, then their place
-  each_range(found.size(), [&](std::size_t k) {
-    Index* const count = at.data() + k * size();
-    for (const Stop& s : found[k].stops) ++count[s.piece];
-  });
-  out_.first.resize(size() + 1);
-  Index before = 0;
-  for (Index i = 0; i < size(); ++i) {
-    out_.first[i] = before;
-    for (std::size_t k = 0; k < found.size(); ++k) before += std::exchange(at[k * size() + i], before);
+  for (std::size_t part = found_.size(); part-- > 0;) {
+    const ArenaVector<Stop>& stops = found_[part].stops;
+    for (std::size_t k = stops.size(); k-- > 0;) out_.stops[--out_.first[stops[k].piece]] = stops[k];
   }
-  out_.first[size()] = before;
-  out_.stops.resize(before);
-  each_range(found.size(), [&](std::size_t k) {
-    Index* const place = at.data() + k * size();
-    for (Stop s : found[k].stops) {
-      if (s.point >= known) s.point += found[k].further;
-      out_.stops[place[s.piece]++] = s;
-    }
-  });
 }
 
 StopSorter::Sorted StopSorter::sort_stops(IndexRange curves) {
@@ -346,6 +336,19 @@ void StopSorter::find_twins(std::size_t known) {
   });
 }
 
+/// About twice the pairs in the cells, one with itself among them.
+std::size_t pairs_at_most(const CellGrid& grid) {
+  const Index last_column = grid.column(exact::kInfinity), last_row = grid.row(exact::kInfinity);
+  std::size_t pairs = 0;
+  for (Index c = 0; c <= last_column; ++c)
+    for (Index r = 0; r <= last_row; ++r) pairs += grid.cell(c, r).size() * grid.cell(c, r).size();
+  return pairs;
+}
+
+std::size_t strip_count(const CellGrid& grid, std::size_t curves) {
+  return range_count(curves, kManyToMeet) == 1 ? 1 : range_count(pairs_at_most(grid), kManyToCompare);
+}
+
 /// Of strips of the grid at once; the same as one after the other.
 ArenaVector<Found> find_meetings(DirectedCurves& c, const CellGrid& grid, std::size_t count, Memory memory) {
   std::vector<exact::Point>& points = c.geometry.points;
@@ -358,15 +361,18 @@ ArenaVector<Found> find_meetings(DirectedCurves& c, const CellGrid& grid, std::s
     grid.pairs(strips[k], [&](Index i, Index j) { finder.cross(i, j); });
   });
   const std::size_t known = points.size();
-  std::size_t all = 0;
+  std::vector<std::size_t> first(count);  // of each strip the first of its points
+  std::size_t all = known;
   for (std::size_t k = 0; k < count; ++k) {
-    found[k].further = Index(all);
+    first[k] = all;
     all += made[k].size();
   }
-  points.resize(known + all);
+  points.resize(all);
   parallel_for(count, [&](std::size_t k) {
-    std::copy(made[k].begin(), made[k].end(), points.begin() + std::ptrdiff_t(known + found[k].further));
+    std::copy(made[k].begin(), made[k].end(), points.begin() + std::ptrdiff_t(first[k]));
     made[k] = {};
+    for (Stop& s : found[k].stops)
+      if (s.point >= known) s.point += Index(first[k] - known);
   });
   return found;
 }
@@ -378,22 +384,25 @@ CurveStops in_order(const DirectedCurves& c, std::span<const Found> found, std::
     for (const auto& [p, q] : part.ties) out.degenerate_vertices.tie(p, q);
     out.opposite.insert(out.opposite.end(), part.opposite.begin(), part.opposite.end());
   }
-  StopSorter(c, out, memory).run(found, known);
+  StopSorter(c, found, out, memory).run(known);
   return out;
 }
 
 }  // namespace
 
 CurveStops find_stops(DirectedCurves& c, Memory memory) {
-  const std::size_t known = c.geometry.points.size(), count = range_count(c.pieces.size(), kManyToMeetAtOnce);
-  if (count > 1) {
-    const ArenaVector<Found> found = find_meetings(c, CellGrid(c.geometry, c.pieces, {}, memory), count, memory);
+  const std::size_t known = c.geometry.points.size();
+  std::optional<CellGrid> grid(std::in_place, c.geometry, c.pieces, std::span<const Index>(), memory);
+  if (const std::size_t count = strip_count(*grid, c.pieces.size()); count > 1) {
+    const ArenaVector<Found> found = find_meetings(c, *grid, count, memory);
+    grid.reset();
     return in_order(c, found, known, memory);
   }
   Found found(memory);
   found.stops.reserve(c.pieces.size());
   StopFinder finder(c, c.geometry.points, found);
-  CellGrid(c.geometry, c.pieces, {}, memory).pairs([&](Index i, Index j) { finder.cross(i, j); });
+  grid->pairs([&](Index i, Index j) { finder.cross(i, j); });
+  grid.reset();
   return in_order(c, std::span(&found, 1), known, memory);
 }
 

@@ -11,14 +11,14 @@
 namespace findspace::plane {
 namespace {
 
-constexpr std::size_t kManyToWalk = 2000;  // curves: from here on ranges of them are looked at at once
-constexpr std::size_t kShortWay = 32;      // parts; at half the crossings a way ends
+constexpr std::size_t kManyToWalk = 12'000;  // parts: from here on ranges of curves are looked at at once
+constexpr std::size_t kShortWay = 32;        // parts; at half the crossings a way ends
 
 }  // namespace
 
 // A part is inner or not whoever finds out first, so it does not matter what other threads have noted so far.
 void OuterWalks::close_short_ways() {
-  const std::size_t ranges = range_count(curves_.size(), kManyToWalk);
+  const std::size_t ranges = range_count(curves_.part_count(), kManyToWalk);
   if (ranges == 1) return;
   parallel_for(ranges, [&](std::size_t k) {
     const IndexRange curves = range(k, ranges, curves_.size());
