@@ -60,7 +60,7 @@ struct Run {
   }
 };
 
-constexpr std::size_t kManyToCut = 1000;  // curves: from here on ranges of them are cut at once
+constexpr std::size_t kManyToCut = 2500;  // curves: from here on ranges of them are cut at once
 constexpr std::int64_t kEnd = INT64_MIN;  // no line
 
 /// What is kept of a piece: from one border of lines of cells to another, or to an end of the piece (kEnd).

@@ -25,7 +25,8 @@ constexpr std::size_t kSample = 256;         // of them, looked at first: three 
 // A look at a curve costs what the mask of prune_inside.h does for some crossings of its. Where more are estimated, the
 // mask costs more, but it also cuts away parts of curves. Nearly coinciding curves cross far more than is estimated.
 constexpr double kMostCrossings = 8;
-constexpr std::size_t kManyCorners = 100;  // from here on ranges of them are worked on at once
+constexpr std::size_t kPointsOfCut = 7;   // about, in the end, where many curves are cut and cross: for each
+constexpr std::size_t kManyLooks = 8000;  // curves: from here on ranges of corners are looked at at once
 
 struct Extent {
   double width, height;
@@ -185,8 +186,8 @@ class FacePair {
     } else if (choice_.one_pair() && pruning_pays(all)) {
       chosen_ = true;
       const InnerMask& mask = out_.mask.emplace(mask_for(all, choice_.a, choice_.b));
-      keep_at_once(b_, a_, 0, mask);
-      keep_at_once(a_, b_, 1, mask);
+      keep_at_once(b_, a_, 0, mask, count);
+      keep_at_once(a_, b_, 1, mask, count);
     }
   }
 
@@ -204,9 +205,9 @@ class FacePair {
     });
   }
 
-  /// Those that the mask does not hold; ranges of corners at once.
-  void keep_at_once(const EdgeFan& moved, const EdgeFan& fan, int side, const InnerMask& mask) {
-    const std::size_t ranges = range_count(fan.corners.size(), kManyCorners);
+  /// Those that the mask does not hold; ranges of corners at once. `count`: of the curves of both sides.
+  void keep_at_once(const EdgeFan& moved, const EdgeFan& fan, int side, const InnerMask& mask, std::size_t count) {
+    const std::size_t ranges = range_count(count, kManyLooks);
     std::vector<std::vector<MovedEdge>> kept(ranges);
     const auto test = [&](std::size_t k) {
       each(moved, fan, range(k, ranges, fan.corners.size()), [&](Index e, Index v) {
@@ -232,8 +233,9 @@ class FacePair {
   /// Makes the pieces, which are then set one by one, and reserves the rest.
   void make_room(std::size_t count) {
     auto& g = out_.geometry;
-    reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);  // more where they will be cut
-    reserve_more(g.points, count + count / 4);                                 // many ends are shared
+    // Many ends are shared. Curves that will be cut have points there, and meet: to make room then copies all of them.
+    reserve_more(g.supporting_curves, out_.mask ? count + count / 8 : count);
+    reserve_more(g.points, out_.mask ? kPointsOfCut * count : count + count / 4);
     reserve_more(out_.pieces, count);
     reserve_more(out_.sides, count);
     piece_ = Index(out_.pieces.size());
