@@ -102,6 +102,7 @@ class StopSorter {
     return stops;
   }
   void group_stops();
+  void put_stops(IndexRange curves);
   void sort_all();
   Sorted sort_stops(IndexRange curves);
   /// Whether all are known to be at different places.
@@ -222,8 +223,8 @@ void StopSorter::sort_all() {
   if (repeated > 0) drop_repeated();
 }
 
-/// In the order in which they were found. By one thread: what several put down here and there would have to go from one
-/// processor to the other.
+/// In the order in which they were found. One thread counts them, and each of two looks at all and puts down those of
+/// its own curves: what several put down here and there would have to go from one processor to the other.
 void StopSorter::group_stops() {
   out_.first.assign(size() + 1, 0);
   for (const Found& part : found_)
@@ -231,9 +232,16 @@ void StopSorter::group_stops() {
   Index end = 0;
   for (Index& first : out_.first) first = end += first;
   out_.stops.resize(end);
+  const std::size_t halves = ranges_ == 1 ? 1 : 2;
+  each_range(halves, [&](std::size_t k) { put_stops(range(k, halves, size())); });
+}
+
+/// Of some curves, from their last places on.
+void StopSorter::put_stops(IndexRange curves) {
   for (std::size_t part = found_.size(); part-- > 0;) {
     const ArenaVector<Stop>& stops = found_[part].stops;
-    for (std::size_t k = stops.size(); k-- > 0;) out_.stops[--out_.first[stops[k].piece]] = stops[k];
+    for (std::size_t k = stops.size(); k-- > 0;)
+      if (const Index i = stops[k].piece; curves.first <= i && i < curves.end) out_.stops[--out_.first[i]] = stops[k];
   }
 }
 
