@@ -49,8 +49,8 @@ void compare(const Region& a, const Region& b, const std::string& what, Count& c
   const GridOperand x{*p, a.geometry}, y{*q, b.geometry};
   const Operand first{a, in}, second{b, in, true};
   const ConvolutionIndex index(x, y);
-  ReducedConvolution curves = reduced_convolution(x, y);
-  ReducedConvolution same = curves, merged = merged_curves(curves), arranged = merged;
+  ReducedConvolution curves = reduced_convolution(x, y), merged = merged_curves(reduced_convolution(x, y));
+  DirectedCurves same = curves, arranged = merged;
   const MeetingCurves meeting(same, kHeap);
   const DegenerateVertices& degenerate_vertices = meeting.degenerate_vertices();
   bool doubled = !meeting.parts_with_two_inner_sides().empty(), degenerate = false;
