@@ -71,7 +71,7 @@ class Atom:
         self.b, self.relation = b, rng.choice(list(RELATIONS))
         self.names = [rng.choice(list(shapes))]
         self.level = Fraction(rng.choice([0, 0, 1, 2, 3, Fraction(1, 2), 5, -1, -2]))
-        self.word, self.prefix, self.argument = rng.choice(list(WORDS)), "", ""
+        self.word, self.prefix, self.argument = rng.choice([*WORDS, "gap", "gap"]), "", ""
         self.unit, self.way = rng.choice(UNITS), None
         path = motion.get(self.names[0])
         if path:
@@ -112,7 +112,7 @@ class Atom:
     def touching(self, rng):
         """Positions at which the distance is exactly the level, of some that are likely."""
         out = []
-        for _ in range(60):
+        for _ in range(150):
             a = rng.choice(self.others)
             away = rng.choice([self.level + a.radius + self.b.radius, self.level - a.radius - self.b.radius,
                                self.level + a.radius - self.b.radius, self.level - a.radius + self.b.radius])  # fmt: skip
