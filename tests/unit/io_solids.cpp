@@ -58,6 +58,12 @@ TEST(ReadSolids, TellsProblemsApart) {
 
 TEST(ReadSolids, SaysWhatIsWrong) {
   const std::string head = R"({"container": {"size-x": 4, "size-y": 2}, "item-types": )";
+  try {
+    read_nesting(R"({"item-types": []})", "none.json", {});
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("needs a 'container'"), std::string::npos) << e.what();
+  }
   EXPECT_NE(message_of(head + R"([{"demand": 1}]})").find("either a 'path' or a 'shape'"), std::string::npos);
   EXPECT_NE(message_of(head + R"([{"path": "a.obj"}]})").find("'demand' is missing"), std::string::npos);
   EXPECT_NE(message_of(head + R"([{"demand": 1, "path": "none.obj"}]})").find("none.obj"), std::string::npos);

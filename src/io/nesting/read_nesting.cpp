@@ -135,7 +135,9 @@ class Reader : private NestingJson {
            "this is a scene: pack takes a nesting problem, with 'items' and 'strip_height' or 'sheets' "
            "(docs/nesting.md); few shapes of a scene are placed by 'findspace place'");
     if (tree().find("item-types") != nullptr && tree().find("items") == nullptr)
-      fail(tree(), "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
+      fail(tree(), tree().find("container") == nullptr && tree().find("containers") == nullptr
+                       ? "a packing problem in space needs a 'container' or 'containers' (docs/nesting.md)"
+                       : "this is a packing problem in space: only pack and verify take it (docs/nesting.md)");
     const JsonValue& items = list(need(tree(), "items"));
     result.notes = unread_keys(*this);
     StatedShapes shapes(*this, asked);
