@@ -310,7 +310,8 @@ void add_question(CLI::App& command, std::string_view verb, Options& o) {
                                    "all distances, not only gap, margin, reach, protrusion (both ways) and hausdorff");
       all->group(kCommon);
       auto* only = command.add_option(
-          "--only", o.only, "this distance alone, such as gap; no other is computed in space (default: those five)");
+          "--only", o.only,
+          "this distance alone, such as gap; no other is computed, but over time (default: those five)");
       only->type_name("NAME")->excludes(all)->group(kCommon);
     }
   }

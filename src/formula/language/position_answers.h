@@ -5,6 +5,7 @@
 // that is feasible. Values only; lengths and places are in the scene's unit. Keywords: report, result, measurement.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ struct DistanceAt {
 
 /// A distance that has this answer.
 DistanceAt distance_at(std::string text, std::optional<distance::SceneAnswer> answer);
+
+/// Whether the distance of a text is wanted; without a function all are.
+using WantedText = std::function<bool(const std::string& text)>;
 /// Minus the distance; undefined where that is +infinity.
 DistanceAt minus(DistanceAt d);
 

@@ -208,11 +208,15 @@ DistanceAt plain_distance_at(const PreparedWorld& world, const Distance& wanted,
   return named_answer(world, wanted, world.roles(wanted), std::move(answer), p);
 }
 
-std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& p, const Formula& formula) {
+std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& p, const Formula& formula,
+                                   const WantedText& is_wanted) {
   std::vector<Distance> wanted = all_distances(world.world());
   for (const SignMap& m : formula.sign_maps()) {
     if (std::find(wanted.begin(), wanted.end(), m.distance) == wanted.end()) wanted.push_back(m.distance);
   }
+  // Over time one may follow from another.
+  if (is_wanted && (!world.motion().given() || world.world().instant))
+    std::erase_if(wanted, [&](const Distance& d) { return !is_wanted(text(d)); });
   std::vector<DistanceAt> out(wanted.size());
   // Over time a value is a search: it is made once for those that follow from each other.
   std::vector<std::size_t> source(wanted.size());

@@ -27,7 +27,8 @@ DistanceAt plain_distance_at(const PreparedWorld& world, const Distance& wanted,
                              const exact::RealPoint& p);
 
 /// All distances of the moving shapes to every other shape at p, in grid steps, with a motion their inf and sup; and
-/// those that the formula names besides.
-std::vector<DistanceAt> measure_at(const PreparedWorld& world, const exact::RealPoint& p, const Formula& formula);
+/// those that the formula names besides. `wanted`: by their texts; others may be left out.
+std::vector<DistanceAt> measure_at(const PreparedWorld& world, const exact::RealPoint& p, const Formula& formula,
+                                   const WantedText& wanted);
 
 }  // namespace findspace::formula

@@ -45,8 +45,8 @@ DistanceAt Solver::distance_at(const Distance& wanted, const RealPoint& p) const
   return formula::distance_at(prepared_, wanted, prepared_.steps(p));
 }
 
-std::vector<DistanceAt> Solver::measure(const RealPoint& p, const Formula& formula) const {
-  return measure_at(prepared_, prepared_.steps(p), formula);
+std::vector<DistanceAt> Solver::measure(const RealPoint& p, const Formula& formula, const WantedText& wanted) const {
+  return measure_at(prepared_, prepared_.steps(p), formula, wanted);
 }
 
 TriedNearest Solver::nearest_feasible(const Formula& formula, const RealPoint& p) const {

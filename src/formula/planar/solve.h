@@ -38,7 +38,8 @@ class Solver {
   Check check(const Formula& formula, const exact::RealPoint& p) const;
   bool holds(const Formula& formula, const exact::RealPoint& p) const;
   DistanceAt distance_at(const Distance& wanted, const exact::RealPoint& p) const;
-  std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {}) const;
+  std::vector<DistanceAt> measure(const exact::RealPoint& p, const Formula& formula = {},
+                                  const WantedText& wanted = {}) const;
   TriedNearest nearest_feasible(const Formula& formula, const exact::RealPoint& p) const;
 
   /// One position over the time of a motion (instants.h, swing.h).

@@ -205,12 +205,13 @@ AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) c
   return out;
 }
 
-std::vector<DistanceAt> RotationSolver::measure(const Formula& formula) const {
+std::vector<DistanceAt> RotationSolver::measure(const Formula& formula, const WantedText& wanted) const {
   const RotationMaps maps = this->maps(formula);
   about_ = maps.about();
-  std::vector<DistanceAt> out = rotated_solver().measure(pose_.at);
+  std::vector<DistanceAt> out = rotated_solver().measure(pose_.at, {}, wanted);
   for (const Atom& a : formula.atoms()) {
     const std::string name = text(a.distance);
+    if (wanted && !wanted(name)) continue;
     if (std::any_of(out.begin(), out.end(), [&](const DistanceAt& d) { return d.text == name; })) continue;
     const bool rotating = a.distance.mode == Mode::kRotation;
     out.push_back(rotating ? rotation_at(maps, a.distance, Real()).distance

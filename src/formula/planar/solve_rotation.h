@@ -36,7 +36,7 @@ class RotationSolver {
   /// on the grid.
   Check check(const Formula& formula) const;
   /// All distances of the rotated shape to every other, as Solver::measure(), and those that the formula names besides.
-  std::vector<DistanceAt> measure(const Formula& formula) const;
+  std::vector<DistanceAt> measure(const Formula& formula, const WantedText& wanted = {}) const;
   /// The point the moving shape rotates about, in grid steps of its own coordinates; after check() or measure().
   const exact::RealPoint& about() const { return about_; }
   /// What was rounded by the last check.

@@ -34,13 +34,16 @@ formula::Kind kind_of(std::string_view word) {
                                                    near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
-std::vector<formula::DistanceAt> only(std::vector<formula::DistanceAt> distances,
-                                      const std::vector<formula::Kind>& kinds) {
-  if (kinds.empty()) return distances;
-  std::erase_if(distances, [&](const formula::DistanceAt& d) {
-    const formula::PlainText plain = formula::plain(d.text);
-    return std::find(kinds.begin(), kinds.end(), kind_of(distance_word(plain.text))) == kinds.end();
-  });
+formula::WantedText of_kinds(const std::vector<formula::Kind>& kinds) {
+  if (kinds.empty()) return {};
+  return [kinds](const std::string& text) {
+    const formula::Kind kind = kind_of(distance_word(formula::plain(text).text));
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+}
+
+std::vector<formula::DistanceAt> only(std::vector<formula::DistanceAt> distances, const formula::WantedText& wanted) {
+  if (wanted) std::erase_if(distances, [&](const formula::DistanceAt& d) { return !wanted(d.text); });
   return distances;
 }
 
@@ -237,10 +240,11 @@ Answer::Data between_in_plane(AskedScene given, const exact::RealPoint& at,
 Answer::Data measure_in_plane(AskedScene given, const PlanarPose& pose, const WantedDistances& wanted) {
   const auto q = planar_question(std::move(given), pose, true);
   q->asked.stage("measuring");
+  const formula::WantedText kinds = of_kinds(wanted.kinds);
   std::vector<formula::DistanceAt> all =
-      q->rotated ? q->rotated->measure(q->formula) : q->solver->measure(q->at, q->formula);
+      q->rotated ? q->rotated->measure(q->formula, kinds) : q->solver->measure(q->at, q->formula, kinds);
   if (q->rotated) q->asked.note_rotated(q->rotated->rounding());
-  q->distances = std::make_shared<const std::vector<formula::DistanceAt>>(only(std::move(all), wanted.kinds));
+  q->distances = std::make_shared<const std::vector<formula::DistanceAt>>(only(std::move(all), kinds));
   Answer::Data out;
   out.json = [q](const Telling&) { return measure_json(*q->distances, q->place(), q->asked.unit(), q->degrees()); };
   out.text = [q, told = wanted.told](const Telling& telling) {
