@@ -176,24 +176,26 @@ class Near {
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
     if (!b.box) return position_function(world_, wanted.distance)->sign_map(level);
     const PieceBox window = reached(*b.box, d, level);
-    std::vector<Region> parts;
+    std::vector<plane::SharedRegion> parts;
     for (const std::string& name : d.second)
       if (world_.box(name)->meets(window)) parts.push_back(part(name, window));
     std::vector<const Region*> all;
     for (const Region& p : parts) all.push_back(&p);
     if (all.empty()) return CellComplex::uniform(1);
-    Region a = all.size() == 1 ? std::move(parts[0]) : plane::unite(all);
+    plane::SharedRegion a = all.size() == 1 ? std::move(parts[0]) : plane::SharedRegion(plane::unite(all));
     if (plane::is_empty(a)) return CellComplex::uniform(1);
     const auto pair =
         std::make_shared<distance::SignedDistance>(distance::SignedDistance::gamma1(b.shape, std::move(a)));
     return over_its_time(world_, d, pair)->sign_map(level);
   }
 
-  /// A shape as it is within the window.
-  Region part(const std::string& name, const PieceBox& window) const {
-    const Region& whole = world_.world().shapes.at(name);
+  /// A shape as it is within the window. One of a single face is as it is, without a copy.
+  plane::SharedRegion part(const std::string& name, const PieceBox& window) const {
+    const plane::SharedRegion& whole = world_.world().shapes.at(name);
+    if (whole->faces.size() == 2) return whole;
     const plane::BoundaryComponents* boundary_components = world_.boundary_components(name);
-    return plane::within(boundary_components ? boundary_components->near(whole, window) : whole, window);
+    if (boundary_components) return plane::within(boundary_components->near(whole, window), window);
+    return plane::within(whole, window);
   }
 
   Mover made(const Names& names) const {
@@ -255,13 +257,14 @@ bool is_solved_near(const Solver& solver, const Formula& formula) {
 }
 
 std::optional<plane::NearestInClosure> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
-                                                          const exact::RealPoint& p) {
+                                                          const exact::RealPoint& p, const Real& least) {
   constexpr double kLargest = 0x1p38;  // no sign: in grid steps, what is beyond is not a coordinate
   const double x = distance::near_value(p.x), y = distance::near_value(p.y);
   const auto sizes = window_sizes(world);
   Near near(world, formula);
   if (!sizes || !near.all_local()) return std::nullopt;
-  for (double half = sizes->first; half < sizes->most; half *= 2) {
+  // A window that holds no more than what is too near would be made in vain.
+  for (double half = std::max(sizes->first, 1.5 * distance::near_value(least)); half < sizes->most; half *= 2) {
     if (std::max(std::abs(x), std::abs(y)) + half > kLargest) return std::nullopt;
     const std::int64_t x0 = std::llround(x - half), y0 = std::llround(y - half), x1 = std::llround(x + half),
                        y1 = std::llround(y + half);

@@ -24,7 +24,8 @@ bool is_solved_near(const Solver& solver, const Formula& formula);
 
 /// The position nearest to p, in grid steps, at which the formula holds, or of the closure of those, from windows that
 /// grow about p; nothing where it is not in one that is small beside the whole world, or where not all is local.
+/// `least`: none is nearer than that.
 std::optional<plane::NearestInClosure> nearest_in_windows(const PreparedWorld& world, const Formula& formula,
-                                                          const exact::RealPoint& p);
+                                                          const exact::RealPoint& p, const exact::Real& least);
 
 }  // namespace findspace::formula

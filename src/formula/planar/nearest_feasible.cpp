@@ -117,7 +117,8 @@ TriedNearest nearest_feasible_to(const PreparedWorld& world, const Formula& form
   if (auto near = from_contacts(world, formula, p)) return near;
   if (const auto why = between_bounds(world, formula)) return *why;
   if (formula.root().op == Node::Op::kOr) return nearest_of_alternatives(world, formula, p);
-  if (const auto near = nearest_in_windows(world, formula, p)) return nearest_in_scene(world, *near);
+  const Real least = LeastWay(world, formula, p).of(formula.root()) / world.step();
+  if (const auto near = nearest_in_windows(world, formula, p, least)) return nearest_in_scene(world, *near);
   const plane::Region region = feasible(world, formula), closed = plane::closure(region);
   const auto found = plane::nearest_in_closure(region, closed, p);
   if (!found) return std::nullopt;
