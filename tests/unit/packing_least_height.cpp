@@ -281,7 +281,6 @@ TEST(PackingLeastHeight, ConditionsThatAreHardToKeep) {
   EXPECT_NEAR(layout->height.to_double(), 6, 0.01);
 }
 
-/// With a gap the bound is that without it; it stays below the layout.
 /// As where the time is over before it begins.
 TEST(PackingLeastHeight, IsAboveNothingBeforeItBegins) {
   const SolidProblem problem = problem_of(2, 2, {box("brick", 2, 1, 1, 1)});
@@ -289,6 +288,7 @@ TEST(PackingLeastHeight, IsAboveNothingBeforeItBegins) {
   EXPECT_EQ(LeastHeight(problem, table, 2).bound(), 0);
 }
 
+/// With a gap the bound is that without it; it stays below the layout.
 TEST(PackingLeastHeight, GapsAreAboveTheBound) {
   SolidProblem problem = problem_of(3, 3, {box("slab", 3, 2, 2, 1)});
   problem.gap = 1;

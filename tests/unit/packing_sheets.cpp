@@ -58,6 +58,16 @@ TEST(Sheets, PartsWithoutClearanceInTenths) {
   }
 }
 
+TEST(Sheets, PartsThatFitSomeSheetsAlone) {
+  Problem problem;
+  problem.sheets.push_back({"low", 2, {}, box(20, 5)});
+  problem.sheets.push_back({"narrow", 2, {}, box(9, 20)});
+  problem.sheets.push_back({"high", 2, {}, box(12, 12)});
+  problem.parts = {{"big", 2, box(10, 10), {0}}};
+  const Layout layout = found(problem, 1e4);
+  EXPECT_EQ(layout.sheets, (std::vector<std::size_t>{2, 2}));
+}
+
 TEST(Sheets, OutlineHoleAndZone) {
   Problem problem;
   // An L of two squares of 4 and a corner, with a hole of 2 in the corner; squares of 4 have two places.

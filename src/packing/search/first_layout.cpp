@@ -75,10 +75,13 @@ class Builder {
     return true;
   }
 
-  /// Of a part without clearance the far side may come out before the near one, by a rounding.
+  /// Of a part without clearance the far side may come out before the near one, by a rounding. Where it does by more,
+  /// the part fits other sheets alone.
   bool is_in_room(const Variant& shape, Vec at) const {
     const Room<Vec>& room = row_.rooms()[row_.room_of(shape, at)];
-    const auto between = [](double c, double low, double high) { return c >= low && c <= std::max(low, high); };
+    const auto between = [&](double c, double low, double high) {
+      return c >= low && c <= (low - high <= shallow_ ? std::max(low, high) : high);
+    };
     return between(at.x, room.low.x - shape.low.x, room.high.x - shape.high.x) &&
            between(at.y, -shape.low.y, room.high.y - shape.high.y);
   }
