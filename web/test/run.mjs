@@ -437,7 +437,8 @@ const tests = {
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
     // In the way of others: it is red, and the page says of which.
-    await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 10, { steps: 3 });
+    const below = await (await page.$('[data-item="6"]')).boundingBox();
+    await page.mouse.move(below.x + below.width / 2, below.y + below.height / 2, { steps: 3 });
     await until(page, () => document.querySelector('[data-item="3"].wrong') && / overlap by /.test(document.getElementById("verdict").textContent));
     await shot(page, "pack-wrong-light");
     // Behind the end of the strip it is free.
