@@ -248,12 +248,15 @@ TEST(Sheets, APlaceThatIsNoCorner) {
   EXPECT_EQ(none.left_out.at(0).why, "no container was found for it");
 }
 
+/// Fixed copies may look as free ones do.
 TEST(FieldTable, PairsThatShareAField) {
   Problem problem;
   problem.height = 20;
   const Polygon corner = make_polygon({{{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}}, "corner");
   const Polygon wedge = make_polygon({{{2, 1}, {6, 0}, {3, 5}}}, "wedge");
-  problem.parts = {{"corner", 1, corner, {0, 90, 180, 270}}, {"wedge", 1, wedge, {0, 180}, true}};
+  problem.parts = {{"corner", 2, corner, {0, 90, 180, 270}}, {"wedge", 2, wedge, {0, 180}, true}};
+  problem.fixed = {{{.part = 0, .copy = 1, .angle = 180, .mirrored = false, .x = 9, .y = 9}, 0},
+                   {{.part = 1, .copy = 1, .angle = 0, .mirrored = false, .x = 9, .y = 9}, 0}};
   const FieldTable table(problem);
   const std::size_t n = table.variants().size();
   for (std::size_t a = 0; a < n; ++a)

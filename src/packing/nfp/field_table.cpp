@@ -179,15 +179,19 @@ Pose FieldTable::pose_of(std::size_t part, const Fraction& angle, bool mirrored,
   return {variants_of(part)[0], at};
 }
 
+/// Of what free copies may look like: there each is the opposite of its opposite. A fixed copy has none.
 std::optional<FieldTable::Opposite> FieldTable::opposite_of(std::size_t variant) const {
+  if (variants_[variant].part == kNoPart) return std::nullopt;
+  const std::vector<std::size_t>& looks = of_part_[variants_[variant].part];
+  if (std::find(looks.begin(), looks.end(), variant) == looks.end()) return std::nullopt;
   SearchShape opposite = variants_[variant].shape;
   for (auto& ring : opposite.rings)
     for (auto& [x, y] : ring) {
       x = -x;
       y = -y;
     }
-  if (variants_[variant].part == kNoPart || opposite.round) return std::nullopt;
-  for (const std::size_t other : of_part_[variants_[variant].part])
+  if (opposite.round) return std::nullopt;
+  for (const std::size_t other : looks)
     if (const auto off = offset_to(other, opposite)) return Opposite{other, *off};
   return std::nullopt;
 }
