@@ -96,11 +96,14 @@ TEST(Sheets, TheLastLeavesALargeRectangle) {
   Problem problem;
   problem.sheets.push_back({"plate", 2, {}, box(10, 10)});
   problem.parts = {{"bar", 3, box(9, 1), {0}}, {"plug", 1, box(1, 2), {0}}};
-  const Layout layout = found(problem, 1e8);
-  EXPECT_EQ(layout.sheets.size(), 1u);
-  const Remnant left = largest_remnant(problem, layout).value();
-  EXPECT_EQ(left.width, Fraction(10));
-  EXPECT_EQ(left.height, Fraction(7));
+  for (const char* where : {"gap(self, other) >= 0", "gap(self, other, along=(0, 1)) <= 5"}) {
+    problem.conditions = {{0, 0, where}};
+    const Layout layout = found(problem, 1e8);
+    EXPECT_EQ(layout.sheets.size(), 1u) << where;
+    const Remnant left = largest_remnant(problem, layout).value();
+    EXPECT_EQ(left.width, Fraction(10)) << where;
+    EXPECT_EQ(left.height, Fraction(7)) << where;
+  }
 }
 
 TEST(Sheets, TheLastOneMayBeAnyShapeWithHolesZonesAndFixedParts) {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "formula/language/parse.h"
+#include "formula/language/text.h"
 
 namespace findspace::packing {
 namespace {
@@ -32,6 +33,19 @@ formula::Formula for_other(const formula::Formula& where) {
     for (exact::Real& c : atom.distance.vector) c = -c;
   }
   return {where.root(), std::move(atoms)};
+}
+
+std::string turned_back(const std::string& where) {
+  const formula::Formula stated = parse_condition(where);
+  std::vector<formula::Atom> atoms = stated.atoms();
+  for (formula::Atom& atom : atoms) {
+    formula::Distance& distance = atom.distance;
+    if (distance.mode == formula::Mode::kPlain) continue;
+    distance.vector = {distance.vector[1], -distance.vector[0]};
+    distance.vector_text =
+        fmt::format("({}, {})", formula::number_text(distance.vector[0]), formula::number_text(distance.vector[1]));
+  }
+  return formula::text(formula::Formula(stated.root(), std::move(atoms)));
 }
 
 formula::Formula parse_condition(const std::string& where, int dimension) {

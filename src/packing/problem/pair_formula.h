@@ -23,6 +23,9 @@ formula::Formula parse_condition(const std::string& where, int dimension = 2);
 /// The same where `other` moves: one way is that of `self`, so it goes back.
 formula::Formula for_other(const formula::Formula& where);
 
+/// A condition of two parts as one of the two turned by -90 degrees: its directions are turned with them.
+std::string turned_back(const std::string& where);
+
 /// The greatest level that a condition compares a distance with, or 0. Two parts farther apart than that are as good
 /// as infinitely far apart.
 double greatest_level(const std::vector<PairCondition>& conditions, int dimension = 2);

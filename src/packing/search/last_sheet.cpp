@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "packing/problem/pair_formula.h"
 #include "packing/problem/round_part.h"
 #include "packing/proof/remnant.h"
 #include "packing/proof/verify.h"
@@ -38,6 +39,7 @@ class OnItsSide {
     Problem result = with_angles_of(problem_, layout_);  // of tilted parts
     result.sheets = {turned(sheet_)};
     result.fixed.clear();
+    for (PairCondition& condition : result.conditions) condition.where = turned_back(condition.where);
     for (Part& part : result.parts) {
       part.demand = 0;
       for (Fraction& angle : part.angles) angle = angle - kQuarter;
