@@ -181,7 +181,10 @@ TEST(LowerBound, AFixedCopyMayStandAtAnyAngle) {
   problem.parts.push_back({"bar", 1, box(0, 0, 14, 1), {0}});
   EXPECT_EQ(lower_bound(problem), Fraction(14));
   problem.fixed = {{{.part = 0, .copy = 1, .angle = 90, .mirrored = false, .x = 1, .y = 0}, 0}};
-  EXPECT_LE(lower_bound(problem), Fraction(1));
+  EXPECT_EQ(lower_bound(problem), Fraction(1));  // where it ends
+  problem.edge = Fraction(1, 4);
+  EXPECT_EQ(lower_bound(problem), Fraction(5, 4));
+  problem.edge = 0;
   problem.parts[0].demand = 2;
   EXPECT_EQ(lower_bound(problem), Fraction(14));
 }

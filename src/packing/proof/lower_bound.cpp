@@ -126,6 +126,18 @@ Fraction fewest_sheets(const Problem& problem) {
   return Fraction(int128(std::max(fixed, fewest_bins(std::move(sheets), std::move(parts)))));
 }
 
+/// Where the last fixed part ends, in whole grid steps behind its origin rounded down.
+Fraction end_of_fixed(const Problem& problem) {
+  Fraction end;
+  for (const auto& [placed, kind] : problem.fixed) {
+    const Part& part = problem.parts[placed.part];
+    const int128 high = part.round ? exact::floor(part.round->at(placed.angle, placed.mirrored).high.x)
+                                   : box_of(part, placed.angle, placed.mirrored).high.x;
+    end = std::max(end, placed.x + Fraction(high, problem.steps()));
+  }
+  return end;
+}
+
 struct Size {
   int128 width, height;
 };
@@ -215,7 +227,8 @@ Fraction lower_bound(const Problem& problem) {
     if (problem.free_copies(part) > 0)
       if (const auto width = least_width(problem, problem.parts[part]))
         widest = std::max(widest, Fraction(*width, problem.steps()));
-  return std::max(widest, least_length(problem)) + problem.edge + problem.edge;
+  const Fraction free_end = std::max(widest, least_length(problem)) + problem.edge;
+  return std::max(free_end, end_of_fixed(problem)) + problem.edge;
 }
 
 }  // namespace findspace::packing
