@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "packing/compaction/finish.h"
 #include "packing/proof/verify.h"
 #include "packing/search/hidden_room.h"
+#include "packing/search/island_team.h"
 #include "packing/search/strip_search.h"
 
 namespace findspace::packing {
@@ -135,6 +138,17 @@ TEST(Search, WhatCannotBePacked) {
   const std::atomic<bool> stop = false;
   EXPECT_FALSE(search_strip(problem_of(3, {{"box", 0, box(1, 1), {0}}}), {}, {}, stop).has_value());
   EXPECT_THROW(search_strip(problem_of(3, {{"tall", 1, box(1, 4), {0, 180}}}), {}, {}, stop), Error);
+}
+
+TEST(Search, WithoutLimitsProgressIsTheWaiting) {
+  const std::atomic<bool> stop = false;
+  SearchLimits limits(0, 0, stop);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const double waited = limits.progress(1e9);
+  EXPECT_GT(waited, 0.0016);
+  EXPECT_FALSE(limits.is_over(1e9));
+  limits.note_better();
+  EXPECT_LT(limits.progress(1e9), waited);
 }
 
 TEST(Search, StopsAtOnceWithALayout) {

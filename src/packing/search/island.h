@@ -28,7 +28,7 @@ class IslandOf {
   IslandOf(const typename Kit::Table& table, const typename Kit::Row& row, Found start, std::uint64_t seed);
 
   /// One pass over the overlapping parts, or one step between two separations. `progress`: how much of the whole
-  /// search is over, from 0 to 1.
+  /// search is over, from 0 to 1; less than before where a search without limits found a better layout.
   void step(double progress);
   const Found& best() const { return best_; }
   /// Goes on from a better layout of another island.
@@ -94,10 +94,9 @@ IslandOf<Kit>::IslandOf(const typename Kit::Table& table, const typename Kit::Ro
 template <class Kit>
 void IslandOf<Kit>::step(double progress) {
   progress_ = progress;
-  if (phase_ == Phase::kExplore && progress >= Kit::kExploration) {
-    phase_ = Phase::kCompress;
-    separating_ = false;
-  }
+  const Phase phase = progress >= Kit::kExploration ? Phase::kCompress : Phase::kExplore;
+  if (phase != phase_) separating_ = false;
+  phase_ = phase;
   if (!separating_) return begin();
   using State = typename SeparationOf<Kit>::State;
   const State state = separation_.pass(phase_ == Phase::kCompress ? kCompressPatience : kExplorePatience);

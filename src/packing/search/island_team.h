@@ -35,22 +35,21 @@ class SearchLimits {
   bool is_stopped() const { return stop_; }
   bool is_out_of_time() const { return stop_ || (most_seconds_ > 0 && seconds() >= most_seconds_); }
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-  /// How much of the search is over, from 0 to 1.
+  /// A better layout has come: without limits the waiting for the next one begins.
+  void note_better() { better_at_ = seconds(); }
+  double better_at() const { return better_at_; }
+  /// How much of the search is over, from 0 to 1. Without limits: how much of the waiting for a better layout.
   double progress(double work) const {
+    if (!is_limited()) return (seconds() - better_at_) / (kLeastWaiting + kWaiting * better_at_);
     return std::max(most_seconds_ > 0 ? seconds() / most_seconds_ : 0, most_work_ > 0 ? work / most_work_ : 0);
   }
-  /// Without limits: when no better layout has come for a while.
-  bool is_over(double work, double better_at) const {
-    if (stop_) return true;
-    if (is_limited()) return progress(work) >= 1;
-    return seconds() - better_at > kLeastWaiting + kWaiting * better_at;
-  }
+  bool is_over(double work) const { return stop_ || progress(work) >= 1; }
 
  private:
   static constexpr double kLeastWaiting = 30;
   static constexpr double kWaiting = 0.5;  // of the time so far
 
-  double most_seconds_, most_work_;
+  double most_seconds_, most_work_, better_at_ = 0;
   const StopWish stop_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

@@ -155,8 +155,7 @@ class RoomSearch {
   void fill(First& layout) {
     const std::size_t islands = Kit::islands(options_.threads);
     std::uint64_t number = options_.seed * 7000003 + number_of(options_.peers) * 1000000007;
-    while (!layout.left.empty() && !limits_.is_stopped() && limits_.progress(double(work_)) < kFillingShare &&
-           (limits_.is_limited() || !is_over())) {
+    while (!layout.left.empty() && !limits_.is_stopped() && limits_.progress(double(work_)) < kFillingShare) {
       std::vector<std::optional<First>> tried(islands);
       std::vector<std::uint64_t> work(islands);
       plane::parallel_for(
@@ -173,7 +172,7 @@ class RoomSearch {
 
   bool is_over() const {
     if (bound_ && best_ && best_->left_out.empty() && Kit::length(*best_) <= *bound_) return true;
-    return limits_.is_over(double(work_), better_at_);
+    return limits_.is_over(double(work_));
   }
 
   void round(std::uint64_t until) {
@@ -202,7 +201,7 @@ class RoomSearch {
     if (!proved && !best_ && !Kit::has_containers(problem_)) proved = safe_layout();
     if (!proved || (best_ && !is_better(*proved, *best_))) return poses;
     best_ = std::move(proved);
-    better_at_ = limits_.seconds();
+    limits_.note_better();
     if (events_.better) events_.better(*best_, state());
     return poses;
   }
@@ -230,7 +229,7 @@ class RoomSearch {
     PackProgress s;
     s.seconds = limits_.seconds();
     s.processor = double(std::clock()) / CLOCKS_PER_SEC;
-    s.since_better = s.seconds - better_at_;
+    s.since_better = s.seconds - limits_.better_at();
     if (best_) {
       s.length = Kit::length(*best_).to_double();
       s.density = Kit::density(problem_, *best_);
@@ -249,7 +248,7 @@ class RoomSearch {
   std::optional<Fraction> bound_ = Kit::least_length(problem_);
   IslandTeam<Core> team_;
   std::optional<Layout> best_;
-  double offered_ = 0, better_at_ = 0;
+  double offered_ = 0;
   std::uint64_t work_ = 0;
 };
 
