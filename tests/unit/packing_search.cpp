@@ -140,6 +140,17 @@ TEST(Search, WhatCannotBePacked) {
   EXPECT_THROW(search_strip(problem_of(3, {{"tall", 1, box(1, 4), {0, 180}}}), {}, {}, stop), Error);
 }
 
+/// Where nothing limits it, it would wait for half a minute.
+TEST(Search, EndsWhereNoLayoutIsShorter) {
+  Problem problem;
+  problem.height = 4;
+  problem.parts = {{"post", 2, make_polygon({{{0, 0}, {2, 0}, {2, 4}, {0, 4}}}, "post"), {90}}};
+  const std::atomic<bool> stop = false;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(search_strip(problem, {}, {}, stop).value().length, Fraction(4));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
 TEST(Search, WithoutLimitsProgressIsTheWaiting) {
   const std::atomic<bool> stop = false;
   SearchLimits limits(0, 0, stop);

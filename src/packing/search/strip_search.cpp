@@ -4,6 +4,7 @@
 #include "packing/search/strip_search.h"
 
 #include "packing/compaction/finish.h"
+#include "packing/proof/lower_bound.h"
 #include "packing/proof/verify.h"
 #include "packing/search/first_layout.h"
 #include "packing/search/room_search.h"
@@ -40,8 +41,9 @@ struct StripKit {
   static double density(const Problem& problem, const Layout& layout) {
     return area(problem, layout) / container_area(problem, layout);
   }
-  /// The search goes on where it is reached.
-  static std::optional<Fraction> least_length(const Problem&) { return std::nullopt; }
+  static std::optional<Fraction> least_length(const Problem& problem) {
+    return problem.on_sheets() ? std::nullopt : std::optional(lower_bound(problem));
+  }
   static bool has_containers(const Problem& problem) { return problem.on_sheets(); }
   static bool has_fixed(const Problem& problem) { return !problem.fixed.empty(); }
 };
