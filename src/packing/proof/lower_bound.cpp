@@ -180,26 +180,34 @@ double least_side(const Problem& problem, const Part& part) {
   return Fraction(least.value_or(0), problem.steps()).to_double();
 }
 
-/// The areas of all parts, with half the gap about each or without; in square units, rounded down.
-double least_area(const Problem& problem) {
+/// The areas of all parts, with half the gap about each or without, in square units; exact where those of the parts
+/// are.
+exact::Real exact_least_area(const Problem& problem) {
   exact::Real twice;
   for (std::size_t part = 0; part < problem.parts.size(); ++part)
     if (const int demand = problem.parts[part].demand; demand > 0)
       twice += exact::Real(demand) * least_twice_area(problem, part);
-  const double steps = double(problem.steps());
-  return twice.to_double() / 2 / steps / steps * (1 - margin::kRoundings16);
+  const exact::Real steps(problem.steps());
+  return twice / (exact::Real(2) * steps * steps);
 }
 
-Fraction rounded_down(double value) {
-  constexpr double kDecimals = 1000000;
-  return Fraction(int128(std::floor(std::max(0.0, value) * (1 - margin::kRoundings16) * kDecimals)), int128(kDecimals));
+/// Rounded down.
+double least_area(const Problem& problem) { return exact_least_area(problem).to_double() * (1 - margin::kRoundings16); }
+
+Fraction rounded_down(const exact::Real& value) {
+  constexpr std::int64_t kDecimals = 1000000;
+  if (value.sign() <= 0) return {};
+  return Fraction(exact::floor(value * exact::Real(kDecimals)), kDecimals);
 }
 
-/// By area. What lies within half the gap of parts lies within so much of the rectangle that the edge leaves.
+/// By area. What lies within half the gap of parts lies within so much of the rectangle that the edge leaves. Without a
+/// gap it is exact, so that a layout that fills the strip is known to be a shortest one.
 Fraction least_length(const Problem& problem) {
-  const double gap = problem.gap.to_double(), height = (problem.height - problem.edge - problem.edge).to_double();
-  const double ends = (gap * height + std::numbers::pi / 4 * gap * gap) * (1 + margin::kRoundings16);
-  return rounded_down((least_area(problem) - ends) / (height + gap));
+  const Fraction height = problem.height - problem.edge - problem.edge, between = height + problem.gap;
+  const double gap = problem.gap.to_double();
+  const double ends = (gap * height.to_double() + std::numbers::pi / 4 * gap * gap) * (1 + margin::kRoundings16);
+  const exact::Real area = exact_least_area(problem) - exact::Real::from_double(ends);
+  return rounded_down(area * exact::Real(between.denominator()) / exact::Real(between.numerator()));
 }
 
 /// Of the rectangles w x h with (w + gap)(h + gap) no less than what parts with half the gap take, and both sides no
@@ -214,7 +222,8 @@ Fraction least_box(const Problem& problem) {
   const double grown = least_area(problem) + (1 - std::numbers::pi / 4) * gap * gap;
   const double length = grown / (side + gap) * (1 - margin::kRoundings16) - gap;
   const double inner = std::max({least_area(touching), side * side, side * length});
-  return rounded_down(inner + 4 * edge * std::sqrt(inner) + 4 * edge * edge);
+  const double least = inner + 4 * edge * std::sqrt(inner) + 4 * edge * edge;
+  return rounded_down(exact::Real::from_double(least * (1 - margin::kRoundings16)));
 }
 
 }  // namespace
