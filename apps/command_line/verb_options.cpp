@@ -218,6 +218,7 @@ void add_packing(CLI::App& command, std::string_view verb, Options& o) {
           "end after N million evaluations a thread (of solids, an island): the same result every time (default: "
           "none)")
       ->type_name("N")
+      ->check(length_text)
       ->group(kPlaneGroup);
 }
 
