@@ -40,8 +40,8 @@ struct FirstLayoutOf {
 
 inline constexpr double kExploreShrink = 0.001;  // of the length
 
-/// How many of as many attempts as all together change a near solution so: a part is put anywhere, two of nearly the
-/// same size are exchanged, or two large ones.
+/// How many of as many attempts as all together change a near solution so: a part is put anywhere, which on a strip is
+/// behind all others; two of nearly the same size are exchanged, or two large ones.
 struct Changes {
   std::size_t anywhere, like_sizes, two_large;
 };
@@ -72,7 +72,8 @@ struct PlaneKit {
     const Variant& v = table.variants()[pose.variant];
     return (v.high.x - v.low.x) * (v.high.y - v.low.y);
   }
-  /// A position to begin with, of a part that is moved into a room afterwards.
+  /// A position to begin with, of a part that is moved into a room afterwards: anywhere in a row of sheets. The room of
+  /// a strip is endless, so there it is behind all others. A place between them came out no better.
   static Vec anywhere(const FieldTable& table, const packing::Row& row, Random& random) {
     const double x = random.between(0, row.rooms().end());
     return {x, random.between(0, table.height())};
