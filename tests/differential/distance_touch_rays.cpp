@@ -34,9 +34,11 @@ using space::TouchSide;
 /// A solid by its surface and by its parts.
 struct Both {
   Both(const Cells& cells, const LinearMap& map)
-      : surface(space::surface(cells, map)), parts(space::parts_of(cells, map)), body(space::body_of(cells, map)) {}
+      : surface(space::surface(cells, map)),
+        sheet(std::make_shared<const space::RaySheet>(surface)),
+        body(space::body_of(cells, map)) {}
   space::Triangles surface;
-  std::vector<space::Polytope> parts;
+  std::shared_ptr<const space::RaySheet> sheet;
   space::Body body;
 };
 
@@ -60,12 +62,12 @@ void compare(const Both& a, const Both& b, const Real& level, const RayGrid& gri
              Counts& farthest) {
   std::vector<RaySourcePointer> both;
   both.push_back(std::make_unique<PairRays>(a.surface, b.surface, grid));
-  both.push_back(near_touching({a.surface, b.parts, TouchSide::kOutside, 1}, level, grid));
+  both.push_back(near_touching({a.sheet, b.sheet, TouchSide::kOutside}, level, grid));
   const RaySourcePointer depth = space::combined_rays(
       std::move(both), [](std::span<const std::int8_t> s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
   compare(*ray_sign_map(Which::kGamma1, -level, b.body, a.body, grid), *depth, depths);
   both.clear();
-  const TouchPair inside{a.surface, b.parts, TouchSide::kInside, 1};
+  const TouchPair inside{a.sheet, b.sheet, TouchSide::kInside};
   both.push_back(std::make_unique<PairRays>(a.surface, b.surface, grid, PairRays::Side::kComplement));
   both.push_back(near_touching(inside, level, grid));
   const RaySourcePointer fit = space::combined_rays(

@@ -15,7 +15,7 @@
 
 #include "distance/solid/solid_pair.h"
 #include "space/surface/surface_set.h"
-#include "space/surface/touch_facets.h"
+#include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
 

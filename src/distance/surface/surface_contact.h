@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "space/surface/surface_set.h"
-#include "space/surface/touch_facets.h"
+#include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "distance/surface/surface_field.h"
-#include "space/surface/touch_facets.h"
+#include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
 

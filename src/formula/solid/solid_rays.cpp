@@ -148,8 +148,9 @@ Tried<SurfaceRays> solid_rays(Which which, const TouchingSolid& b, const Touchin
   SurfaceRays rays;
   if (which != Which::kEta2 && which != Which::kDelta2) rays = surface_rays(which, b.solids, a.solids, level, grid);
   if (!rays.sources.empty()) return rays;
-  return one(touching_rays(which, b, a, level, grid,
-                           [&] { return as_source(surface_rays(which, b.solids, a.solids, Real(), grid)); }));
+  return SurfaceRays::of(touching_rays(which, b.solids, a.solids, level, grid, [&] {
+    return as_source(surface_rays(which, b.solids, a.solids, Real(), grid));
+  }));
 }
 
 Source as_source(SurfaceRays rays) {

@@ -15,6 +15,12 @@
 
 namespace findspace::formula {
 
+/// The union of solids.
+struct TouchingSolid {
+  const std::vector<space::RaySolid>& solids;
+  std::function<exact::Tried<space::Body>()> body;  // makes its convex parts
+};
+
 /// The level in grid steps. No sources: surfaces do not answer, or are not the quick way.
 exact::Tried<SurfaceRays> solid_rays(distance::Which which, const TouchingSolid& b, const TouchingSolid& a,
                                      const exact::Real& level, const space::RayGrid& grid);

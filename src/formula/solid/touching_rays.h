@@ -2,31 +2,21 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Sign maps on rays of two polyhedra of many faces from the positions at which they touch (space/surface/touch_rays.h):
-// gamma1 below 0, eta1 and delta1 above 0, eta2 and delta2. Only the solid of fewer faces, of delta and eta the one
-// inside, is cut into convex parts, and where it has many faces neither is (contact_rays.h). Guarantee: exact on every
-// line, but for the latter. Cost: as there.
+// gamma1 below 0, eta1 and delta1 above 0, eta2 and delta2. Guarantee: exact on every line. Cost: as there.
 #pragma once
 
 #include <functional>
 
 #include "distance/planar/shape_pair.h"
-#include "space/body/body.h"
 #include "space/convolution/ray_solids.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::formula {
 
-/// The union of solids.
-struct TouchingSolid {
-  const std::vector<space::RaySolid>& solids;
-  std::function<exact::Tried<space::Body>()> body;  // makes its convex parts
-};
-
 /// `zero`: makes the sign map of gamma1, eta1 or delta1 at level 0. The level in grid steps. Null where this does not
 /// answer or is not the quick way.
-exact::Tried<space::RaySourcePointer> touching_rays(distance::Which which, const TouchingSolid& b,
-                                                    const TouchingSolid& a, const exact::Real& level,
-                                                    const space::RayGrid& grid,
-                                                    const std::function<space::RaySourcePointer()>& zero);
+space::RaySourcePointer touching_rays(distance::Which which, const std::vector<space::RaySolid>& b,
+                                      const std::vector<space::RaySolid>& a, const exact::Real& level,
+                                      const space::RayGrid& grid, const std::function<space::RaySourcePointer()>& zero);
 
 }  // namespace findspace::formula

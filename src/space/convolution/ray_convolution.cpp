@@ -48,6 +48,14 @@ void in_blocks(std::size_t count, std::vector<RayFacet>& facets, Task task) {
   for (const auto& part : parts) facets.insert(facets.end(), part.begin(), part.end());
 }
 
+/// Whether no edge of the vertex rises along n.
+bool highest(const RayBody& body, const RayVertex& vertex, const Wide3& n, const Approx3& n_approx) {
+  const auto first = body.corners.begin() + vertex.first;
+  return std::all_of(first, first + vertex.count, [&](const RayCorner& corner) {
+    return exact::sign_dot(n, n_approx, body.points[corner.to] - body.points[vertex.point]) <= 0;
+  });
+}
+
 /// Faces of `of_faces` with vertices of `of_vertices`; tie: +1 where the faces are those of A.
 void faces_with_vertices(const RayBody& of_faces, const std::vector<Approx3>& units, const RayBody& of_vertices,
                          const std::vector<Approx3>& others, int tie, std::vector<RayFacet>& facets) {
@@ -60,6 +68,7 @@ void faces_with_vertices(const RayBody& of_faces, const std::vector<Approx3>& un
       RayFacet facet;
       for (int k = 0; k < 3; ++k) facet.corner[k] = of_faces.corner(f, k) + of_vertices.points[vertex.point];
       facet.weight = index;
+      facet.outer = highest(of_vertices, vertex, of_faces.normals[f], of_faces.normal_approx[f]);
       out.push_back(facet);
     });
   });
@@ -88,6 +97,7 @@ void edge_with_edge(const RayBody& a, const RayEdge& e, const RayBody& c, const 
   if (sense < 0) std::swap(facet.corner[1], facet.corner[3]);
   facet.corners = 4;
   facet.weight = e.bend * g.bend;
+  facet.outer = e.bend > 0 && g.bend > 0;
   out.push_back(facet);
 }
 

@@ -34,6 +34,7 @@ namespace findspace::space {
 struct RayFacet {
   std::array<Point, 4> corner;  // a convex circuit, counter-clockwise about the outward normal; three or four
   std::int8_t corners = 3;
+  bool outer = false;  // as far as its two features tell, positions inside it may touch from outside
   std::int32_t weight = 1;
 
   Point along() const { return corner[1] - corner[0]; }

@@ -23,45 +23,28 @@ FlatCorner meeting(const FlatPiece& piece, const FlatCorner& edge, const HalfSpa
   return {std::move(at), near, next};
 }
 
-void find_signs(const FlatPiece& piece, const HalfSpace& h, std::vector<int>& signs) {
-  signs.clear();
-  for (const FlatCorner& c : piece.corners) signs.push_back(h.sign(c.at, c.near));
-}
-
-bool any(const std::vector<int>& signs, int sign) { return std::find(signs.begin(), signs.end(), sign) != signs.end(); }
-
-/// What lies on the side of the plane with the given sign, or on it.
-FlatPiece clipped(const FlatPiece& piece, const HalfSpace& h, const std::vector<int>& signs, int side) {
-  FlatPiece out{piece.plane, {}};
-  const std::size_t n = piece.corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const FlatCorner& a = piece.corners[i];
-    const int sa = signs[i] * side, sb = signs[(i + 1) % n] * side;
-    if (sa >= 0) out.corners.push_back({a.at, a.near, sa == 0 && sb < 0 ? &h : a.side});
-    if (n == 2 && i == 1) continue;  // the way back
-    if (sa > 0 && sb < 0) out.corners.push_back(meeting(piece, a, h, n == 2 ? a.side : &h));
-    if (sa < 0 && sb > 0) out.corners.push_back(meeting(piece, a, h, a.side));
-  }
-  return out;
-}
-
 }  // namespace
 
-void subtract(FlatPiece piece, std::span<const HalfSpace> set, std::vector<FlatPiece>& out) {
+std::optional<std::array<FlatPiece, 2>> split(const FlatPiece& polygon, const HalfSpace& h) {
   std::vector<int> signs;
-  for (const HalfSpace& h : set) {
-    find_signs(piece, h, signs);
-    if (any(signs, -1)) continue;
-    out.push_back(std::move(piece));  // nothing of it lies in the open set
-    return;
+  for (const FlatCorner& c : polygon.corners) signs.push_back(h.sign(c.at, c.near));
+  const auto [least, most] = std::minmax_element(signs.begin(), signs.end());
+  if (*least >= 0 || *most <= 0) return std::nullopt;
+  std::array<FlatPiece, 2> out{FlatPiece{polygon.plane, {}}, FlatPiece{polygon.plane, {}}};
+  const std::size_t n = polygon.corners.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const FlatCorner& a = polygon.corners[k];
+    const int here = signs[k], next = signs[(k + 1) % n];
+    for (const int side : {-1, 1}) {
+      // The cut runs on from a corner on the plane behind which the part ends.
+      if (here * side >= 0) out[side > 0].corners.push_back({a.at, a.near, here == 0 && next * side < 0 ? &h : a.side});
+    }
+    if (here * next >= 0) continue;
+    const FlatCorner cut = meeting(polygon, a, h, &h);
+    out[here > 0].corners.push_back(cut);
+    out[next > 0].corners.push_back({cut.at, cut.near, a.side});
   }
-  for (const HalfSpace& h : set) {
-    find_signs(piece, h, signs);
-    if (!any(signs, 0) && !any(signs, 1)) continue;
-    out.push_back(clipped(piece, h, signs, 1));
-    if (!any(signs, -1)) return;
-    if (any(signs, 1)) piece = clipped(piece, h, signs, -1);
-  }
+  return out;
 }
 
 }  // namespace findspace::space

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Convex polygons in space, and segments and points left of them, less open convex polyhedra: F \ S as closed pieces,
-// so that what only touches S stays. Every corner is where the plane of the polygon meets two of the planes it was cut
-// with, so coordinates do not grow with the number of cuts. Guarantee: exact. Cost: the corners times the planes of a
-// set; a corner that is made costs some microseconds. Source: Sutherland, Hodgman 1974. Keywords: polygon clipping,
-// polygon difference.
+// Convex polygons in space, and segments and points of them, cut by planes. Every corner is where the plane of the
+// polygon meets two of the planes it was cut with, so coordinates do not grow with the number of cuts. Guarantee:
+// exact. Cost: the corners; one that is made costs some microseconds. Source: Sutherland, Hodgman 1974. Keywords:
+// polygon clipping, binary space partition.
 #pragma once
 
-#include <span>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "space/polytope/real_vector.h"
 
 namespace findspace::space {
 
-/// Keeps pointers to planes: those of the sets have to outlive it.
+/// Keeps pointers to planes: they have to outlive it.
 struct FlatPiece {
   struct Corner {
     RealVector at;
@@ -26,7 +26,7 @@ struct FlatPiece {
   std::vector<Corner> corners;  // in circular order; three or more, or the ends of a segment, or a point
 };
 
-/// Adds closed pieces whose union is the piece less {x : all planes < 0}.
-void subtract(FlatPiece piece, std::span<const HalfSpace> set, std::vector<FlatPiece>& out);
+/// The closed parts of a polygon below and above a plane; nothing where it has no corners on both sides.
+std::optional<std::array<FlatPiece, 2>> split(const FlatPiece& polygon, const HalfSpace& h);
 
 }  // namespace findspace::space

@@ -51,9 +51,15 @@ bool RealOverlap::interiors_meet(const RealVector& p, Recent& recent) const {
 }
 
 bool RealOverlap::surely_meet(const Vector& p, double off, const Recent& recent) const {
-  const exact::RoughMovement by{p, off};
+  return surely_meet(std::array{p}, off, recent);
+}
+
+/// A pair meets in a convex set of positions.
+bool RealOverlap::surely_meet(std::span<const Vector> hull, double off, const Recent& recent) const {
   return std::any_of(recent.begin(), recent.end(), [&](const std::array<int, 2>& pair) {
-    return faces::surely_cross<exact::MovedPoint>(a(), pair[0], b_.body, pair[1], by);
+    return std::all_of(hull.begin(), hull.end(), [&](const Vector& p) {
+      return faces::surely_cross<exact::MovedPoint>(a(), pair[0], b_.body, pair[1], exact::RoughMovement{p, off});
+    });
   });
 }
 

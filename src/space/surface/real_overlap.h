@@ -8,12 +8,16 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "space/convolution/ray_boxes.h"
 #include "space/polytope/real_vector.h"
 #include "space/surface/surface_set.h"
 
 namespace findspace::space {
+
+/// Where positions of contact are looked for: the solids on two sides of the surface, or the one within the other.
+enum class TouchSide { kOutside, kInside };
 
 class RealOverlap {
  public:
@@ -30,6 +34,8 @@ class RealOverlap {
 
   /// Whether they do at all positions that are off by no more in any coordinate, as the recent pairs tell.
   bool surely_meet(const Vector& p, double off, const Recent& recent) const;
+  /// Whether one pair tells that they do in all of the convex hull.
+  bool surely_meet(std::span<const Vector> hull, double off, const Recent& recent) const;
 
   /// A, inside out where that is asked for.
   const RayBody& a() const { return inside_out_ ? *inside_out_ : a_.body; }

@@ -7,80 +7,112 @@
 namespace findspace::space {
 namespace {
 
-/// The corner of face f that is not on the edge.
-int beyond(const RayBody& body, int f, const RayEdge& e) {
-  const auto& face = body.faces[static_cast<std::size_t>(f)];
-  return *std::find_if(face.begin(), face.end(), [&](int v) { return v != e.from && v != e.to; });
+const Point& corner_of(const RayFacet& facet, int k) {
+  return facet.corner[static_cast<std::size_t>(k % facet.corners)];
+}
+
+/// A plane along the edge from corner k on that crosses the plane of the facet.
+HalfSpace side_plane(const RayFacet& facet, int k, const Vector& normal) {
+  const Point &p = corner_of(facet, k), e = corner_of(facet, k + 1) - p;
+  const Vector size{std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)};
+  const bool z = size.z >= size.x && size.z >= size.y, y = !z && size.y >= size.x;
+  const Wide3 across = exact::primitive(exact::cross(e, Point{!z && !y, y, z}));
+  return HalfSpace(Plane{across, -exact::dot(across, p)});
+}
+
+/// Whether all places are surely beyond the edges of a piece at one of them.
+bool beyond_an_edge(const FlatPiece& piece, std::span<const Vector> places) {
+  return std::any_of(piece.corners.begin(), piece.corners.end(), [&](const FlatPiece::Corner& c) {
+    double inner = 0;
+    for (const FlatPiece::Corner& other : piece.corners) {
+      const double value = c.side->approx_value(other.near);
+      if (std::fabs(value) > std::fabs(inner)) inner = value;
+    }
+    return std::all_of(places.begin(), places.end(), [&](const Vector& v) {
+      return std::copysign(1.0, inner) * c.side->approx_value(v) < -c.side->error(v);
+    });
+  });
 }
 
 }  // namespace
 
-/// A triangle in a direction.
-struct TouchFacets::Seen {
-  const RayBody& body;
-  std::size_t triangle;
-  const Wide3& n;
-  const Approx3& n_approx;
-
-  int point(int k) const { return body.faces[triangle][static_cast<std::size_t>(k)]; }
-  /// The sign of n . (w - v).
-  int rise(int v, int w) const {
-    return exact::sign_dot(n, n_approx,
-                           body.points[static_cast<std::size_t>(w)] - body.points[static_cast<std::size_t>(v)]);
+bool FacetCut::meets(const FlatPiece& piece) const {
+  if (beyond_an_edge(piece, all())) return false;
+  for (int k = 0; corners > 2 && k < corners; ++k) {
+    const Vector &from = corner[static_cast<std::size_t>(k)], &to = corner[static_cast<std::size_t>((k + 1) % corners)];
+    const Vector outward = space::cross(to - from, plane->unit);
+    const double bound = margin::kRoundings128 * length(to - from);
+    const bool apart = std::all_of(piece.corners.begin(), piece.corners.end(), [&](const FlatPiece::Corner& c) {
+      return dot(outward, c.near - from) > bound * (size_of(c.near) + size_of(from));
+    });
+    if (apart) return false;
   }
-};
+  return true;
+}
 
-TouchFacets::TouchFacets(const RayBody& body, TouchSide side)
-    : body_(body), outside_(side == TouchSide::kOutside), about_(body.points.size()) {
-  for (const RayVertex& v : body.vertices) {
-    for (int k = v.first; k < v.first + v.count; ++k)
-      about_[static_cast<std::size_t>(v.point)].push_back(body.corners[static_cast<std::size_t>(k)]);
+TouchFacets::TouchFacets(const std::vector<RayFacet>& all) {
+  std::vector<Extent> boxes;
+  for (const RayFacet& f : all) {
+    if (!f.outer) continue;
+    facets_.push_back(f);
+    const Wide3 normal = exact::primitive(f.normal());
+    planes_.emplace_back(Plane{normal, -exact::dot(normal, f.corner[0])});
+    Extent box{exact::approx(f.corner[0]), exact::approx(f.corner[0])};
+    for (int k = 1; k < f.corners; ++k) box.add({exact::approx(corner_of(f, k)), exact::approx(corner_of(f, k))});
+    boxes.push_back(box);
+  }
+  tree_ = ExtentTree(std::move(boxes));
+}
+
+FlatPiece TouchFacets::piece(std::size_t k, Planes& made) const {
+  const RayFacet& f = facets_[k];
+  FlatPiece out{&planes_[k], {}};
+  for (int c = 0; c < f.corners; ++c) {
+    const Point& p = corner_of(f, c);
+    made.push_back(side_plane(f, c, planes_[k].unit));
+    out.corners.push_back({real(p), exact::approx(p), &made.back()});
+  }
+  return out;
+}
+
+FacetCut TouchFacets::cut_of(std::size_t k) const {
+  FacetCut out{&planes_[k], {}, facets_[k].corners};
+  for (int c = 0; c < out.corners; ++c)
+    out.corner[static_cast<std::size_t>(c)] = exact::approx(corner_of(facets_[k], c));
+  return out;
+}
+
+void TouchFacets::add_cuts(std::size_t k, std::size_t other, Planes& made, std::vector<FacetCut>& out) const {
+  const RayFacet &own = facets_[k], &f = facets_[other];
+  bool above = false, below = false, inside = false;  // on the plane, and no corner of its own
+  int on = 0;
+  for (int c = 0; c < f.corners; ++c) {
+    const Point& p = corner_of(f, c);
+    const int sign = planes_[k].sign(real(p), exact::approx(p));
+    above = above || sign > 0;
+    below = below || sign < 0;
+    on += sign == 0;
+    const auto end = own.corner.begin() + own.corners;
+    inside = inside || (sign == 0 && std::find(own.corner.begin(), end, p) == end);
+  }
+  if (on < f.corners) {
+    if (inside || (above && below)) out.push_back(cut_of(other));
+    return;
+  }
+  for (int c = 0; c < f.corners; ++c) {
+    made.push_back(side_plane(f, c, planes_[k].unit));
+    out.push_back({&made.back(), {exact::approx(corner_of(f, c)), exact::approx(corner_of(f, c + 1))}, 2});
   }
 }
 
-bool TouchFacets::edge_may_touch(const Seen& seen, int k) const {
-  const RayEdge& e =
-      body_.edges[static_cast<std::size_t>(body_.face_edges[seen.triangle][static_cast<std::size_t>(k)])];
-  const int own = static_cast<int>(seen.triangle), other = e.left == own ? e.right : e.left;
-  // Above: covered; level: part of a facet of the other triangle.
-  if (seen.rise(e.from, beyond(body_, other, e)) >= 0) return false;
-  return own < other && (e.bend > 0) == outside_;
-}
-
-bool TouchFacets::vertex_may_touch(const Seen& seen, int v) const {
-  const std::vector<RayCorner>& all = about_[static_cast<std::size_t>(v)];
-  return std::all_of(all.begin(), all.end(), [&](const RayCorner& corner) {
-    return corner.face >= static_cast<int>(seen.triangle) && seen.rise(v, corner.to) < 0;
-  });
-}
-
-TouchSet touch_set(const RayBody& body, std::size_t triangle, const Polytope& part) {
-  std::vector<Point> points;
-  for (int k = 0; k < 3; ++k) {
-    for (const Point& w : part.vertices()) points.push_back(body.corner(static_cast<int>(triangle), k) - w);
-  }
-  TouchSet set{Polytope::hull(points), {}};
-  for (const Plane& p : set.closed.planes()) set.planes.emplace_back(p);
-  return set;
-}
-
-bool TouchFacets::may_touch(std::size_t triangle, const Wide3& n, const Approx3& n_approx) const {
-  const Seen seen{body_, triangle, n, n_approx};
-  int highest = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (seen.rise(seen.point(highest), seen.point(k)) > 0) highest = k;
-  }
-  bool level[3];
-  for (int k = 0; k < 3; ++k) level[k] = k == highest || seen.rise(seen.point(highest), seen.point(k)) == 0;
-  if (level[0] && level[1] && level[2]) {
-    const Wide3& own = body_.normals[triangle];
-    // Parallel: they agree in the sign of any component that is not 0.
-    return (exact::lexicographic_sign(own) == exact::lexicographic_sign(n)) == outside_;
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (level[k] && level[(k + 1) % 3]) return edge_may_touch(seen, k);
-  }
-  return vertex_may_touch(seen, seen.point(highest));
+std::vector<FacetCut> TouchFacets::cuts(std::size_t k, Planes& made) const {
+  std::vector<FacetCut> out;
+  const Extent& own = box(k);
+  tree_.each([&](const Extent& e) { return e.meets(own); },
+             [&](std::size_t other) {
+               if (other != k) add_cuts(k, other, made, out);
+             });
+  return out;
 }
 
 }  // namespace findspace::space

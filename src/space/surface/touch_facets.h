@@ -1,43 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The sets t - S of touch_sets.h, and which of their facets can hold touching positions as far as the triangles next to
-// t say. A facet comes from the face, edge or vertex of t that is farthest along its normal, and a face, edge or vertex
-// of S. If a triangle with that feature reaches farther along the normal, its set covers the inside of the facet; a
-// facet that several triangles have is counted for one of them. Guarantee: exact. Cost: the triangles about a vertex.
+// The facets of the convolution of two solids that may hold positions of touching (ray_convolution.h), and what cuts
+// one of them into cells: the planes of the facets that cross or touch it, and the edges of those in its plane. All
+// positions of an open cell touch, or overlap, alike, as the frontier of the overlaps lies on these facets. Guarantee:
+// exact; no cut is missing, and some may do nothing. Cost: the facets whose boxes meet. Keywords: reduced convolution,
+// arrangement.
 #pragma once
 
-#include "space/convolution/ray_body.h"
-#include "space/polytope/real_vector.h"
+#include <array>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "space/convolution/ray_convolution.h"
+#include "space/polytope/extent_tree.h"
+#include "space/polytope/flat_piece.h"
 
 namespace findspace::space {
 
-/// A triangle less a convex part, as an open set.
-struct TouchSet {
-  Polytope closed;
-  std::vector<HalfSpace> planes;
+/// A plane, and the part of it that is on another facet or an edge of one.
+struct FacetCut {
+  const HalfSpace* plane;
+  std::array<Vector, 4> corner;
+  int corners;
+
+  /// False where the part is surely apart from the piece.
+  bool meets(const FlatPiece& piece) const;
+
+ private:
+  std::span<const Vector> all() const { return {corner.data(), static_cast<std::size_t>(corners)}; }
 };
-
-enum class TouchSide { kOutside, kInside };
-
-TouchSet touch_set(const RayBody& body, std::size_t triangle, const Polytope& part);
 
 class TouchFacets {
  public:
-  /// Keeps a reference. Positions that touch from this side are wanted.
-  TouchFacets(const RayBody& body, TouchSide side);
+  /// What pieces and cuts point to beside the planes of the facets.
+  using Planes = std::deque<HalfSpace>;
 
-  /// Of the facet with the outward normal n; the side is not decided where only a vertex of the triangle touches.
-  bool may_touch(std::size_t triangle, const Wide3& n, const Approx3& n_approx) const;
+  explicit TouchFacets(const std::vector<RayFacet>& all);
+
+  std::size_t count() const { return facets_.size(); }
+  const Extent& box(std::size_t k) const { return tree_.extent(k); }
+  FlatPiece piece(std::size_t k, Planes& made) const;
+  std::vector<FacetCut> cuts(std::size_t k, Planes& made) const;
 
  private:
-  struct Seen;
-  bool edge_may_touch(const Seen& seen, int k) const;
-  bool vertex_may_touch(const Seen& seen, int v) const;
+  FacetCut cut_of(std::size_t k) const;
+  void add_cuts(std::size_t k, std::size_t other, Planes& made, std::vector<FacetCut>& out) const;
 
-  const RayBody& body_;
-  bool outside_;
-  std::vector<std::vector<RayCorner>> about_;  // the corners at each point
+  std::vector<RayFacet> facets_;
+  std::vector<HalfSpace> planes_;
+  ExtentTree tree_;
 };
 
 }  // namespace findspace::space

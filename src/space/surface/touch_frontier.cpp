@@ -3,35 +3,172 @@
 #include "space/surface/touch_frontier.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plane/base/parallel.h"
 
 namespace findspace::space {
 namespace {
 
-/// The units of parallel work: fixed, so that the order of pieces does not depend on the number of threads.
-constexpr std::size_t kTrianglesAtOnce = 16;
+using exact::Real;
+using Corner = FlatPiece::Corner;
 
-void add_pieces(const TouchSets& sets, const TouchSets::Pair& of, const BoxQuery& wanted, std::vector<FlatPiece>& out) {
-  for (const TouchSets::Facet& facet : sets.facets(of)) {
-    if (wanted(exact::approx(facet.box.low), exact::approx(facet.box.high))) sets.add_pieces(facet, out);
-  }
+/// The units of parallel work: fixed, so that the order of pieces does not depend on the number of threads.
+constexpr std::size_t kFacetsAtOnce = 64;
+
+bool same(const Corner& a, const Corner& b) {
+  const double apart = size_of(a.near - b.near);
+  return apart <= margin::kRoundings8 * (size_of(a.near) + 1) && a.at == b.at;
 }
+
+bool has(const FlatPiece& piece, const Corner& c) {
+  return std::any_of(piece.corners.begin(), piece.corners.end(), [&](const Corner& other) { return same(c, other); });
+}
+
+Vector middle(const FlatPiece& piece) {
+  Vector sum{};
+  for (const Corner& c : piece.corners) sum = plus(sum, c.near);
+  return scaled(1 / static_cast<double>(piece.corners.size()), sum);
+}
+
+RealVector exact_middle(const FlatPiece& piece) {
+  RealVector sum{};
+  for (const Corner& c : piece.corners) sum = plus(sum, c.at);
+  return scaled(Real::ratio(1, static_cast<std::int64_t>(piece.corners.size())), sum);
+}
+
+/// The place of the plane beside x along an axis that crosses it best.
+RealVector on_plane(const HalfSpace& plane, const Vector& x) {
+  const Vector size{std::fabs(plane.unit.x), std::fabs(plane.unit.y), std::fabs(plane.unit.z)};
+  const std::size_t axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+  RealVector out = real(x);
+  out[axis] = Real();
+  out[axis] = -plane.value(out) / plane.normal[axis];
+  return out;
+}
+
+/// Whether the place of its plane lies within the edges of a polygon.
+bool inside(const FlatPiece& polygon, const RealVector& p) {
+  const Vector near = rounded(p);
+  return std::all_of(polygon.corners.begin(), polygon.corners.end(), [&](const Corner& c) {
+    int sign = 0;
+    for (std::size_t k = 0; sign == 0; ++k) sign = c.side->sign(polygon.corners[k].at, polygon.corners[k].near);
+    return c.side->sign(p, near) == sign;
+  });
+}
+
+/// A place in the inside of a polygon, of few digits.
+RealVector inner_place(const FlatPiece& polygon) {
+  const Vector m = middle(polygon);
+  for (const Vector& x : {Vector{std::round(m.x), std::round(m.y), std::round(m.z)}, m}) {
+    RealVector p = on_plane(*polygon.plane, x);
+    if (inside(polygon, p)) return p;
+  }
+  return exact_middle(polygon);
+}
+
+/// The touching positions on some facets.
+class Finder {
+ public:
+  Finder(const RealOverlap& overlap, const TouchFacets& facets) : overlap_(overlap), facets_(facets) {}
+
+  std::vector<FlatPiece> pieces;
+  TouchFacets::Planes planes;
+
+  void add(std::size_t facet) {
+    FlatPiece whole = facets_.piece(facet, planes);
+    if (covered(whole.corners)) return;
+    first_ = pieces.size();
+    overlapping_.clear();
+    const std::vector<FacetCut> cuts = facets_.cuts(facet, planes);
+    add_cells(std::move(whole), cuts);
+    last_ = pieces.size();
+    for (const FlatPiece& piece : overlapping_) add_rim(piece);
+  }
+
+ private:
+  /// Whether all of it touches; then it is one piece.
+  bool add_cells(FlatPiece piece, std::span<const FacetCut> cuts) {
+    for (; !cuts.empty(); cuts = cuts.subspan(1)) {
+      if (!cuts[0].meets(piece)) continue;
+      const auto parts = split(piece, *cuts[0].plane);
+      if (!parts) continue;
+      const std::size_t before = pieces.size();
+      const bool below = add_cells((*parts)[0], cuts.subspan(1)), above = add_cells((*parts)[1], cuts.subspan(1));
+      if (!below || !above) return false;
+      pieces.resize(before);
+      pieces.push_back(std::move(piece));
+      return true;
+    }
+    return add_cell(std::move(piece));
+  }
+
+  bool add_cell(FlatPiece piece) {
+    if (covered(piece.corners)) return false;
+    if (!overlap_.interiors_meet(inner_place(piece), recent_)) {
+      pieces.push_back(std::move(piece));
+      return true;
+    }
+    if (!covered(piece.corners)) overlapping_.push_back(std::move(piece));
+    return false;
+  }
+
+  /// The touching positions on the edges of a cell in which the interiors meet, but those of cells of its facet.
+  void add_rim(const FlatPiece& cell) {
+    for (std::size_t k = 0; k < cell.corners.size(); ++k) {
+      const Corner &a = cell.corners[k], &b = cell.corners[(k + 1) % cell.corners.size()];
+      if (!known(a, a) && !covered(std::array{a}) && !overlap_.interiors_meet(a.at, recent_))
+        pieces.push_back({cell.plane, {a}});
+      if (known(a, b) || covered(std::array{a, b})) continue;
+      FlatPiece edge{cell.plane, {a, b}};
+      if (!overlap_.interiors_meet(exact_middle(edge), recent_)) pieces.push_back(std::move(edge));
+    }
+  }
+
+  /// Whether both are corners of a cell that touches.
+  bool known(const Corner& a, const Corner& b) const {
+    return std::any_of(pieces.begin() + static_cast<std::ptrdiff_t>(first_),
+                       pieces.begin() + static_cast<std::ptrdiff_t>(last_),
+                       [&](const FlatPiece& piece) { return has(piece, a) && has(piece, b); });
+  }
+
+  /// Whether a pair of triangles that crossed lately does in all of the convex hull.
+  bool covered(std::span<const Corner> corners) const {
+    std::vector<Vector> hull;
+    double size = 0;
+    for (const Corner& c : corners) {
+      hull.push_back(c.near);
+      size = std::max(size, size_of(c.near));
+    }
+    return overlap_.surely_meet(hull, margin::kRoundings8 * size, recent_);
+  }
+
+  const RealOverlap& overlap_;
+  const TouchFacets& facets_;
+  RealOverlap::Recent recent_;
+  std::vector<FlatPiece> overlapping_;  // cells of the facet at hand
+  std::size_t first_ = 0, last_ = 0;    // and the pieces that are such
+};
 
 }  // namespace
 
-TouchFrontier touch_frontier(std::shared_ptr<const TouchSets> sets, const BoxQuery& wanted) {
-  const std::size_t triangles = sets->sheet().body.faces.size(), parts = sets->parts().size(),
-                    blocks = (triangles + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
+TouchFrontier touch_frontier(const RaySheet& a, const RaySheet& b, TouchSide side, const BoxQuery& wanted) {
+  const RealOverlap overlap(a, b, side == TouchSide::kInside);
+  const RayBody reflected(scaled(Triangles{b.body.points, b.body.faces}, -1));
+  TouchFrontier out{{}, std::make_shared<const TouchFacets>(convolution(overlap.a(), reflected)), {}};
+  const TouchFacets& facets = *out.facets;
+  const std::size_t blocks = (facets.count() + kFacetsAtOnce - 1) / kFacetsAtOnce;
   std::vector<std::vector<FlatPiece>> found(blocks);
+  out.planes.resize(blocks);
   plane::parallel_for(blocks, [&](std::size_t block) {
-    for (std::size_t t = block * kTrianglesAtOnce; t < std::min(triangles, (block + 1) * kTrianglesAtOnce); ++t) {
-      for (std::size_t k = 0; k < parts; ++k) add_pieces(*sets, {t, k}, wanted, found[block]);
+    Finder finder(overlap, facets);
+    for (std::size_t k = block * kFacetsAtOnce; k < std::min(facets.count(), (block + 1) * kFacetsAtOnce); ++k) {
+      if (wanted(facets.box(k).low, facets.box(k).high)) finder.add(k);
     }
+    found[block] = std::move(finder.pieces);
+    out.planes[block] = std::move(finder.planes);
   });
-  TouchFrontier out;
   for (auto& part : found) std::move(part.begin(), part.end(), std::back_inserter(out.pieces));
-  out.sets = std::move(sets);
   return out;
 }
 

@@ -104,37 +104,31 @@ std::vector<RealVector> outer_corners(const std::vector<FlatPiece>& pieces) {
   return out;
 }
 
-std::shared_ptr<const TouchSets> sets_of(const TouchPair& pair) {
-  return std::make_shared<const TouchSets>(std::make_shared<const TouchSets::Sheet>(pair.fixed), pair.moving,
-                                           pair.side);
-}
-
 }  // namespace
 
 RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const RayGrid& grid) {
-  const Real radius = level * Real(pair.scale);
-  const double tolerance = radius.to_double() * (1 + margin::kWiderBox) + 2;
+  const double tolerance = level.to_double() * (1 + margin::kWiderBox) + 2;
   const auto wanted = [&](const Vector& low, const Vector& high) {
     const Vector by{tolerance, tolerance, tolerance};
-    return PieceRays::any_line(grid, low - by, plus(high, by), pair.scale);
+    return PieceRays::any_line(grid, low - by, plus(high, by), 1);
   };
-  const TouchFrontier frontier = touch_frontier(sets_of(pair), wanted);
+  const TouchFrontier frontier = touch_frontier(*pair.a, *pair.b, pair.side, wanted);
   const std::vector<About> all = about(frontier.pieces);
   std::vector<LinePiece> pieces(all.size());
   plane::parallel_for((all.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](std::size_t block) {
     for (std::size_t k = block * kRaysAtOnce; k < std::min(all.size(), (block + 1) * kRaysAtOnce); ++k)
-      pieces[k] = all[k].made(radius);
+      pieces[k] = all[k].made(level);
   });
-  return std::make_unique<PieceRays>(pieces, pair.scale, grid);
+  return std::make_unique<PieceRays>(pieces, 1, grid);
 }
 
 RaySourcePointer all_touching_near(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const auto all = [](const Vector&, const Vector&) { return true; };
-  const TouchFrontier frontier = touch_frontier(sets_of(pair), all);
+  const TouchFrontier frontier = touch_frontier(*pair.a, *pair.b, pair.side, all);
   if (frontier.pieces.empty() || level.sign() < 0) return constant_rays(grid, 1);
   std::vector<LinePiece> balls;
-  for (const RealVector& v : outer_corners(frontier.pieces)) balls.push_back(ball_piece(v, level * Real(pair.scale)));
-  return std::make_unique<PieceRays>(balls, pair.scale, grid, PieceRays::Of::kIntersection);
+  for (const RealVector& v : outer_corners(frontier.pieces)) balls.push_back(ball_piece(v, level));
+  return std::make_unique<PieceRays>(balls, 1, grid, PieceRays::Of::kIntersection);
 }
 
 }  // namespace findspace::space

@@ -13,10 +13,8 @@
 namespace findspace::space {
 
 struct TouchPair {
-  Triangles fixed;               // the surface of A
-  std::vector<Polytope> moving;  // the convex parts of B
+  std::shared_ptr<const RaySheet> a, b;
   TouchSide side = TouchSide::kOutside;
-  std::int64_t scale = 1;  // coordinates are in steps / scale
 };
 
 /// - nearer to a touching position than the level (more than 0, in steps), 0 at that distance, + beyond.
