@@ -17,7 +17,7 @@ using Key = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
 
 Key key(const Point& p) { return {p.x, p.y, p.z}; }
 
-/// Corners, edges and faces of facets, each once.
+/// Corners, edges and faces of facets that may touch, each once.
 std::vector<LinePiece> pieces_about(const std::vector<RayFacet>& facets, const Real& radius) {
   std::vector<LinePiece> pieces;
   std::set<Key> corners;
@@ -25,7 +25,7 @@ std::vector<LinePiece> pieces_about(const std::vector<RayFacet>& facets, const R
   std::vector<RealVector> ring;
   for (const RayFacet& f : facets) {
     const Wide3 normal = f.normal();
-    if (exact::is_zero(normal)) continue;
+    if (!f.outer || exact::is_zero(normal)) continue;
     ring.clear();
     for (int k = 0; k < f.corners; ++k) {
       const Point &p = f.corner[static_cast<std::size_t>(k)],
