@@ -122,6 +122,7 @@ Which question is answered exactly, for which kind of shape, and what does it co
 
 Costs are orders of magnitude, tried on shapes of up to a hundred corners or faces and on meshes of some thousand triangles. [bench](../bench/README.md) has measurements.
 A pair of shapes stands in the column of the more general one, which is the one farther to the right. A search that reaches its limit is refused, too, with a message.
+In space all searches for one value, one least value or one line look at 1,500,000 cells together, which takes some ten seconds. A least value is then told between bounds.
 
 ## In the plane
 
@@ -179,7 +180,7 @@ Some cells need more words:
 | fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
 | containment in "round" along a direction, other lines | level 0 only |
 | containment in "round", B about an inner edge at which walls of parts meet aslant | level 0 is not decided; along a direction mostly refused |
-| least `protrusion`, round | in unions of round parts the search takes minutes or ends at its limit |
+| least `protrusion`, round | in unions of round parts the search mostly ends at its limit |
 | least values along a direction, round | fits in unions of round parts are refused. Where sets of positions touch without overlapping, `bound` is far from the value |
 | orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |

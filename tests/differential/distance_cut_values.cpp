@@ -11,6 +11,7 @@
 #include <random>
 
 #include "distance/csg/csg_pair.h"
+#include "distance/search/search_work.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 
@@ -327,6 +328,23 @@ TEST(CutValues, HaveLeastOnes) {
     is(least_of(Which::kDelta1, box({-20, -16, -17}, {20, 16, 17}), moves), -4, 3);
   }
   is(least(Which::kGamma1, 4), -10, 3);
+}
+
+/// Where its question has few cells a search is cut short, and tells between which numbers the least gap is: of a box
+/// in a plate with two dimples, which it is as deep in beside them.
+TEST(CutValues, LeastGapsEndWithTheWorkOfTheirQuestion) {
+  const auto plate = std::make_shared<const CsgSolid>(space::csg_solid(
+      *node(Kind::kDifference, {box({0, 0, 0}, {40, 10, 4}), ball({12, 5, 4}, 3), ball({20, 5, 4}, 3)})));
+  const auto side = std::make_shared<const CsgSide>(space::shared(space::body(*box({0, 0, 0}, {3, 3, 3}))), plate);
+  for (const long cells : {1L, 30000L}) {
+    SearchWork work{cells};
+    const ScopedSearchWork here(&work);
+    const TriedAnswer v = csg_least(Which::kGamma1, side, false);
+    ASSERT_TRUE(v && *v);
+    EXPECT_LE((*v)->bounds().lower->to_double(), -3.5 + 1e-9);
+    EXPECT_GE((*v)->bounds().upper->to_double(), -3.5 - 1e-9);
+    EXPECT_GT(work.left, -400000);
+  }
 }
 
 /// A ball out of which a piece is cut that no plane along the axes touches fits where the ball does.

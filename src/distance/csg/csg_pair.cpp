@@ -9,6 +9,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
+#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
@@ -295,6 +296,7 @@ Answer CsgBackSide::named_protrusion(const CsgPart& part, const RealVector& p, c
 
 /// As far as A reaches along the normal of each plane, from below and from above.
 exact::Tried<CsgBackSide::Fits> CsgBackSide::made_fits() const {
+  const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
   const Body& b = *side_->b_;
   Fits out;
   out.exact = b.convex() && b.parts[0].core && !b.round();

@@ -93,6 +93,7 @@ class CsgSide : public PairSide {
   }
   TriedAnswer overlapping(const space::RealVector& p) const;
   std::optional<Answer> free_of_sets(const space::RealVector& p) const;
+  std::optional<Answer> least_gap_to_container() const;
   /// Of A.
   Answer named_reach(const space::CsgPart& part, const space::RealVector& from, const BoundaryPlace& found) const;
   bool by_containers() const;

@@ -8,6 +8,7 @@
 
 #include "distance/csg/csg_pair.h"
 #include "distance/csg/csg_part.h"
+#include "distance/search/search_work.h"
 #include "distance/search/set_protrusion.h"
 #include "distance/solid/solid_least.h"
 #include "exact/margins/space_distance.h"
@@ -241,22 +242,64 @@ TriedAnswer CsgSide::least_fit() const {
   return std::optional(least_taken(at, **v, Real::from_double(-most.bound - error)));
 }
 
+/// At no position is B deeper in A than in what holds A: the highest of the least gaps.
+std::optional<Answer> CsgSide::least_gap_to_container() const {
+  std::optional<Answer> best;
+  for (const space::Body& container : a_->containers) {
+    if (container.outside || !container.convex()) continue;
+    TriedAnswer v = solid_least(Which::kGamma1, *b_, container);
+    if (!v || !*v || !(*v)->bounds().lower) continue;
+    if (!best || *best->bounds().lower < *(*v)->bounds().lower) best = **std::move(v);
+  }
+  return best;
+}
+
+namespace {
+
+/// Minus the depth at the place of a search that ended before, as near as that knows it.
+Answer within_search(const SetProtrusion& out, double error) {
+  const double low = out.found.value - error, high = space::length(out.found.place - out.nearest) + error;
+  Answer v;
+  v.value = Real::from_double(-low);
+  v.set_unproven();
+  v.error = high - low;
+  v.enclosed = Enclosure{Real::from_double(-high), v.value};
+  return v;
+}
+
+}  // namespace
+
 /// Minus how far a position is from being free: of all within a box, out of which all are.
 TriedAnswer CsgSide::least_gap() const {
   if (a_->walls) return left_walls();
   if (points_) return std::nullopt;
   const Tried<PositionSet>& free = this->free();
   if (!free) return free.refusal();
+  const SearchQuestion question;
   const PositionSet around = free->within(grown(free->box(), size_ / 8));
-  const Tried<SetProtrusion> out = set_protrusion({tetrahedra_of_box(free->box())}, {NearSet{&around}}, size_,
-                                                  margin::kDeepestGap * size_, nullptr, kMostGapCells);
+  // Out of one container, or in one obstacle, B is free.
+  NearSet set{&around};
+  set.known = [this](const Vector& x) -> std::optional<Vector> {
+    const std::optional<Answer> free = free_of_sets(space::real(x));
+    if (free && free->value.sign() <= 0) return x;
+    return free && free->nearest ? std::optional(space::rounded(*free->nearest)) : std::nullopt;
+  };
+  const double error = margin::kFoundError * size_;
+  ProtrusionEnd end{kMostGapCells};
+  if (const std::optional<Answer> held = least_gap_to_container()) {
+    end.ceiling = error - held->bounds().lower->to_double();
+    end.first = space::rounded(held->at);
+  }
+  const Tried<SetProtrusion> out =
+      set_protrusion({tetrahedra_of_box(free->box())}, {set}, size_, margin::kDeepestGap * size_, nullptr, end);
   if (!out)
     return exact::Refusal(
         "the deepest overlap with a shape that round ones are cut out of was not found within the limit of the search");
   const RealVector at = space::real(out->found.place);
-  const TriedAnswer v = gap(at, Depth::kValue);
+  TriedAnswer v = gap(at, Depth::kValue);
+  if (!v && question.work().spent()) v = within_search(*out, error);
   if (!v) return v;
-  return std::optional(least_taken(at, **v, Real::from_double(-out->found.bound - margin::kFoundError * size_)));
+  return std::optional(least_taken(at, **v, Real::from_double(-out->found.bound - error)));
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/search/least_in_box.h"
+#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
@@ -324,6 +325,7 @@ bool CsgSide::holds_ends(const Answer& widest, const Body& sets) const {
 /// Else between places that are far from each other and the least of what holds A; where these differ, the search for
 /// the place of A that is farthest from another tells.
 TriedAnswer CsgSide::made_diameter() const {
+  const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
   Body sets;
   for (const CsgPartSearch& part : parts_) {
     const std::vector<BodyPart>& within = part.sets->within;

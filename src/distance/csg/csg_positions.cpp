@@ -18,6 +18,7 @@
 
 #include "distance/csg/csg_part.h"
 #include "distance/search/boundary_search.h"
+#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
 
@@ -160,7 +161,9 @@ class CsgConstraints : public LazyConstraints {
            to.y <= low.y + edge || to.z <= low.z + edge;
   }
 
+  /// It costs about what a cell does.
   MeetSlack slack(const Cut& cut, const Vector& p) const {
+    count_cell();
     const CsgPosition& pair = all_->pairs[cut.pair];
     std::vector<MeetSet> sets;
     sets.reserve(pair.moving.size() + pair.fixed.size() + cut.planes.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
 #include "space/rays/ray_sources.h"
@@ -94,7 +95,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
     walk.known.push_back({from, to, 0});
     return;
   }
-  if (++walk.values > kMostValues) {
+  if (++walk.values > kMostValues || cells_left() <= 0) {
     walk.refused.emplace("the signs along a line were not found within the limit of the search");
     return;
   }
@@ -123,6 +124,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
 exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
+    const SearchQuestion line_is_one;
     Walk walk{position_line(grid_, unit_, i, j), {}};
     const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
     look(walk, place - 2 * size_, place + 2 * size_);

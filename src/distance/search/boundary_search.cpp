@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "distance/search/boundary_columns.h"
+#include "distance/search/search_work.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
@@ -56,6 +57,10 @@ class BoundarySearch {
     std::iota(all.in.begin(), all.in.end(), 0);
     domain_ = domain;
     until_ = until;
+    const long least_left = until ? cells_left() - until->cells : 0;
+    const auto spent = [&] {
+      return (constraints_.more && constraints_.more->spent()) || (until && cells_left() <= least_left);
+    };
     if (constraints_.more || nearer_ > margin::kNearerAtAll) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
     double left = exact::kInfinity;
@@ -65,12 +70,13 @@ class BoundarySearch {
       if (ended || !(top.key < wanted())) return true;
       const bool enough = until && decided(*until, top.key);
       if (!enough && count++ == kAskAt) ask();
-      best_.complete = enough || !(constraints_.more && constraints_.more->spent());
+      best_.complete = enough || !spent();
       if (!enough && best_.complete) return false;
       left = std::min(left, top.key);
       return true;
     };
     const auto end = queue_.run(kMostSearchCells, settled, [&](const BoundaryCell& top) {
+      count_cell();
       std::size_t a = 0, b = 1;
       const double edge = longest_edge(top.corner, a, b);
       ended = edge < last_cell_ * size_;

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -81,14 +82,15 @@ struct BoundaryPlace {
   space::Vector place;
   std::optional<space::Vector> unresolved;
   bool known = false;    // instead of `found`: the value is that at the place asked for
-  bool complete = true;  // false: ended at kMostSearchCells
+  bool complete = true;  // false: ended at a limit of cells
 };
 
 /// A search that need not end: it may where how far the value is from the level, and on which side, is known but for
 /// that share, or where it is within `blur` of the level. With `blur` it does not matter how much more than that the
-/// value is.
+/// value is. It may also end at so many cells, those of searches within it included (search_work.h).
 struct Until {
   double level = 0, share = 0, blur = 0;
+  long cells = std::numeric_limits<long>::max();
 };
 
 /// `size`: of the coordinates and of what the functions are made of. `floor`: no allowed place is nearer.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "distance/search/lp_bound.h"
+#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/parallel.h"
 #include "plane/base/subdivide.h"
@@ -40,6 +42,8 @@ class BoxSearch {
   BoxSearch(const Value& value, double floor, int most) : value_(value), floor_(floor), most_(most) {}
 
   Tried<Answer> run(const Vector& low, const Vector& high) {
+    const SearchQuestion question;
+    work_ = &question.work();
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
     take({{space::plus(low, half), half, 0}});
@@ -47,7 +51,8 @@ class BoxSearch {
     queue_.run(
         most_, kAtOnce,
         [&](const Box& top) {
-          return refused_ || count_ >= most_ || least_ - top.bound <= tolerance_ + best_.slack() || least_ <= floor_;
+          return refused_ || count_ >= most_ || work_->spent() || least_ - top.bound <= tolerance_ + best_.slack() ||
+                 least_ <= floor_;
         },
         [&](const Box& top) { divide(top, parts); }, [&] { take(std::exchange(parts, {})); });
     if (refused_) return *refused_;
@@ -62,34 +67,63 @@ class BoxSearch {
     const Vector h = space::scaled(0.5, box.half);
     for (int k = 0; k < 8; ++k) {
       const Vector by{k & 1 ? h.x : -h.x, k & 2 ? h.y : -h.y, k & 4 ? h.z : -h.z};
-      parts.push_back({space::plus(box.center, by), h, 0});
+      parts.push_back({space::plus(box.center, by), h, box.bound});
     }
   }
 
-  void take(std::vector<Box> boxes) {
+  void take(const std::vector<Box>& boxes) {
+    for (std::size_t k = 0; k < boxes.size() && !refused_;) k += take_some(std::span(boxes).subspan(k));
+  }
+
+  /// The first ones, as many as the cells that are left allow by what one value took so far. What is not looked at any
+  /// more keeps the bound of the box that it is a part of.
+  std::size_t take_some(std::span<const Box> boxes) {
+    if (work_->spent()) {
+      for (const Box& box : boxes) queue_.push(box);
+      return boxes.size();
+    }
+    at_once_ = std::clamp(work_->left / (2 * dearest_), 1L, 2 * at_once_);
+    boxes = boxes.first(std::min(boxes.size(), static_cast<std::size_t>(at_once_)));
+    const long share = count_ == 0 ? work_->left : std::max(work_->left / kShareOfSearch, 1L);
     std::vector<Tried<Answer>> values(boxes.size(), Answer());
-    plane::parallel_for(boxes.size(), [&](std::size_t k) { values[k] = value_(space::real(boxes[k].center)); });
-    for (const Tried<Answer>& v : values) {
-      if (v) continue;
-      refused_ = v.refusal();
+    std::vector<SearchWork> works(boxes.size(), {share});
+    plane::parallel_for(boxes.size(), [&](std::size_t k) {
+      const ScopedSearchWork here(&works[k]);
+      values[k] = value_(space::real(boxes[k].center));
+    });
+    for (std::size_t k = 0; k < boxes.size() && !refused_; ++k) {
+      const long cells = share - works[k].left;
+      work_->left -= cells;
+      dearest_ = std::max(dearest_, cells);
+      add(boxes[k], std::move(values[k]), works[k].spent());
+    }
+    return boxes.size();
+  }
+
+  /// `spent`: it took all cells that it had. Without the first value nothing is known; another leaves its box as it is.
+  void add(Box box, Tried<Answer> found, bool spent) {
+    ++count_;
+    if (!found && (count_ == 1 || !spent)) {
+      refused_ = found.refusal();
       return;
     }
-    count_ += static_cast<int>(boxes.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const double value = values[k]->value.to_double();
-      boxes[k].bound = value - values[k]->slack() - space::length(boxes[k].half);
+    if (found) {
+      const double value = found->value.to_double();
+      box.bound = value - found->slack() - space::length(box.half);
       if (value < least_ || count_ == 1) {
         least_ = value;
-        best_ = *std::move(values[k]);
-        best_.at = space::real(boxes[k].center);
+        best_ = *std::move(found);
+        best_.at = space::real(box.center);
       }
-      queue_.push(boxes[k]);
     }
+    queue_.push(box);
   }
 
   const Value& value_;
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
   int most_, count_ = 0;
+  SearchWork* work_ = nullptr;
+  long dearest_ = 1, at_once_ = static_cast<long>(kAtOnce);
   plane::Subdivision<Box> queue_{"boxes of the position with the least value"};
   std::optional<exact::Refusal> refused_;
   Answer best_;
@@ -139,8 +173,11 @@ class TangentSearch {
   }
 
   TriedAnswer run() {
+    const SearchQuestion question;
     double bound = -exact::kInfinity;
-    for (int k = 0; k < kMostTangents && !(least_ - bound <= margin::kTangentsMeet * size_ + off()); ++k) {
+    for (int k = 0;
+         k < kMostTangents && !question.work().spent() && !(least_ - bound <= margin::kTangentsMeet * size_ + off());
+         ++k) {
       if (!add_tangent()) break;
       const LpBound lowest = bounding_lp(columns_, std::nullopt);
       bound = -lowest.value - margin::kTangentNoise * size_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "distance/search/boundary_columns.h"
+#include "distance/search/search_work.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 6;  // that bound a cell
 constexpr int kPlaceRounds = 3;
+constexpr long kLeastCells = 4096;  // of the search for one place, where each cell takes searches
 
 struct NearestPlace {
   double least = exact::kInfinity;  // nothing of A is nearer
@@ -199,19 +201,25 @@ Projection projected(const NearSet& set, const Vector& x, double size) {
 
 class PlacesOfSets : public MaxMinTarget {
  public:
-  PlacesOfSets(const std::vector<NearSet>& sets, double size, double near)
-      : sets_(sets), size_(size), share_(near / size / 4) {}
+  PlacesOfSets(const std::vector<NearSet>& sets, double size, double near, double ceiling)
+      : sets_(sets), size_(size), share_(near / size / 4), ceiling_(ceiling) {}
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     if (missed_) return false;
+    cell.bound = std::min(cell.bound, ceiling_);
     columns(cell);
     if (!best.worth(cell.bound)) return true;
-    cell.bound = std::min(cell.bound, seen(middle, cell, best) + reach(cell, middle) + margin::kFoundError * size_);
+    if (spent()) {
+      if (const auto place = known(middle)) keep(*place, cell);
+    } else {
+      cell.bound = std::min(cell.bound, seen(middle, cell, best) + reach(cell, middle) + margin::kFoundError * size_);
+    }
     columns(cell);
     return true;
   }
 
   void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
+    if (spent()) return;
     seen(x, cell, best);
     cell.distances.push_back(column(cell.sets.back(), cell));
   }
@@ -219,6 +227,7 @@ class PlacesOfSets : public MaxMinTarget {
   double distance(int set, const Vector& x) const override { return space::length(x - place(set).at); }
   double shortest_share() const override { return 1; }
   int rounds() const override { return kPlaceRounds; }
+  bool spent() const override { return cells_left() <= 0; }
 
   double offer_in(const Vector& x, MaxMinBest& best) const override {
     const NearestPlace found = nearest(x, share_);
@@ -251,7 +260,13 @@ class PlacesOfSets : public MaxMinTarget {
       if (least >= best.value) break;
       if (const auto found = searched(*sets_[k].places, x, share, missed)) take(*found, k);
     }
-    missed_ = missed_ || missed < best.value || best.value == exact::kInfinity;
+    if (missed < best.value || best.value == exact::kInfinity) {
+      const std::optional<NearestPlace> place = known(x);
+      missed_ = missed_ || !place;
+      const double least = std::min(best.least, missed);
+      if (place && place->value < best.value) best = *place;
+      best.least = least;
+    }
     return best;
   }
 
@@ -262,7 +277,8 @@ class PlacesOfSets : public MaxMinTarget {
   /// `missed`: nothing of a set of which no place was found is nearer.
   std::optional<Projection> searched(const PositionSet& places, const Vector& x, double share, double& missed) const {
     // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
-    const Until until{0, 1 - share};
+    Until until{0, 1 - share};
+    if (places.has_more()) until.cells = std::max(cells_left() / kShareOfSearch, kLeastCells);
     const BoundaryPlace found = places.nearest_to(distance_to_point(x), {0, {}, &until});
     if (found.found) return Projection{found.bound, found.place};
     missed = std::min(missed, found.bound);
@@ -277,14 +293,30 @@ class PlacesOfSets : public MaxMinTarget {
 
   const NearestPlace& place(int set) const { return places_[static_cast<std::size_t>(set)]; }
 
+  /// The nearest place that is known without a search.
+  std::optional<NearestPlace> known(const Vector& x) const {
+    std::optional<NearestPlace> best;
+    for (std::size_t k = 0; k < sets_.size(); ++k) {
+      const std::optional<Vector> at = sets_[k].known ? sets_[k].known(x) : std::nullopt;
+      if (!at) continue;
+      const double d = space::length(x - *at);
+      if (!best || d < best->value) best = {0, d, *at, k};
+    }
+    return best;
+  }
+
+  void keep(const NearestPlace& place, MaxMinCell& cell) const {
+    cell.sets.push_back(static_cast<int>(places_.size()));
+    places_.push_back(place);
+  }
+
   /// The distance of a place of the cell from A; it is remembered, and offered if it is in B.
   double seen(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const {
     if (cell.round && cell.round->beyond(x) > 0) offer_in(cell.round->pulled_in(x), best);
     // The bound of the cell is off by the square of its size.
     const double wide = reach(cell, x) / size_;
     const NearestPlace found = nearest(x, std::max(share_, wide * wide / 8));
-    cell.sets.push_back(static_cast<int>(places_.size()));
-    places_.push_back(found);
+    keep(found, cell);
     if (!cell.round || cell.round->beyond(x) <= 0) best.offer(x, found.least);
     return found.value;
   }
@@ -310,7 +342,7 @@ class PlacesOfSets : public MaxMinTarget {
   }
 
   const std::vector<NearSet>& sets_;
-  double size_, share_;
+  double size_, share_, ceiling_;
   mutable std::vector<NearestPlace> places_;
   mutable bool missed_ = false;
 };
@@ -346,14 +378,17 @@ Answer SetProtrusion::answer(double size) const {
 }
 
 exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
-                                           double near, const SolidMaxMin* known, int most) {
-  const PlacesOfSets target(sets, size, near);
+                                           double near, const SolidMaxMin* known, const ProtrusionEnd& end) {
+  const SearchQuestion question;
+  const PlacesOfSets target(sets, size, near, end.ceiling);
   MaxMinBest start(-exact::kInfinity, 0, 0, near);
   if (known) start.offer(known->place, known->value);
-  SetProtrusion out{tetrahedral_max_min(solids, target, start, most), {}, 0};
-  if (target.missed()) return not_protruding();
+  if (end.first) target.offer_in(*end.first, start);
+  SetProtrusion out{tetrahedral_max_min(solids, target, start, end.most), {}, 0};
+  if (target.missed() || !std::isfinite(out.found.bound)) return not_protruding();
   if (known) out.found.bound = std::min(out.found.bound, known->bound);
   const NearestPlace nearest = target.nearest(out.found.place, near / size / 4);
+  if (!std::isfinite(nearest.value)) return not_protruding();
   out.nearest = nearest.at;
   out.set = nearest.set;
   return out;

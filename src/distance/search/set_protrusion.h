@@ -6,8 +6,8 @@
 // distance to one of them is convex, nowhere less than that to the sets, and where it is the nearest place it has the
 // slope of that, so the bound is off by the square of the cell's size. Such places are found when a cell is first
 // looked at, and kept. Guarantee: doubles; no point of the solids is farther out than `bound`, which is as
-// near as asked for, where the limit of cells allows it. Refused where no nearest place is found. Cost: some hundred
-// cells, each a nearest place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
+// near as asked for, where the limit of cells allows it. Refused where no nearest place is found, nor known. Cost: some
+// hundred cells, each a nearest place of 0.1 to 3 ms. Keywords: directed Hausdorff distance, branch and bound.
 #pragma once
 
 #include <functional>
@@ -38,6 +38,8 @@ struct NearSet {
     std::optional<Drill> drill{};
   };
   const PositionSet* places = nullptr;
+  /// Some place of the set, as near as is known without a search; nothing where none is.
+  std::function<std::optional<space::Vector>(const space::Vector&)> known{};
   /// To convex sets that hold the set, beside those of its constraints.
   std::vector<std::function<space::Vector(const space::Vector&)>> ways{};
   std::vector<space::HalfSpace> planes{};
@@ -60,11 +62,16 @@ struct SetProtrusion {
 
 /// Why: the search ended, or found no place of a set.
 exact::Refusal not_protruding();
-inline constexpr int kMostProtrusionCells = 4000;
-/// Until value and bound are so near, or with so many cells. At least one set. `known`: what an earlier search of the
-/// same found.
+/// Where the search ends, beside where value and bound are so near, and where the question has no more cells
+/// (search_work.h).
+struct ProtrusionEnd {
+  int most = 4000;                          // cells
+  double ceiling = exact::kInfinity;        // no point of the solids is farther out
+  std::optional<space::Vector> first = {};  // a point of them to look at first
+};
+/// At least one set. `known`: what an earlier search of the same found.
 exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
                                            double near, const SolidMaxMin* known = nullptr,
-                                           int most = kMostProtrusionCells);
+                                           const ProtrusionEnd& end = {});
 
 }  // namespace findspace::distance

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 
@@ -90,11 +91,12 @@ bool TetrahedralMaxMin::dropped(double bound) {
 }
 
 SolidMaxMin TetrahedralMaxMin::run(int most) {
+  bool spent = false;
   const auto end = queue_.run(
-      most, [this](const MaxMinCell& top) { return !best_.worth(top.bound); },
+      most, [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
       [this](const MaxMinCell& top) { split(top); });
   SolidMaxMin out = best_.found();
-  out.complete = end != plane::SubdivisionEnd::kSpent;
+  out.complete = !spent && end != plane::SubdivisionEnd::kSpent;
   // Less than these was not looked for; and of more than the slack a share may lack.
   out.bound = std::max({out.value + best_.near(), best_.slack(), bound_});
   if (!queue_.empty()) out.bound = std::max(out.bound, queue_.best().bound);
@@ -117,6 +119,7 @@ double TetrahedralMaxMin::bend(const MaxMinCell& cell, std::size_t v, std::size_
 
 /// Across the edge along which the distances bend most, so that cells stay long on flat ridges.
 void TetrahedralMaxMin::split(const MaxMinCell& cell) {
+  count_cell();
   std::size_t a = 0, b = 1;
   const double longest = longest_edge(cell.corner, a, b);
   if (target_.shortest_share() < 1) {

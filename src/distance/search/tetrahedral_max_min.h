@@ -69,6 +69,8 @@ class MaxMinTarget {
   /// longest one; else across the longest.
   virtual double shortest_share() const { return 0; }
   virtual int rounds() const { return 1; }
+  /// Whether so much was done that the search is to end.
+  virtual bool spent() const { return false; }
 };
 
 /// With at most so many cells.
