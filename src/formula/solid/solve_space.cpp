@@ -23,6 +23,7 @@ namespace findspace::formula {
 using distance::Answer;
 using distance::BoxMaps;
 using distance::Way;
+using distance::Which;
 using exact::Real;
 using exact::Refusal;
 using exact::Tried;
@@ -220,33 +221,102 @@ Check SpaceSolver::check(const Formula& formula, const RealVector& position) con
   return out;
 }
 
-std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position, const std::vector<Kind>& kinds) const {
-  const RealVector p = space::scaled(Real(1) / space_->world.step, position);
-  std::vector<Distance> wanted;
-  for (const std::string& b : space_->world.moving) {
-    for (const auto& [a, shape] : space_->world.shapes) {
-      if (std::find(space_->world.moving.begin(), space_->world.moving.end(), a) != space_->world.moving.end())
-        continue;
+namespace {
+
+/// What the value of a distance follows from: the one that it cuts off at 0, or the two of which it is the greater one.
+std::vector<Which> bases(Which which) {
+  switch (which) {
+    case Which::kD1:
+    case Which::kPenetration:
+    case Which::kH:
+    case Which::kHBack:
+      return {distance::cut_off_of(which)->base};
+    case Which::kHausdorff:
+      return {Which::kMu, Which::kMuBack};
+    default:  // containment has ways of its own
+      return {};
+  }
+}
+
+/// It, where it is surely more than 0 and one of them, as it is or negated.
+std::optional<Answer> following(Which which, const std::vector<Answer>& of) {
+  const auto low = [](const Answer& v) { return v.value.to_double() - v.slack(); };
+  const auto cut = distance::cut_off_of(which);
+  std::optional<Answer> out;
+  for (const Answer& base : of) {
+    if (base.minus_infinity) return std::nullopt;
+    Answer v = cut ? *distance::cut_off(base, cut->negated) : base;
+    if (!out || low(v) > out->value.to_double() + out->slack())
+      out = std::move(v);
+    else if (!(low(*out) > v.value.to_double() + v.slack()))
+      return std::nullopt;
+  }
+  return out && low(*out) > 0 ? out : std::nullopt;
+}
+
+std::vector<Distance> measured(const SpaceWorld& world, const std::vector<Kind>& kinds) {
+  std::vector<Distance> out;
+  for (const std::string& b : world.moving) {
+    for (const auto& [a, shape] : world.shapes) {
+      if (std::find(world.moving.begin(), world.moving.end(), a) != world.moving.end()) continue;
       for (std::size_t k = 0; k < kKindCount; ++k) {
         if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), Kind(k)) == kinds.end()) continue;
         Distance d;
         d.kind = Kind(k);
         d.first = {b};
         d.second = {a};
-        wanted.push_back(d);
+        out.push_back(d);
         const bool both = d.kind == Kind::kMu || d.kind == Kind::kH || d.kind == Kind::kDstar;
         if (both) {
           std::swap(d.first, d.second);
-          wanted.push_back(d);
+          out.push_back(d);
         }
       }
     }
   }
-  std::vector<DistanceAt> out(wanted.size());
-  plane::parallel_for(out.size(), [&](std::size_t k) {
-    const auto v = value_at(*space_, wanted[k], p);
-    out[k] = v ? shown(*space_, wanted[k], *v) : refused_at(wanted[k], v.refusal(), Way::kNone);
+  return out;
+}
+
+}  // namespace
+
+std::vector<DistanceAt> SpaceSolver::measure(const RealVector& position, const std::vector<Kind>& kinds) const {
+  const RealVector p = space::scaled(Real(1) / space_->world.step, position);
+  const std::vector<Distance> wanted = measured(space_->world, kinds);
+  std::vector<Tried<PreparedSpace::Named>> named;
+  for (const Distance& d : wanted) named.push_back(space_->named(d));
+  // A value that follows from others is found once, with them, mostly.
+  std::vector<std::vector<std::size_t>> sources(wanted.size());
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const std::vector<Which> of = named[k] ? bases(named[k]->which) : std::vector<Which>{};
+    for (std::size_t j = 0; j < wanted.size(); ++j) {
+      if (named[k] && named[j] && named[j]->pair == named[k]->pair &&
+          std::find(of.begin(), of.end(), named[j]->which) != of.end())
+        sources[k].push_back(j);
+    }
+    if (sources[k].size() < of.size()) sources[k].clear();
+  }
+  std::vector<Tried<std::optional<Answer>>> values(wanted.size(), std::optional<Answer>());
+  const auto find = [&](std::size_t k) { values[k] = value_at(*space_, wanted[k], p); };
+  plane::parallel_for(wanted.size(), [&](std::size_t k) {
+    if (sources[k].empty()) find(k);
   });
+  plane::parallel_for(wanted.size(), [&](std::size_t k) {
+    if (sources[k].empty()) return;
+    std::vector<Answer> of;
+    for (const std::size_t j : sources[k]) {
+      if (values[j] && *values[j]) of.push_back(**values[j]);
+    }
+    std::optional<Answer> found = of.size() == sources[k].size() ? following(named[k]->which, of) : std::nullopt;
+    if (found)
+      values[k] = std::move(found);
+    else
+      find(k);
+  });
+  std::vector<DistanceAt> out;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    out.push_back(values[k] ? shown(*space_, wanted[k], *values[k])
+                            : refused_at(wanted[k], values[k].refusal(), Way::kNone));
+  }
   return out;
 }
 
