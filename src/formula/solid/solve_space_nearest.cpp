@@ -3,6 +3,9 @@
 //
 // The nearest feasible position, where the region is made of boxes or is one convex set, or contacts decide
 // (nearest_contact.h). Exact where that says so.
+#include <algorithm>
+#include <deque>
+
 #include "findspace/error.h"
 #include "formula/language/nearest_contact.h"
 #include "formula/solid/optimize_convex.h"
@@ -18,8 +21,19 @@ namespace {
 
 std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Formula& formula, const RealVector& p) {
   const Real& step = solver.world().step;
+  // Each is asked for more than once.
+  struct Known {
+    Distance of;
+    Coordinates at;
+    exact::Tried<std::optional<distance::Answer>> value;
+  };
+  std::deque<Known> known;
   const auto value = [&](const Distance& d, const Coordinates& q) {
-    return solver.try_value(d, space::scaled(Real(1) / step, {q[0], q[1], q[2]}));
+    const auto same = [&](const Known& k) { return k.at == q && k.of == d; };
+    const auto found = std::find_if(known.begin(), known.end(), same);
+    if (found != known.end()) return found->value;
+    known.push_back({d, q, solver.try_value(d, space::scaled(Real(1) / step, {q[0], q[1], q[2]}))});
+    return known.back().value;
   };
   const ContactWorld asked{
       [&](const Distance& d, const Coordinates& q) -> std::optional<distance::SceneAnswer> {
