@@ -37,6 +37,12 @@ class BoxSlabs {
     return true;
   }
 
+  /// How many entries visit() looks at.
+  std::size_t count(double low, double high) const {
+    if (start_.empty() || high < bottom_ || low > top_) return 0;
+    return start_[slab(high) + 1] - start_[slab(low)];
+  }
+
  private:
   Index slab(double y) const {
     double b = (y - bottom_) * per_step_;

@@ -108,22 +108,41 @@ class ConvolutionIndex {
 
   static GridPoint sum(GridPoint p, GridPoint q) { return {p.x + q.x, p.y + q.y}; }
 
+  /// Visits the wanted curves of the edges of one face that reach into the range: for every corner of the other face
+  /// the edges that it sweeps, or those in the strip of the range, whichever are fewer.
   template <class Wanted, class Visit>
   bool visit_side(Index p, int s, const Range& r, Wanted&& wanted, Visit&& visit) const {
     const Side &moved = of(p, s), &other = of(p, 1 - s);
     const std::vector<EdgeFan::Sweep>& sweeps = pair(p).sweep[std::size_t(1 - s)];
+    const std::size_t all = moved.place.size();
     for (Index v = 0; v < other.fan.corners.size(); ++v) {
       const GridCorner& c = other.fan.corners[v];
       if (c.turn == 0 || !wanted(c)) continue;
       const EdgeFan::Sweep& swept = sweeps[v];
       const double dx = double(c.at.x), dy = double(c.at.y);
-      bool on = moved.slabs.visit(r.y0 - dy, r.y1 - dy, [&](const BoxSlabs::Entry& e) {
-        if (e.x1 < r.x0 - dx || e.x0 > r.x1 - dx || !swept.holds(moved.place[e.item])) return true;
-        return bool(visit(Curve{p, s, e.item, v}));
-      });
+      const Range strip{r.x0 - dx, r.y0 - dy, r.x1 - dx, r.y1 - dy};
+      const std::size_t count = swept.size(all);
+      bool on = true;
+      if (count < moved.slabs.count(strip.y0, strip.y1)) {
+        for (std::size_t k = 0; on && k < count; ++k) {
+          const Index edge = moved.fan.rays[(swept.first + k) % all].corner;
+          if (reaches(moved.fan, edge, strip)) on = bool(visit(Curve{p, s, edge, v}));
+        }
+      } else {
+        on = moved.slabs.visit(strip.y0, strip.y1, [&](const BoxSlabs::Entry& e) {
+          if (e.x1 < strip.x0 || e.x0 > strip.x1 || !swept.holds(moved.place[e.item])) return true;
+          return bool(visit(Curve{p, s, e.item, v}));
+        });
+      }
       if (!on) return false;
     }
     return true;
+  }
+  /// Whether the box of an edge meets the range.
+  static bool reaches(const EdgeFan& fan, Index edge, const Range& r) {
+    const GridPoint p = fan.corners[edge].at, q = fan.corners[fan.corners[edge].next].at;
+    return double(std::max(p.x, q.x)) >= r.x0 && double(std::min(p.x, q.x)) <= r.x1 &&
+           double(std::max(p.y, q.y)) >= r.y0 && double(std::min(p.y, q.y)) <= r.y1;
   }
 
   /// Whether a corner of one face, of some that are tried, shows that the point lies in the open sum: moved back by it
