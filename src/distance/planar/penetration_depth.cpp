@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kFewCurves = 100;        // arranged at once
 constexpr std::size_t kManyCurves = 20000;     // not counted further
 constexpr std::int64_t kSmallest = 4;          // of a box, in grid steps
-constexpr int kVainHalvings = 4;               // that leave nearly all curves in the box: they run along each other
+constexpr int kVainHalvings = 2;               // that leave nearly all curves in both halves: they run along each other
 constexpr std::size_t kCurvesOfMap = 10000;    // a map of fewer is cheap
 constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape could go round a hole of the other
 constexpr std::size_t kPairsOfMap = 5000;      // of edges: there are no more curves
@@ -98,9 +98,9 @@ class CurvePlaces {
 template <class Curves>
 struct Box {
   GridBox window;
-  double bound;        // no position in it is better: the least distance from p, or minus the greatest
-  std::size_t before;  // curves of the box it is a half of
-  int vain = 0;        // halvings in a row that left nearly all curves
+  double bound;     // no position in it is better: the least distance from p, or minus the greatest
+  int vain = 0;     // vain halvings in a row, before the one that made it
+  GridBox other{};  // the other half of the box it is a half of
   std::shared_ptr<const Curves> among = nullptr;  // all curves of the box it is a half of, if there are not many
   bool operator<(const Box& o) const { return bound > o.bound; }  // the best on top
   void draw(plane::ObservedCells& seen) const {
@@ -229,7 +229,7 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;
   plane::Subdivision<Box<Curves>> boxes("boxes of the nearest position on the boundary of a sum", true);
-  if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far), kManyCurves});
+  if (bounds) boxes.push({*bounds, bound(*bounds, x, y, far)});
   bool spent = false;
   const auto settled = [&](const Box<Curves>& box) {
     if (best) {
@@ -239,26 +239,35 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
     spent = --boxes_left_ < 0;
     return spent;
   };
-  const auto halve = [&](const GridBox& w, std::size_t count, int vain, const std::shared_ptr<const Curves>& curves) {
-    for (const GridBox& half : halves(w)) boxes.push({half, bound(half, x, y, far), count, vain, curves});
+  const auto halve = [&](const GridBox& w, int vain, const std::shared_ptr<const Curves>& curves) {
+    const auto [first, second] = halves(w);
+    boxes.push({first, bound(first, x, y, far), vain, second, curves});
+    boxes.push({second, bound(second, x, y, far), vain, first, curves});
+  };
+  // How many halvings up to this half of a box left nearly all curves in both halves; what leaves them in one counts
+  // for nothing, as the other one may hold none.
+  const auto vain_halvings = [&](const Box<Curves>& box, std::size_t count) {
+    const auto nearly_all = [&](std::size_t curves) { return curves * 5 > box.among->size() * 4; };
+    if (!box.among || !nearly_all(count)) return 0;
+    return box.vain + int(nearly_all(boundary.curves_in(grown(box.other), *box.among).size()));
   };
   const auto look = [&](const Box<Curves>& box) {
     const GridBox& w = box.window;
     if (certainly_holds(w)) return;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;
-    if (!box.among && !small && boundary.surely_has(most, grown(w))) return halve(w, most, 0, nullptr);
+    if (!box.among && !small && boundary.surely_has(most, grown(w))) return halve(w, 0, nullptr);
     auto curves = std::make_shared<const Curves>(box.among ? boundary.curves_in(grown(w), *box.among)
                                                            : boundary.curves_in(grown(w), most));
     const std::size_t count = curves->size();
-    const int vain = count < most && count * 5 > box.before * 4 ? box.vain + 1 : 0;
+    const int vain = vain_halvings(box, count);
     if (count < kFewCurves || vain == kVainHalvings || small) {
       auto found = boundary.best(grown(w), *curves, far, certain);
       if (found && (!best || (far ? found->distance > best->distance : found->distance < best->distance)))
         best = std::move(found);
       return;
     }
-    halve(w, count, vain, count == most ? nullptr : curves);
+    halve(w, vain, count == most ? nullptr : curves);
   };
   boxes.run(settled, look);
   if (spent) return {false, std::nullopt};
