@@ -31,8 +31,7 @@ std::vector<std::string> wanted_words(const Session& session) {
   }
   const bool file = std::any_of(options.outputs.begin(), options.outputs.end(),
                                 [](const auto& path) { return path.extension() == ".json"; });
-  const bool all = !session.in_space() || options.all || options.json || file;  // in space each costs much
-  return all ? std::vector<std::string>{} : usual_distance_words();
+  return options.all || options.json || file ? std::vector<std::string>{} : usual_distance_words();
 }
 
 /// Where a check is asked for; refuses what it does not write.

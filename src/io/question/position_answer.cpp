@@ -34,11 +34,13 @@ formula::Kind kind_of(std::string_view word) {
                                                    near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
-formula::WantedText of_kinds(const std::vector<formula::Kind>& kinds) {
-  if (kinds.empty()) return {};
-  return [kinds](const std::string& text) {
-    const formula::Kind kind = kind_of(distance_word(formula::plain(text).text));
-    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+/// What is told of all distances: where only usual ones are, those along directions of the formula as well.
+formula::WantedText told_of(const WantedDistances& wanted) {
+  if (wanted.kinds.empty()) return {};
+  return [wanted](const std::string& text) {
+    const std::string plain = formula::plain(text).text;
+    if (!wanted.told && is_directional(plain)) return true;
+    return std::find(wanted.kinds.begin(), wanted.kinds.end(), kind_of(distance_word(plain))) != wanted.kinds.end();
   };
 }
 
@@ -240,7 +242,7 @@ Answer::Data between_in_plane(AskedScene given, const exact::RealPoint& at,
 Answer::Data measure_in_plane(AskedScene given, const PlanarPose& pose, const WantedDistances& wanted) {
   const auto q = planar_question(std::move(given), pose, true);
   q->asked.stage("measuring");
-  const formula::WantedText kinds = of_kinds(wanted.kinds);
+  const formula::WantedText kinds = told_of(wanted);
   std::vector<formula::DistanceAt> all =
       q->rotated ? q->rotated->measure(q->formula, kinds) : q->solver->measure(q->at, q->formula, kinds);
   if (q->rotated) q->asked.note_rotated(q->rotated->rounding());

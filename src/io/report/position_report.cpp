@@ -62,6 +62,8 @@ std::string_view distance_word(std::string_view text) {
   return blank == std::string_view::npos ? before : before.substr(blank + 1);
 }
 
+bool is_directional(std::string_view text) { return text.find('=') != std::string_view::npos; }
+
 std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& distances, bool all) {
   std::vector<Ranked> rows;
   std::size_t pair = 0;
@@ -69,7 +71,7 @@ std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& d
   for (std::size_t k = 0; k < distances.size(); ++k) {
     const formula::PlainText plain = formula::plain(distances[k].text);
     const std::string_view word = distance_word(plain.text);
-    const bool directional = plain.text.find('=') != std::string::npos;
+    const bool directional = is_directional(plain.text);
     if (word == kUsualDistances[0] && !directional && !in_gap) ++pair;
     in_gap = word == kUsualDistances[0];
     const auto rank =

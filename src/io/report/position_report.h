@@ -26,6 +26,8 @@ std::vector<MeasuredRow> measured_rows(const std::vector<formula::DistanceAt>& d
 inline constexpr std::array<std::string_view, 5> kUsualDistances{"gap", "margin", "reach", "protrusion", "hausdorff"};
 /// "gap" of "inf gap(B, A)".
 std::string_view distance_word(std::string_view text);
+/// Whether the text of a distance says a direction, as "gap(B, A, toward=(1, 0))" does.
+bool is_directional(std::string_view text);
 
 /// The word of an atom's distance, where the atom itself does not say it: "margin " of inside(B, A).
 std::string said_distance(const formula::Atom& atom);
