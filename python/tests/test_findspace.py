@@ -186,6 +186,12 @@ def test_contours():
         fs.Shape.contour([(-1, 0), {"to": (1, 0), "bulge": 1, "ccw": True}])
 
 
+def test_an_atom_of_what_fits_nowhere_has_the_value_of_its_distance(world):
+    cover, delta = world.check("cover(peg, table) >= 1 or delta1(peg, table) <= 1", (0, 0)).atoms
+    assert cover.distance.value == world.distance("cover(peg, table)", (0, 0)).value == -np.inf
+    assert delta.distance.value is None
+
+
 def test_values_of_many_positions(world):
     at = np.random.default_rng(2).random((500, 2)) * 100
     query = world.query("gap(peg, plate)")

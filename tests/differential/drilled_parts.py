@@ -387,7 +387,7 @@ def compare_least(asked, _, line, answer):
 
 def enclosed(atom):
     value = atom.get("value")
-    if value is None:
+    if value in (None, "-inf"):
         return None
     lower, upper = atom.get("lower", value), atom.get("upper", value)
     return float(lower), float("inf" if upper is None else upper)

@@ -78,7 +78,7 @@ class Check:
     def values(self, scene, at):
         """Of each condition at a position: its value. A margin in what is too small is undefined: minus infinity."""
         self.server.ask("load", text=scene.text(scene.texts()))
-        return [[-1e9 if a["value"] is None else a["value"] for a in self.server.ask("check", at=p)["atoms"]] for p in at]
+        return [[-1e9 if a["value"] in (None, "-inf") else a["value"] for a in self.server.ask("check", at=p)["atoms"]] for p in at]
 
     def run(self, scene, answer):
         texts, feasible = scene.texts(), answer["feasible"]

@@ -414,7 +414,8 @@ TEST_F(Program, MeasureTellsUndefinedFromNotComputed) {
     {"ball": {"center": [0, 0, 0], "radius": 3}}, {"ball": {"center": [4, 0, 0], "radius": 3}}]}, "B": {"intersection": [
     {"ball": {"center": [0, 0, 0], "radius": 9}}, {"ball": {"center": [2, 0, 0], "radius": 9}}]}}})json";
   const json found = json::parse(run("measure scene.json --at 1,0,0 --json", scene).out);
-  for (const char* name : {"gap(B, A)", "margin(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
+  for (const char* name : {"gap(B, A)", "eta1(B, A)"}) EXPECT_TRUE(found.at("distances").at(name).is_null());
+  EXPECT_EQ(found.at("distances").at("margin(B, A)"), "-inf");
   EXPECT_FALSE(found.at("not_computed").at("gap(B, A)").get<std::string>().empty());
   EXPECT_FALSE(found.at("not_computed").contains("margin(B, A)"));
 }

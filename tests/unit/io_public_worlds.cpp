@@ -160,6 +160,15 @@ TEST(PublicWorld, AtomsHaveTheValueOfTheirWord) {
   EXPECT_EQ(check.atoms[2].distance.value, check.atoms[0].distance.value);
 }
 
+TEST(PublicWorld, AtomsOfWhatFitsNowhereAreMinusInfinity) {
+  const Check check = boxes().check("cover(B, A) >= -3 or delta1(B, A) <= 3", {0, 0});
+  ASSERT_EQ(check.atoms.size(), 2u);
+  EXPECT_EQ(check.atoms[0].distance.value, -INFINITY);
+  EXPECT_EQ(check.atoms[0].distance.value, boxes().distance("cover(B, A)", {0, 0}).value);
+  EXPECT_FALSE(check.atoms[1].distance.value);
+  EXPECT_FALSE(check.holds);
+}
+
 TEST(PublicQuery, ValuesOfManyPositions) {
   const World world = boxes();
   const std::vector<Position> at{{6, 0}, {6, 5}, {0, 0}, {0, -8}};

@@ -142,12 +142,8 @@ formula::Check World::Data::check(const formula::Formula& f, const Coordinates& 
 }
 
 formula::DistanceAt World::Data::value(const formula::Objective& wanted, const Coordinates& p) const {
-  // Undefined is +infinity, so minus that is -infinity.
   const auto signed_as_wanted = [&](formula::DistanceAt d) {
-    if (!wanted.negated) return d;
-    if (d.answer || !d.refused.empty()) return formula::minus(std::move(d));
-    d.answer = distance::lowest_answer<Coordinates>(d.way);
-    return d;
+    return wanted.negated ? formula::minus(std::move(d)) : d;
   };
   const formula::Distance& d = wanted.distance;
   if (solid) {

@@ -27,9 +27,12 @@ DistanceAt distance_at(std::string text, std::optional<distance::SceneAnswer> an
 }
 
 DistanceAt minus(DistanceAt d) {
-  if (d.answer && d.answer->minus_infinity)
+  if (!d.refused.empty()) return d;
+  if (!d.answer)
+    d.answer = distance::lowest_answer<distance::Coordinates>(d.way);
+  else if (d.answer->minus_infinity)
     d.answer.reset();
-  else if (d.answer)
+  else
     d.answer = distance::minus(*std::move(d.answer));
   return d;
 }

@@ -47,7 +47,7 @@ DistanceAt distance_at(std::string text, std::optional<distance::SceneAnswer> an
 
 /// Whether the distance of a text is wanted; without a function all are.
 using WantedText = std::function<bool(const std::string& text)>;
-/// Minus the distance; undefined where that is +infinity.
+/// Minus the distance: -infinity where that is undefined, and undefined where that is -infinity. Refused it stays so.
 DistanceAt minus(DistanceAt d);
 
 struct AtomAt {
