@@ -108,7 +108,7 @@ TEST(FormulaErrors, Roles) {
 
 TEST(FormulaErrors, Numbers) {
   expect("gamma1(chip, board) >= 1furlong",
-         "1:25: unknown unit 'furlong'; units are um mm cm m in mil, and deg\n"
+         "1:25: unknown unit 'furlong'; the units are um, mm, cm, m, in, mil, deg\n"
          "  gamma1(chip, board) >= 1furlong\n"
          "                          ^~~~~~~");
   expect("gamma1(chip, board) >= 1nm",

@@ -101,7 +101,7 @@ void read_unit(Cursor& cursor, Number& number) {
     units.emplace_back("deg");
     const std::string near = question(next.text, units);
     cursor.fail(ErrorCode::kUnknownName, next.span, "unknown unit '{}'{}", printable(next.text),
-                near.empty() ? "; units are um mm cm m in mil, and deg" : near);
+                near.empty() ? fmt::format("; the units are {}", fmt::join(units, ", ")) : near);
   }
   number.unit_span = next.span;
   number.unit = cursor.take().text;
