@@ -213,19 +213,13 @@ std::vector<std::pair<int, int>> ConvexRegion::edges() const {
   return out;
 }
 
+/// A set without interior lies on one of the planes that bound it, and no vertex between two others is kept.
 int ConvexRegion::dimension() const {
   const std::size_t n = vertices_.size();
   if (n < 3) return static_cast<int>(n) - 1;
-  const RealVector e = minus(vertices_[1].at, vertices_[0].at);
-  for (std::size_t v = 2; v < n; ++v) {
-    const RealVector normal = cross(e, minus(vertices_[v].at, vertices_[0].at));
-    if (is_zero(normal)) continue;
-    for (std::size_t w = 2; w < n; ++w) {
-      if (dot(normal, minus(vertices_[w].at, vertices_[0].at)).sign() != 0) return 3;
-    }
-    return 2;
-  }
-  return 1;
+  std::vector<int> shared = vertices_[0].tight;
+  for (std::size_t v = 1; v < n && !shared.empty(); ++v) shared = common(shared, vertices_[v].tight);
+  return shared.empty() ? 3 : 2;
 }
 
 Real ConvexRegion::six_volumes() const {
