@@ -85,7 +85,9 @@ ClosedSets differences(const Body& b, const Body& a) {
 class Directional {
  public:
   Directional(const RealVector& direction, bool both_ways, std::int64_t scale, const RayGrid& grid)
-      : unit_(space::scaled(Real(1) / sqrt(space::dot(direction, direction)), direction)),
+      : way_(direction),
+        length_(sqrt(space::dot(direction, direction))),
+        unit_(space::scaled(Real(1) / length_, direction)),
         both_ways_(both_ways),
         scale_(scale),
         grid_(grid) {}
@@ -103,16 +105,21 @@ class Directional {
 
  private:
   Source constant(int sign) const { return space::constant_rays(grid_, sign); }
-  Source swept(const ClosedSets& sets, const Sweep& sweep) const;
+  Source swept(const ClosedSets& sets, Sweep sweep) const;
   Source farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const;
 
+  RealVector way_;  // the direction as it is stated: its coordinates are simpler than those of unit length
+  Real length_;
   RealVector unit_;
   bool both_ways_;
   std::int64_t scale_;
   RayGrid grid_;
 };
 
-Source Directional::swept(const ClosedSets& sets, const Sweep& sweep) const {
+/// The sweep is in lengths.
+Source Directional::swept(const ClosedSets& sets, Sweep sweep) const {
+  sweep.from = sweep.from / length_;
+  sweep.to = sweep.to / length_;
   std::vector<LinePiece> pieces;
   for (const Grown& set : sets.regions) space::add_swept_pieces(set.core, set.radius, sweep, pieces);
   for (const HalfSpace& h : sets.beyond) pieces.push_back(space::swept_piece(h, sweep));
@@ -120,8 +127,8 @@ Source Directional::swept(const ClosedSets& sets, const Sweep& sweep) const {
 }
 
 Source Directional::within(const ClosedSets& sets, const Real& reach) const {
-  return both_ways_ ? swept(sets, {unit_, -reach, reach, false, false})
-                    : swept(sets, {unit_, -reach, Real(), false, true});
+  return both_ways_ ? swept(sets, {way_, -reach, reach, false, false})
+                    : swept(sets, {way_, -reach, Real(), false, true});
 }
 
 Source Directional::signed_map(const RayCover& cover, const Real& level) const {
@@ -149,8 +156,8 @@ Source Directional::depth_map(const Grown& set, const Real& level) const {
 
 /// +1 where the set is met farther off than the level, 0 where not but at the level, -1 elsewhere.
 Source Directional::farther(const ClosedSets& sets, const Real& level, const Real& most, bool forward) const {
-  return space::negated_rays(forward ? swept(sets, {unit_, -most, -level, true, false})
-                                     : swept(sets, {unit_, level, most, false, true}));
+  return space::negated_rays(forward ? swept(sets, {way_, -most, -level, true, false})
+                                     : swept(sets, {way_, level, most, false, true}));
 }
 
 Source Directional::farthest_map(const ClosedSets& closed, const Real& level) const {

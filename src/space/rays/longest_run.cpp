@@ -47,20 +47,14 @@ class RunSearch {
  public:
   RunSearch(std::span<const ConvexRegion> pieces, const RealVector& u, const RealVector& low, const RealVector& high)
       : pieces_(pieces), u_(u), low_(low), high_(high) {
-    RealVector aside;
-    std::size_t least = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(u[k]) < abs(u[least])) least = k;
-    }
-    aside[least] = Real(1);
-    const RealVector across = cross(aside, u), upward = cross(u, across);
+    const auto [across, upward] = axes_across(u);
     Real from, to;
     for (std::size_t k = 0; k < 3; ++k) {
       const Real a = u[k] * low[k], b = u[k] * high[k];
       from += std::min(a, b);
       to += std::max(a, b);
     }
-    height_ = (to - from) / dot(u, u) + Real(1);
+    height_ = exact::floor((to - from) / dot(u, u)) + 1;
     axes_ = {unit(across), unit(upward), unit(u)};
     for (const ConvexRegion& piece : pieces) shadows_.push_back(shadow(piece));
   }

@@ -3,61 +3,97 @@
 #include "space/rays/swept_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "exact/margins/rounding.h"
+#include "exact/margins/space.h"
 
 namespace findspace::space {
+
+std::pair<RealVector, RealVector> axes_across(const RealVector& way) {
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (abs(way[k]) < abs(way[least])) least = k;
+  }
+  RealVector aside;
+  aside[least] = exact::Real(1);
+  const RealVector across = cross(aside, way);
+  return {across, cross(way, across)};
+}
+
 namespace {
 
 using exact::Real;
 
-/// A point of the plane across the sweep.
-using Shade = std::array<Real, 2>;
+/// A plane of a set as the sweep meets it.
+struct SweptPlane {
+  const HalfSpace* plane;
+  Real slope;           // along the direction
+  std::vector<int> on;  // the vertices that lie on it, ascending
+};
 
-Real turn(const Shade& a, const Shade& b, const Shade& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// The corners of the hull, counter-clockwise: one, two or more.
-std::vector<Shade> hull_of(std::vector<Shade> points) {
-  const auto before = [](const Shade& a, const Shade& b) {
-    const int first = compare(a[0], b[0]);
-    return first != 0 ? first < 0 : a[1] < b[1];
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Shade> ring;
-  const auto chain = [&](const Shade& p, std::size_t start) {
-    while (ring.size() >= start + 2 && turn(ring[ring.size() - 2], ring.back(), p).sign() <= 0) ring.pop_back();
-    ring.push_back(p);
-  };
-  for (const Shade& p : points) chain(p, 0);
-  const std::size_t lower = ring.size() - 1;
-  for (std::size_t k = points.size() - 1; k-- > 0;) chain(points[k], lower);
-  ring.pop_back();
-  return ring;
-}
-
-/// Half planes (a, b, c), a x + b y + c <= 0, that meet in the hull of the corners.
-std::vector<std::array<Real, 3>> sides_of(const std::vector<Shade>& corners) {
-  std::vector<std::array<Real, 3>> out;
-  const auto side = [&](const Real& a, const Real& b, const Shade& at) {
-    out.push_back({a, b, -(a * at[0] + b * at[1])});
-  };
-  if (corners.size() == 1) {
-    for (const int s : {1, -1}) {
-      side(Real(s), Real(), corners[0]);
-      side(Real(), Real(s), corners[0]);
-    }
-    return out;
+/// Those that touch the set: the others bound nothing.
+std::vector<SweptPlane> planes_met(const ConvexRegion& set, const RealVector& way) {
+  std::vector<std::vector<int>> on(set.planes().size());
+  for (int v = 0; v < static_cast<int>(set.vertices().size()); ++v) {
+    for (const int k : set.vertices()[static_cast<std::size_t>(v)].tight) on[static_cast<std::size_t>(k)].push_back(v);
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Shade &p = corners[k], &q = corners[(k + 1) % corners.size()];
-    side(q[1] - p[1], p[0] - q[0], p);
-    if (corners.size() == 2) side(p[0] - q[0], p[1] - q[1], p);  // its end
+  std::vector<SweptPlane> out;
+  for (std::size_t k = 0; k < on.size(); ++k) {
+    const HalfSpace& h = set.planes()[k];
+    if (!on[k].empty()) out.push_back({&h, dot(h.normal, way), std::move(on[k])});
   }
   return out;
+}
+
+std::size_t in_common(const std::vector<int>& a, const std::vector<int>& b) {
+  std::size_t out = 0;
+  for (auto i = a.begin(), k = b.begin(); i != a.end() && k != b.end();) {
+    const bool less = *i <= *k, more = *k <= *i;
+    out += less && more ? 1 : 0;
+    i += less;
+    k += more;
+  }
+  return out;
+}
+
+bool same_direction(const HalfSpace& a, const HalfSpace& b) {
+  return dot(a.unit, b.unit) > 1 - margin::kSameDirection && is_zero(cross(a.normal, b.normal));
+}
+
+/// In order about the direction, which all hold. Those that look the same way are one plane, as all touch one set.
+std::vector<HalfSpace> each_once(std::vector<HalfSpace> sides, const RealVector& way) {
+  const auto [across, upward] = axes_across(way);
+  const Vector first = space::rounded(across), second = space::rounded(upward);
+  const auto angle = [&](const HalfSpace& h) { return std::atan2(dot(h.unit, second), dot(h.unit, first)); };
+  std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
+  sides.erase(std::unique(sides.begin(), sides.end(), same_direction), sides.end());
+  if (sides.size() > 1 && same_direction(sides.front(), sides.back())) sides.pop_back();
+  return sides;
+}
+
+/// The planes that hold the direction and bound the sum: those of the set, and of two that cross the direction in
+/// opposite senses the positive combination that holds it (Fourier and Motzkin). The two meet where the
+/// plane touches the set, in an edge where the set seen along the direction has an interior.
+std::vector<HalfSpace> sides_of(const ConvexRegion& set, std::span<const SweptPlane> planes, const RealVector& way) {
+  const bool broad = set.dimension() > 1 && std::none_of(planes.begin(), planes.end(), [&](const SweptPlane& p) {
+                       return p.on.size() == set.vertices().size() && p.slope.sign() == 0;
+                     });
+  const std::size_t least = broad ? 2 : 1;
+  std::vector<HalfSpace> out;
+  for (const SweptPlane& p : planes) {
+    const int side = p.slope.sign();
+    if (side == 0 && p.on.size() >= least) out.push_back(*p.plane);
+    if (side <= 0) continue;
+    for (const SweptPlane& q : planes) {
+      if (q.slope.sign() >= 0 || in_common(p.on, q.on) < least) continue;
+      const Real of_p = -q.slope;
+      RealVector normal = plus(scaled(of_p, p.plane->normal), scaled(p.slope, q.plane->normal));
+      if (is_zero(normal)) continue;  // both sides of one plane
+      out.emplace_back(std::move(normal), of_p * p.plane->offset + p.slope * q.plane->offset);
+    }
+  }
+  return each_once(std::move(out), way);
 }
 
 void add(LinePiece& piece, HalfSpace plane, bool held) {
@@ -66,8 +102,7 @@ void add(LinePiece& piece, HalfSpace plane, bool held) {
 }
 
 /// The plane moved along, unless it holds the direction.
-bool add_moved(LinePiece& piece, const HalfSpace& h, const Sweep& sweep) {
-  const Real slope = dot(h.normal, sweep.unit);
+bool add_moved(LinePiece& piece, const HalfSpace& h, const Real& slope, const Sweep& sweep) {
   const int side = slope.sign();
   if (side == 0) return false;
   const Real& by = side > 0 ? sweep.to : sweep.from;
@@ -103,26 +138,17 @@ LinePiece whole_piece(const ConvexRegion& set) {
 
 LinePiece swept_piece(const ConvexRegion& set, const Sweep& sweep) {
   LinePiece piece;
-  for (const HalfSpace& h : set.planes()) add_moved(piece, h, sweep);
-  RealVector aside;
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (abs(sweep.unit[k]) < abs(sweep.unit[least])) least = k;
-  }
-  aside[least] = Real(1);
-  const RealVector across = cross(aside, sweep.unit), upward = cross(sweep.unit, across);
-  std::vector<Shade> approx;
-  for (const ConvexRegion::Vertex& v : set.vertices()) approx.push_back({dot(across, v.at), dot(upward, v.at)});
-  for (const auto& [a, b, c] : sides_of(hull_of(std::move(approx))))
-    add(piece, HalfSpace(plus(scaled(a, across), scaled(b, upward)), c), true);
-  const Vector unit = space::rounded(sweep.unit);
-  find_box(piece, set.vertices(), scaled(sweep.from.to_double(), unit), scaled(sweep.to.to_double(), unit));
+  const std::vector<SweptPlane> planes = planes_met(set, sweep.way);
+  for (const SweptPlane& p : planes) add_moved(piece, *p.plane, p.slope, sweep);
+  for (HalfSpace& side : sides_of(set, planes, sweep.way)) add(piece, std::move(side), true);
+  const Vector way = space::rounded(sweep.way);
+  find_box(piece, set.vertices(), scaled(sweep.from.to_double(), way), scaled(sweep.to.to_double(), way));
   return piece;
 }
 
 LinePiece swept_piece(const HalfSpace& set, const Sweep& sweep) {
   LinePiece piece;
-  if (!add_moved(piece, set, sweep)) add(piece, set, true);
+  if (!add_moved(piece, set, dot(set.normal, sweep.way), sweep)) add(piece, set, true);
   piece.low = {-exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
   piece.high = {exact::kInfinity, exact::kInfinity, exact::kInfinity};
   return piece;
@@ -133,7 +159,7 @@ namespace {
 /// Along the way about the segment from p to q, which are one point or lie in the direction of the sweep.
 LinePiece swept_cylinder(const RealVector& p, const RealVector& q, const Real& radius, const Sweep& sweep) {
   LinePiece piece =
-      cylinder_piece(plus(p, scaled(sweep.from, sweep.unit)), plus(q, scaled(sweep.to, sweep.unit)), radius);
+      cylinder_piece(plus(p, scaled(sweep.from, sweep.way)), plus(q, scaled(sweep.to, sweep.way)), radius);
   piece.held = {sweep.from_in, sweep.to_in};
   piece.held_round = true;
   return piece;
@@ -148,11 +174,10 @@ LinePiece held_slab(std::span<const RealVector> ring, const RealVector& normal, 
 }
 
 LinePiece swept_edge(const RealVector& p, const RealVector& q, const Real& radius, const Sweep& sweep) {
-  const RealVector along = minus(q, p), normal = cross(along, sweep.unit);
+  const RealVector along = minus(q, p), normal = cross(along, sweep.way);
   if (is_zero(normal))
-    return dot(along, sweep.unit).sign() > 0 ? swept_cylinder(p, q, radius, sweep)
-                                             : swept_cylinder(q, p, radius, sweep);
-  const RealVector from = scaled(sweep.from, sweep.unit), to = scaled(sweep.to, sweep.unit);
+    return dot(along, sweep.way).sign() > 0 ? swept_cylinder(p, q, radius, sweep) : swept_cylinder(q, p, radius, sweep);
+  const RealVector from = scaled(sweep.from, sweep.way), to = scaled(sweep.to, sweep.way);
   const RealVector ring[4] = {plus(p, from), plus(q, from), plus(q, to), plus(p, to)};
   return held_slab(ring, normal, radius);
 }
@@ -164,11 +189,11 @@ LinePiece swept_facet(const ConvexRegion& set, int facet, const Real& radius, co
   const std::size_t count = circuit.size();
   const auto at = [&](std::size_t k) -> const RealVector& { return set.vertices()[circuit[k % count]].at; };
   // The side from vertex k on: + if it looks along the sweep.
-  const auto looks = [&](std::size_t k) { return dot(cross(minus(at(k + 1), at(k)), normal), sweep.unit).sign(); };
+  const auto looks = [&](std::size_t k) { return dot(cross(minus(at(k + 1), at(k)), normal), sweep.way).sign(); };
   std::vector<RealVector> ring;
   for (std::size_t k = 0; k < count; ++k) {
     const auto put = [&](int side) {
-      ring.push_back(plus(at(k), scaled(side > 0 ? sweep.to : sweep.from, sweep.unit)));
+      ring.push_back(plus(at(k), scaled(side > 0 ? sweep.to : sweep.from, sweep.way)));
     };
     const int before = looks(k + count - 1), after = looks(k);
     if (before != 0) put(before);
@@ -193,13 +218,13 @@ void add_end(const ConvexRegion& set, const Real& radius, const RealVector& by, 
 void add_swept_pieces(const ConvexRegion& set, const Real& radius, const Sweep& sweep, std::vector<LinePiece>& pieces) {
   if (radius.sign() == 0 || set.vertices().size() > 1) pieces.push_back(swept_piece(set, sweep));
   if (radius.sign() == 0) return;
-  add_end(set, radius, scaled(sweep.from, sweep.unit), sweep.from_in, pieces);
-  add_end(set, radius, scaled(sweep.to, sweep.unit), sweep.to_in, pieces);
+  add_end(set, radius, scaled(sweep.from, sweep.way), sweep.from_in, pieces);
+  add_end(set, radius, scaled(sweep.to, sweep.way), sweep.to_in, pieces);
   for (const ConvexRegion::Vertex& v : set.vertices()) pieces.push_back(swept_cylinder(v.at, v.at, radius, sweep));
   for (const auto& [v, w] : set.edges())
     pieces.push_back(swept_edge(set.vertices()[v].at, set.vertices()[w].at, radius, sweep));
   for (const int k : set.facets()) {
-    if (dot(set.planes()[k].normal, sweep.unit).sign() == 0) pieces.push_back(swept_facet(set, k, radius, sweep));
+    if (dot(set.planes()[k].normal, sweep.way).sign() == 0) pieces.push_back(swept_facet(set, k, radius, sweep));
   }
 }
 
