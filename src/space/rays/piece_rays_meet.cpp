@@ -27,6 +27,10 @@ int certain_sign(const Real& r) { return r.sign(); }
 /// 2: not certain.
 int certain_sign(const Approx& a) { return a.certain() ? a.sign() : 2; }
 
+/// By doubles alone.
+bool surely_less(const Approx& a, const Approx& b) { return b.value - a.value > (a.error + b.error) * 2; }
+bool surely_less(const Real&, const Real&) { return false; }
+
 Approx rounded_number(const Real& r) {
   const double v = r.to_double();
   return {v, std::fabs(v) * margin::kRoundings4};
@@ -176,6 +180,7 @@ PieceRays::Span<T> PieceRays::meet(const Piece& piece, const Aligned<T>& d, cons
     const int side = piece.rise[k] > 0 ? 1 : -1;
     if (!narrow(side > 0 ? span.high : span.low, T(-value / n[2]), side, holds, any_held))
       span.meets = Meets::kUnresolved;
+    if (span.low.bounded && span.high.bounded && surely_less(span.high.at, span.low.at)) span.meets = Meets::kNothing;
   }
   if (span.meets == Meets::kNothing || span.meets == Meets::kUnresolved || !span.low.bounded || !span.high.bounded)
     return span;
