@@ -65,14 +65,14 @@ bool bends_outward(const RayBody& body) {
          std::all_of(body.edges.begin(), body.edges.end(), [](const RayEdge& e) { return e.bend >= 0; });
 }
 
-/// The surface, if it does not cross itself: what is convex does not, and facets of many corners need no look.
+/// The surface, if it does not cross itself. What is convex does not, nor what was made so: they need no look.
 Tried<RaySolid> simple(const Solid& solid) {
   Triangles surface = surface_of(solid);
   Tried<RayBody> made = RayBody::of(surface);
   if (!made) return made.refusal();
   auto sheet = std::make_shared<const RaySheet>(*std::move(made));
-  const bool convex = bends_outward(sheet->body) && is_convex(solid.mesh);
-  const SelfContact contact = convex ? SelfContact{} : self_contact(*sheet);
+  const bool simple = solid.simple || (bends_outward(sheet->body) && is_convex(solid.mesh));
+  const SelfContact contact = simple ? SelfContact{} : self_contact(*sheet);
   if (!contact.crossing) return RaySolid{std::move(surface), {}, {}, std::move(sheet), contact.inner_walls};
   const RayBody& body = sheet->body;
   const auto text = [&](int f) {

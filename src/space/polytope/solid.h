@@ -28,6 +28,7 @@ struct Solid {
     kMesh       // what the closed surface `mesh` encloses
   };
   Form form = Form::kPolytope;
+  bool simple = false;  // of a mesh: it is known that no face crosses another or lies on it
   Mesh mesh;
   exact::Real radius{};
   std::vector<plane::Contour> contours;
