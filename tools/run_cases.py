@@ -34,7 +34,7 @@ STANDS_FOR = {"overlaps": "gamma1", "touches": "gamma1", "disjoint": "gamma1", "
               "near": "gamma1", "far": "gamma1", "keepout": "gamma1", "group": "diameter", "gap": "gamma1", "inside": "eta1", "margin": "eta1", "covers": "delta1", "reach": "gamma2",
               "distance": "d1"}
 EXPECTED = {"attained", "distances", "encloses", "exit", "intervals", "phi", "positions", "region", "regions", "says", "true"}
-SOLIDS = {"polytope", "ball", "prism", "mesh"}
+SOLIDS = {"polytope", "ball", "prism", "height_field", "mesh"}
 
 
 # --- what the program is meant to do so far ------------------------------------------------------------------------
@@ -99,7 +99,7 @@ def dimension(scene):
             return bool(SOLIDS & node.keys()) or any(solid(n) for n in node.values())
         if isinstance(node, list):
             return len(node) == 3 and all(isinstance(n, (int, float)) for n in node) or any(solid(n) for n in node)
-        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".step", ".stp", ".iges", ".igs"))
+        return isinstance(node, str) and node.lower().endswith((".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".asc", ".step", ".stp", ".iges", ".igs"))
     return 3 if solid(scene.get("shapes")) else 2
 
 

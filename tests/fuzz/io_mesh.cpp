@@ -2,12 +2,13 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Any bytes are a mesh or an Error, read as STL, OBJ, OFF, PLY, 3MF and GLB in turn, and as the model of a 3MF package;
-// a mesh that is clean encloses the same volume when cleaned again.
+// a mesh that is clean encloses the same volume when cleaned again. Read as a grid of heights they are a clean mesh.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "findspace/error.h"
+#include "io/mesh/read_height_grid.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/zip_archive.h"
 #include "space/mesh/mesh.h"
@@ -31,6 +32,18 @@ void read_as(const std::string& bytes, const char* ending) {
   }
 }
 
+void read_as_heights(const std::string& bytes) {
+  using namespace findspace;
+  io::ReadContext context;
+  try {
+    space::Mesh mesh = io::read_height_grid(bytes, 1, -1, context).mesh;
+    const exact::Real once = space::six_volumes(mesh);
+    if (!space::clean(mesh, context.grid.step_size()).empty() || space::six_volumes(mesh) != once) std::abort();
+  } catch (const Error& error) {
+    if (error.message().empty()) std::abort();
+  }
+}
+
 // A 3MF package of this model. (Of mutated packages hardly one has the right sums.)
 std::string package(const std::string& model) {
   return findspace::io::zip_bytes(
@@ -45,6 +58,7 @@ std::string package(const std::string& model) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   for (const char* ending : {".stl", ".obj", ".off", ".ply", ".3mf", ".glb"}) read_as(bytes, ending);
+  read_as_heights(bytes);
   if (bytes.starts_with('<')) read_as(package(bytes), ".3mf");
   return 0;
 }

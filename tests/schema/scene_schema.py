@@ -29,10 +29,11 @@ EXECUTABLE = ""
 STRANGE = "no such shape, I hope"
 
 # Why the program may refuse a scene that is valid: how its message goes on after the place in the scene.
-FILE = r"(<svg> \()?\S+\.(svg|dxf|wkt|geojson|json|stl|obj|off|ply|3mf|xyz)\b"
+FILE = r"(<svg> \()?\S+\.(svg|dxf|wkt|geojson|json|stl|obj|off|ply|3mf|asc|xyz)\b"
 REASONS = {
     "curves and solids that are none": r"\"min\" of a box|the ring (has no|touches)|hole \d+ (is|touches)|near .* curves "
-                                       r"meet|the mesh is not closed|in the mesh|a shell of the mesh",
+                                       r"meet|the mesh is not closed|in the mesh|a shell of the mesh|"
+                                       r"the floor must lie|a row of \d+ heights|no square of the height field|columns \d+ and",
     "an orientation that is none, or in the plane": r"the matrix mirrors|rows? \d|a quaternion of a rotation|"
                                                     r"an orientation is for 3D",
     "a mistake in the text of a path": r"path, character",
@@ -150,6 +151,7 @@ def strange_objects():
         "bezier": {"bezier": TRIANGLE}, "outline": {"outline": TRIANGLE},
         "simplify": {"simplify": 1, "of": {"polygon": TRIANGLE}},
         "prism": {"prism": {"polygon": TRIANGLE, "z": [0, 1]}}, "mesh": {"mesh": {"vertices": CORNERS, "faces": []}},
+        "height_field": {"height_field": {"heights": [[1, 1], [1, 1]], "step": [1, 1], "floor": 0}},
     }
     for one in ("complement", "interior", "closure", "boundary", "regularize", "mirror", "point_reflection", "hull"):
         shapes[one] = {one: {"points": [[0, 0]]}}
@@ -157,7 +159,7 @@ def strange_objects():
         shapes[several] = {several: [{"points": [[0, 0]]}] * 2}
     for key, value in shapes.items():
         yield [key], shape({**value, **q})
-    for key in ("disc", "box", "ball", "prism", "mesh", "ellipse", "spline"):
+    for key in ("disc", "box", "ball", "prism", "mesh", "height_field", "ellipse", "spline"):
         yield [key, "properties", key], shape({key: {**shapes[key][key], **q}})
     yield ["step"], shape({"outline": [*TRIANGLE, q]})
     yield ["exactCells"], shape({"cells": {**CELLS, **q}})

@@ -235,7 +235,7 @@ TEST(ReadJson, ForgetsNothing) {
 
 TEST(DrawingEndings, SayWhatIsRead) {
   EXPECT_EQ(drawing_endings(2), (std::vector<std::string>{".svg", ".dxf", ".wkt", ".geojson"}));
-  EXPECT_EQ(drawing_endings(3).size(), 10u);
+  EXPECT_EQ(drawing_endings(3).size(), 11u);
 }
 
 }  // namespace io_public_teams

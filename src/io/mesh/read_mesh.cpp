@@ -17,6 +17,7 @@
 #include "io/cad/read_cad.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/mesh_glb.h"
+#include "io/mesh/read_height_grid.h"
 #include "io/mesh/read_mesh_ply.h"
 #include "io/text/file_kind.h"
 #include "space/mesh/mesh.h"
@@ -144,9 +145,9 @@ bool TextLines::next() {
   return !words_.empty();
 }
 
-void TextLines::fail(const std::string& message) const {
-  throw Error(ErrorCode::kSyntax, message, fmt::format("line {}", line_));
-}
+std::string TextLines::place() const { return fmt::format("line {}", line_); }
+
+void TextLines::fail(const std::string& message) const { throw Error(ErrorCode::kSyntax, message, place()); }
 
 long TextLines::integer(std::string_view word) const {
   long value = 0;
@@ -236,6 +237,8 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
     read_stl(bytes, builder);
   else if (ending == ".ply")
     read_ply(bytes, builder);
+  else if (ending == kHeightGridEnding)
+    throw Error(ErrorCode::kFile, "a grid of heights is no mesh by itself: state it as a shape with a \"floor\"");
   else
     throw Error(
         ErrorCode::kFile,

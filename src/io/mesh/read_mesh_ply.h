@@ -30,6 +30,8 @@ class TextLines {
   const std::vector<std::string_view>& words() const { return words_; }
   /// Where the next line begins.
   std::size_t offset() const { return at_; }
+  /// "line 12"
+  std::string place() const;
   [[noreturn]] void fail(const std::string& message) const;
   long integer(std::string_view word) const;
 

@@ -50,12 +50,13 @@ plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileCho
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   if (format == kFormats.end()) {
     constexpr const char* kPlane = "2D shapes come from .svg .dxf .wkt .geojson .json";
-    constexpr const char* kSpace = "3D shapes come from .stl .obj .off .ply .3mf .glb .step .stp .iges .igs";
+    constexpr const char* kSpace = "3D shapes come from .stl .obj .off .ply .3mf .glb .asc .step .stp .iges .igs";
     const std::string kinds = dimension == 2   ? kPlane
                               : dimension == 3 ? kSpace
                                                : fmt::format("{}, and {}", kPlane, kSpace);
     throw Error(ErrorCode::kFile, fmt::format("a file of unknown kind '{}'; {}", ending, kinds), name);
   }
+  refuse_choice(choice.floor.has_value(), "floor", "a file without heights", name);
   const std::string text = context.take_file(path);
   require_kind(text, ending, name);
   return format->read(text, name, choice, context);

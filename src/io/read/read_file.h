@@ -19,8 +19,9 @@ namespace findspace::io {
 /// Which part of a file, and what its numbers mean.
 struct FileChoice {
   std::optional<std::string> id, layer;
-  std::optional<std::size_t> index;  // of the parts left, from 0
-  std::optional<Unit> unit;          // one of the file's numbers is this long, whatever the file says
+  std::optional<std::size_t> index;    // of the parts left, from 0
+  std::optional<Unit> unit;            // one of the file's numbers is this long, whatever the file says
+  std::optional<exact::Real> floor{};  // of heights, in the scene's unit
 };
 
 /// Throws Error whose place begins with the file's name; kFile where it is missing or of an unknown kind. Which

@@ -156,6 +156,7 @@ FileChoice read_choice(ShapeReader& reader, const JsonValue& object, const Label
       json.fail(ErrorCode::kBadValue, "\"index\" is a whole number from 0", label, *index);
     choice.index = static_cast<std::size_t>(*n);
   }
+  if (const JsonValue* floor = object.find("floor")) choice.floor = json.number(*floor, label.part("floor"));
   if (const JsonValue* unit = object.find("unit")) {
     const std::string_view name = json.text(*unit, "\"unit\"", label);
     choice.unit = json.placed(label, *unit, [&] { return parse_unit(name); });
@@ -191,8 +192,8 @@ std::span<const ShapeKind> primitive_kinds() {
                                                {"path", {"curves", "tolerance"}, build_path},
                                                {"cells", {}, build_cells},
                                                {"file",
-                                                {"id", "layer", "index", "unit", "curves", "tolerance", "join", "mend",
-                                                 "open_lines", "parts", "repair", "close_holes"},
+                                                {"id", "layer", "index", "unit", "floor", "curves", "tolerance", "join",
+                                                 "mend", "open_lines", "parts", "repair", "close_holes"},
                                                 build_file}}};
   return kinds;
 }

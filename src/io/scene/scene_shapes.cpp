@@ -171,7 +171,7 @@ void ShapeReader::charge_pairs(const Shape& sum) {
 namespace {
 
 /// Words of other programs for kinds of shapes.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kOtherKinds{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 29> kOtherKinds{{
     {"circle", "disc"},
     {"disk", "disc"},
     {"sphere", "ball"},
@@ -183,6 +183,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> kOtherKi
     {"cylinder", "prism"},
     {"extrude", "prism"},
     {"extrusion", "prism"},
+    {"heightfield", "height_field"},
+    {"heights", "height_field"},
+    {"terrain", "height_field"},
     {"line", "polyline"},
     {"linestring", "polyline"},
     {"subtract", "difference"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// 3D primitives: polytope, ball, prism, mesh, and the box with three coordinates.
+// 3D primitives: polytope, ball, prism, height field, mesh, and the box with three coordinates.
 #include "io/scene/scene_space.h"
 
 #include <fmt/format.h>
@@ -9,12 +9,14 @@
 #include <array>
 
 #include "io/cad/read_cad.h"
+#include "io/mesh/read_height_grid.h"
 #include "io/mesh/read_mesh.h"
 #include "io/scene/scene_curves.h"
 #include "io/scene/scene_shapes.h"
 #include "io/text/file_kind.h"
 #include "io/text/outline_shapes.h"
 #include "plane/contour/contour.h"
+#include "space/mesh/height_field.h"
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
@@ -99,11 +101,53 @@ ShapePtr build_prism(ShapeReader& reader, const JsonValue& object, const JsonVal
   solid.form = Solid::Form::kPrism;
   solid.contours = std::move(set.contours);
   double moved[2] = {0, 0};
-  solid.low = context.grid.nearest(json.number(z.items()[0], label.part("z")), moved[0]);
-  solid.high = context.grid.nearest(json.number(z.items()[1], label.part("z")), moved[1]);
+  solid.low = json.coordinate(z.items()[0], moved[0], label.part("z"));
+  solid.high = json.coordinate(z.items()[1], moved[1], label.part("z"));
   for (const double m : moved) context.rounding.add(m, 0);
   if (solid.low >= solid.high) json.fail(ErrorCode::kGeometry, "the height of a prism must be more than 0", label, z);
   return share_solid(reader, std::move(solid), label, object);
+}
+
+std::array<exact::Real, 2> pair(const SceneReader& json, const JsonValue& value, const Label& label) {
+  if (!value.is(JsonValue::Kind::kArray) || value.size() != 2)
+    json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" is [x, y]", label.what), label, value);
+  return {json.number(value.items()[0], label), json.number(value.items()[1], label)};
+}
+
+ShapePtr build_height_field(ShapeReader& reader, const JsonValue& object, const JsonValue& value, const Label& label) {
+  const SceneReader& json = reader.json();
+  static constexpr std::array<std::string_view, 4> kKeys{"heights", "at", "step", "floor"};
+  json.expect(value, JsonValue::Kind::kObject, "\"height_field\"", label);
+  json.check_keys(value, kKeys, label);
+  const JsonValue &heights = json.need(value, "heights", label), &floor = json.need(value, "floor", label);
+  json.expect(heights, JsonValue::Kind::kArray, "\"heights\"", label);
+  space::FieldFrame frame{0, heights.size(), {}, {}, json.number(floor, label.part("floor"))};
+  if (const JsonValue* at = value.find("at")) frame.at = pair(json, *at, label.part("at"));
+  frame.step = pair(json, json.need(value, "step", label), label.part("step"));
+  for (std::size_t j = 0; j < heights.size(); ++j) {
+    const JsonValue& row = heights.items()[j];
+    json.expect(row, JsonValue::Kind::kArray, "a row of heights", label.part("row", j));
+    if (j == 0) frame.columns = row.size();
+    if (row.size() != frame.columns)
+      json.fail(ErrorCode::kBadValue,
+                fmt::format("a row of {} heights, and the first has {}", row.size(), frame.columns),
+                label.part("row", j), row);
+  }
+  ReadContext& context = reader.context();
+  context.work.charge(kHeightFieldSquare * frame.columns * frame.rows, "a height field of so many heights");
+  return json.placed(label, value, [&] {
+    space::HeightField field(frame, context.grid);
+    for (std::size_t j = 0; j < frame.rows; ++j)
+      for (std::size_t i = 0; i < frame.columns; ++i) {
+        const JsonValue& height = heights.items()[j].items()[i];
+        if (height.is(JsonValue::Kind::kNull)) continue;
+        const Label row = label.part("row", j), here = row.part("column", i);
+        double moved = 0;
+        const std::int64_t z = json.coordinate(height, moved, here);
+        json.placed(here, height, [&] { field.put(i, j, z, moved); });
+      }
+    return share_solid(reader, field.solid(context.rounding, context.notes), label, object);
+  });
 }
 
 std::vector<int> face(const SceneReader& json, const JsonValue& value, std::size_t vertices, const Label& label) {
@@ -145,9 +189,10 @@ ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValu
 }  // namespace
 
 std::span<const ShapeKind> space_kinds() {
-  static const std::array<ShapeKind, 4> kinds{{{"polytope", {}, build_polytope},
+  static const std::array<ShapeKind, 5> kinds{{{"polytope", {}, build_polytope},
                                                {"ball", {}, build_ball},
                                                {"prism", {}, build_prism},
+                                               {"height_field", {}, build_height_field},
                                                {"mesh", {"repair", "close_holes"}, build_mesh}}};
   return kinds;
 }
@@ -184,6 +229,7 @@ ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const
   const std::string name = path.string();
   std::vector<CadPart> parts = reader.json().placed_file(label, at, [&] {
     refuse_choice(choice.layer.has_value(), "layer", "a CAD file", name);
+    refuse_choice(choice.floor.has_value(), "floor", "a CAD file", name);
     refuse_choice(choice.unit.has_value(), "unit", "a CAD file, which states its own", name);
     const std::string ending = lower_ending(path.extension().string());
     const std::string bytes = context.take_file(path);
@@ -200,21 +246,37 @@ ShapePtr cad_shape(ShapeReader& reader, const std::filesystem::path& path, const
   return united(std::move(shapes), reader.json().place(label, at), true);
 }
 
+Solid height_grid(const std::filesystem::path& path, const FileChoice& choice, ReadContext& context) {
+  const std::string name = path.string(), bytes = context.take_file(path);
+  require_kind(bytes, std::string(kHeightGridEnding), name);
+  if (!choice.floor)
+    throw Error(ErrorCode::kBadValue, "a grid of heights needs a \"floor\", in the unit of the scene", name);
+  const exact::Real scale = file_scale(std::nullopt, name, choice, context);
+  try {
+    return read_height_grid(bytes, scale, *choice.floor, context);
+  } catch (const Error& e) {
+    throw e.within(name);
+  }
+}
+
 }  // namespace
 
 plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
                                  const JsonValue& at, const Label& label) {
-  if (is_cad_ending(lower_ending(path.extension().string()))) return cad_shape(reader, path, choice, at, label);
-  Solid solid;
-  solid.form = Solid::Form::kMesh;
+  const std::string ending = lower_ending(path.extension().string()), name = path.string();
   ReadContext& context = reader.context();
-  solid.mesh = reader.json().placed_file(label, at, [&] {
-    const std::string name = path.string();
+  if (is_cad_ending(ending)) return cad_shape(reader, path, choice, at, label);
+  Solid solid = reader.json().placed_file(label, at, [&] {
     refuse_choice(choice.id.has_value(), "id", "a mesh", name);
     refuse_choice(choice.layer.has_value(), "layer", "a mesh", name);
     refuse_choice(choice.index.has_value(), "index", "a mesh", name);
-    return read_mesh(path, context,
-                     [&](const auto& millimetres) { return file_scale(millimetres, name, choice, context); });
+    if (ending == kHeightGridEnding) return height_grid(path, choice, context);
+    refuse_choice(choice.floor.has_value(), "floor", "a mesh", name);
+    Solid read;
+    read.form = Solid::Form::kMesh;
+    read.mesh = read_mesh(path, context,
+                          [&](const auto& millimetres) { return file_scale(millimetres, name, choice, context); });
+    return read;
   });
   return share_solid(reader, std::move(solid), label, at);
 }

@@ -11,8 +11,8 @@
 
 namespace findspace::io {
 
-/// The solid that the closed mesh in an .stl, .obj, .off, .ply, .3mf or .glb file encloses. For the kind "file"
-/// (scene_primitives.cpp). Of the choice only the unit has a meaning.
+/// The solid that the closed mesh in an .stl, .obj, .off, .ply, .3mf or .glb file encloses, the solids of a CAD file,
+/// or a height field (.asc). For the kind "file" (scene_primitives.cpp).
 plane::ShapePtr build_space_file(ShapeReader& reader, const std::filesystem::path& path, const FileChoice& choice,
                                  const JsonValue& at, const Label& label);
 

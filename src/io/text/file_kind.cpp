@@ -94,6 +94,9 @@ bool is_stl(std::string_view text) {
   return trimmed(text).starts_with("solid") && text.find("facet") != std::string_view::npos;
 }
 
+/// The first line of a grid of heights counts its columns.
+bool is_asc(std::string_view text) { return same(headline_word(text), "ncols"); }
+
 bool is_step(std::string_view text) { return trimmed(text).starts_with("ISO-10303-21"); }
 
 /// The letter of the start section ends the first card.
@@ -105,7 +108,7 @@ struct FileKind {
   bool (*is)(std::string_view text);
 };
 
-constexpr std::array<FileKind, 15> kKinds{{
+constexpr std::array<FileKind, 16> kKinds{{
     {".svg", "an SVG drawing", false, is_svg},
     {".dxf", "a DXF drawing", false, is_dxf},
     {".wkt", "well-known text of a geometry", false, is_wkt},
@@ -118,6 +121,7 @@ constexpr std::array<FileKind, 15> kKinds{{
     {".3mf", "a 3MF package", true,
      [](std::string_view) { return true; }},  // its reader shows nothing of what is no ZIP
     {".glb", "a binary glTF file", true, [](std::string_view t) { return t.starts_with("glTF"); }},
+    {".asc", "an ASCII grid of heights", true, is_asc},
     {".step", "a STEP file", true, is_step},
     {".stp", "a STEP file", true, is_step},
     {".iges", "an IGES file", true, is_iges},

@@ -12,7 +12,7 @@
 namespace findspace::io {
 
 /// Throws Error(kFile), which shows nothing of the text. `ending` is in small letters: ".svg", ".dxf", ".wkt",
-/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".step", ".stp", ".iges" or ".igs".
+/// ".geojson", ".json", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".asc", ".step", ".stp", ".iges" or ".igs".
 void require_kind(std::string_view text, std::string_view ending, const std::string& name);
 
 /// A mark that some editors put before a text in UTF-8 is no part of it.

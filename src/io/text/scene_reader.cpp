@@ -149,10 +149,13 @@ plane::GridPoint SceneReader::point(const JsonValue& value, const Label& label) 
   return {p[0], p[1]};
 }
 
-/// The usual case, without big numbers.
-std::optional<std::int64_t> SceneReader::on_grid(const JsonValue& value) const {
-  if (!value.is(JsonValue::Kind::kNumber)) return std::nullopt;
-  return exact::grid_integer(value.text(), context_.grid.step());
+/// The usual case goes without big numbers.
+std::int64_t SceneReader::coordinate(const JsonValue& value, double& moved, const Label& label) const {
+  moved = 0;
+  if (value.is(JsonValue::Kind::kNumber))
+    if (const auto steps = exact::grid_integer(value.text(), context_.grid.step())) return *steps;
+  const Real x = number(value, label);
+  return placed(label, value, [&] { return context_.grid.nearest(x, moved); });
 }
 
 GridPosition SceneReader::position(const JsonValue& value, int dimension, const Label& label) const {
@@ -163,18 +166,8 @@ GridPosition SceneReader::position(const JsonValue& value, int dimension, const 
   }
   GridPosition result{};
   std::array<double, 3> moved{};
-  bool all_on_grid = true;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const JsonValue& item = value.items()[i];
-    if (const auto steps = on_grid(item)) {
-      result[i] = *steps;
-      continue;
-    }
-    const Real x = number(item, label);
-    result[i] = placed(label, item, [&] { return context_.grid.nearest(x, moved[i]); });
-    all_on_grid = false;
-  }
-  if (!all_on_grid) context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
+  for (std::size_t i = 0; i < value.size(); ++i) result[i] = coordinate(value.items()[i], moved[i], label);
+  if (moved != std::array<double, 3>{}) context_.rounding.add(moved[0], std::hypot(moved[1], moved[2]));
   return result;
 }
 

@@ -74,13 +74,14 @@ class SceneReader {
 
   /// A length in grid steps, not rounded.
   exact::Real length(const JsonValue& value, const Label& label) const;
+  /// A coordinate, put on the grid; how far it was moved, in grid steps.
+  std::int64_t coordinate(const JsonValue& value, double& moved, const Label& label) const;
   /// [x, y], put on the grid.
   plane::GridPoint point(const JsonValue& value, const Label& label) const;
   /// [x, y] or [x, y, z] as `dimension` wants, put on the grid.
   GridPosition position(const JsonValue& value, int dimension, const Label& label) const;
 
  private:
-  std::optional<std::int64_t> on_grid(const JsonValue& value) const;
   /// Whether a place is that of the label, or of a part of it.
   static bool is_within(std::string_view place, const Label& label);
   std::string file_;
