@@ -8,7 +8,7 @@
 // checked where they are made; constructions are computed once, when they are first looked at. Copies are cheap, and
 // reading one from many threads is safe. Errors: findspace::Error that names ring, vertex and edge: kGeometry,
 // kBadValue, kOutOfRange, kSyntax, kUnsupported. Source: docs/scene.md. Keywords: polygon with holes, disc, path,
-// polytope, mesh, Boolean operation, Minkowski sum, offset.
+// polytope, mesh, height field, Boolean operation, Minkowski sum, offset.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,23 @@
 namespace findspace {
 
 class Region;
+
+/// Ground, as heights over a grid of columns and rows. A square of four heights is two triangles; its diagonal goes
+/// from the corner of least x and y to that of greatest.
+struct HeightField {
+  /// Row by row, from the row of least y; each row from the least x.
+  std::span<const double> heights;
+  /// Heights in a row: 2 at least, as there are rows.
+  std::size_t columns = 0;
+  /// From a column to the next, and from a row to the next; above 0.
+  Point step = {1, 1};
+  /// Where the solid ends below; less than all heights.
+  Number floor = 0;
+  /// Where the first column meets the first row.
+  Point at = {0, 0};
+  /// What stands for a height that is missing, such as NaN: there is nothing over squares with such a corner.
+  std::optional<double> missing = {};
+};
 
 class Shape {
  public:
@@ -71,6 +89,8 @@ class Shape {
   static Shape ball(const Point3& center, const Number& radius, const Grid& grid = {});
   /// A polygon of the plane, without arcs or with, between two heights.
   static Shape prism(const Shape& polygon, const Number& low, const Number& high);
+  /// What lies between a height field and its floor.
+  static Shape height_field(const HeightField& field, const Grid& grid = {});
   /// What a closed surface encloses; faces are circuits of vertices, counted from 0.
   static Shape mesh(std::span<const Position3> vertices, std::span<const std::array<std::int32_t, 3>> triangles,
                     const Grid& grid = {});

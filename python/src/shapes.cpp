@@ -82,6 +82,14 @@ Shape box(const py::sequence& low, const py::sequence& high, const py::object& s
   return Shape::box(point(low), point(high), grid(step));
 }
 
+Shape height_field(const Doubles& heights, const py::sequence& step, const py::object& floor, const py::sequence& at,
+                   std::optional<double> missing, const py::object& on) {
+  if (heights.ndim() != 2) throw py::value_error("heights have the shape (rows, columns)");
+  const std::span<const double> all(heights.data(), std::size_t(heights.size()));
+  return Shape::height_field({all, std::size_t(heights.shape(1)), point(step), number(floor), point(at), missing},
+                             grid(on));
+}
+
 void bind_makers(py::class_<Shape>& shape) {
   shape
       .def_static("polygon", &polygon, py::arg("ring"), py::arg("holes") = py::list(), py::arg("grid") = kStep,
@@ -197,6 +205,34 @@ void bind_solids(py::class_<Shape>& shape) {
             return Shape::prism(base, number(low), number(high));
           },
           py::arg("polygon"), py::arg("low"), py::arg("high"), "A polygon of the plane between two heights.")
+      .def_static("height_field", &height_field, py::arg("heights"), py::arg("step"), py::arg("floor"),
+                  py::arg("at") = py::make_tuple(0, 0), py::arg("missing") = py::none(), py::arg("grid") = kStep,
+                  R"doc(Ground: the solid between a grid of heights and a flat floor.
+
+Parameters
+----------
+heights : array_like, shape (rows, columns)
+    The height `heights[j][i]` stands at `(at[0] + i * step[0], at[1] + j * step[1])`.
+step : pair of numbers
+    From a column to the next, and from a row to the next.
+floor : number
+    Below all heights.
+at : pair of numbers
+    Where the first height stands.
+missing : float, optional
+    What stands for a height that is missing, such as `nan`: there is nothing over squares with such a corner.
+grid : number
+    Coordinates are rounded to multiples of it, once.
+
+A square of four heights is two triangles; its diagonal goes from the corner of least x and y to that of greatest.
+
+Examples
+--------
+>>> import findspace as fs
+>>> ground = fs.Shape.height_field([[1, 1, 1], [1, 2, 1], [1, 1, 1]], step=(5, 5), floor=0)
+>>> len(ground.surface.vertices)
+17
+)doc")
       .def_static(
           "mesh",
           [](const Doubles& vertices, const WholeNumbers& faces, const py::object& step) {

@@ -175,6 +175,21 @@ def test_solids():
         fs.Shape.mesh(vertices, faces + 2**32)
 
 
+def test_height_field():
+    heights = np.array([[1, 1, 1], [1, 2, np.nan], [1, 1, 1]])
+    with pytest.raises(fs.Error, match="row 1, column 2"):
+        fs.Shape.height_field(heights, (5, 5), 0)
+    ground = fs.Shape.height_field(heights, (5, 5), 0, at=(-5, -5), missing=float("nan"))
+    assert len(ground.surface.vertices) == 12
+    world = fs.World({"ground": ground, "ball": fs.Shape.ball((0, 0, 5), 1)}, "ball")
+    assert world.distance("gap(ball, ground)", (0, 0, 0)).value == 2
+    assert fs.Shape.json(ground.exact_json).surface.vertices.shape == (12, 3)
+    with pytest.raises(ValueError, match="shape"):
+        fs.Shape.height_field([1, 2, 3], (1, 1), 0)
+    with pytest.raises(fs.Error, match="2 columns and 2 rows"):
+        fs.Shape.height_field([[1], [1]], (1, 1), 0)
+
+
 def test_contours():
     half = [(-1, 0), {"to": (1, 0), "center": (0, 0), "ccw": False}]
     assert fs.Shape.contour(half).region.area == pytest.approx(np.pi / 2)

@@ -23,7 +23,7 @@ ELSEWHERE = {
     "Lines": "World.on_lines", "LineMap::Line": "LineMap.lines", "VolumeBounds": "World.volume",
     "Motion": "World.motion", "WayPoint": "World.motion", "RegionBounds": "World.solve_bounds", "OnLine": "World.on_line",
     "World::with": "World.limited", "ShapeGroups": "World.grouped", "SpaceQuestion": "World.solve_space", "Nearest3": "Query.nearest",
-    "Contour": "Shape.contour", "Grid": "Shape.grid", "Shape::rounded": "Shape.rounded_points",
+    "Contour": "Shape.contour", "HeightField": "Shape.height_field", "Grid": "Shape.grid", "Shape::rounded": "Shape.rounded_points",
     "Shape::Rounded": "Shape.rounded_points", "Shape::Rounded::points": "Shape.rounded_points",
     "Shape::Rounded::largest": "Shape.largest_move",
     "Shape::regularize": "Shape.regularized", "Shape::reflect": "Shape.reflected",
@@ -50,7 +50,7 @@ ELSEWHERE = {
 # Types whose values are plain ones of Python, and so are their members'.
 PLAIN = {"ShapeQuestion", "BoardQuestion", "StoreScope", "Telling", "CheckQuestion", "Region::Paths", "SpaceRegion::Thin", "SpaceQuestion", "MapQuestion", "MapLines", "PlaceQuestion", "PlaceQuestion::Near",
          "NearestPlace", "Pose", "Scene::Question", "BoardOptions", "Demands", "PhiQuestion", "BoardGroup", "Placement::Positions", "Lines", "LineMap::Line", "VolumeBounds", "Motion",
-         "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "Grid", "Bounds", "ExactPoint",
+         "WayPoint", "RegionBounds", "OnLine", "WorldOptions", "Nearest3", "ShapeGroups", "Contour", "Contour::Step", "HeightField", "Grid", "Bounds", "ExactPoint",
          "Exact", "Region::Side", "Region::Nearest", "Region::Drawn", "SpaceRegion::Bounds3", "SpaceRegion::Box",
          "PackSearch", "PackPeers", "PackReading", "PackGap", "PackCondition", "Region::Vertex"}
 # Names that Python has no need of, and why; of a type that holds for its members, too.

@@ -295,4 +295,24 @@ TEST(PublicSpace, ShapesAreCheckedWhereTheyAreMade) {
             "nothing was thrown");
 }
 
+TEST(PublicSpace, GroundOverAGridOfHeights) {
+  const std::vector<double> heights{1, 1, 2, 1, 3, NAN};
+  const HeightField two{.heights = std::span(heights).first(4), .columns = 2, .step = {"0.5", 2}, .floor = "-0.5"};
+  const Shape ground = Shape::height_field(two);
+  EXPECT_EQ(ground.surface().vertices.size(), 8u);
+  EXPECT_EQ(ground.rounded().points, 0u);
+  const World world({{"ground", ground}, {"ball", Shape::ball({0, 2, 5}, 1)}}, {"ball"});
+  EXPECT_EQ(world.distance("gap(ball, ground)", Point3{0, 0, 0}).value, 2);
+  HeightField all{.heights = heights, .columns = 2};
+  EXPECT_NE(message_of([&] { Shape::height_field(all); }).find("row 2, column 1"), std::string::npos);
+  all.missing = NAN;
+  EXPECT_EQ(Shape::height_field(all).surface().vertices.size(), 8u);
+  all.missing = 3;
+  EXPECT_NE(message_of([&] { Shape::height_field(all); }).find("finite"), std::string::npos);
+  all.columns = 4;
+  EXPECT_EQ(message_of([&] { Shape::height_field(all); }), "6 heights are no rows of 4 each");
+  all.columns = 0;
+  EXPECT_NE(message_of([&] { Shape::height_field(all); }), "nothing was thrown");
+}
+
 }  // namespace io_public_values

@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+
 #include "api/values/shape_data.h"
 #include "findspace/error.h"
 #include "findspace/shape.h"
+#include "space/mesh/height_field.h"
 #include "space/mesh/mesh.h"
 #include "space/polytope/solid.h"
 
@@ -44,6 +48,7 @@ class SpaceReader {
     return out;
   }
 
+  plane::RoundingLog& rounding() { return rounding_; }
   Shape shape(Solid solid) const {
     solid.step = grid_.step_size();
     plane::Shape tree;
@@ -130,6 +135,30 @@ Shape Shape::prism(const Shape& polygon, const Number& low, const Number& high) 
   plane::Shape tree;
   tree.solid = std::make_shared<const Solid>(std::move(solid));
   return api::make_shape(std::make_shared<const plane::Shape>(std::move(tree)), grid, 3, rounding);
+}
+
+Shape Shape::height_field(const HeightField& given, const Grid& grid) {
+  const std::size_t columns = given.columns, rows = columns == 0 ? 0 : given.heights.size() / columns;
+  if (columns * rows != given.heights.size())
+    throw Error(ErrorCode::kBadValue, fmt::format("{} heights are no rows of {} each", given.heights.size(), columns));
+  const auto pair = [](const Point& p) { return std::array{api::real_of(p.x), api::real_of(p.y)}; };
+  SpaceReader reader(grid);
+  space::HeightField field({columns, rows, pair(given.at), pair(given.step), api::real_of(given.floor)}, reader.grid());
+  const auto is_missing = [&](double height) {
+    return given.missing && (std::isnan(*given.missing) ? std::isnan(height) : height == *given.missing);
+  };
+  for (std::size_t k = 0; k < given.heights.size(); ++k) {
+    if (is_missing(given.heights[k])) continue;
+    try {
+      double moved = 0;
+      const std::int64_t height = reader.grid().nearest(given.heights[k], moved);
+      field.put(k % columns, k / columns, height, moved);
+    } catch (const Error& e) {
+      throw e.within(fmt::format("row {}, column {}", k / columns, k % columns));
+    }
+  }
+  std::vector<std::string> notes;
+  return reader.shape(field.solid(reader.rounding(), notes));
 }
 
 Shape Shape::mesh(std::span<const Position3> vertices, std::span<const std::array<std::int32_t, 3>> triangles,
