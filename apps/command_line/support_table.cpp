@@ -159,7 +159,7 @@ constexpr std::string_view kBetween = R"(
 | boxes | shapes whose faces are all parallel to the axes |
 | convex | convex polytopes |
 | round convex | balls and convex shapes grown by balls |
-| flat faces | closed meshes, prisms, unions of polytopes |
+| flat faces | closed meshes, prisms, height fields, unions of polytopes |
 | round | unions with round parts; a round shape beside one of the column before |
 | cut | solids that round ones are cut out of (a bowl, a lens) |
 | complements | complements of the first four columns |

@@ -24,7 +24,7 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from questions import IN_PLANE, IN_SPACE
+from questions import ALSO, IN_PLANE, IN_SPACE
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SECONDS = int(os.environ.get("CASE_SECONDS", "600"))  # for one answer
@@ -128,7 +128,8 @@ def fault(group, query, claim, status, out, message):
 def look(executable, cell):
     dimension, group, query, shapes, claim, _ = cell
     start, found, asked = time.time(), [], 0
-    for args, value in (IN_PLANE if dimension == "plane" else IN_SPACE)[group][query](shapes):
+    questions = (IN_PLANE if dimension == "plane" else IN_SPACE)[group][query]
+    for args, value in (one for kind in [shapes, *ALSO.get(shapes, [])] for one in questions(kind)):
         try:
             why = fault(group, query, claim, *ask(executable, args, value))
         except subprocess.TimeoutExpired:

@@ -28,17 +28,21 @@ SPACE = {"boxes": (STEPS, cube(1)), "convex": (octahedron(8), octahedron(1)),
          "round convex": ({"offset": 2, "of": octahedron(5)}, ball(0, 0, 0, 1)),
          "flat faces": ({"prism": {"polygon": [[-6, -6], [6, -5], [5, 0], [0, 1], [-1, 6], [-6, 5]], "z": [-4, 4]}},
                         octahedron(1)),
+         "height field": ({"height_field": {"heights": [[4, 3, 5, 4], [3, 4, 2, 4], [5, 4, None, 3], [5, 4, 3, 3]], "at": [-6, -6],
+                                            "step": [4, 4], "floor": -4}}, octahedron(1)),
          "round": ({"union": [ball(-3, 0, 0, 4), {"offset": 1, "of": octahedron(4)}]}, octahedron(1)),
          "cut": ({"difference": [cube(6), {"interior": ball(6, 6, 6, 5)}]}, octahedron(1)),
          "complements": ({"complement": octahedron(8)}, octahedron(1))}
+# Other shapes of a class, which answer all that it does.
+ALSO = {"flat faces": ["height field"]}
 # Positions of the small shape: apart from the other, overlapping it, inside it, not inside it.
 FAR, NEAR = "20,20", "1,-3"
 PLANE_AT = {"apart": {"complements": NEAR, None: FAR},
             "overlapping": {"chains and points": "4,0", "complements": "4,-3", None: NEAR}}
 SPACE_AT = {"apart": {"complements": "0.3,0.2,0.1", None: "9,8,7"},
-            "overlapping": {"boxes": "-2,-2,-2", "complements": "6.6,0.2,0.1", "flat faces": "-3,-3,0", "cut": "-2,-2,-2",
+            "overlapping": {"boxes": "-2,-2,-2", "complements": "6.6,0.2,0.1", "flat faces": "-3,-3,0", "height field": "-3,-3,0", "cut": "-2,-2,-2",
                             None: "0.3,0.2,0.1"},
-            "inside": {"boxes": "-2,-2,-2", "complements": "20,19,18", "flat faces": "-3,-3,0", "cut": "-2,-2,-2", "round": "-3,0.2,0.1",
+            "inside": {"boxes": "-2,-2,-2", "complements": "20,19,18", "flat faces": "-3,-3,0", "height field": "-3,-3,0", "cut": "-2,-2,-2", "round": "-3,0.2,0.1",
                        None: "0.3,0.2,0.1"},
             "outside": {"complements": "0.3,0.2,0.1", None: "9,8,7"}}
 
