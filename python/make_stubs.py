@@ -55,7 +55,7 @@ def typed(text, argument):
         text = re.sub(pattern, by, text)
     if not argument:
         return text
-    text = re.sub(r"(positions|ring|points|vertices|faces): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
+    text = re.sub(r"(positions|ring|points|vertices|faces|heights): numpy\.typing\.NDArray\[[a-z0-9._]+\]",
                   r"\1: numpy.typing.ArrayLike", text)
     text = re.sub(r"problem: (Solid|)Packing\b", r"problem: \1Packing | \1PackProblem", text)
     return re.sub(r"(?<!self: )\bFormula\b", "Formula | str", text)

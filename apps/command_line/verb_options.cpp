@@ -335,6 +335,9 @@ void add_conversions(CLI::App& command, Options& o) {
   command.add_option("--index", o.index, "which of the drawing's shapes, from 0 (default: all)")
       ->type_name("N")
       ->group(kPlaneGroup);
+  command.add_option("--floor", o.floor, "of a grid of heights: where the solid ends below")
+      ->type_name("Z")
+      ->group(kSpaceGroup);
 }
 
 bool asks_a_formula(std::string_view verb) {

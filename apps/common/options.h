@@ -37,6 +37,7 @@ struct Options {
   std::string apply;                           // of map: interior closure boundary regularize complement, or nothing
   std::optional<std::string> unit, id, layer;  // of convert, for a file that is not a scene
   std::optional<unsigned> index;
+  std::string floor;          // of a grid of heights
   bool exact = false;         // of map, describe: the exact cells in the JSON
   bool constructive = false;  // of convert: JSON is a scene that states the shape constructively
   bool all = false;           // of measure: all distances, or

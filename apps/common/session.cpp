@@ -4,6 +4,7 @@
 #include "common/session.h"
 
 #include <findspace/board.h>
+#include <findspace/json.h>
 #include <findspace/text.h>
 #include <fmt/format.h>
 
@@ -31,6 +32,15 @@ bool is_drawing(const std::filesystem::path& path) {
   return is_among(drawing_endings(2)) || is_among(drawing_endings(3));
 }
 
+/// A number of the command line as it stands in a scene.
+std::string scene_number(const char* option, const std::string& text) {
+  try {
+    if (const JsonValue value = read_json(text); value.is(JsonValue::Kind::kNumber)) return value.text;
+  } catch (const Error&) {
+  }
+  throw Error(ErrorCode::kUsage, fmt::format("{} wants a decimal number, not '{}'", option, printable(text)));
+}
+
 /// A scene that holds the one shape of a drawing.
 std::string scene_around(const std::filesystem::path& drawing, const Options& o) {
   std::string text = fmt::format("{{\"findspace\": 1, \"shapes\": {{{}: {{\"file\": {}",
@@ -42,6 +52,7 @@ std::string scene_around(const std::filesystem::path& drawing, const Options& o)
   add("id", o.id);
   add("layer", o.layer);
   if (o.index) text += fmt::format(", \"index\": {}", *o.index);
+  if (!o.floor.empty()) text += fmt::format(", \"floor\": {}", scene_number("--floor", o.floor));
   return text + fmt::format("}}}}, \"unit\": {}}}", json_string(o.unit.value_or("mm")));
 }
 
@@ -85,8 +96,9 @@ Scene read(const Options& o) {
   if (!o.move.empty() || !o.free.empty() || !o.fixed.empty() || !o.groups.empty())
     throw Error(ErrorCode::kUsage, "--move, --free, --fixed and --group are for boards; a scene says them itself");
   const bool drawing = is_drawing(path);
-  if (!drawing && (o.unit || o.id || o.layer || o.index))
-    throw Error(ErrorCode::kUsage, "--unit, --id, --layer and --index are for drawings; a scene says them itself");
+  if (!drawing && (o.unit || o.id || o.layer || o.index || !o.floor.empty()))
+    throw Error(ErrorCode::kUsage,
+                "--unit, --id, --layer, --index and --floor are for drawings; a scene says them itself");
   if (o.scene == "-") {
     const std::filesystem::path folder = std::filesystem::current_path();
     if (limits.root.empty()) limits.root = folder;  // whoever writes into the pipe may be anyone
