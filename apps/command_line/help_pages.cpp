@@ -226,7 +226,7 @@ constexpr Line kSpaceShapes[] = {
     {"box", "{\"min\": [X, Y, Z], \"max\": [X, Y, Z]}"},
     {"ball", "{\"center\": [X, Y, Z], \"radius\": R}"},
     {"prism", "{\"polygon\": [..], \"holes\": [..], \"z\": [LOW, HIGH]}"},
-    {"height_field", "{\"heights\": [[Z, ..], ..], \"step\": [DX, DY], \"floor\": Z}, at: ground over a grid"},
+    {"height_field", "{\"heights\": [[Z, ..], ..], \"step\": [DX, DY], \"floor\": Z}, ground; also at"},
     {"mesh", "{\"vertices\": [..], \"faces\": [..]}, closed"},
     {"file", "a .stl .obj .off .ply .3mf .glb .asc .step .iges; with unit, floor, repair, close_holes"}};
 

@@ -34,9 +34,8 @@ std::string json_string(std::string_view text) {
 
 std::vector<std::string> drawing_endings(int dimension) {
   std::vector<std::string> out;
-  for (const char* ending : {".svg", ".dxf", ".wkt", ".geojson", ".stl", ".obj", ".off", ".ply", ".3mf", ".glb", ".asc",
-                             ".step", ".stp", ".iges", ".igs"})
-    if (dimension == 3 ? io::is_space_ending(ending) : io::is_plane_ending(ending)) out.emplace_back(ending);
+  for (const std::string_view ending : io::file_endings(dimension == 3))
+    if (ending != ".json") out.emplace_back(ending);
   return out;
 }
 

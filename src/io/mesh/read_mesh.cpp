@@ -240,9 +240,8 @@ space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, Read
   else if (ending == kHeightGridEnding)
     throw Error(ErrorCode::kFile, "a grid of heights is no mesh by itself: state it as a shape with a \"floor\"");
   else
-    throw Error(
-        ErrorCode::kFile,
-        fmt::format("a mesh is read from .stl, .obj, .off, .ply, .3mf, .glb, .step or .iges, not '{}'", ending));
+    throw Error(ErrorCode::kFile,
+                fmt::format("a solid is read from {}, not '{}'", fmt::join(file_endings(true), " "), ending));
   return std::move(builder.mesh());
 }
 

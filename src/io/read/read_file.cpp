@@ -49,11 +49,11 @@ plane::ShapePtr read_shape_file(const std::filesystem::path& path, const FileCho
   const auto format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   if (format == kFormats.end()) {
-    constexpr const char* kPlane = "2D shapes come from .svg .dxf .wkt .geojson .json";
-    constexpr const char* kSpace = "3D shapes come from .stl .obj .off .ply .3mf .glb .asc .step .stp .iges .igs";
-    const std::string kinds = dimension == 2   ? kPlane
-                              : dimension == 3 ? kSpace
-                                               : fmt::format("{}, and {}", kPlane, kSpace);
+    const std::string in_plane = fmt::format("2D shapes come from {}", fmt::join(file_endings(false), " "));
+    const std::string in_space = fmt::format("3D shapes come from {}", fmt::join(file_endings(true), " "));
+    const std::string kinds = dimension == 2   ? in_plane
+                              : dimension == 3 ? in_space
+                                               : fmt::format("{}, and {}", in_plane, in_space);
     throw Error(ErrorCode::kFile, fmt::format("a file of unknown kind '{}'; {}", ending, kinds), name);
   }
   refuse_choice(choice.floor.has_value(), "floor", "a file without heights", name);

@@ -250,7 +250,7 @@ Solid height_grid(const std::filesystem::path& path, const FileChoice& choice, R
   const std::string name = path.string(), bytes = context.take_file(path);
   require_kind(bytes, std::string(kHeightGridEnding), name);
   if (!choice.floor)
-    throw Error(ErrorCode::kBadValue, "a grid of heights needs a \"floor\", in the unit of the scene", name);
+    throw Error(ErrorCode::kBadValue, "a grid of heights needs a \"floor\" beside it (of convert, --floor)", name);
   const exact::Real scale = file_scale(std::nullopt, name, choice, context);
   try {
     return read_height_grid(bytes, scale, *choice.floor, context);

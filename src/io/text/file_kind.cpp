@@ -191,6 +191,13 @@ bool is_plane_ending(std::string_view ending) {
   return kind != nullptr && !kind->space;
 }
 
+std::vector<std::string_view> file_endings(bool space) {
+  std::vector<std::string_view> out;
+  for (const FileKind& kind : kKinds)
+    if (kind.space == space) out.push_back(kind.ending);
+  return out;
+}
+
 std::string lower_ending(const std::string& ending) {
   std::string out = ending;
   for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
