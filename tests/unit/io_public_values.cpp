@@ -301,7 +301,7 @@ TEST(PublicSpace, GroundOverAGridOfHeights) {
   const Shape ground = Shape::height_field(two);
   EXPECT_EQ(ground.surface().vertices.size(), 8u);
   EXPECT_EQ(ground.rounded().points, 0u);
-  const World world({{"ground", ground}, {"ball", Shape::ball({0, 2, 5}, 1)}}, {"ball"});
+  const World world({{"ground", ground}, {"ball", Shape::ball({0, 2, 5}, 1)}}, "ball");
   EXPECT_EQ(world.distance("gap(ball, ground)", Point3{0, 0, 0}).value, 2);
   HeightField all{.heights = heights, .columns = 2};
   EXPECT_NE(message_of([&] { Shape::height_field(all); }).find("row 2, column 1"), std::string::npos);
