@@ -111,7 +111,9 @@ class Sights {
       std::vector<Chain> chains = strips_.chains;
       for (Index i = 0; i < chains.size(); ++i)
         if (strips_.chain_mark[i] != value) chains[i].weight = 0;
-      const Windings w = windings(a_, chains, strips_.corners, 0, VertexScope::kAll);
+      std::vector<Corner> corners = strips_.corners;
+      for (Corner& corner : corners) corner.weight = chains[corner.in].weight;
+      const Windings w = windings(a_, chains, corners, 0, VertexScope::kAll);
       auto where = [value](const std::vector<std::int32_t>& number, std::vector<Mark>& marks) {
         for (std::size_t k = 0; k < number.size(); ++k)
           if (number[k] > 0) lower(marks[k], value);

@@ -90,7 +90,7 @@ class VertexNumbers {
     Index in_back = back_half_edge(c.in), out_ahead = ahead_half_edge(c.out);
     Index v = a_.origin(in_back);
     if (!is_wanted(v)) return;
-    const std::int32_t weight = chains_[c.in].weight;
+    const std::int32_t weight = c.weight;
     if (c.extra != 0) add(v, c.extra * weight);
     bool left = chains_[c.in].displaced_left, both = left == chains_[c.out].displaced_left;
     int rotation = both ? (left ? -1 : 1) : c.rotation;
@@ -130,30 +130,105 @@ std::vector<std::int32_t> face_windings(const Arrangement& a, const std::vector<
   });
 }
 
-Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
-                  std::int32_t base, VertexScope scope) {
-  std::vector<std::int32_t> jump(a.edge_count(), 0),
-      on(a.edge_count(), 0);  // on: number of the edge - number on its right
-  in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
-    for (auto e = Index(edges.first); e < edges.end; ++e)
-      for (Index i : cover(a, e)) {
-        const Chain& s = chains[i];
-        std::int32_t j = s.forward ? s.weight : -s.weight;
-        jump[e] += j;
-        // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the chain.
-        if (s.forward != s.displaced_left) on[e] += j;
-      }
-  });
-  Windings w;
-  w.faces = spread(a, base, [&](Index e) { return jump[e]; });
-  w.edges.resize(a.edge_count());
-  in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
-    for (std::size_t e = edges.first; e < edges.end; ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
-  });
+namespace {
+
+/// Of each edge, number(left of v0 -> v1) - number(right), and number of the edge - number on its right.
+struct Jumps {
+  std::vector<std::int32_t> across, on;
+
+  Jumps(const Arrangement& a, const std::vector<Chain>& chains) : across(a.edge_count(), 0), on(a.edge_count(), 0) {
+    in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
+      for (auto e = Index(edges.first); e < edges.end; ++e)
+        for (Index i : cover(a, e)) {
+          const Chain& s = chains[i];
+          std::int32_t j = s.forward ? s.weight : -s.weight;
+          across[e] += j;
+          // Displaced to the left of v0 -> v1: the edge is on the right-hand side of the chain.
+          if (s.forward != s.displaced_left) on[e] += j;
+        }
+    });
+  }
+
+  void number_edges(const Arrangement& a, Windings& w) const {
+    w.edges.resize(a.edge_count());
+    in_ranges(a.edge_count(), kManyCells, [&](IndexRange edges) {
+      for (std::size_t e = edges.first; e < edges.end; ++e) w.edges[e] = w.faces[a.face[2 * e + 1]] + on[e];
+    });
+  }
+};
+
+void number_vertices(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
+                     VertexScope scope, Windings& w) {
   VertexNumbers numbers(a, chains, w);
   numbers.prepare(scope);
   numbers.add_through();
   numbers.add(corners);
+}
+
+constexpr std::int32_t kSurelyInside = 1 << 30;  // more than curves change it by
+
+/// Which edges are the border of the part.
+std::vector<char> border_edges(const Arrangement& a, const InnerPart& inner) {
+  std::vector<char> border(a.edge_count(), 0);
+  for (Index k = a.chain_start[inner.first_border]; k < a.chain_start[a.pieces.size()]; ++k) border[a.chain[k]] = 1;
+  return border;
+}
+
+/// One half-edge of each border edge, with the part on its left.
+std::vector<Index> inner_sides(const Arrangement& a, const InnerPart& inner) {
+  std::vector<Index> out;
+  for (Index p = inner.first_border; p < a.pieces.size(); ++p)
+    for (Index k = a.chain_start[p]; k < a.chain_start[p + 1]; ++k)
+      out.push_back(2 * a.chain[k] + (inner.left_inside[p - inner.first_border] ? 0 : 1));
+  return out;
+}
+
+std::vector<std::int32_t> spread(const Arrangement& a, const InnerPart& inner, const std::vector<char>& border,
+                                 const std::vector<std::int32_t>& jump) {
+  std::vector<std::int32_t> number(a.face_count, kUnwanted);
+  std::vector<Index> starts;
+  const auto start = [&](Index face, std::int32_t at) {
+    if (number[face] != kUnwanted) return;
+    number[face] = at;
+    starts.push_back(face);
+  };
+  for (Index h : inner_sides(a, inner)) start(a.face[h], kSurelyInside);
+  for (const InnerPart::Seed& s : inner.seeds) start(a.some_face(a.point_vertex[s.point]), s.number);
+  if (starts.empty()) start(0, kSurelyInside);  // nothing is outside
+  walk_faces(
+      a, std::move(starts), [&](Index h) { return !border[h / 2]; },
+      [&](Index h) {
+        const std::int32_t f = number[a.face[h]];
+        number[a.face[h ^ 1u]] = f == kSurelyInside ? f : h & 1u ? f + jump[h / 2] : f - jump[h / 2];
+      });
+  return number;
+}
+
+}  // namespace
+
+Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
+                  std::int32_t base, VertexScope scope) {
+  const Jumps jumps(a, chains);
+  Windings w;
+  w.faces = spread(a, base, [&](Index e) { return jumps.across[e]; });
+  jumps.number_edges(a, w);
+  number_vertices(a, chains, corners, scope, w);
+  return w;
+}
+
+Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
+                  const InnerPart& inner) {
+  const Jumps jumps(a, chains);
+  const std::vector<char> border = border_edges(a, inner);
+  Windings w;
+  w.faces = spread(a, inner, border, jumps.across);
+  jumps.number_edges(a, w);
+  const auto is_inside = [&](Index h) { return w.faces[a.face[h]] == kSurelyInside; };
+  for (Index e = 0; e < a.edge_count(); ++e)
+    if (border[e] || is_inside(2 * e)) w.edges[e] = kSurelyInside;
+  number_vertices(a, chains, corners, VertexScope::kInside, w);
+  for (Index h = 0; h < a.face.size(); ++h)
+    if (is_inside(h)) w.vertices[a.origin(h)] = kSurelyInside;
   return w;
 }
 

@@ -23,7 +23,7 @@ namespace findspace::plane {
 struct Chain {
   bool forward = true;         // from p0 to p1
   bool displaced_left = true;  // of the direction of travel
-  std::int32_t weight = 1;     // how often it counts; one closed curve has one weight
+  std::int32_t weight = 1;     // how often it counts
 };
 
 /// The path turns from piece `in` into piece `out` at the end of `in`. Around the common point the displaced path
@@ -34,6 +34,8 @@ struct Corner {
   Index in = 0, out = 0;
   std::int8_t rotation = 0;
   std::int8_t extra = 0;  // whole counter-clockwise rounds beyond that; only where arcs of one radius lie in each other
+  std::int32_t weight =
+      1;  // how often it counts; those of the corners at an end of a piece add up to that of the piece
 };
 
 struct Windings {
@@ -48,6 +50,24 @@ inline constexpr std::int32_t kUnwanted = INT32_MIN;
 /// `base`: number of the unbounded face.
 Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
                   std::int32_t base, VertexScope scope = VertexScope::kInside);
+
+/// A part of the plane where all numbers are known to be positive, and where curves may be missing. Outside it all
+/// curves are there.
+struct InnerPart {
+  /// A point of each connected piece of what lies outside, with the number of the face it lies in.
+  struct Seed {
+    Index point;
+    std::int32_t number;
+  };
+
+  std::vector<Seed> seeds;
+  Index first_border = 0;         // pieces from here on are the border of the part and have no weight
+  std::vector<char> left_inside;  // of each of these: the part lies on the left from p0 to p1
+};
+
+/// Numbers inside the part are only some that are positive.
+Windings windings(const Arrangement& a, const std::vector<Chain>& chains, const std::vector<Corner>& corners,
+                  const InnerPart& inner);
 
 /// Winding numbers of the faces alone.
 std::vector<std::int32_t> face_windings(const Arrangement& a, const std::vector<char>& forward, std::int32_t base);

@@ -35,6 +35,12 @@ struct Factors {
   }
 };
 
+/// Corners of the cells that belong to no other run: points of the set even where its outline is not exact.
+std::vector<LatticeRun> lower_corners(std::vector<LatticeRun> cells) {
+  for (LatticeRun& run : cells) ++run.last;
+  return cells;
+}
+
 constexpr std::size_t kManyEdges = 500;  // from here on their runs are found at once
 
 /// Of both operands of each pair, the points of one with the cells of the other; some may have none.
@@ -43,11 +49,12 @@ std::vector<Factors> factors_of(std::span<const InnerMask::Pair> pairs, double s
   at_once(2 * factors.size(), edges, kManyEdges, [&](std::size_t k) {
     const InnerMask::Pair& pair = pairs[k / 4];
     const Outline& outline = k % 4 < 2 ? *pair.a : *pair.b;
+    const bool round = k % 4 < 2 ? pair.a_round : pair.b_round;
     Factors* const of_pair = &factors[k / 4 * 2];  // points of A and cells of B, then the other way round
     if (k % 2 == 0)
       of_pair[k % 4 == 0].cells = cell_runs(outline, side);
     else
-      of_pair[k % 4 != 1].points = point_runs(outline, side);
+      of_pair[k % 4 != 1].points = round ? lower_corners(cell_runs(outline, side)) : point_runs(outline, side);
   });
   return factors;
 }

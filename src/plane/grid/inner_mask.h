@@ -9,7 +9,9 @@
 // transform.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +25,7 @@ class InnerMask {
   struct Pair {
     const Outline* a;
     const Outline* b;
+    bool a_round = false, b_round = false;  // the outline is not exact: it stands for arcs that touch no other cells
   };
   /// For the union of the sums of the pairs; `side` is a number of grid steps above 2, `effort` about how many words to
   /// work on.
@@ -32,12 +35,23 @@ class InnerMask {
   std::int64_t line_of(double v) const { return floor_of(v * scale_); }
   std::int64_t border(std::int64_t line) const { return line * side_; }
   /// All cells less than so many columns and rows away are marked; 0 where the cell itself is not.
-  std::int64_t depth(std::int64_t column, std::int64_t row) const { return depths_.depth(column, row); }
+  std::int64_t depth(std::int64_t column, std::int64_t row) const {
+    if (within_) {
+      const std::int64_t beyond =
+          std::max({within_->column0 - column, column - within_->column1, within_->row0 - row, row - within_->row1});
+      if (beyond > 0) return beyond;
+    }
+    return depths_.depth(column, row);
+  }
+  /// Marks all cells beyond the box: they are known to lie inside.
+  void mark_beyond(const LatticeBox& within) { within_ = within; }
+  const std::optional<LatticeBox>& within() const { return within_; }
 
  private:
   std::int64_t side_;
   double scale_;
   CellDepths depths_;
+  std::optional<LatticeBox> within_;
 };
 
 }  // namespace findspace::plane

@@ -11,6 +11,7 @@
 #include "exact/planar/geometry_signs.h"
 #include "plane/base/parallel.h"
 #include "plane/grid/inner_mask.h"
+#include "plane/grid/kept_parts.h"
 
 namespace findspace::plane {
 namespace {
@@ -31,67 +32,7 @@ constexpr Effort kOfPair{6.5, 60}, kOfPlainPair{9, 60};
 // An arrangement numbers its vertices by where curves are cut. Its lines are those by which results have been compared.
 constexpr Effort kOfArrangement{5.5, 10};
 
-/// A segment along its longer axis u.
-struct Run {
-  double u0, v0, u1, v1, slope;
-  bool steep, reversed;
-
-  static Run of(const LatticeEdge& e) {
-    const bool steep = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
-    Run run{steep ? e.y0 : e.x0, steep ? e.x0 : e.y0, steep ? e.y1 : e.x1, steep ? e.x1 : e.y1, 0, steep, false};
-    if (run.u1 < run.u0) {
-      std::swap(run.u0, run.u1);
-      std::swap(run.v0, run.v1);
-      run.reversed = true;
-    }
-    if (run.u1 > run.u0) run.slope = (run.v1 - run.v0) / (run.u1 - run.u0);
-    return run;
-  }
-
-  /// How many lines from this one on it passes in masked cells only; its slope is at most one.
-  std::int64_t depth(const InnerMask& mask, std::int64_t line) const {
-    double low = std::max(u0, double(mask.border(line))), high = std::min(u1, double(mask.border(line + 1)));
-    double va = v0 + slope * (low - u0), vb = v0 + slope * (high - u0);
-    // Two grid steps are far more than the rounding of these doubles (2^43 steps at most).
-    std::int64_t c0 = mask.line_of(std::min(va, vb) - 2), c1 = mask.line_of(std::max(va, vb) + 2);
-    std::int64_t least = INT64_MAX;
-    for (std::int64_t c = c0; c <= c1; ++c) least = std::min(least, steep ? mask.depth(c, line) : mask.depth(line, c));
-    return least;
-  }
-};
-
 constexpr std::size_t kManyToCut = 2500;  // curves: from here on ranges of them are cut at once
-constexpr std::int64_t kEnd = INT64_MIN;  // no line
-
-/// What is kept of a piece: from one border of lines of cells to another, or to an end of the piece (kEnd).
-struct KeptPart {
-  Index piece;
-  bool steep, reversed;
-  std::int64_t from, to;
-};
-
-/// A piece is followed along its longer axis; it is cut where it passes from a line of cells that are all masked to one
-/// that is not, on the border between them, which is a grid line.
-void add_parts(const DirectedCurves& c, const InnerMask& mask, Index piece, std::vector<KeptPart>& out) {
-  const exact::Point &a = c.geometry.points[c.pieces[piece].p0], &b = c.geometry.points[c.pieces[piece].p1];
-  const Run run = Run::of({a.x, a.y, b.x, b.y});
-  const std::int64_t first = mask.line_of(run.u0), last = mask.line_of(run.u1);
-  KeptPart part{piece, run.steep, run.reversed, kEnd, kEnd};
-  bool open = false;
-  for (std::int64_t line = first; line <= last;) {
-    const std::int64_t depth = run.depth(mask, line);
-    if (depth == 0 && !open) part.from = line == first ? kEnd : line;
-    if (depth > 0 && open) {
-      part.to = line;
-      out.push_back(part);
-    }
-    open = depth == 0;
-    line += std::max<std::int64_t>(depth, 1);
-  }
-  part.to = kEnd;
-  if (open) out.push_back(part);
-}
-
 /// A range of pieces, cut.
 struct CutRange {
   std::vector<KeptPart> parts;
@@ -104,7 +45,7 @@ struct CutRange {
   void note_lines() {
     for (const KeptPart& p : parts)
       for (const std::int64_t line : {p.from, p.to}) {
-        if (line == kEnd) continue;
+        if (line == KeptPart::kEnd) continue;
         low = std::min(low, line);
         high = std::max(high, line);
       }
@@ -121,7 +62,8 @@ class Cutter {
     std::vector<CutRange> ranges(range_count(c_.pieces.size(), kManyToCut));
     each_range(ranges.size(), [&](std::size_t k) {
       const IndexRange pieces = range(k, ranges.size(), c_.pieces.size());
-      for (auto i = Index(pieces.first); i < pieces.end; ++i) add_parts(c_, mask_, i, ranges[k].parts);
+      for (auto i = Index(pieces.first); i < pieces.end; ++i)
+        add_kept_parts({c_.geometry, c_.pieces[i]}, mask_, i, ranges[k].parts);
       ranges[k].note_lines();
     });
     make_tables(ranges);
@@ -150,7 +92,7 @@ class Cutter {
     r.borders.reserve(2 * r.parts.size());
     for (const KeptPart& p : r.parts)
       for (const std::int64_t line : {p.from, p.to})
-        if (line != kEnd) r.borders.push_back(border(line, p.steep));
+        if (line != KeptPart::kEnd) r.borders.push_back(border(line, p.steep));
   }
 
   Index border(std::int64_t line, bool steep) {
@@ -165,7 +107,7 @@ class Cutter {
     for (const KeptPart& p : r.parts) {
       const Piece& piece = c_.pieces[p.piece];
       const auto place = [&](std::int64_t line, Index end) {
-        if (line == kEnd) return end;
+        if (line == KeptPart::kEnd) return end;
         const std::size_t point = r.first_crossing + cut;
         g_.points[point] = g_.crossing(piece.supporting_curve, r.borders[cut++], 0);
         return Index(point);
@@ -282,9 +224,9 @@ std::optional<InnerMask> mask_that_pays(const ReducedConvolution& c, const GridO
 }
 
 bool lies_in(const InnerMask& mask, const LatticeEdge& segment) {
-  const Run run = Run::of(segment);
-  const std::int64_t last = mask.line_of(run.u1);
-  for (std::int64_t line = mask.line_of(run.u0); line <= last;) {
+  const LatticeRunner run(segment);
+  const std::int64_t last = mask.line_of(run.end());
+  for (std::int64_t line = mask.line_of(run.start()); line <= last;) {
     const std::int64_t depth = run.depth(mask, line);
     if (depth == 0) return false;
     line += depth;

@@ -80,6 +80,7 @@ SignMap sum_at_once(const Operand& a, const Operand& b, const Drop& drop) {
   });
   for (const Part& x : p_flat)
     for (const Part& y : q) sum.add(x, y);
+  sum.prune(a, b);
   if (drop) drop();
   SignMap open = std::move(sum).open_sum();
   if (p_flat.empty() || q_flat.empty()) return open;

@@ -10,6 +10,8 @@
 #include "plane/base/release.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/observe_pieces.h"
+#include "plane/sum/merged_pieces.h"
+#include "plane/sum/sum_mask.h"
 
 namespace findspace::plane {
 namespace {
@@ -29,7 +31,8 @@ exact::Real reach_of(const Part& p) {
          exact::Real(2);
 }
 
-constexpr std::size_t kManyCells = 4000;  // edges: from here on ranges of cells are marked at once
+constexpr std::size_t kManyPieces = 1000;  // from here on those that need not be arranged are looked for
+constexpr std::size_t kManyCells = 4000;   // edges: from here on ranges of cells are marked at once
 
 /// -1 where the number is positive, 0 beside a face where it is, else 1.
 Marks marks_of_open_sum(const Arrangement& a, Windings w) {
@@ -83,9 +86,18 @@ void SumOfPairs::add(const Part& a, const Part& b) {
   builder_.add(*p, *q);
 }
 
+void SumOfPairs::prune(const Operand& a, const Operand& b) {
+  if (builder_.curves.pieces.size() < kManyPieces) return;
+  merge_equal_pieces(builder_);
+  if (const auto mask = mask_that_pays(builder_, a, b)) inner_ = plane::prune(builder_, *mask, base_);
+}
+
 SignMap SumOfPairs::open_sum() && {
-  Arrangement a = arranged();
-  Windings w = windings(a, chains_, corners_, base_);
+  std::vector<Index> seeds;
+  if (inner_)
+    for (const InnerPart::Seed& s : inner_->seeds) seeds.push_back(s.point);
+  Arrangement a = arranged(seeds);
+  Windings w = inner_ ? windings(a, chains_, corners_, *inner_) : windings(a, chains_, corners_, base_);
   add_circled(a, w);
   for (Index p : lonely_)
     w.vertices[a.point_vertex[p]] -= w.vertices[a.point_vertex[p]] != kUnwanted;  // a missing point
@@ -97,7 +109,7 @@ SignMap SumOfPairs::open_sum() && {
 }
 
 Region SumOfPairs::closed_sum() && {
-  Arrangement a = arranged();
+  Arrangement a = arranged({});
   Windings w = windings(a, chains_, corners_, base_, VertexScope::kAll);
   add_circled(a, w);
   for (Index p : lonely_) w.vertices[a.point_vertex[p]] = 1;
@@ -108,12 +120,13 @@ Region SumOfPairs::closed_sum() && {
   return extract(std::move(a), m);
 }
 
-Arrangement SumOfPairs::arranged() {
+Arrangement SumOfPairs::arranged(std::span<const Index> more_points) {
   chains_ = std::move(builder_.chains);
   corners_ = std::move(builder_.corners);
   lonely_ = std::move(builder_.points);
   circled_ = std::move(builder_.circled);
   std::vector<Index> isolated = lonely_;
+  isolated.insert(isolated.end(), more_points.begin(), more_points.end());
   for (const auto& c : circled_) isolated.push_back(c.point);
   observe_pieces("convolution", "convolution of two sets", builder_.curves.geometry, builder_.curves.pieces);
   return arrange(std::move(builder_.curves.geometry), std::move(builder_.curves.pieces), isolated);

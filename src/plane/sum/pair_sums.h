@@ -7,39 +7,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "plane/grid/convolution_index.h"
 #include "plane/sum/convolution.h"
+#include "plane/sum/operand.h"
 #include "plane/sum/point_winding.h"
 
 namespace findspace::plane {
-
-/// A set whose sums are asked for; which marks belong to it; whether it is to be reflected through the origin.
-struct Operand {
-  const CellComplex& cells;
-  bool (*wanted)(Mark);
-  bool mirrored = false;
-  bool flat = true;                                      // with its parts that have no interior
-  const std::optional<GridFaces>* known_grid = nullptr;  // grid(), where it has been made
-
-  std::vector<Part> solid_parts() const { return oriented(face_parts(cells, wanted)); }
-  /// Calls `use` with one solid part after another, none of them kept.
-  template <class Use>
-  void each_solid_part(Use&& use) const {
-    for (const Face& f : cells.faces) {
-      if (!wanted(f.mark)) continue;
-      Part part = face_part(cells, f, wanted);
-      use(mirrored ? plane::mirrored(std::move(part)) : std::move(part));
-    }
-  }
-  std::vector<Part> flat_parts() const {
-    return flat ? oriented(plane::flat_parts(cells, wanted)) : std::vector<Part>();
-  }
-  std::optional<GridFaces> grid(Memory memory = kHeap) const { return grid_faces(cells, wanted, mirrored, memory); }
-
- private:
-  std::vector<Part> oriented(std::vector<Part> parts) const;
-};
 
 /// Adds up the convolutions of pairs of parts; where an intersection of the two could be a ring, whose Euler
 /// characteristic is 0, holes are bridged first so that every number counts simply connected components.
@@ -52,6 +27,8 @@ class SumOfPairs {
   /// Room for so many more curves.
   void reserve(std::size_t more) { builder_.reserve(more); }
 
+  /// Leaves out what certainly lies in the open sum, where that pays: of all pairs of parts of a and b, b bounded.
+  void prune(const Operand& a, const Operand& b);
   /// -1 where the number is positive, 0 on the boundary of that, +1 elsewhere.
   SignMap open_sum() &&;
   /// 1 where the number is positive.
@@ -60,11 +37,12 @@ class SumOfPairs {
   PointWinding numbers() && { return PointWinding(std::move(builder_), base_); }
 
  private:
-  Arrangement arranged();
+  Arrangement arranged(std::span<const Index> more_points);
   void add_circled(const Arrangement& a, Windings& w) const;
 
   ConvolutionBuilder builder_;
   std::int32_t base_ = 0;
+  std::optional<InnerPart> inner_;
   std::vector<Chain> chains_;
   std::vector<Corner> corners_;
   std::vector<Index> lonely_;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include "plane/grid/kept_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/margins/plane.h"
+
+namespace findspace::plane {
+namespace {
+
+constexpr double kSurelyBeyond = 2;  // grid steps: far more than the rounding of these doubles (2^43 steps at most)
+
+LatticeEdge chord(const exact::Geometry& g, const Piece& piece) {
+  const exact::Point &a = g.points[piece.p0], &b = g.points[piece.p1];
+  return {a.x, a.y, b.x, b.y};
+}
+
+}  // namespace
+
+LatticeRunner::LatticeRunner(const LatticeEdge& e) : slack_(kSurelyBeyond) {
+  steep_ = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
+  u0_ = steep_ ? e.y0 : e.x0;
+  v0_ = steep_ ? e.x0 : e.y0;
+  u1_ = steep_ ? e.y1 : e.x1;
+  v1_ = steep_ ? e.x1 : e.y1;
+  if (u1_ < u0_) {
+    std::swap(u0_, u1_);
+    std::swap(v0_, v1_);
+    reversed_ = true;
+  }
+  if (u1_ > u0_) slope_ = (v1_ - v0_) / (u1_ - u0_);
+}
+
+LatticeRunner::LatticeRunner(const exact::Geometry& g, const Piece& piece) : LatticeRunner(chord(g, piece)) {
+  const exact::Point &a = g.points[piece.p0], &b = g.points[piece.p1];
+  const bool grid = a.kind == exact::Point::Kind::kGrid && b.kind == exact::Point::Kind::kGrid;
+  if (!grid) unsure_end_ = kSurelyBeyond;
+  if (piece.half == 0) return;
+  const exact::SupportingCurve& circle = g.supporting_curves[piece.supporting_curve];
+  half_ = piece.half;
+  steep_ = reversed_ = false;
+  u0_ = a.x;
+  v0_ = a.y;
+  u1_ = b.x;
+  v1_ = b.y;
+  center_u_ = circle.x().value;
+  center_v_ = circle.y().value;
+  radius_ = circle.z().value;
+  unsure_end_ = kSurelyBeyond;
+  slack_ += (std::abs(center_u_) + std::abs(center_v_) + radius_) * margin::kApothemSlack;
+}
+
+LatticeRunner::Heights LatticeRunner::between(double u, double v) const {
+  if (half_ == 0) {
+    const double a = v0_ + slope_ * (u - u0_), b = v0_ + slope_ * (v - u0_);
+    return {std::min(a, b), std::max(a, b)};
+  }
+  const auto at = [&](double x) {
+    const double d = std::abs(x - center_u_);
+    return center_v_ + half_ * std::sqrt(std::max(radius_ - d, 0.0) * (radius_ + d));
+  };
+  Heights out{std::min(at(u), at(v)), std::max(at(u), at(v))};
+  const double top = at(std::clamp(center_u_, u, v));
+  return {std::min(out.low, top), std::max(out.high, top)};
+}
+
+std::int64_t LatticeRunner::depth(const InnerMask& mask, std::int64_t line) const {
+  const double first = std::max(u0_, double(mask.border(line))), last = std::min(u1_, double(mask.border(line + 1)));
+  const Heights v = between(first, last);
+  const std::int64_t c0 = mask.line_of(v.low - slack_), c1 = mask.line_of(v.high + slack_);
+  std::int64_t least = INT64_MAX;
+  for (std::int64_t c = c0; c <= c1 && least > 0; ++c)
+    least = std::min(least, steep_ ? mask.depth(c, line) : mask.depth(line, c));
+  // An arc need not go on as it does here.
+  return half_ == 0 ? least : std::min<std::int64_t>(least, 1);
+}
+
+void add_kept_parts(const LatticeRunner& run, const InnerMask& mask, Index number, std::vector<KeptPart>& out) {
+  const std::int64_t first = mask.line_of(run.start()), last = mask.line_of(run.end());
+  const double low = run.start() + run.unsure_end(), high = run.end() - run.unsure_end();
+  // Of borders that may lie beyond an end none is cut.
+  const auto cut_at = [&](std::int64_t line) {
+    while (line > first && double(mask.border(line)) > high) --line;
+    return line == first || double(mask.border(line)) < low ? KeptPart::kEnd : line;
+  };
+  KeptPart part{number, run.steep(), run.reversed(), KeptPart::kEnd, KeptPart::kEnd};
+  bool open = false;
+  for (std::int64_t line = first; line <= last;) {
+    std::int64_t depth = run.depth(mask, line);
+    if (depth > 0 && open && double(mask.border(line)) < low) depth = 0;
+    if (depth == 0 && !open) part.from = cut_at(line);
+    if (depth > 0 && open) {
+      part.to = line;
+      if (double(mask.border(line)) > high) part.to = KeptPart::kEnd;
+      out.push_back(part);
+    }
+    open = depth == 0;
+    line += std::max<std::int64_t>(depth, 1);
+  }
+  part.to = KeptPart::kEnd;
+  if (open) out.push_back(part);
+}
+
+}  // namespace findspace::plane
