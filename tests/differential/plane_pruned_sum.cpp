@@ -23,8 +23,8 @@ Region star(std::mt19937& rng, int n, double size) {
   std::vector<GridPoint> points;
   for (int k = 0; k < n; ++k) {
     const double r = (k % 2 ? 0.4 + 0.01 * double(rng() % 10) : 0.9 + 0.01 * double(rng() % 10)) * size;
-    points.push_back({std::llround(r * std::cos(6.283185307179586 * k / n)),
-                      std::llround(r * std::sin(6.283185307179586 * k / n))});
+    points.push_back(
+        {std::llround(r * std::cos(6.283185307179586 * k / n)), std::llround(r * std::sin(6.283185307179586 * k / n))});
   }
   return ring(points);
 }
@@ -46,10 +46,10 @@ void compare(const Region& a, const Region& b, const std::string& what) {
 }
 
 TEST(PrunedSum, RoundedStars) {
-  for (unsigned seed = 0; seed < 4; ++seed) {
+  for (unsigned seed = 0; seed < 2; ++seed) {
     std::mt19937 rng(seed);
-    const Region a = grown(star(rng, 40, 100'000), seed % 2 ? 100 : 20'000);
-    compare(a, star(rng, 40, seed < 2 ? 100'000 : 60'000), "seed " + std::to_string(seed));
+    const Region a = grown(star(rng, 80, 100'000), seed % 2 ? 100 : 20'000);
+    compare(a, star(rng, 80, seed % 2 ? 100'000 : 60'000), "seed " + std::to_string(seed));
     if (HasFatalFailure()) return;
   }
 }
