@@ -49,8 +49,11 @@ SignMap DirectedHausdorff::sign_map(const Real& level) const {
   if (!defined()) return CellComplex::uniform(1);
   if (level.sign() <= 0) return containment().sign_map(level);
   SignMap around = plane::distance_map(a_, level);
+  const bool thin = std::none_of(around.faces.begin(), around.faces.end(), [](const auto& f) { return f.mark == 0; });
   Region closed = plane::remark(around, [](Mark m) { return Mark(m <= 0); });
   Region outside = plane::remark(std::move(around), [](Mark m) { return Mark(m >= 0); });
+  // Where the level is the common boundary of both sides, B+p leaves the closed set where it meets the open outside.
+  if (thin && plane::is_regular(closed) && plane::is_regular(outside)) return plane::negated(contact_map(outside, b_));
   // B+p leaves the closed set; B+p meets the complement of the open one.
   SignMap in_closed = containment_map(closed, b_), leaves_open = contact_map(outside, b_);
   std::array<const CellComplex*, 2> both{&in_closed, &leaves_open};

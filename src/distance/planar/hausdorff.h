@@ -8,7 +8,8 @@
 //   fat; level <= 0: as eta1.
 // The other order, mu(A, B+p), is reflected(mu of A moving over B); the Hausdorff distance is the greater of the two.
 // Guarantee: sign maps exact; values exact in a place found by search (see farthest_from_set.h). Cost: sign map: one
-// convolution with a disc, two with B. Keywords: Hausdorff distance, directed Hausdorff distance.
+// convolution with a disc and one with B, or two where the level has parts of its own. Keywords: Hausdorff distance,
+// directed Hausdorff distance.
 #pragma once
 
 #include <memory>
