@@ -81,9 +81,9 @@ std::int64_t LatticeRunner::depth(const InnerMask& mask, std::int64_t line) cons
 void add_kept_parts(const LatticeRunner& run, const InnerMask& mask, Index number, std::vector<KeptPart>& out) {
   const std::int64_t first = mask.line_of(run.start()), last = mask.line_of(run.end());
   const double low = run.start() + run.unsure_end(), high = run.end() - run.unsure_end();
-  // Of borders that may lie beyond an end none is cut.
+  // Of borders that may lie beyond an end none is cut, and no part begins where the piece ends.
   const auto cut_at = [&](std::int64_t line) {
-    while (line > first && double(mask.border(line)) > high) --line;
+    while (line > first && double(mask.border(line)) >= high) --line;
     return line == first || double(mask.border(line)) < low ? KeptPart::kEnd : line;
   };
   KeptPart part{number, run.steep(), run.reversed(), KeptPart::kEnd, KeptPart::kEnd};

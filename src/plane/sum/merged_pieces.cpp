@@ -57,9 +57,15 @@ class Merger {
 
   void run() {
     const std::vector<Index> first = first_equal_points(c_.curves.geometry);
+    std::vector<char> shared(first.size(), 0);
+    for (Index p = 0; p < first.size(); ++p)
+      if (first[p] != p) shared[first[p]] = 1;
     for (Piece& p : c_.curves.pieces) {
       p.p0 = first[p.p0];
       p.p1 = first[p.p1];
+      // Where others end as well a piece is not smooth: that says that all that end there meet nowhere else.
+      p.smooth0 &= !shared[p.p0];
+      p.smooth1 &= !shared[p.p1];
     }
     number_pieces();
     move_corners();
@@ -103,13 +109,8 @@ class Merger {
 
   void move_corners() {
     for (Corner& corner : c_.corners) {
-      // Where many go on it is not smooth: that says that one does.
-      const bool forward_in = c_.chains[corner.in].forward, forward_out = c_.chains[corner.out].forward;
       corner.in = number_[corner.in];
       corner.out = number_[corner.out];
-      if (chains_[corner.in].weight == 1 && chains_[corner.out].weight == 1) continue;
-      (forward_in ? pieces_[corner.in].smooth1 : pieces_[corner.in].smooth0) = false;
-      (forward_out ? pieces_[corner.out].smooth0 : pieces_[corner.out].smooth1) = false;
     }
     auto& corners = c_.corners;
     std::sort(corners.begin(), corners.end(),
