@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// For tests of sums of grid polygons: the sum by arranging the whole convolution, cell by cell, to compare with; and
-// sets full of ties, unions of lattice squares.
+// For tests of sums: the sum by arranging the whole convolution, cell by cell, to compare with; sums by pairs of parts,
+// with and without a mask; and sets full of ties, unions of lattice squares.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,6 +17,7 @@
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/sum/convolution.h"
+#include "plane/sum/pair_sums.h"
 #include "plane/walk/unite.h"
 
 namespace findspace::plane {
@@ -61,6 +62,26 @@ inline Region whole_sum(const Region& a, bool (*wanted)(Mark), const Region& b) 
   for (auto k : w.edges) m.edges.push_back(k > 0);
   for (auto k : w.vertices) m.vertices.push_back(k != kUnwanted && k > 0);
   return extract(std::move(arranged), m);
+}
+
+/// The open sum by pairs of parts, of all curves, or only of those that a mask leaves.
+inline SignMap sum_of_parts(const Operand& a, const Operand& b, const InnerMask* mask) {
+  SumOfPairs sum(true);
+  const std::vector<Part> p = a.solid_parts(), q = b.solid_parts();
+  for (const Part& x : p) {
+    for (const Part& y : q) sum.add(x, y);
+    for (const Part& y : b.flat_parts()) sum.add(x, y);
+  }
+  for (const Part& x : a.flat_parts())
+    for (const Part& y : q) sum.add(x, y);
+  if (mask != nullptr) sum.prune(*mask);
+  return std::move(sum).open_sum();
+}
+
+inline bool same_marks(const SignMap& p, const SignMap& q) {
+  std::array<const CellComplex*, 2> both{&p, &q};
+  const Region other = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); });
+  return other.faces.size() == 1 && other.faces[0].mark == 0 && other.edges.empty() && other.vertices.empty();
 }
 
 inline void expect_same(const SignMap& found, Mark inside, const Region& expected, const std::string& what) {

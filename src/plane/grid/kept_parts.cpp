@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/margins/plane.h"
-
 namespace findspace::plane {
 namespace {
 
 constexpr double kSurelyBeyond = 2;  // grid steps: far more than the rounding of these doubles (2^43 steps at most)
+constexpr double kMostError = 0.25;  // grid steps: of each double that a piece is followed by
+// Grid steps along u: more than all errors of a piece. An arc that is off so far passes through the same heights there.
+constexpr double kBeside = 1;
 
 LatticeEdge chord(const exact::Geometry& g, const Piece& piece) {
   const exact::Point &a = g.points[piece.p0], &b = g.points[piece.p1];
@@ -20,7 +21,7 @@ LatticeEdge chord(const exact::Geometry& g, const Piece& piece) {
 
 }  // namespace
 
-LatticeRunner::LatticeRunner(const LatticeEdge& e) : slack_(kSurelyBeyond) {
+LatticeRunner::LatticeRunner(const LatticeEdge& e) {
   steep_ = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
   u0_ = steep_ ? e.y0 : e.x0;
   v0_ = steep_ ? e.x0 : e.y0;
@@ -36,8 +37,10 @@ LatticeRunner::LatticeRunner(const LatticeEdge& e) : slack_(kSurelyBeyond) {
 
 LatticeRunner::LatticeRunner(const exact::Geometry& g, const Piece& piece) : LatticeRunner(chord(g, piece)) {
   const exact::Point &a = g.points[piece.p0], &b = g.points[piece.p1];
+  const auto is_near = [](double error) { return error <= kMostError; };
   const bool grid = a.kind == exact::Point::Kind::kGrid && b.kind == exact::Point::Kind::kGrid;
   if (!grid) unsure_end_ = kSurelyBeyond;
+  sure_ = is_near(a.error) && is_near(b.error);
   if (piece.half == 0) return;
   const exact::SupportingCurve& circle = g.supporting_curves[piece.supporting_curve];
   half_ = piece.half;
@@ -49,8 +52,8 @@ LatticeRunner::LatticeRunner(const exact::Geometry& g, const Piece& piece) : Lat
   center_u_ = circle.x().value;
   center_v_ = circle.y().value;
   radius_ = circle.z().value;
+  sure_ = sure_ && is_near(circle.x().error) && is_near(circle.y().error) && is_near(circle.z().error);
   unsure_end_ = kSurelyBeyond;
-  slack_ += (std::abs(center_u_) + std::abs(center_v_) + radius_) * margin::kApothemSlack;
 }
 
 LatticeRunner::Heights LatticeRunner::between(double u, double v) const {
@@ -68,9 +71,11 @@ LatticeRunner::Heights LatticeRunner::between(double u, double v) const {
 }
 
 std::int64_t LatticeRunner::depth(const InnerMask& mask, std::int64_t line) const {
-  const double first = std::max(u0_, double(mask.border(line))), last = std::min(u1_, double(mask.border(line + 1)));
-  const Heights v = between(first, last);
-  const std::int64_t c0 = mask.line_of(v.low - slack_), c1 = mask.line_of(v.high + slack_);
+  const double beside = unsure_end_ > 0 ? kBeside : 0;
+  const double first = std::max(u0_, double(mask.border(line))) - beside;
+  const double last = std::min(u1_, double(mask.border(line + 1))) + beside;
+  const Heights v = between(first, std::max(first, last));
+  const std::int64_t c0 = mask.line_of(v.low - kSurelyBeyond), c1 = mask.line_of(v.high + kSurelyBeyond);
   std::int64_t least = INT64_MAX;
   for (std::int64_t c = c0; c <= c1 && least > 0; ++c)
     least = std::min(least, steep_ ? mask.depth(c, line) : mask.depth(line, c));
@@ -79,29 +84,42 @@ std::int64_t LatticeRunner::depth(const InnerMask& mask, std::int64_t line) cons
 }
 
 void add_kept_parts(const LatticeRunner& run, const InnerMask& mask, Index number, std::vector<KeptPart>& out) {
-  const std::int64_t first = mask.line_of(run.start()), last = mask.line_of(run.end());
-  const double low = run.start() + run.unsure_end(), high = run.end() - run.unsure_end();
-  // Of borders that may lie beyond an end none is cut, and no part begins where the piece ends.
-  const auto cut_at = [&](std::int64_t line) {
-    while (line > first && double(mask.border(line)) >= high) --line;
-    return line == first || double(mask.border(line)) < low ? KeptPart::kEnd : line;
-  };
   KeptPart part{number, run.steep(), run.reversed(), KeptPart::kEnd, KeptPart::kEnd};
+  if (!run.is_sure()) return out.push_back(part);
+  // With the lines that the piece may reach.
+  const std::int64_t first = mask.line_of(run.start() - run.unsure_end());
+  const std::int64_t last = mask.line_of(run.end() + run.unsure_end());
+  // Of borders that may lie beyond an end none is cut.
+  const auto is_near_start = [&](std::int64_t line) {
+    return double(mask.border(line)) < run.start() + run.unsure_end();
+  };
+  const auto is_near_end = [&](std::int64_t line) { return double(mask.border(line)) > run.end() - run.unsure_end(); };
+  const auto cut_at = [&](std::int64_t line) {
+    while (line > first && is_near_end(line)) --line;
+    return line == first || is_near_start(line) ? KeptPart::kEnd : line;
+  };
+  // An end on a border may be found in the line before it. There the piece has no length, and what is beside is masked.
+  const auto keep = [&] {
+    const auto at = [&](std::int64_t line) { return double(mask.border(line)); };
+    if ((part.from == KeptPart::kEnd || at(part.from) < run.end()) &&
+        (part.to == KeptPart::kEnd || at(part.to) > run.start()))
+      out.push_back(part);
+  };
   bool open = false;
   for (std::int64_t line = first; line <= last;) {
     std::int64_t depth = run.depth(mask, line);
-    if (depth > 0 && open && double(mask.border(line)) < low) depth = 0;
+    if (depth > 0 && open && is_near_start(line)) depth = 0;
     if (depth == 0 && !open) part.from = cut_at(line);
     if (depth > 0 && open) {
-      part.to = line;
-      if (double(mask.border(line)) > high) part.to = KeptPart::kEnd;
-      out.push_back(part);
+      part.to = is_near_end(line) ? KeptPart::kEnd : line;
+      keep();
+      if (part.to == KeptPart::kEnd) return;
     }
     open = depth == 0;
     line += std::max<std::int64_t>(depth, 1);
   }
   part.to = KeptPart::kEnd;
-  if (open) out.push_back(part);
+  if (open) keep();
 }
 
 }  // namespace findspace::plane

@@ -92,6 +92,11 @@ void SumOfPairs::prune(const Operand& a, const Operand& b) {
   if (const auto mask = mask_that_pays(builder_, a, b)) inner_ = plane::prune(builder_, *mask, base_);
 }
 
+void SumOfPairs::prune(const InnerMask& mask) {
+  merge_equal_pieces(builder_);
+  inner_ = plane::prune(builder_, mask, base_);
+}
+
 SignMap SumOfPairs::open_sum() && {
   std::vector<Index> seeds;
   if (inner_)

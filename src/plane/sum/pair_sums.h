@@ -10,6 +10,7 @@
 #include <span>
 
 #include "plane/grid/convolution_index.h"
+#include "plane/grid/inner_mask.h"
 #include "plane/sum/convolution.h"
 #include "plane/sum/operand.h"
 #include "plane/sum/point_winding.h"
@@ -29,6 +30,8 @@ class SumOfPairs {
 
   /// Leaves out what certainly lies in the open sum, where that pays: of all pairs of parts of a and b, b bounded.
   void prune(const Operand& a, const Operand& b);
+  /// The same of what lies in the cells, whether it pays or not.
+  void prune(const InnerMask& mask);
   /// -1 where the number is positive, 0 on the boundary of that, +1 elsewhere.
   SignMap open_sum() &&;
   /// 1 where the number is positive.

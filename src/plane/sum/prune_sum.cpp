@@ -118,7 +118,8 @@ class PlaceNumbers {
       const Index point = g_.add_real_point(exact::Real::from_double(x), exact::Real::from_double(y));
       all.push_back({x, y, cell, {point, base}});
     }
-    std::sort(all.begin(), all.end(), [](const Counted& p, const Counted& q) { return p.x < q.x; });
+    std::sort(all.begin(), all.end(),
+              [](const Counted& p, const Counted& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     for (std::size_t k = 0; k < boxes_.size(); ++k) {
       auto p =
           std::lower_bound(all.begin(), all.end(), boxes_[k].x0, [](const Counted& c, double x) { return c.x < x; });
@@ -136,8 +137,14 @@ class PlaceNumbers {
 
   void pass(std::size_t k, Counted& p) const {
     const Piece& piece = c_.curves.pieces[k];
-    if (p.y < boxes_[k].y0) return;
-    if (compare_x(g_, piece.p0, p.seed.point) > 0 || compare_x(g_, piece.p1, p.seed.point) <= 0) return;
+    if (p.y < boxes_[k].y0 || compare_x(g_, piece.p0, p.seed.point) > 0) return;
+    const int beyond = compare_x(g_, piece.p1, p.seed.point);
+    if (beyond <= 0) {
+      // What ends at the ray is counted where it goes on; but a vertical piece, or a tip to the right, may hold the
+      // place.
+      p.on_curve |= beyond == 0 && p.y <= boxes_[k].y1;
+      return;
+    }
     const int above = p.y > boxes_[k].y1 ? 1 : height(g_, piece, p.seed.point);
     const Chain& chain = c_.chains[k];
     if (above == 0) p.on_curve = true;
@@ -268,12 +275,14 @@ class Pruner {
 }  // namespace
 
 std::optional<InnerPart> prune(ConvolutionBuilder& convolution, const InnerMask& mask, std::int32_t base) {
+  if (convolution.curves.pieces.empty()) return std::nullopt;
   const Geometry& g = convolution.curves.geometry;
   double error = 0, largest = 0;
   for (const exact::Point& p : g.points) {
     error = std::max(error, double(p.error));
     largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
+  if (!(error < double(mask.border(1)))) return std::nullopt;  // boxes would be far too large
   std::vector<PieceBox> boxes;
   boxes.reserve(convolution.curves.pieces.size());
   const double slack = box_slack(error, largest);

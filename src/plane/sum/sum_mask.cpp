@@ -20,11 +20,14 @@ constexpr double kLinesOfMask = 5.5, kFewestLines = 64, kMostLines = 4000;
 constexpr double kLeastSide = 16;    // grid steps
 constexpr double kWordsOfMask = 10;  // for each crossing
 constexpr double kBesideWindow = 4;  // grid steps: more than extents are off
+// Grid steps, of an enclosure: a cell keeps a distance of eight times this from outlines, and points move it by less.
+constexpr double kWidestPlace = 0x1p-5;  // no sign: there is no mask where one is wider
 
 /// Of a part whose arcs are made of chords.
 struct PartOutline {
   Outline edges;
   bool round = false;
+  bool sure = true;  // doubles are near enough to the coordinates
 };
 
 struct Spot {
@@ -32,6 +35,11 @@ struct Spot {
 };
 
 Spot spot(const Position& p) { return {p.approx_x(), p.approx_y()}; }
+
+bool is_narrow(const exact::Interval& i) { return i.hi - i.lo <= kWidestPlace; }
+bool is_sure(const Position& p) {
+  return p.grid() || (is_narrow(p.real->x.interval()) && is_narrow(p.real->y.interval()));
+}
 
 /// Chords, and beside each a box that holds its piece of the arc, walked on both sides so that it counts for nothing:
 /// no cell that meets the arc is free of these edges, as boxes are lower than cells.
@@ -61,6 +69,7 @@ PartOutline outline(const Part& part, double side) {
   for (const Path& path : part.paths)
     for (const Step& s : path.steps) {
       out.round |= s.arc;
+      out.sure &= is_sure(s.from) && (!s.arc || is_sure(s.center));
       if (s.arc)
         add_arc(s, side, out.edges);
       else
@@ -71,12 +80,15 @@ PartOutline outline(const Part& part, double side) {
 
 PieceBox nothing() { return {INFINITY, INFINITY, -INFINITY, -INFINITY}; }
 
-/// Around ends of steps: no larger than the part.
+/// Around ends of steps: certainly no larger than the part.
 void add_ends(const Part& part, PieceBox& box) {
-  const auto add = [&](const Spot& p) { box = joined(box, {p.x, p.y, p.x, p.y}); };
+  const auto add = [&](const Position& p) {
+    const exact::Interval x = p.real_x().interval(), y = p.real_y().interval();
+    box = joined(box, {x.hi, y.hi, x.lo, y.lo});
+  };
   for (const Path& path : part.paths) {
-    if (path.lonely) add(spot(*path.lonely));
-    for (const Step& s : path.steps) add(spot(s.from));
+    if (path.lonely) add(*path.lonely);
+    for (const Step& s : path.steps) add(s.from);
   }
 }
 
@@ -87,8 +99,9 @@ PieceBox ends_of(const Operand& b) {
   return box;
 }
 
-/// Up to a frame farther out than the other set is large.
+/// Up to a frame farther out than the other set is large; nothing where only single points are missing.
 void add_frame(double far, Outline& out) {
+  if (out.empty()) return;
   PieceBox box = nothing();
   for (const LatticeEdge& e : out) box = joined(box, {e.x0, e.y0, e.x0, e.y0});
   const double x0 = box.x0 - far, y0 = box.y0 - far, x1 = box.x1 + far, y1 = box.y1 + far;
@@ -126,7 +139,46 @@ CurveExtent extent_within(const ConvolutionBuilder& c, const PieceBox& box) {
   return out;
 }
 
+/// What a mask is made of, but for the size of its cells.
+struct Frame {
+  PieceBox ends;                   // of b
+  std::optional<PieceBox> within;  // beyond it everything is inside
+
+  Frame(const Operand& a, const Operand& b) : ends(ends_of(b)), within(window(a, ends)) {}
+};
+
+std::optional<InnerMask> framed_mask(const Operand& a, const Operand& b, const Frame& frame, std::int64_t side,
+                                     double effort) {
+  std::vector<PartOutline> p, q;
+  const double far = frame.ends.x1 - frame.ends.x0 + frame.ends.y1 - frame.ends.y0 + 4 * double(side);
+  a.each_solid_part([&](const Part& part) {
+    p.push_back(outline(part, double(side)));
+    if (part.unbounded) add_frame(far, p.back().edges);
+  });
+  b.each_solid_part([&](const Part& part) { q.push_back(outline(part, double(side))); });
+  const auto sure = [](const PartOutline& o) { return o.sure; };
+  if (p.size() * q.size() > kMostPairs || !std::all_of(p.begin(), p.end(), sure) ||
+      !std::all_of(q.begin(), q.end(), sure))
+    return std::nullopt;
+  std::vector<InnerMask::Pair> pairs;
+  double farthest = 0;
+  for (const PartOutline& x : p) {
+    for (const LatticeEdge& e : x.edges) farthest = std::max({farthest, std::abs(e.x0), std::abs(e.y0)});
+    for (const PartOutline& y : q) pairs.push_back({&x.edges, &y.edges, x.round, y.round});
+  }
+  if (!(farthest + far < kFarthestOfMask)) return std::nullopt;
+  InnerMask mask(pairs, side, effort);
+  if (const auto& within = frame.within)
+    mask.mark_beyond(
+        {mask.line_of(within->y0), mask.line_of(within->y1), mask.line_of(within->x0), mask.line_of(within->x1)});
+  return mask;
+}
+
 }  // namespace
+
+std::optional<InnerMask> mask_of_sum(const Operand& a, const Operand& b, std::int64_t side, double effort) {
+  return framed_mask(a, b, Frame(a, b), side, effort);
+}
 
 std::optional<InnerMask> mask_that_pays(const ConvolutionBuilder& convolution, const Operand& a, const Operand& b) {
   if (convolution.curves.pieces.empty()) return std::nullopt;
@@ -135,36 +187,15 @@ std::optional<InnerMask> mask_that_pays(const ConvolutionBuilder& convolution, c
   // Many small curves may lie close together, where no estimate sees them.
   const double crossings = std::max(estimated_crossings(all), double(all.count) * kManyACurve);
   if (!(crossings > kManySumCrossings)) return std::nullopt;
-  const PieceBox ends = ends_of(b);
-  const std::optional<PieceBox> within = window(a, ends);
-  const CurveExtent some = within ? extent_within(convolution, *within) : all;
+  const Frame frame(a, b);
+  const CurveExtent some = frame.within ? extent_within(convolution, *frame.within) : all;
   const double lines =
       std::clamp(kLinesOfMask * std::cbrt(std::max(estimated_crossings(some), double(some.count) * kManyACurve)),
                  kFewestLines, kMostLines);
   const double side =
       std::max({std::max(some.width, some.height) / lines, std::max(all.width, all.height) / kMostLines, kLeastSide});
-  const double whole_side = std::ceil(side);
-  std::vector<PartOutline> p, q;
-  const double far = ends.x1 - ends.x0 + ends.y1 - ends.y0 + 4 * whole_side;
-  a.each_solid_part([&](const Part& part) {
-    p.push_back(outline(part, whole_side));
-    if (part.unbounded) add_frame(far, p.back().edges);
-  });
-  b.each_solid_part([&](const Part& part) { q.push_back(outline(part, whole_side)); });
-  if (p.size() * q.size() > kMostPairs) return std::nullopt;
-  std::vector<InnerMask::Pair> pairs;
-  double farthest = 0;
-  for (const PartOutline& x : p) {
-    for (const LatticeEdge& e : x.edges) farthest = std::max({farthest, std::abs(e.x0), std::abs(e.y0)});
-    for (const PartOutline& y : q) pairs.push_back({&x.edges, &y.edges, x.round, y.round});
-  }
-  if (!(farthest + far < kFarthestOfMask)) return std::nullopt;
-  InnerMask mask(pairs, std::int64_t(whole_side), kWordsOfMask * crossings);
-  if (within) {
-    mask.mark_beyond(
-        {mask.line_of(within->y0), mask.line_of(within->y1), mask.line_of(within->x0), mask.line_of(within->x1)});
-  }
-  return mask;
+  if (!(side < kFarthestOfMask)) return std::nullopt;
+  return framed_mask(a, b, frame, std::int64_t(std::ceil(side)), kWordsOfMask * crossings);
 }
 
 }  // namespace findspace::plane
