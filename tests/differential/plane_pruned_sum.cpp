@@ -74,7 +74,7 @@ class TiedSets {
     Region all = any_of(parts);
     switch (below(9)) {
       case 0:
-        return grown(all, step_ * (1 + below(2)));
+        return grown(all, level());
       case 1:
         return shrunk(all);
       case 2:
@@ -101,6 +101,12 @@ class TiedSets {
   unsigned below(unsigned n) { return unsigned(rng_() % n); }
 
  private:
+  /// Of the lattice, or so little beside it that doubles do not show it.
+  Real level() {
+    const Real on(step_ * (1 + below(2)));
+    const int beside = int(below(4));
+    return beside < 2 ? on : on + Real::ratio(2 * beside - 5, std::int64_t(1) << 50);
+  }
   std::int64_t place() { return step_ * below(size_); }
   GridPoint corner() { return {place(), place()}; }
 
@@ -149,7 +155,7 @@ class TiedSets {
       case 3:
         return disc();
       case 4:
-        return grown(box(step_ * (1 + below(size_)), step_ * (1 + below(size_))), step_ * (1 + below(2)));
+        return grown(box(step_ * (1 + below(size_)), step_ * (1 + below(size_))), level());
       case 5:
         return washer();
       case 6:

@@ -36,18 +36,20 @@ class InnerMask {
   std::int64_t border(std::int64_t line) const { return line * side_; }
   /// All cells less than so many columns and rows away are marked; 0 where the cell itself is not.
   std::int64_t depth(std::int64_t column, std::int64_t row) const {
-    if (within_) {
-      const std::int64_t beyond =
-          std::max({within_->column0 - column, column - within_->column1, within_->row0 - row, row - within_->row1});
-      if (beyond > 0) return beyond;
-    }
-    return depths_.depth(column, row);
+    const std::int64_t depth = depths_.depth(column, row);
+    return depth > 0 || !within_ ? depth : depth_beyond(column, row);
   }
   /// Marks all cells beyond the box: they are known to lie inside.
   void mark_beyond(const LatticeBox& within) { within_ = within; }
   const std::optional<LatticeBox>& within() const { return within_; }
 
  private:
+  /// Of a cell beyond the box.
+  std::int64_t depth_beyond(std::int64_t column, std::int64_t row) const {
+    return std::max({within_->column0 - column, column - within_->column1, within_->row0 - row, row - within_->row1,
+                     std::int64_t(0)});
+  }
+
   std::int64_t side_;
   double scale_;
   CellDepths depths_;

@@ -9,9 +9,8 @@
 namespace findspace::plane {
 namespace {
 
-constexpr double kSurelyBeyond = 2;  // grid steps: far more than the rounding of these doubles (2^43 steps at most)
 constexpr double kMostError = 0.25;  // grid steps: of each double that a piece is followed by
-// Grid steps along u: more than all errors of a piece. An arc that is off so far passes through the same heights there.
+// Grid steps along u: more than all errors of a piece. What is off so far passes through the same heights there.
 constexpr double kBeside = 1;
 
 LatticeEdge chord(const exact::Geometry& g, const Piece& piece) {
@@ -21,25 +20,12 @@ LatticeEdge chord(const exact::Geometry& g, const Piece& piece) {
 
 }  // namespace
 
-LatticeRunner::LatticeRunner(const LatticeEdge& e) {
-  steep_ = std::abs(e.y1 - e.y0) > std::abs(e.x1 - e.x0);
-  u0_ = steep_ ? e.y0 : e.x0;
-  v0_ = steep_ ? e.x0 : e.y0;
-  u1_ = steep_ ? e.y1 : e.x1;
-  v1_ = steep_ ? e.x1 : e.y1;
-  if (u1_ < u0_) {
-    std::swap(u0_, u1_);
-    std::swap(v0_, v1_);
-    reversed_ = true;
-  }
-  if (u1_ > u0_) slope_ = (v1_ - v0_) / (u1_ - u0_);
-}
-
 LatticeRunner::LatticeRunner(const exact::Geometry& g, const Piece& piece) : LatticeRunner(chord(g, piece)) {
   const exact::Point &a = g.points[piece.p0], &b = g.points[piece.p1];
   const auto is_near = [](double error) { return error <= kMostError; };
-  const bool grid = a.kind == exact::Point::Kind::kGrid && b.kind == exact::Point::Kind::kGrid;
-  if (!grid) unsure_end_ = kSurelyBeyond;
+  if (piece.half == 0 && a.kind == exact::Point::Kind::kGrid && b.kind == exact::Point::Kind::kGrid) return;
+  unsure_end_ = kSurelyBeyond;
+  slack_ = kSurelyBeyond + kBeside;  // segments rise by no more than they go along
   sure_ = is_near(a.error) && is_near(b.error);
   if (piece.half == 0) return;
   const exact::SupportingCurve& circle = g.supporting_curves[piece.supporting_curve];
@@ -53,14 +39,9 @@ LatticeRunner::LatticeRunner(const exact::Geometry& g, const Piece& piece) : Lat
   center_v_ = circle.y().value;
   radius_ = circle.z().value;
   sure_ = sure_ && is_near(circle.x().error) && is_near(circle.y().error) && is_near(circle.z().error);
-  unsure_end_ = kSurelyBeyond;
 }
 
-LatticeRunner::Heights LatticeRunner::between(double u, double v) const {
-  if (half_ == 0) {
-    const double a = v0_ + slope_ * (u - u0_), b = v0_ + slope_ * (v - u0_);
-    return {std::min(a, b), std::max(a, b)};
-  }
+LatticeRunner::Heights LatticeRunner::of_arc(double u, double v) const {
   const auto at = [&](double x) {
     const double d = std::abs(x - center_u_);
     return center_v_ + half_ * std::sqrt(std::max(radius_ - d, 0.0) * (radius_ + d));
@@ -70,17 +51,14 @@ LatticeRunner::Heights LatticeRunner::between(double u, double v) const {
   return {std::min(out.low, top), std::max(out.high, top)};
 }
 
-std::int64_t LatticeRunner::depth(const InnerMask& mask, std::int64_t line) const {
-  const double beside = unsure_end_ > 0 ? kBeside : 0;
-  const double first = std::max(u0_, double(mask.border(line))) - beside;
-  const double last = std::min(u1_, double(mask.border(line + 1))) + beside;
-  const Heights v = between(first, std::max(first, last));
-  const std::int64_t c0 = mask.line_of(v.low - kSurelyBeyond), c1 = mask.line_of(v.high + kSurelyBeyond);
-  std::int64_t least = INT64_MAX;
-  for (std::int64_t c = c0; c <= c1 && least > 0; ++c)
-    least = std::min(least, steep_ ? mask.depth(c, line) : mask.depth(line, c));
-  // An arc need not go on as it does here.
-  return half_ == 0 ? least : std::min<std::int64_t>(least, 1);
+std::int64_t LatticeRunner::depth_of_arc(const InnerMask& mask, std::int64_t line) const {
+  const double first = std::max(u0_, double(mask.border(line))) - kBeside;
+  const double last = std::min(u1_, double(mask.border(line + 1))) + kBeside;
+  const Heights v = of_arc(first, std::max(first, last));
+  const std::int64_t end = mask.line_of(v.high + slack_);
+  for (std::int64_t c = mask.line_of(v.low - slack_); c <= end; ++c)
+    if (mask.depth(line, c) == 0) return 0;
+  return 1;  // it need not go on as it does here
 }
 
 void add_kept_parts(const LatticeRunner& run, const InnerMask& mask, Index number, std::vector<KeptPart>& out) {
