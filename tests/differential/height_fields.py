@@ -258,8 +258,8 @@ def ask(program, verb, ground, part, where, folder=None):
 
 
 def near(a, b):
-    if a is None or b is None:
-        return a is b
+    if not isinstance(a, (int, float)) or not isinstance(b, (int, float)):
+        return a == b  # undefined, or "-inf"
     return abs(a - b) <= NEAR * max(1, abs(a), abs(b))
 
 
