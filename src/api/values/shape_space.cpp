@@ -147,16 +147,19 @@ Shape Shape::height_field(const HeightField& given, const Grid& grid) {
   const auto is_missing = [&](double height) {
     return given.missing && (std::isnan(*given.missing) ? std::isnan(height) : height == *given.missing);
   };
-  for (std::size_t k = 0; k < given.heights.size(); ++k) {
-    if (is_missing(given.heights[k])) continue;
+  const auto put = [&](std::size_t row, std::size_t column) {
+    const double given_height = given.heights[row * columns + column];
+    if (is_missing(given_height)) return;
     try {
       double moved = 0;
-      const std::int64_t height = reader.grid().nearest(given.heights[k], moved);
-      field.put(k % columns, k / columns, height, moved);
+      const std::int64_t height = reader.grid().nearest(given_height, moved);
+      field.put(column, row, height, moved);
     } catch (const Error& e) {
-      throw e.within(fmt::format("row {}, column {}", k / columns, k % columns));
+      throw e.within(fmt::format("row {}, column {}", row, column));
     }
-  }
+  };
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column) put(row, column);
   std::vector<std::string> notes;
   return reader.shape(field.solid(reader.rounding(), notes));
 }

@@ -8,10 +8,13 @@
 // there.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "formula/solid/surface_rays.h"
 #include "formula/solid/touching_rays.h"
+#include "space/body/body.h"
 
 namespace findspace::formula {
 

@@ -73,7 +73,7 @@ class LatticeRunner {
   double slack_;                                     // of heights
   double center_u_ = 0, center_v_ = 0, radius_ = 0;  // of an arc
   bool steep_ = false, reversed_ = false, sure_ = true;
-  int half_ = 0;  // of an arc
+  std::int8_t half_ = 0;  // of an arc
 };
 
 /// What is kept of a piece: from one border of lines of cells to another, or to an end of the piece (kEnd).
