@@ -5,6 +5,7 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <random>
@@ -100,6 +101,18 @@ TEST(HeightField, BelowThereAreFewFaces) {
   EXPECT_EQ(solid.mesh.vertices.size(), 31u * 41u + 2 * (30 + 40));
   // A row of squares has two triangles below it, and one for each square beside a wall.
   EXPECT_EQ(solid.mesh.faces.size(), 2u * 30 * 40 + 2 * (30 + 40) + 2 * 40 + 2 * 29);
+}
+
+TEST(HeightField, NoTriangleBelowIsLong) {
+  Heights wide(7, std::vector<std::optional<std::int64_t>>(150, 2));
+  for (const std::size_t i : {31, 32, 64, 70, 96}) wide[i % 5][i] = kNone;
+  const Made made_of_it = made(wide);
+  expect_closed(made_of_it.solid);
+  const Mesh& mesh = made_of_it.solid.mesh;
+  EXPECT_EQ(six_volumes(mesh).text(), six_columns(wide, 1, 1, 0).text());
+  for (const std::vector<int>& face : mesh.faces)
+    for (const int v : face)
+      EXPECT_LE(std::abs(mesh.vertices[std::size_t(v)].x - mesh.vertices[std::size_t(face[0])].x), 32);
 }
 
 TEST(HeightField, PartsMayTouchInAnUprightEdge) {

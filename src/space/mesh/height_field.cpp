@@ -59,7 +59,7 @@ bool HeightField::stands(std::size_t column, std::size_t row) const {
          false;
 }
 
-/// Triangles above, walls where a square has no neighbour, and below each row as few triangles as meet the walls.
+/// Triangles above, walls where a square has no neighbour, and below each row few triangles that meet the walls.
 class FieldSurface {
  public:
   explicit FieldSurface(const HeightField& field)
@@ -83,7 +83,8 @@ class FieldSurface {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  using Node = std::array<std::size_t, 2>;  // column, row
+  using Node = std::array<std::size_t, 2>;     // column, row
+  static constexpr std::size_t kLongest = 32;  // squares above a triangle below
 
   int vertex(const Node& n, std::vector<int>& known, std::int64_t z) {
     int& index = known[field_.node(n[0], n[1])];
@@ -110,12 +111,13 @@ class FieldSurface {
     return 1;
   }
 
-  /// Below the squares of a row from one column to another: triangles between the corners of walls on its two sides.
+  /// Below the squares of a row from one column to another: triangles between the corners of walls on its two sides,
+  /// and some others, as searches look at all that is near a long triangle.
   void strip(std::size_t row, std::size_t from, std::size_t to) {
     std::array<std::vector<int>, 2> side;
     for (std::size_t s = 0; s < 2; ++s)
       for (std::size_t i = from; i <= to; ++i)
-        if (const int v = below_[field_.node(i, row + s)]; v >= 0) side[s].push_back(v);
+        if (below_[field_.node(i, row + s)] >= 0 || i % kLongest == 0) side[s].push_back(below({i, row + s}));
     const auto x = [&](std::size_t s, std::size_t k) { return mesh_.vertices[std::size_t(side[s][k])].x; };
     for (std::size_t p = 0, q = 0; p + 1 < side[0].size() || q + 1 < side[1].size();) {
       const bool low = q + 1 == side[1].size() || (p + 1 < side[0].size() && x(0, p + 1) < x(1, q + 1));
