@@ -45,11 +45,13 @@ class HeightGrid {
   }
 
  private:
-  /// Until a line begins with a number.
+  /// Until a line begins with a height, which may be a missing one that is marked by a word.
   void read_head() {
     static constexpr std::array<std::string_view, 10> kKnown{
         "ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "dx", "dy", "nodata_value"};
-    while (lines_.next() && std::isalpha(static_cast<unsigned char>(lines_.words()[0][0]))) {
+    mark_missing("-9999");
+    while (lines_.next() && std::isalpha(static_cast<unsigned char>(lines_.words()[0][0])) &&
+           lines_.words()[0] != none_) {
       const std::vector<std::string_view>& words = lines_.words();
       const std::string key = lower_ending(std::string(words[0]));
       if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end())
@@ -57,11 +59,18 @@ class HeightGrid {
       if (words.size() != 2) lines_.fail(fmt::format("{} is followed by one number", key));
       if (!head_.emplace(key, words[1]).second) lines_.fail(fmt::format("{} stands twice", key));
       if (key == "nodata_value")
-        none_ = words[1];
+        mark_missing(words[1]);
       else
         number(words[1]);
     }
-    none_steps_ = exact::grid_integer(none_, unit_);
+  }
+
+  /// Some files mark missing heights by "nan", others by the least float.
+  void mark_missing(std::string_view none) {
+    none_ = none;
+    none_steps_ = exact::grid_integer(none, unit_);
+    none_value_.reset();
+    if (none.find_first_of("0123456789") != std::string_view::npos) none_value_ = number(none);
   }
 
   Real number(std::string_view word) const {
@@ -70,6 +79,13 @@ class HeightGrid {
     } catch (const Error&) {
       lines_.fail(fmt::format("'{}' is not a number", word));
     }
+  }
+
+  /// Of two that say the same in different ways.
+  bool has_first(const std::string& first, const std::string& second) const {
+    if (head_.contains(first) && head_.contains(second))
+      throw Error(ErrorCode::kSyntax, fmt::format("the head of the grid of heights has {} and {}", first, second));
+    return head_.contains(first);
   }
 
   Real need(const std::string& key) const {
@@ -90,12 +106,10 @@ class HeightGrid {
   /// Heights are those of the middles of cells.
   space::FieldFrame frame(const Real& floor) const {
     space::FieldFrame frame{columns_, rows_, {}, {}, floor};
-    const bool square = head_.contains("cellsize");
     for (std::size_t k = 0; k < 2; ++k) {
-      const std::string axis = k == 0 ? "x" : "y";
-      const Real step = need(square ? "cellsize" : "d" + axis);
-      const Real first = head_.contains(axis + "llcenter") ? need(axis + "llcenter")
-                                                           : need(axis + "llcorner") + step * Real::ratio(1, 2);
+      const std::string axis = k == 0 ? "x" : "y", center = axis + "llcenter", corner = axis + "llcorner";
+      const Real step = need(has_first("cellsize", "d" + axis) ? "cellsize" : "d" + axis);
+      const Real first = has_first(center, corner) ? need(center) : need(corner) + step * Real::ratio(1, 2);
       frame.step[k] = step * scale_;
       frame.at[k] = first * scale_;
     }
@@ -121,22 +135,17 @@ class HeightGrid {
     if (word == none_) return std::nullopt;
     if (const auto height = exact::grid_integer(word, unit_)) return height == none_steps_ ? std::nullopt : height;
     const Real value = number(word);
-    if (is_none(value)) return std::nullopt;
+    if (none_value_ && value == *none_value_) return std::nullopt;
     return context_.grid.nearest(value * scale_, moved);
-  }
-
-  /// Some files mark missing heights by "nan", others by the least float.
-  bool is_none(const Real& value) const {
-    const bool number = none_.find_first_of("0123456789") != std::string_view::npos;
-    return number && (value - this->number(none_)).sign() == 0;
   }
 
   TextLines lines_;
   Real scale_, unit_;  // of the file in the scene's unit; a grid step in the file's
   ReadContext& context_;
   std::map<std::string, std::string_view> head_;
-  std::string_view none_ = "-9999";
-  std::optional<std::int64_t> none_steps_;
+  std::string_view none_;                        // what stands for a missing height
+  std::optional<Real> none_value_;               // of what is a number
+  std::optional<std::int64_t> none_steps_;       // likewise, where it is on the grid
   std::size_t columns_ = 0, rows_ = 0, at_ = 0;  // the word of the line that comes next
 };
 
