@@ -12,7 +12,7 @@
 
 namespace findspace::distance {
 
-/// Some ten seconds.
+/// Half a minute. The more is cut out of a solid, the longer a cell takes: with twenty round shapes twice as long.
 inline constexpr long kMostCellsOfQuestion = 1'500'000;
 /// Of the cells that are left to a question, what one of many searches for it may take.
 inline constexpr long kShareOfSearch = 8;
