@@ -124,7 +124,7 @@ void ValueRays::look(Walk& walk, double from, double to) const {
 exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    const SearchQuestion line_is_one;
+    const SearchQuestion line_is_one(kMostCellsOfLine);
     Walk walk{position_line(grid_, unit_, i, j), {}};
     const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
     look(walk, place - 2 * size_, place + 2 * size_);
