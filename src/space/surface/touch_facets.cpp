@@ -3,6 +3,7 @@
 #include "space/surface/touch_facets.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace findspace::space {
 namespace {
@@ -84,16 +85,21 @@ FacetCut TouchFacets::cut_of(std::size_t k) const {
 
 void TouchFacets::add_cuts(std::size_t k, std::size_t other, Planes& made, std::vector<FacetCut>& out) const {
   const RayFacet &own = facets_[k], &f = facets_[other];
-  bool above = false, below = false, inside = false;  // on the plane, and no corner of its own
+  bool above = false, below = false, inside = false;  // on the plane, and not along the rim
   int on = 0;
+  std::ptrdiff_t before = -1;  // the corner of its own that another one on the plane is
   for (int c = 0; c < f.corners; ++c) {
     const Point& p = corner_of(f, c);
     const int sign = planes_[k].sign(real(p), exact::approx(p));
     above = above || sign > 0;
     below = below || sign < 0;
     on += sign == 0;
+    if (sign != 0) continue;
     const auto end = own.corner.begin() + own.corners;
-    inside = inside || (sign == 0 && std::find(own.corner.begin(), end, p) == end);
+    const auto at = std::find(own.corner.begin(), end, p) - own.corner.begin();
+    // An edge between opposite corners runs across.
+    inside = inside || at == own.corners || (before >= 0 && std::abs(at - before) == 2 && own.corners == 4);
+    before = at;
   }
   if (on < f.corners) {
     if (inside || (above && below)) out.push_back(cut_of(other));
