@@ -114,11 +114,36 @@ void ValueRays::look(Walk& walk, double from, double to) const {
   // What is left between stretches whose signs are known is often less than the blur, and mostly not near the boundary.
   const bool near = reach < std::min(blur, to - from) / 2;
   const double part = near ? blur / 2 : reach;
-  const int sign = near ? 0 : v->high < 0 ? -1 : 1;
-  const SignStretch decided{std::max(middle - part, from), std::min(middle + part, to), sign};
-  if (decided.from > from) look(walk, from, decided.from);
-  walk.known.push_back(decided);
-  if (decided.to < to) look(walk, decided.to, to);
+  std::vector<SignStretch> decided;
+  if (v->ball) decided = chords(walk, *v->ball);
+  const bool in_ball = std::any_of(decided.begin(), decided.end(),
+                                   [&](const SignStretch& s) { return s.from < middle && middle < s.to; });
+  if (!near || !in_ball) decided.push_back({middle - part, middle + part, near ? 0 : v->high < 0 ? -1 : 1});
+  std::sort(decided.begin(), decided.end(), [](const SignStretch& s, const SignStretch& t) { return s.from < t.from; });
+  double done = from;
+  for (const SignStretch& s : decided) {
+    if (!(s.to > done) || !(s.from < to)) continue;
+    if (s.from > done) look(walk, done, s.from);
+    walk.known.push_back({std::max(s.from, done), std::min(s.to, to), s.sign});
+    done = std::min(s.to, to);
+  }
+  if (done < to) look(walk, done, to);
+}
+
+std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& ball) const {
+  const space::Vector start = space::rounded(walk.line.start), unit = space::rounded(walk.line.unit);
+  const space::Vector way = ball.center - start;
+  const double at = space::dot(way, unit), apart = space::length(way - space::scaled(at, unit)),
+               tolerance = margin::kRayNoise * (size_ + space::length(start));
+  const double radius = ball.radius + (ball.beyond ? tolerance : -tolerance);
+  const bool meets = radius > apart;
+  const double half = meets ? std::sqrt((radius - apart) * (radius + apart)) : 0;
+  if (!ball.beyond) {
+    if (!(half > tolerance)) return {};
+    return {{at - half + tolerance, at + half - tolerance, ball.sign}};
+  }
+  if (!meets) return {{-exact::kInfinity, exact::kInfinity, ball.sign}};
+  return {{-exact::kInfinity, at - half - tolerance, ball.sign}, {at + half + tolerance, exact::kInfinity, ball.sign}};
 }
 
 exact::Tried<RayRow> ValueRays::try_row(int j) const {

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The sign map on rays of a function of the position that no step changes by more than its length, by its values: a
-// value v at a place says the sign as far as |v| on either side of it. What is left of a line is halved. So distances
+// value v at a place says the sign as far as |v| on either side of it; what v is measured from may say the sign in a
+// ball, whose chord ends at the boundary or nearly so. What is left of a line is halved. So distances
 // at a level are decided from where round boundaries are to be measured from. Guarantee: the sign is - or + only where
 // that is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the
 // boundary: kCoarse). Cost: some forty values for each end, more where the line is nearly along the boundary; refused
@@ -26,9 +27,18 @@ bool by_values(Which which, const exact::Real& level, const space::Body& b, cons
 std::unique_ptr<space::RaySource> by_values_map(Which which, const exact::Real& level, const space::Body& b,
                                                 const space::Body& a, const space::RayGrid& grid);
 
-/// What the function lies between at a position.
+/// The sign at all positions nearer to the centre than the radius, or at all that are farther.
+struct SignBall {
+  space::Vector center;
+  double radius = 0;
+  int sign = 1;
+  bool beyond = false;
+};
+
+/// What the function lies between at a position, and what that says of others.
 struct Between {
   double low = 0, high = 0;
+  std::optional<SignBall> ball{};
 };
 /// Nothing where the function is undefined: so everywhere, and its sign is +. Refused where a search does not tell.
 using TriedBetween = exact::Tried<std::optional<Between>>;
@@ -60,6 +70,8 @@ class ValueRays : public space::RaySource {
 
   /// Ends at once where the walk is refused.
   void look(Walk& walk, double from, double to) const;
+  /// Of the line where a value's ball says the sign, by growing place.
+  std::vector<SignStretch> chords(const Walk& walk, const SignBall& ball) const;
 
   RayRule rule_;
   space::RayGrid grid_;

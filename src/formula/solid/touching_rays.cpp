@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "formula/solid/touching_rays.h"
 
+#include <algorithm>
+
+#include "formula/solid/contact_rays.h"
 #include "formula/solid/surface_rays.h"
 #include "space/surface/touch_rays.h"
 
@@ -16,6 +19,9 @@ using Source = space::RaySourcePointer;
 using Signs = std::span<const std::int8_t>;
 
 namespace {
+
+/// Of facets of two large solids; with more values are quicker on few lines.
+constexpr std::size_t kMostFacetPairs = 1000000;
 
 /// The sheet of a surface, reflected through the origin if `mirrored`.
 std::shared_ptr<const space::RaySheet> sheet(const RaySolid& solid, bool mirrored) {
@@ -38,11 +44,15 @@ Source touching_rays(Which which, const std::vector<RaySolid>& b, const std::vec
   const RaySolid &moving = (cover ? a : b)[0], &fixed = (cover ? b : a)[0];
   // Where the larger one, or the outer one, is convex, parts are the quick way.
   if (is_convex(depth && of_a < of_b ? moving : fixed) || (!depth && fixed.inner_walls)) return nullptr;
-  const TouchPair pair{sheet(fixed, cover), sheet(moving, cover), depth ? TouchSide::kOutside : TouchSide::kInside};
-  if (farthest) return space::all_touching_near(pair, level, grid);
+  TouchPair pair{sheet(fixed, cover), sheet(moving, cover), depth ? TouchSide::kOutside : TouchSide::kInside};
+  if (std::min(of_a, of_b) >= space::kManyFaces && !is_convex(depth && of_a < of_b ? fixed : moving))
+    pair.most_pairs = kMostFacetPairs;
+  Source near = farthest ? space::all_touching_near(pair, level, grid) : space::near_touching(pair, abs(level), grid);
+  if (!near) return contact_rays(which, b[0], a[0], level, grid);
+  if (farthest) return near;
   std::vector<Source> both;
   both.push_back(zero());
-  both.push_back(space::near_touching(pair, abs(level), grid));
+  both.push_back(std::move(near));
   if (depth) return space::combined_rays(std::move(both), [](Signs s) { return std::int8_t(s[0] < 0 ? -s[1] : 1); });
   return space::combined_rays(std::move(both), [](Signs s) { return s[0] <= 0 ? std::int8_t(-1) : s[1]; });
 }

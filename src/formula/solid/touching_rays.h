@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Sign maps on rays of two polyhedra of many faces from the positions at which they touch (space/surface/touch_rays.h):
-// gamma1 below 0, eta1 and delta1 above 0, eta2 and delta2. Guarantee: exact on every line. Cost: as there.
+// gamma1 below 0, eta1 and delta1 above 0, eta2 and delta2. Where very many facets of
+// two large solids meet, values are searched instead (contact_rays.h). Guarantee: exact on every line, but for the
+// latter. Cost: as there.
 #pragma once
 
 #include <functional>

@@ -111,6 +111,13 @@ void TouchFacets::add_cuts(std::size_t k, std::size_t other, Planes& made, std::
   }
 }
 
+std::size_t TouchFacets::meeting(std::size_t k) const {
+  std::size_t out = 0;
+  const Extent& own = box(k);
+  tree_.each([&](const Extent& e) { return e.meets(own); }, [&](std::size_t) { ++out; });
+  return out;
+}
+
 std::vector<FacetCut> TouchFacets::cuts(std::size_t k, Planes& made) const {
   std::vector<FacetCut> out;
   const Extent& own = box(k);

@@ -41,6 +41,8 @@ class TouchFacets {
 
   std::size_t count() const { return facets_.size(); }
   const Extent& box(std::size_t k) const { return tree_.extent(k); }
+  /// The facets whose boxes meet its own.
+  std::size_t meeting(std::size_t k) const;
   FlatPiece piece(std::size_t k, Planes& made) const;
   std::vector<FacetCut> cuts(std::size_t k, Planes& made) const;
 

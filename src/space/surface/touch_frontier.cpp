@@ -150,13 +150,23 @@ class Finder {
   std::size_t first_ = 0, last_ = 0;    // and the pieces that are such
 };
 
+bool more_meet(const TouchFacets& facets, const BoxQuery& wanted, std::size_t most_pairs) {
+  std::size_t pairs = 0;
+  for (std::size_t k = 0; k < facets.count() && pairs <= most_pairs; ++k) {
+    if (wanted(facets.box(k).low, facets.box(k).high)) pairs += facets.meeting(k);
+  }
+  return pairs > most_pairs;
+}
+
 }  // namespace
 
-TouchFrontier touch_frontier(const RaySheet& a, const RaySheet& b, TouchSide side, const BoxQuery& wanted) {
+std::optional<TouchFrontier> touch_frontier(const RaySheet& a, const RaySheet& b, TouchSide side,
+                                            const BoxQuery& wanted, std::size_t most_pairs) {
   const RealOverlap overlap(a, b, side == TouchSide::kInside);
   const RayBody reflected(scaled(Triangles{b.body.points, b.body.faces}, -1));
   TouchFrontier out{{}, std::make_shared<const TouchFacets>(convolution(overlap.a(), reflected)), {}};
   const TouchFacets& facets = *out.facets;
+  if (more_meet(facets, wanted, most_pairs)) return std::nullopt;
   const std::size_t blocks = (facets.count() + kFacetsAtOnce - 1) / kFacetsAtOnce;
   std::vector<std::vector<FlatPiece>> found(blocks);
   out.planes.resize(blocks);

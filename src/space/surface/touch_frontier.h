@@ -13,6 +13,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "space/surface/real_overlap.h"
 #include "space/surface/touch_facets.h"
@@ -29,7 +30,9 @@ struct TouchFrontier {
 /// Whether pieces in a box are wanted.
 using BoxQuery = std::function<bool(const Vector& low, const Vector& high)>;
 
-/// Pieces that lie in no wanted box may be missing.
-TouchFrontier touch_frontier(const RaySheet& a, const RaySheet& b, TouchSide side, const BoxQuery& wanted);
+/// Pieces that lie in no wanted box may be missing. Nothing where the boxes of more pairs of facets meet than are
+/// allowed; a pair costs some ten microseconds and up to a kilobyte.
+std::optional<TouchFrontier> touch_frontier(const RaySheet& a, const RaySheet& b, TouchSide side,
+                                            const BoxQuery& wanted, std::size_t most_pairs);
 
 }  // namespace findspace::space

@@ -112,8 +112,9 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
     const Vector by{tolerance, tolerance, tolerance};
     return PieceRays::any_line(grid, low - by, plus(high, by), 1);
   };
-  const TouchFrontier frontier = touch_frontier(*pair.a, *pair.b, pair.side, wanted);
-  const std::vector<About> all = about(frontier.pieces);
+  const std::optional<TouchFrontier> frontier = touch_frontier(*pair.a, *pair.b, pair.side, wanted, pair.most_pairs);
+  if (!frontier) return nullptr;
+  const std::vector<About> all = about(frontier->pieces);
   std::vector<LinePiece> pieces(all.size());
   plane::parallel_for((all.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](std::size_t block) {
     for (std::size_t k = block * kRaysAtOnce; k < std::min(all.size(), (block + 1) * kRaysAtOnce); ++k)
@@ -124,10 +125,11 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
 
 RaySourcePointer all_touching_near(const TouchPair& pair, const Real& level, const RayGrid& grid) {
   const auto all = [](const Vector&, const Vector&) { return true; };
-  const TouchFrontier frontier = touch_frontier(*pair.a, *pair.b, pair.side, all);
-  if (frontier.pieces.empty() || level.sign() < 0) return constant_rays(grid, 1);
+  const std::optional<TouchFrontier> frontier = touch_frontier(*pair.a, *pair.b, pair.side, all, pair.most_pairs);
+  if (!frontier) return nullptr;
+  if (frontier->pieces.empty() || level.sign() < 0) return constant_rays(grid, 1);
   std::vector<LinePiece> balls;
-  for (const RealVector& v : outer_corners(frontier.pieces)) balls.push_back(ball_piece(v, level));
+  for (const RealVector& v : outer_corners(frontier->pieces)) balls.push_back(ball_piece(v, level));
   return std::make_unique<PieceRays>(balls, 1, grid, PieceRays::Of::kIntersection);
 }
 

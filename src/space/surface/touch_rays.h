@@ -7,6 +7,8 @@
 // depth.
 #pragma once
 
+#include <limits>
+
 #include "space/rays/ray_sources.h"
 #include "space/surface/touch_frontier.h"
 
@@ -15,7 +17,10 @@ namespace findspace::space {
 struct TouchPair {
   std::shared_ptr<const RaySheet> a, b;
   TouchSide side = TouchSide::kOutside;
+  std::size_t most_pairs = std::numeric_limits<std::size_t>::max();  // of facets whose boxes meet
 };
+
+/// Both are null where more facets meet than are allowed.
 
 /// - nearer to a touching position than the level (more than 0, in steps), 0 at that distance, + beyond.
 RaySourcePointer near_touching(const TouchPair& pair, const exact::Real& level, const RayGrid& grid);
