@@ -423,7 +423,9 @@ TEST(CutValues, AreThoseOfLinesAlongADirection) {
         if (of_gap != 0) ++certain;
         if (near) EXPECT_LE(of_gap, 0) << c.name;
         if (far || !near) EXPECT_GE(of_reach, 0) << c.name;
-        if (near && !far) EXPECT_LE(of_reach, 0) << c.name;
+        if (near && !far) {
+          EXPECT_LE(of_reach, 0) << c.name;
+        }
       }
     }
   }
