@@ -367,7 +367,7 @@ class Limits(SafetyTest):
 
     def long_scene(self):
         """A map that takes many seconds and much memory."""
-        return self.scene({"A": {"polygon": self.star(1500)}, "B": {"polygon": self.star(1503)}}, moving="B",
+        return self.scene({"A": {"polygon": self.star(3000)}, "B": {"polygon": self.star(3003)}}, moving="B",
                           where="gap(B, A) >= 0 and gap(B, A) <= 3")
 
     def test_time_limit(self):
