@@ -18,8 +18,8 @@
 #include <mutex>
 #include <vector>
 
-#include "space/surface/surface_set.h"
 #include "space/surface/real_overlap.h"
+#include "space/surface/surface_set.h"
 
 namespace findspace::distance {
 
