@@ -14,8 +14,8 @@
 #pragma once
 
 #include "distance/solid/solid_pair.h"
-#include "space/surface/surface_set.h"
 #include "space/surface/real_overlap.h"
+#include "space/surface/surface_set.h"
 
 namespace findspace::distance {
 
