@@ -192,7 +192,7 @@ exact::Tried<NearRule::Known> NearRule::known(const NearLine&) const { return Kn
 
 exact::Tried<std::vector<SignStretch>> near_stretches(const NearRule& rule, const NearLine& line,
                                                       const NearRange& range) {
-  const SearchQuestion line_is_one(kMostCellsOfLine);
+  const SearchQuestion line_is_one;
   const double place = space::dot(range.middle - line.start, line.unit);
   return Walk(rule, line, range.size).run(place - 2 * range.size, place + 2 * range.size);
 }

@@ -149,7 +149,7 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
 exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    const SearchQuestion line_is_one(kMostCellsOfLine);
+    const SearchQuestion line_is_one;
     Walk walk{position_line(grid_, unit_, i, j), {}};
     const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
     look(walk, place - 2 * size_, place + 2 * size_);

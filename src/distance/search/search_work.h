@@ -14,8 +14,6 @@ namespace findspace::distance {
 
 /// Half a minute. The more is cut out of a solid, the longer a cell takes: with twenty round shapes twice as long.
 inline constexpr long kMostCellsOfQuestion = 1'500'000;
-/// A line that is asked alone: its signs are found, or nothing is said of it.
-inline constexpr long kMostCellsOfLine = 8 * kMostCellsOfQuestion;
 /// Of the cells that are left to a question, what one of many searches for it may take.
 inline constexpr long kShareOfSearch = 8;
 
@@ -30,8 +28,7 @@ using ScopedSearchWork = plane::OfThread<SearchWork>;
 /// A question, unless it is asked within another.
 class SearchQuestion {
  public:
-  explicit SearchQuestion(long cells = kMostCellsOfQuestion)
-      : own_{cells}, work_(ScopedSearchWork::now() ? ScopedSearchWork::now() : &own_), here_(work_) {}
+  SearchQuestion() : work_(ScopedSearchWork::now() ? ScopedSearchWork::now() : &own_), here_(work_) {}
   SearchWork& work() const { return *work_; }
 
  private:
