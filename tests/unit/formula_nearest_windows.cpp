@@ -9,9 +9,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "formula/language/parse.h"
 #include "formula/planar/feasible_near.h"
+#include "formula/planar/regions.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
 #include "plane_topology_sets.h"
@@ -96,6 +98,25 @@ TEST(NearestWindows, WhatIsNearerOutsideOfAWindowIsFound) {
   EXPECT_EQ(found->nearest.distance, Real(180));
   EXPECT_TRUE(found->attained);
   EXPECT_EQ(seen.count, 2);
+}
+
+/// 400 teeth, 10 wide and 10 apart, of which a window sees some.
+TEST(NearestWindows, OfALargeShapeNoMoreIsTakenThanWhatIsNear) {
+  std::vector<plane::GridPoint> comb{{0, 0}, {8000, 0}};
+  for (int x = 8000; x > 0; x -= 20) {
+    const int top = 500 + x % 7;
+    comb.insert(comb.end(), {{x, top}, {x - 10, top}, {x - 10, 10}, {x - 20, 10}});
+  }
+  const Question q({{"A", plane::polygon(comb)}, {"B", box(-1, -1, 1, 1)}}, "gap(B, A) >= 2");
+  for (const RealPoint& p : {at(4005, 470), at(4013, 300), at(3998, 5), at(4015, 12)}) {
+    const auto found = nearest_in_windows(q.solver->prepared(), *q.formula, p, Real());
+    const Region whole = feasible(q.solver->prepared(), *q.formula);
+    const auto expected = plane::nearest_in_closure(whole, plane::closure(whole), p);
+    ASSERT_TRUE(found && expected);
+    EXPECT_EQ(found->nearest.distance, expected->nearest.distance);
+    EXPECT_EQ(found->nearest.at.x, expected->nearest.at.x);
+    EXPECT_EQ(found->nearest.at.y, expected->nearest.at.y);
+  }
 }
 
 }  // namespace formula_nearest_windows

@@ -20,6 +20,7 @@
 #include "formula/planar/regions.h"
 #include "plane/base/parallel.h"
 #include "plane/base/stage_observer.h"
+#include "plane/build/cut_to_window.h"
 #include "plane/complex/extent.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
@@ -189,8 +190,15 @@ class Near {
     return over_its_time(world_, d, pair)->sign_map(level);
   }
 
-  /// A shape as it is within the window. One of a single face is as it is, without a copy.
+  /// A shape as it is within the window: what is near of those that lie apart, and of a large one no more than that.
   plane::SharedRegion part(const std::string& name, const PieceBox& window) const {
+    plane::SharedRegion near = near_components(name, window);
+    if (auto cut = plane::cut_to_window(near, window)) near = *std::move(cut);
+    return near;
+  }
+
+  /// One of a single face is as it is, without a copy.
+  plane::SharedRegion near_components(const std::string& name, const PieceBox& window) const {
     const plane::SharedRegion& whole = world_.world().shapes.at(name);
     if (whole->faces.size() == 2) return whole;
     const plane::BoundaryComponents* boundary_components = world_.boundary_components(name);
