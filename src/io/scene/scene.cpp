@@ -54,10 +54,23 @@ struct NumberRange {
   }
 
   void add(std::string_view number) {
-    constexpr std::size_t kFewDigits = 6;  // in steps of 10^-6 they do not pass 2^40, so they decide nothing
-    if (number.size() <= kFewDigits && number.find_first_of(".eE") == number.npos) return;
+    if (add_usual(number)) return;
     largest = std::max(largest, std::abs(to_double(number)));
     decimals = std::max(decimals, decimals_of(number));
+  }
+
+  /// A number of few digits before the point and without an exponent does not pass 2^40 steps of 10^-6: how large it is
+  /// decides nothing.
+  bool add_usual(std::string_view number) {
+    constexpr std::ptrdiff_t kFewDigits = 6;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const char *const end = number.data() + number.size(), *const whole = number.data() + number.starts_with('-');
+    const char* const point = std::find_if_not(whole, end, is_digit);
+    if (point - whole > kFewDigits) return false;
+    if (point == end) return true;
+    if (*point != '.' || std::find_if_not(point + 1, end, is_digit) != end) return false;
+    decimals = std::max(decimals, static_cast<int>(end - point) - 1);
+    return true;
   }
 };
 
