@@ -106,12 +106,19 @@ TriedAnswer SurfaceSide::gap(const RealVector& p, Depth depth) const {
 
 TriedAnswer SurfaceSide::of_outlines(Which which, const RealVector& p) const {
   if (!a_.outline || !b_.outline) return untold();
-  return solid_pair(b_.outline, a_.outline).try_value(which, p);
+  return solid_pair(b_.outline.pointer(), a_.outline.pointer()).try_value(which, p);
 }
 
-bool SurfaceSide::too_large() const {
-  return b_.outline && a_.outline && !space::fitting(bounds(*b_.outline), bounds(*a_.outline));
+namespace {
+
+/// Of the outline, which is not made for it.
+space::Bounds3 box_of(const Surfaced& s) {
+  return s.surface && s.surface->has_hull() ? s.surface->box() : bounds(*s.outline);
 }
+
+}  // namespace
+
+bool SurfaceSide::too_large() const { return b_.outline && a_.outline && !space::fitting(box_of(b_), box_of(a_)); }
 
 TriedAnswer SurfaceSide::fit(const RealVector& p) const {
   if (too_large()) return std::nullopt;

@@ -20,6 +20,7 @@
 
 #include "distance/solid/solid_pair.h"
 #include "distance/surface/convex_gap.h"
+#include "distance/surface/outline.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_field.h"
 #include "plane/base/lazy.h"
@@ -30,8 +31,7 @@ namespace findspace::distance {
 /// A body as its surface knows it, at a scale that it shares with another.
 struct Surfaced {
   std::shared_ptr<const space::SurfaceSet> surface;  // may be null
-  /// A body of the same convex hull; null where there is none. `convex`: it is the body.
-  std::shared_ptr<const space::Body> outline;
+  Outline outline;                                   // `convex`: it is the body
   bool convex = false;
   std::shared_ptr<const space::Body> parts{};  // the body, where it is known
 };

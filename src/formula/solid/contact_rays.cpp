@@ -28,8 +28,7 @@ std::optional<distance::SignBall> ball(distance::Which which, const distance::An
 distance::Surfaced surfaced(const space::RaySolid& solid) {
   auto set = std::make_shared<SurfaceSet>();
   set->add({solid}, 1);
-  const auto outline = set->hull(1);
-  return {std::move(set), outline, space::is_convex(solid)};
+  return {set, distance::Outline::of(set, 1), space::is_convex(solid)};
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ distance::Surfaced surfaced(const std::vector<SpaceShape>& shapes, std::int64_t 
   const SpaceShape& only = shapes[0];
   out.convex = shapes.size() == 1 && (only.surfaces ? only.convex : only.body->convex());
   const bool as_it_is = shapes.size() == 1 && (out.convex || !only.surfaces);
-  out.outline = as_it_is ? std::make_shared<const Body>(space::at_scale(*only.body, scale)) : set->hull(scale);
-  if (as_it_is) out.parts = out.outline;
+  if (as_it_is) out.parts = std::make_shared<const Body>(space::at_scale(*only.body, scale));
+  out.outline = as_it_is ? distance::Outline(out.parts) : distance::Outline::of(set, scale);
   return out;
 }
 

@@ -51,7 +51,7 @@ std::optional<SpacePair::Outlines> SpacePair::outlines(bool eta, bool delta) con
   }
   if (!surfaced_a_.outline || !surfaced_b_.outline) return std::nullopt;
   if ((!delta && !surfaced_a_.convex) || (!eta && !surfaced_b_.convex)) return std::nullopt;
-  return Outlines{surfaced_b_.outline.get(), surfaced_a_.outline.get(), surface_scale_};
+  return Outlines{surfaced_b_.outline.pointer().get(), surfaced_a_.outline.pointer().get(), surface_scale_};
 }
 
 std::optional<SpacePair::Sublevel> SpacePair::sublevel(Which which, const Real& level) const {

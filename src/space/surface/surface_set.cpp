@@ -41,8 +41,18 @@ bool SurfaceSet::add(const Body& body, std::int64_t scale) {
   return true;
 }
 
+Bounds3 SurfaceSet::box() const {
+  Point low = sheets_[0]->body.low, high = sheets_[0]->body.high;
+  for (const auto& sheet : sheets_) {
+    const Point &l = sheet->body.low, &h = sheet->body.high;
+    low = {std::min(low.x, l.x), std::min(low.y, l.y), std::min(low.z, l.z)};
+    high = {std::max(high.x, h.x), std::max(high.y, h.y), std::max(high.z, h.z)};
+  }
+  return {real(low), real(high)};
+}
+
 std::shared_ptr<const Body> SurfaceSet::hull(std::int64_t scale) const {
-  if (!balls_.empty() || sheets_.empty()) return nullptr;
+  if (!has_hull()) return nullptr;
   std::vector<Point> points;
   for (const auto& sheet : sheets_) points.insert(points.end(), sheet->body.points.begin(), sheet->body.points.end());
   Body out;

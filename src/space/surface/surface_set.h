@@ -35,7 +35,11 @@ class SurfaceSet {
   bool one_sheet() const { return sheets_.size() == 1 && balls_.empty(); }
   /// One sheet, and all of it is frontier of the set.
   bool one_frontier() const { return one_sheet() && !inner_walls_; }
-  /// The convex hull; null where there are balls. `scale` of the coordinates.
+  /// There are surfaces, and no balls.
+  bool has_hull() const { return balls_.empty() && !sheets_.empty(); }
+  /// About the surfaces, where there are some.
+  Bounds3 box() const;
+  /// The convex hull; null where has_hull() does not hold. `scale` of the coordinates.
   std::shared_ptr<const Body> hull(std::int64_t scale) const;
 
  private:
