@@ -35,10 +35,12 @@ void weld(Mesh& mesh, std::vector<std::string>& notes) {
   std::vector<Point> kept;
   for (auto& face : mesh.faces) {
     for (int& v : face) {
-      const auto [at, fresh] = seen.emplace(mesh.vertices[v], static_cast<int>(kept.size()));
-      if (fresh) kept.push_back(mesh.vertices[v]);
-      to[v] = at->second;
-      v = at->second;
+      if (to[v] < 0) {
+        const auto [at, fresh] = seen.emplace(mesh.vertices[v], static_cast<int>(kept.size()));
+        if (fresh) kept.push_back(mesh.vertices[v]);
+        to[v] = at->second;
+      }
+      v = to[v];
     }
   }
   const auto unused = std::count(to.begin(), to.end(), -1);
