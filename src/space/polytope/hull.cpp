@@ -11,7 +11,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,6 +122,7 @@ std::optional<std::string> Hull::start() {
       break;
     }
   }
+  for (int t = 0; t < 4; ++t) note_todo(t);
   return std::nullopt;
 }
 
@@ -210,8 +210,10 @@ void Hull::hand_over() {
         break;
       }
     }
-    triangles_[d].outside = {};
+    triangles_[d].outside.clear();
   }
+  dead_.insert(dead_.end(), visible_.begin(), visible_.end());
+  for (const int t : fresh_) note_todo(t);
 }
 
 namespace {
@@ -227,21 +229,34 @@ void check_range(std::span<const Point> points) {
   }
 }
 
+/// The rest keeps its order, so vertices come out in the order in which they were given.
+std::vector<Point> without_duplicates(std::span<const Point> points) {
+  struct Placed {
+    Point point;
+    std::size_t index;
+  };
+  std::vector<Placed> sorted;
+  sorted.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) sorted.push_back({points[i], i});
+  std::sort(sorted.begin(), sorted.end(), [](const Placed& a, const Placed& b) {
+    return a.point == b.point ? a.index < b.index : a.point < b.point;
+  });
+  std::vector<char> repeats(points.size(), 0);
+  for (std::size_t k = 1; k < sorted.size(); ++k) repeats[sorted[k].index] = sorted[k].point == sorted[k - 1].point;
+  std::vector<Point> out;
+  out.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (repeats[i] == 0) out.push_back(points[i]);
+  return out;
+}
+
 }  // namespace
 
 Polytope Polytope::hull(std::span<const Point> points, Repair* repair) { return try_hull(points, repair).or_throw(); }
 
 exact::Tried<Polytope> Polytope::try_hull(std::span<const Point> points, Repair* repair) {
   check_range(points);
-  // Duplicates go first; the rest keeps its order, so vertices come out in the order in which they were given.
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return points[a] < points[b]; });
-  order.erase(std::unique(order.begin(), order.end(), [&](int a, int b) { return points[a] == points[b]; }),
-              order.end());
-  std::sort(order.begin(), order.end());
-  std::vector<Point> distinct;
-  for (const int i : order) distinct.push_back(points[i]);
+  const std::vector<Point> distinct = without_duplicates(points);
   Hull hull(distinct);
   if (const auto flat = hull.run())
     return exact::Refusal(Error(ErrorCode::kGeometry, "a polytope needs interior, but " + *flat));

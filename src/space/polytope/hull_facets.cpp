@@ -9,11 +9,24 @@
 
 namespace findspace::space {
 
-/// For every triangle the first one of its plane, joined over edges.
-std::vector<int> Hull::groups() const {
-  std::vector<int> group(triangles_.size(), -1), stack;
+/// The triangles of the hull as they were made.
+std::vector<int> Hull::in_order() const {
+  std::vector<std::pair<int, int>> alive;  // by number
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive || group[t] >= 0) continue;
+    if (triangles_[t].alive) alive.emplace_back(triangles_[t].number, t);
+  }
+  std::sort(alive.begin(), alive.end());
+  std::vector<int> out;
+  out.reserve(alive.size());
+  for (const auto& [number, t] : alive) out.push_back(t);
+  return out;
+}
+
+/// For every triangle the first one of its plane, joined over edges.
+std::vector<int> Hull::groups(const std::vector<int>& triangles) const {
+  std::vector<int> group(triangles_.size(), -1), stack;
+  for (const int t : triangles) {
+    if (group[t] >= 0) continue;
     group[t] = t;
     stack.assign(1, t);
     while (!stack.empty()) {
@@ -32,18 +45,17 @@ std::vector<int> Hull::groups() const {
 }
 
 std::vector<std::vector<int>> Hull::merged() const {
-  const std::vector<int> group = groups();
+  const std::vector<int> triangles = in_order(), group = groups(triangles);
   // Border edges of each group, chained: after (t, i) comes the first border edge when turning about its end inside the
   // group.
   std::vector<std::vector<int>> rings;
   std::vector<int> facets_at(points_.size(), 0);
-  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive) continue;
+  for (const int t : triangles) {
     for (int i = 0; i < 3; ++i) facets_at[triangles_[t].v[i]] += group[triangles_[t].next[i]] != group[t];
   }
   std::vector<char> done(triangles_.size(), 0);
-  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-    if (!triangles_[t].alive || done[group[t]]) continue;
+  for (const int t : triangles) {
+    if (done[group[t]]) continue;
     int edge = 0;
     while (edge < 3 && group[triangles_[t].next[edge]] == group[t]) ++edge;
     if (edge == 3) continue;

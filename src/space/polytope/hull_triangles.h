@@ -22,6 +22,7 @@ struct Triangle {
   std::vector<int> outside;  // points strictly above that no other triangle owns
   bool alive = true;
   int mark = -1;
+  int number = 0;  // how many were made before it
 };
 
 class Hull {
@@ -33,8 +34,9 @@ class Hull {
   /// What leaves the points without interior, if something does.
   std::optional<std::string> run() {
     if (auto flat = start()) return flat;
-    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-      while (triangles_[t].alive && !triangles_[t].outside.empty()) add(t);
+    for (std::size_t k = 0; k < todo_.size(); ++k) {
+      const auto [t, number] = todo_[k];
+      if (triangles_[t].alive && triangles_[t].number == number) add(t);
     }
     return std::nullopt;
   }
@@ -52,13 +54,24 @@ class Hull {
     const Approx3 e = approx_[p] - approx_[t.v[0]];
     return t.approx.x * e.x + t.approx.y * e.y + t.approx.z * e.z;
   }
+  /// In the place of one that is dead, where there is one.
   int make(int a, int b, int c) {
-    Triangle t;
+    const int at = dead_.empty() ? static_cast<int>(triangles_.size()) : dead_.back();
+    if (dead_.empty())
+      triangles_.emplace_back();
+    else
+      dead_.pop_back();
+    Triangle& t = triangles_[at];
     t.v = {a, b, c};
     t.normal = exact::cross(points_[b] - points_[a], points_[c] - points_[a]);
     t.approx = exact::approx(t.normal);
-    triangles_.push_back(std::move(t));
-    return static_cast<int>(triangles_.size()) - 1;
+    t.alive = true;
+    t.number = made_++;
+    return at;
+  }
+  /// A triangle without points outside is done.
+  void note_todo(int t) {
+    if (!triangles_[t].outside.empty()) todo_.emplace_back(t, triangles_[t].number);
   }
   int farthest_from(int a) const;
   int off_line(int a, int b) const;
@@ -68,13 +81,15 @@ class Hull {
   void find_visible(int t, int apex);
   void cover_horizon(int apex);
   void hand_over();
-  std::vector<int> groups() const;
+  std::vector<int> in_order() const;
+  std::vector<int> groups(const std::vector<int>& triangles) const;
 
   std::vector<Point> points_;
   std::vector<Approx3> approx_;
   std::vector<Triangle> triangles_;
-  std::vector<int> visible_, fresh_;
-  int round_ = 0;
+  std::vector<std::pair<int, int>> todo_;  // triangles that had points outside, and their numbers
+  std::vector<int> visible_, fresh_, dead_;
+  int round_ = 0, made_ = 0;
 };
 
 }  // namespace findspace::space
