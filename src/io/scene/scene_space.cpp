@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
 
 #include "io/cad/read_cad.h"
 #include "io/mesh/read_height_grid.h"
@@ -42,6 +45,7 @@ space::Point point(const SceneReader& json, const JsonValue& value, const Label&
 std::vector<space::Point> points(const SceneReader& json, const JsonValue& value, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "a list of points [x, y, z]", label);
   std::vector<space::Point> result;
+  result.reserve(value.size());
   for (std::size_t i = 0; i < value.size(); ++i)
     result.push_back(point(json, value.items()[i], label.part("vertex", i)));
   return result;
@@ -150,17 +154,27 @@ ShapePtr build_height_field(ShapeReader& reader, const JsonValue& object, const 
   });
 }
 
+/// The usual case goes without exact numbers.
+int vertex_index(const SceneReader& json, const JsonValue& value, std::size_t vertices, const Label& label) {
+  const std::string_view text = value.is(JsonValue::Kind::kNumber) ? value.text() : std::string_view();
+  int plain = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), plain);
+  if (fault == std::errc() && end == text.data() + text.size() && plain >= 0 &&
+      static_cast<std::size_t>(plain) < vertices)
+    return plain;
+  const auto index = json.number(value, label).integer();
+  if (!index || *index < 0 || *index >= static_cast<exact::int128>(vertices)) {
+    json.fail(ErrorCode::kBadValue,
+              fmt::format("a face counts vertices from 0 to {}, not {}", vertices - 1, value.text()), label, value);
+  }
+  return static_cast<int>(*index);
+}
+
 std::vector<int> face(const SceneReader& json, const JsonValue& value, std::size_t vertices, const Label& label) {
   json.expect(value, JsonValue::Kind::kArray, "a face", label);
   std::vector<int> circuit;
-  for (const JsonValue& item : value.items()) {
-    const auto index = json.number(item, label).integer();
-    if (!index || *index < 0 || *index >= static_cast<exact::int128>(vertices)) {
-      json.fail(ErrorCode::kBadValue,
-                fmt::format("a face counts vertices from 0 to {}, not {}", vertices - 1, item.text()), label, item);
-    }
-    circuit.push_back(static_cast<int>(*index));
-  }
+  circuit.reserve(value.size());
+  for (const JsonValue& item : value.items()) circuit.push_back(vertex_index(json, item, vertices, label));
   return circuit;
 }
 
@@ -175,6 +189,7 @@ ShapePtr build_mesh(ShapeReader& reader, const JsonValue& object, const JsonValu
   solid.mesh.vertices = points(json, json.need(value, "vertices", label), label.part("vertices"));
   const JsonValue& faces = json.need(value, "faces", label);
   json.expect(faces, JsonValue::Kind::kArray, "\"faces\"", label);
+  solid.mesh.faces.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     solid.mesh.faces.push_back(face(json, faces.items()[i], solid.mesh.vertices.size(), label.part("face", i)));
   }
