@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
-"""Large scenes asked at one position: `check` among 100,000 obstacles where the position is not feasible, so that the
-nearest feasible one is sought, and `measure` of a mesh of about 1,000,000 triangles.
+"""Large scenes asked at one position: `check` among 100,000 obstacles and about an outline of 1,000,000 vertices where
+the position is not feasible, so that the nearest feasible one is sought; a map within a container at that outline; and
+`measure` of a mesh of about 1,000,000 triangles, as a file and in the scene.
 
 usage: bench/large_questions.py build/release/findspace [FOLDER for the scenes]
 
@@ -60,6 +61,41 @@ def bumpy_ball(path, rows):
     return len(faces)
 
 
+def outline(path, count, container=None):
+    """Waves around a circle, with small teeth, and a box that moves."""
+    ring = []
+    for k in range(count):
+        a = 2 * math.pi * k / count
+        r = 1000 + 100 * math.sin(50 * a) + 0.01 * (2 * k % 13)
+        ring.append([round(r * math.cos(a), 6), round(r * math.sin(a), 6)])
+    shapes = {"A": {"polygon": ring}, "B": {"polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}}
+    where = "gap(B, A) >= 1"
+    if container:
+        shapes["C"] = {"box": container}
+        where = "inside(B, C) and " + where
+    with open(path, "w", encoding="utf-8") as out:
+        json.dump({"findspace": 1, "grid": 1e-6, "shapes": shapes, "moving": "B", "where": where}, out)
+
+
+def torus(path, around, across):
+    """Of twice so many triangles, in the scene itself."""
+    vertices, faces = [], []
+    for i in range(around):
+        for j in range(across):
+            a, b = 2 * math.pi * i / around, 2 * math.pi * j / across
+            r = 10 + 4 * math.cos(b)
+            vertices.append([round(c, 4) for c in (r * math.cos(a), r * math.sin(a), 4 * math.sin(b))])
+            k, l = (i + 1) % around, (j + 1) % across
+            faces.append([i * across + j, k * across + j, k * across + l])
+            faces.append([i * across + j, k * across + l, i * across + l])
+    scene = {"findspace": 1, "moving": "B", "where": "gap(B, A) >= 0",
+             "shapes": {"A": {"mesh": {"vertices": vertices, "faces": faces}},
+                        "B": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}}
+    with open(path, "w", encoding="utf-8") as out:
+        json.dump(scene, out)
+    return len(faces)
+
+
 def measured(command):
     before = time.perf_counter()
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -70,15 +106,24 @@ def measured(command):
 def main():
     program = sys.argv[1]
     folder = sys.argv[2] if len(sys.argv) > 2 else tempfile.mkdtemp()
-    scene, mesh, ball = (os.path.join(folder, name) for name in ("obstacles.json", "ball.stl", "ball.json"))
+    scene, mesh, ball, ring, corner, ringed = (
+        os.path.join(folder, name)
+        for name in ("obstacles.json", "ball.stl", "ball.json", "outline.json", "corner.json", "torus.json"))
     x, y = obstacles(scene, 100_000)
     faces = bumpy_ball(mesh, 500)
+    outline(ring, 1_000_000)
+    outline(corner, 1_000_000, {"min": [862, -37], "max": [938, 37]})
+    triangles = torus(ringed, 1000, 500)
     with open(ball, "w", encoding="utf-8") as out:
         json.dump({"findspace": 1, "unit": "mm", "moving": "B", "where": "gap(B, M) >= 1",
                    "shapes": {"M": {"file": "ball.stl", "unit": "mm"},
                               "B": {"box": {"min": [-2, -2, -2], "max": [2, 2, 2]}}}}, out)
     rows = [("describe, 100,000 obstacles", ["describe", scene, "all"]),
             ("check, not feasible, 100,000 obstacles", ["check", scene, "--at", f"{x},{y}"]),
+            ("check, not feasible, an outline of 1,000,000 vertices", ["check", ring, "--at", "900,0"]),
+            ("map in a container, an outline of 1,000,000 vertices", ["map", corner]),
+            ("measure, an outline of 1,000,000 vertices", ["measure", ring, "--at", "900,0"]),
+            (f"measure, {triangles:,} triangles in the scene", ["measure", ringed, "--at", "30,10,5"]),
             (f"measure, {faces:,} triangles", ["measure", ball, "--at", "60,10,5"]),
             (f"measure --only gap, {faces:,} triangles", ["measure", ball, "--at", "60,10,5", "--only", "gap"])]
     print("| question | s | processor s | MB |\n|---|---|---|---|")
