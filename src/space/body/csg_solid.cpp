@@ -199,19 +199,6 @@ bool is_flush(const BodyPart& polytope, const BodyPart& other) {
   return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
 }
 
-/// The same of a face of the other set that has the same outward normal.
-bool is_flush_within(const BodyPart& polytope, const BodyPart& other) {
-  const auto on = [&](const Plane& plane) { return support(other, real(plane.normal)) == Real(-plane.offset); };
-  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
-}
-
-/// Whether the other set lies beyond a face of the polytope.
-bool is_beyond(const BodyPart& polytope, const BodyPart& other) {
-  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), [&](const Plane& plane) {
-    return -support(other, negated(real(plane.normal))) >= Real(-plane.offset);
-  });
-}
-
 /// The normals of the flat faces.
 std::vector<RealVector> face_normals(const BodyPart& set) {
   std::vector<RealVector> out;
@@ -222,6 +209,40 @@ std::vector<RealVector> face_normals(const BodyPart& set) {
     out.push_back(negated(out[0]));
   }
   return out;
+}
+
+/// Whether a face of the polytope and the other set, with the same outward normal, may lie on each other.
+bool is_flush_within(const BodyPart& polytope, const BodyPart& other) {
+  const auto on = [&](const Plane& plane) { return support(other, real(plane.normal)) == Real(-plane.offset); };
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
+}
+
+/// The same where the other set has a flat face there.
+bool has_face_within(const BodyPart& polytope, const BodyPart& other) {
+  const std::vector<RealVector> normals = face_normals(other);
+  const auto on = [&](const Plane& plane) {
+    const RealVector out = real(plane.normal);
+    const auto along = [&](const RealVector& n) { return is_zero(cross(n, out)) && dot(n, out).sign() > 0; };
+    return support(other, out) == Real(-plane.offset) && std::any_of(normals.begin(), normals.end(), along);
+  };
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), on) && touch(polytope, other);
+}
+
+/// Whether a set that is taken away may leave places of the part without interior. Where it touches the face of a
+/// polytope in a point or a line only, the face bounds what is left beside that.
+bool may_leave_places(const CsgPart& part, const BodyPart& taken) {
+  return std::any_of(part.within.begin(), part.within.end(), [&](const BodyPart& kept) {
+    if (flat_sided(taken) && is_flush_within(taken, kept)) return true;
+    if (!flat_sided(kept)) return false;
+    return part.within.size() > 1 ? is_flush_within(kept, taken) : has_face_within(kept, taken);
+  });
+}
+
+/// Whether the other set lies beyond a face of the polytope.
+bool is_beyond(const BodyPart& polytope, const BodyPart& other) {
+  return std::any_of(polytope.core->planes().begin(), polytope.core->planes().end(), [&](const Plane& plane) {
+    return -support(other, negated(real(plane.normal))) >= Real(-plane.offset);
+  });
 }
 
 /// Whether the faces of both sets, farthest along their normals, share a place of the part that no third set that is
@@ -412,8 +433,9 @@ bool may_be_flush(const CsgSolid& first, const CsgSolid& second) {
   };
   return std::any_of(both.first.parts.begin(), both.first.parts.end(), [&](const CsgPart& x) {
     return std::any_of(both.second.parts.begin(), both.second.parts.end(), [&](const CsgPart& y) {
+      const auto leaves = [&](const BodyPart& taken) { return may_leave_places(x, taken); };
       return !any(x.within, y.within, is_beyond) &&
-             (any(x.within, y.within, is_flush_within) || any(x.without, y.within, is_flush));
+             (std::any_of(y.within.begin(), y.within.end(), leaves) || any(x.without, y.within, is_flush));
     });
   });
 }
