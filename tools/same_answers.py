@@ -142,8 +142,10 @@ class Shapes:
         return {"difference": [box([0, 0, 0], [a + b for a, b in zip(outer, inner)]), {"interior": box([a / 2 for a in outer], inner)}]}
 
     def sheet(self):
-        """A rectangle, an edge, or a block with a rectangle."""
-        flat = box(self.point(2), [size * thick for size, thick in zip(self.size(), self.rng.choice([(1, 1, 0), (0, 1, 1), (0, 1, 0)]))])
+        """What two blocks that touch have in common, alone or with a block."""
+        low, size, axis = self.point(2), self.size(), self.rng.randrange(3)
+        up = [part if k == axis else 0 for k, part in enumerate(size)]
+        flat = {"intersection": [box(low, size), box([a + b for a, b in zip(low, up)], size)]}
         return self.rng.choice([flat, {"union": [flat, self.block()]}])
 
     # --- convex
