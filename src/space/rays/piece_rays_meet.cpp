@@ -52,12 +52,12 @@ PieceRays::Lines PieceRays::find_lines(const RayGrid& grid, const Vector& low, c
   if (grid.oblique) return grid.oblique->may_meet(low, high, static_cast<double>(scale)) ? Lines{0, 0, 0, 0} : Lines{};
   const double parts = static_cast<double>(grid.parts) / static_cast<double>(scale);
   const auto lines = [&](int axis, std::int64_t start, std::int64_t step, int count, int& first, int& last) {
-    const auto at = [&](double c) {
-      return std::clamp((c * parts - static_cast<double>(start)) / static_cast<double>(step), -1.0,
-                        static_cast<double>(count));
-    };
-    first = std::max(0, static_cast<int>(std::floor(at(component(low, axis)))));
-    last = std::min(count - 1, static_cast<int>(std::ceil(at(component(high, axis)))));
+    const double from = static_cast<double>(start), width = static_cast<double>(step);
+    // By less than this doubles are off.
+    const double blur = margin::kRoundings8 * (std::fabs(from) / width + count + 1);
+    const auto at = [&](double c) { return std::clamp((c * parts - from) / width, -1.0, static_cast<double>(count)); };
+    first = std::max(0, static_cast<int>(std::ceil(at(component(low, axis)) - blur)));
+    last = std::min(count - 1, static_cast<int>(std::floor(at(component(high, axis)) + blur)));
   };
   Lines out;
   lines((grid.axis + 1) % 3, grid.u, grid.du, grid.nu, out.first_column, out.last_column);
