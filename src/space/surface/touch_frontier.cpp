@@ -70,7 +70,8 @@ RealVector inner_place(const FlatPiece& polygon) {
 /// The touching positions on some facets.
 class Finder {
  public:
-  Finder(const RealOverlap& overlap, const TouchFacets& facets) : overlap_(overlap), facets_(facets) {}
+  Finder(const RealOverlap& overlap, const TouchFacets& facets, const BoxQuery& wanted)
+      : overlap_(overlap), facets_(facets), wanted_(wanted) {}
 
   std::vector<FlatPiece> pieces;
   TouchFacets::Planes planes;
@@ -87,20 +88,39 @@ class Finder {
   }
 
  private:
-  /// Whether all of it touches; then it is one piece.
-  bool add_cells(FlatPiece piece, std::span<const FacetCut> cuts) {
-    for (; !cuts.empty(); cuts = cuts.subspan(1)) {
-      if (!cuts[0].meets(piece)) continue;
-      const auto parts = split(piece, *cuts[0].plane);
-      if (!parts) continue;
-      const std::size_t before = pieces.size();
-      const bool below = add_cells((*parts)[0], cuts.subspan(1)), above = add_cells((*parts)[1], cuts.subspan(1));
-      if (!below || !above) return false;
-      pieces.resize(before);
-      pieces.push_back(std::move(piece));
-      return true;
+  /// Adds the cells of the part that touch. Whether all of it does; then it is one piece.
+  bool add_cells(FlatPiece part, std::span<const FacetCut> cuts) {
+    if (!wanted(part)) return false;
+    const auto halves = first_split(part, cuts);
+    if (!halves) return add_cell(std::move(part));
+    const std::size_t before = pieces.size();
+    const bool below = add_cells((*halves)[0], cuts), above = add_cells((*halves)[1], cuts);
+    // What was not wanted is asked only where a piece may grow by it.
+    if (!(below || (above && !wanted((*halves)[0]) && touches((*halves)[0], cuts))) ||
+        !(above || (!wanted((*halves)[1]) && touches((*halves)[1], cuts))))
+      return false;
+    pieces.resize(before);
+    pieces.push_back(std::move(part));
+    return true;
+  }
+
+  /// Whether all of it touches.
+  bool touches(const FlatPiece& part, std::span<const FacetCut> cuts) {
+    if (covered(part.corners)) return false;
+    const auto halves = first_split(part, cuts);
+    if (!halves) return !overlap_.interiors_meet(inner_place(part), recent_);
+    return touches((*halves)[0], cuts) && touches((*halves)[1], cuts);
+  }
+
+  /// By the first of the cuts that splits it; those left are the ones after it.
+  static std::optional<std::array<FlatPiece, 2>> first_split(const FlatPiece& part, std::span<const FacetCut>& cuts) {
+    while (!cuts.empty()) {
+      const FacetCut& cut = cuts.front();
+      cuts = cuts.subspan(1);
+      if (!cut.meets(part)) continue;
+      if (auto halves = split(part, *cut.plane)) return halves;
     }
-    return add_cell(std::move(piece));
+    return std::nullopt;
   }
 
   bool add_cell(FlatPiece piece) {
@@ -144,7 +164,15 @@ class Finder {
   }
 
   const RealOverlap& overlap_;
+  bool wanted(const FlatPiece& piece) const {
+    std::vector<Vector> corners;
+    for (const Corner& c : piece.corners) corners.push_back(c.near);
+    const Extent box = extent_of(corners);
+    return wanted_(box.low, box.high);
+  }
+
   const TouchFacets& facets_;
+  const BoxQuery& wanted_;
   RealOverlap::Recent recent_;
   std::vector<FlatPiece> overlapping_;  // cells of the facet at hand
   std::size_t first_ = 0, last_ = 0;    // and the pieces that are such
@@ -171,7 +199,7 @@ std::optional<TouchFrontier> touch_frontier(const RaySheet& a, const RaySheet& b
   std::vector<std::vector<FlatPiece>> found(blocks);
   out.planes.resize(blocks);
   plane::parallel_for(blocks, [&](std::size_t block) {
-    Finder finder(overlap, facets);
+    Finder finder(overlap, facets, wanted);
     for (std::size_t k = block * kFacetsAtOnce; k < std::min(facets.count(), (block + 1) * kFacetsAtOnce); ++k) {
       if (wanted(facets.box(k).low, facets.box(k).high)) finder.add(k);
     }
