@@ -3,6 +3,7 @@
 #include "space/rays/piece_rays.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plane/base/parallel.h"
 
@@ -142,15 +143,72 @@ void PieceRays::put(const std::vector<Stretch>& stretches, int i, int j, RayRow&
   row.first.push_back(static_cast<int>(row.events.size()));
 }
 
+std::span<const int> PieceRays::of_row(int j) const {
+  const std::size_t from = first_[static_cast<std::size_t>(j)], to = first_[static_cast<std::size_t>(j) + 1];
+  return std::span(of_row_).subspan(from, to - from);
+}
+
+/// What the lines of a row meet, one line after the other. Of a union without pieces that lie between places which
+/// others surely hold; so those that held the line before are asked first.
+class PieceRays::RowStretches {
+ public:
+  RowStretches(const PieceRays& rays, int j)
+      : rays_(rays), j_(j), pieces_(rays.of_row(j)), asked_(pieces_.size(), -1) {}
+
+  const std::vector<Stretch>& on(int i) {
+    all_.clear();
+    held_.clear();
+    std::vector<std::size_t> first;
+    first.swap(holding_);
+    for (const std::size_t k : first) ask(k, i);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) ask(k, i);
+    std::sort(all_.begin(), all_.end(), [](const Stretch& a, const Stretch& b) { return a.piece < b.piece; });
+    return all_;
+  }
+
+ private:
+  struct Held {
+    double low, high;
+  };
+
+  void ask(std::size_t k, int i) {
+    const Piece& p = rays_.pieces_[static_cast<std::size_t>(pieces_[k])];
+    if (std::exchange(asked_[k], i) == i) return;
+    const auto around = [&](const Held& h) { return h.low < p.low && p.high < h.high; };
+    if (rays_.of_ == Of::kUnion && std::any_of(held_.begin(), held_.end(), around)) return;
+    Stretch s;
+    if (!rays_.stretch(pieces_[k], i, j_, s)) return;
+    all_.push_back(s);
+    if (s.inside && hold({s.low.value + 4 * s.low.error, s.high.value - 4 * s.high.error})) holding_.push_back(k);
+  }
+
+  /// False if nothing new is held.
+  bool hold(Held more) {
+    const auto within = [&](const Held& h) { return h.low <= more.low && more.high <= h.high; };
+    if (!(more.low < more.high) || std::any_of(held_.begin(), held_.end(), within)) return false;
+    std::erase_if(held_, [&](const Held& h) {
+      const bool joined = h.low < more.high && more.low < h.high;
+      if (joined) more = {std::min(h.low, more.low), std::max(h.high, more.high)};
+      return joined;
+    });
+    held_.push_back(more);
+    return true;
+  }
+
+  const PieceRays& rays_;
+  int j_;
+  std::span<const int> pieces_;
+  std::vector<int> asked_;            // the last line on which each was
+  std::vector<std::size_t> holding_;  // of the pieces, those that held more of the last line
+  std::vector<Held> held_;            // of the line; apart from each other
+  std::vector<Stretch> all_;
+};
+
 exact::Tried<RayRow> PieceRays::try_row(int j) const {
   std::array<RayRow, 2> rows;  // the open set, the closed one
-  std::vector<Stretch> all;
+  RowStretches lines(*this, j);
   for (int i = 0; i < grid_.nu; ++i) {
-    all.clear();
-    for (std::size_t k = first_[static_cast<std::size_t>(j)]; k < first_[static_cast<std::size_t>(j) + 1]; ++k) {
-      Stretch s;
-      if (stretch(of_row_[k], i, j, s)) all.push_back(s);
-    }
+    const std::vector<Stretch>& all = lines.on(i);
     for (const bool open : {true, false})
       put(of_ == Of::kUnion ? united(all, open, i, j) : common(all, open, i, j), i, j, rows[open ? 0 : 1]);
   }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "exact/planar/approx.h"
@@ -50,6 +51,7 @@ class PieceRays : public RaySource, private RayRoots {
     std::vector<char> held;         // as of the LinePiece
     bool round = false, held_round = false, cylinder = false, upright = false;
     Lines lines;
+    double low = 0, high = 0;  // along the lines it is between these
   };
   /// What a line meets of a piece. kTouch: no inner point.
   enum class Meets : std::int8_t { kNothing, kTouch, kInside, kUnresolved };
@@ -74,7 +76,9 @@ class PieceRays : public RaySource, private RayRoots {
   struct Stretch {
     End low, high;
     bool inside = false;
+    int piece = -1;
   };
+  class RowStretches;
 
   template <class T>
   static bool narrow(Bound<T>& end, const T& at, int side, bool holds, bool any_held);
@@ -84,6 +88,7 @@ class PieceRays : public RaySource, private RayRoots {
   static void meet_round(const Piece& piece, const Aligned<T>& data, const T& x, const T& y, Span<T>& span);
   Span<exact::Real> meet_exactly(int piece, int i, int j) const;
   bool stretch(int piece, int i, int j, Stretch& out) const;
+  std::span<const int> of_row(int j) const;
   static bool surely_before(const End& a, const End& b);
   static void join_sure(std::vector<Stretch>& all);
   int compare_ends(const End& a, const End& b, int i, int j) const;

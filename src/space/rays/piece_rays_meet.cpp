@@ -76,6 +76,9 @@ PieceRays::Piece PieceRays::aligned(const LinePiece& from, std::int64_t scale) c
     piece.lines = {};
     return piece;
   }
+  const double parts = static_cast<double>(grid_.parts) / static_cast<double>(scale);
+  piece.low = grid_.oblique ? -exact::kInfinity : component(from.low, grid_.axis) * parts;
+  piece.high = grid_.oblique ? exact::kInfinity : component(from.high, grid_.axis) * parts;
   const RealVector origin = grid_.oblique ? scaled(Real(scale), grid_.oblique->origin) : RealVector{};
   const Real unit = Real::ratio(grid_.parts, scale);
   for (const HalfSpace& h : from.planes) {
@@ -215,7 +218,7 @@ bool PieceRays::stretch(int piece, int i, int j, Stretch& out) const {
     return b.bounded ? End{b.at.value, b.at.error, piece, which, b.held}
                      : End{which == 0 ? -exact::kInfinity : exact::kInfinity, 0, -1, 0};
   };
-  out = {end(span.low, 0), end(span.high, 1), span.meets == Meets::kInside};
+  out = {end(span.low, 0), end(span.high, 1), span.meets == Meets::kInside, piece};
   return true;
 }
 
