@@ -117,6 +117,34 @@ TEST(TouchRays, RandomSolidsInGeneralPosition) {
   EXPECT_GT(fits.events, 20);
 }
 
+/// The events of a line, to the last digit, are those that it has among others.
+TEST(TouchRays, OneLineAlone) {
+  std::mt19937 random(11);
+  int events = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Both a(space::random_cells(random, 6, 3), kSkew), b(space::random_cells(random, 3, 2), kTilt);
+    const RayGrid grid{k, 1, -100, -120, 13, 17, 20, 18};
+    const TouchPair pair{a.sheet, b.sheet, TouchSide::kOutside};
+    const RaySourcePointer all = near_touching(pair, Real(6), grid);
+    for (int j = 0; j < grid.nv; j += 3) {
+      const RayRow row = all->row(j);
+      for (int i = 1; i < grid.nu; i += 4) {
+        const RaySourcePointer one = near_touching(pair, Real(6), {k, 1, grid.u_at(i), grid.v_at(j), 13, 17, 1, 1});
+        const RayRow alone = one->row(0);
+        const auto from = row.events.begin() + row.first[static_cast<std::size_t>(i)];
+        ASSERT_EQ(static_cast<int>(alone.events.size()),
+                  row.first[static_cast<std::size_t>(i) + 1] - row.first[static_cast<std::size_t>(i)]);
+        const auto same = [](const space::RayEvent& e, const space::RayEvent& f) {
+          return e.at.value == f.at.value && e.here == f.here && e.after == f.after;
+        };
+        EXPECT_TRUE(std::equal(alone.events.begin(), alone.events.end(), from, same));
+        events += static_cast<int>(alone.events.size());
+      }
+    }
+  }
+  EXPECT_GT(events, 200);
+}
+
 space::Body with_ball(space::Body body, const space::Point& center, const Real& radius) {
   body.parts.push_back({std::nullopt, center, radius});
   return body;

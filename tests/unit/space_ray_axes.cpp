@@ -154,5 +154,21 @@ TEST(RayAxes, SplintersGoWithWhatIsNear) {
   EXPECT_EQ(slanted_plates({95, 185}).summary.components.size(), 2U);
 }
 
+/// A box is near a line only where the line passes it.
+TEST(PieceRays, LinesThatMeetABox) {
+  const RayGrid grid{2, 2, -20, -20, 20, 20, 3, 3};  // at -10, 0 and 10
+  const auto meets = [&](double from, double to) {
+    return PieceRays::any_line(grid, {from, -1, 0}, {to, 1, 1}, 1) &&
+           PieceRays::any_line(grid, {-1, from, 0}, {1, to, 1}, 1);
+  };
+  EXPECT_TRUE(meets(-30, 30));
+  EXPECT_TRUE(meets(10, 11));
+  EXPECT_TRUE(meets(-11, -10));
+  EXPECT_FALSE(meets(1, 9));
+  EXPECT_FALSE(meets(-40, -11));
+  EXPECT_FALSE(meets(11, 40));
+  EXPECT_FALSE(PieceRays::any_line(grid, {1, -1, 0}, {19, 1, 1}, 2));
+}
+
 }  // namespace space_ray_axes
 }  // namespace findspace::space

@@ -20,8 +20,9 @@ using Signs = std::span<const std::int8_t>;
 
 namespace {
 
-/// Of facets of two large solids; with more values are quicker on few lines.
-constexpr std::size_t kMostFacetPairs = 1000000;
+/// Of facets of two large solids. More of those near the lines take gigabytes; all of them are needed for the farthest,
+/// and with more values are quicker on few lines.
+constexpr std::size_t kMostFacetPairsNear = 4000000, kMostFacetPairs = 1000000;
 
 /// The sheet of a surface, reflected through the origin if `mirrored`.
 std::shared_ptr<const space::RaySheet> sheet(const RaySolid& solid, bool mirrored) {
@@ -46,7 +47,7 @@ Source touching_rays(Which which, const std::vector<RaySolid>& b, const std::vec
   if (is_convex(depth && of_a < of_b ? moving : fixed) || (!depth && fixed.inner_walls)) return nullptr;
   TouchPair pair{sheet(fixed, cover), sheet(moving, cover), depth ? TouchSide::kOutside : TouchSide::kInside};
   if (std::min(of_a, of_b) >= space::kManyFaces && !is_convex(depth && of_a < of_b ? fixed : moving))
-    pair.most_pairs = kMostFacetPairs;
+    pair.most_pairs = farthest ? kMostFacetPairs : kMostFacetPairsNear;
   Source near = farthest ? space::all_touching_near(pair, level, grid) : space::near_touching(pair, abs(level), grid);
   if (!near) return contact_rays(which, b[0], a[0], level, grid);
   if (farthest) return near;

@@ -15,20 +15,34 @@ using exact::Real;
 /// The units of parallel work.
 constexpr std::size_t kBlock = 64;
 
+template <class Each>
+void in_blocks(std::size_t count, Each each) {
+  plane::parallel_for((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+    for (std::size_t k = block * kBlock; k < std::min(count, (block + 1) * kBlock); ++k) each(k);
+  });
+}
+
 }  // namespace
 
 PieceRays::PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of)
-    : grid_(grid), of_(of) {
-  pieces_.resize(pieces.size());
-  plane::parallel_for((pieces.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    for (std::size_t k = block * kBlock; k < std::min(pieces.size(), (block + 1) * kBlock); ++k)
-      pieces_[k] = aligned(pieces[k], scale);
-  });
-  first_.assign(static_cast<std::size_t>(grid.nv) + 1, 0);
+    : grid_(grid), of_(of), pieces_(pieces.size()) {
+  in_blocks(pieces.size(), [&](std::size_t k) { pieces_[k] = aligned(pieces[k], scale); });
+  list_rows();
+}
+
+PieceRays::PieceRays(std::size_t count, const Maker& piece, std::int64_t scale, const RayGrid& grid, Of of)
+    : grid_(grid), of_(of), pieces_(count) {
+  in_blocks(count, [&](std::size_t k) { pieces_[k] = aligned(piece(k), scale); });
+  list_rows();
+}
+
+/// Which pieces may meet the lines of each row.
+void PieceRays::list_rows() {
+  first_.assign(static_cast<std::size_t>(grid_.nv) + 1, 0);
   for (const Piece& p : pieces_) {
     for (int j = p.lines.first_row; j <= p.lines.last_row; ++j) ++first_[static_cast<std::size_t>(j) + 1];
   }
-  for (int j = 0; j < grid.nv; ++j) first_[static_cast<std::size_t>(j) + 1] += first_[static_cast<std::size_t>(j)];
+  for (int j = 0; j < grid_.nv; ++j) first_[static_cast<std::size_t>(j) + 1] += first_[static_cast<std::size_t>(j)];
   of_row_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t k = 0; k < pieces_.size(); ++k) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,9 @@ class PieceRays : public RaySource, private RayRoots {
 
   /// Coordinates of the pieces in 1/scale grid steps. An intersection of no pieces is everything.
   PieceRays(const std::vector<LinePiece>& pieces, std::int64_t scale, const RayGrid& grid, Of of = Of::kUnion);
+  /// Piece k is made when it is needed, by any thread, and not kept: of many that takes less memory.
+  using Maker = std::function<LinePiece(std::size_t k)>;
+  PieceRays(std::size_t count, const Maker& piece, std::int64_t scale, const RayGrid& grid, Of of = Of::kUnion);
 
   const RayGrid& grid() const override { return grid_; }
   exact::Tried<RayRow> try_row(int j) const override;
@@ -101,6 +105,7 @@ class PieceRays : public RaySource, private RayRoots {
   std::array<exact::Real, 3> components(const RealVector& v) const;
   static Lines find_lines(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);
   Piece aligned(const LinePiece& from, std::int64_t scale) const;
+  void list_rows();
 
   RayGrid grid_;
   Of of_;

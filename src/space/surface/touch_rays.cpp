@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "exact/margins/rounding.h"
-#include "plane/base/parallel.h"
 #include "space/rays/piece_rays.h"
 
 namespace findspace::space {
@@ -17,9 +16,6 @@ namespace {
 
 using exact::Real;
 using Key = std::array<double, 3>;
-
-/// The units of parallel work.
-constexpr std::size_t kRaysAtOnce = 64;
 
 Key key(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -115,12 +111,8 @@ RaySourcePointer near_touching(const TouchPair& pair, const Real& level, const R
   const std::optional<TouchFrontier> frontier = touch_frontier(*pair.a, *pair.b, pair.side, wanted, pair.most_pairs);
   if (!frontier) return nullptr;
   const std::vector<About> all = about(frontier->pieces);
-  std::vector<LinePiece> pieces(all.size());
-  plane::parallel_for((all.size() + kRaysAtOnce - 1) / kRaysAtOnce, [&](std::size_t block) {
-    for (std::size_t k = block * kRaysAtOnce; k < std::min(all.size(), (block + 1) * kRaysAtOnce); ++k)
-      pieces[k] = all[k].made(level);
-  });
-  return std::make_unique<PieceRays>(pieces, 1, grid);
+  const auto made = [&](std::size_t k) { return all[k].made(level); };
+  return std::make_unique<PieceRays>(all.size(), made, 1, grid);
 }
 
 RaySourcePointer all_touching_near(const TouchPair& pair, const Real& level, const RayGrid& grid) {
