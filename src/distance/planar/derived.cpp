@@ -86,6 +86,19 @@ class CutOff : public TDistance {
     return out;
   }
 
+  std::optional<Size> size() const override {
+    auto out = f_->size();
+    if (out && negated_) out->reach = std::nullopt;  // it is the floor far away
+    return out;
+  }
+
+  /// For levels above the floor, where nothing is cut off.
+  TDistancePointer near(const plane::PieceBox& window, double low, double high) const override {
+    if (floor_.interval().hi >= low) return nullptr;
+    auto f = negated_ ? f_->near(window, -high, -low) : f_->near(window, low, high);
+    return f ? std::make_shared<CutOff>(std::move(f), floor_, negated_) : nullptr;
+  }
+
   std::optional<Lowest> lowest() const override {
     auto l = negated_ ? std::nullopt : f_->lowest();
     return l && l->level > floor_ ? l : std::nullopt;
@@ -126,6 +139,17 @@ class Greater : public TDistance {
 
   RealPoint seed() const override { return f_->seed(); }
 
+  std::optional<Size> size() const override {
+    auto f = f_->size(), g = g_->size();
+    if (!f || !g) return std::nullopt;
+    return Size{f->edges + g->edges, f->reach ? f->reach : g->reach};
+  }
+
+  TDistancePointer near(const plane::PieceBox& window, double low, double high) const override {
+    auto f = f_->near(window, low, high), g = f ? g_->near(window, low, high) : nullptr;
+    return g ? std::make_shared<Greater>(std::move(f), std::move(g)) : nullptr;
+  }
+
   std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {
     auto out = f_->level_curves(p, tolerance), more = g_->level_curves(p, tolerance);
     out.insert(out.end(), more.begin(), more.end());
@@ -158,6 +182,13 @@ class Reflected : public TDistance {
   RealPoint seed() const override {
     RealPoint p = f_->seed();
     return {-p.x, -p.y};
+  }
+
+  std::optional<Size> size() const override { return f_->size(); }
+
+  TDistancePointer near(const plane::PieceBox& window, double low, double high) const override {
+    auto f = f_->near({-window.x1, -window.y1, -window.x0, -window.y0}, low, high);
+    return f ? std::make_shared<Reflected>(std::move(f)) : nullptr;
   }
 
   std::vector<NearLevelCurve> level_curves(const RealPoint& p, double tolerance) const override {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "distance/planar/farthest_corner.h"
+#include "distance/planar_features/near_parts.h"
 #include "exact/margins/planar_distance.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
@@ -75,6 +76,21 @@ RealPoint DirectedHausdorff::seed() const {
   if (a_.vertices.empty() || b_.vertices.empty()) return {Real(), Real()};
   RealPoint p = a_.geometry.exact(a_.vertices[0].point), q = b_.geometry.exact(b_.vertices[0].point);
   return {p.x - q.x, p.y - q.y};
+}
+
+std::optional<TDistance::Size> DirectedHausdorff::size() const {
+  if (!defined() || plane::is_empty(a_) || plane::is_empty(b_)) return std::nullopt;
+  if (trees().a.has_arcs() || trees().b.has_arcs()) return std::nullopt;  // values cost as much as maps
+  Size out{a_.edges.size() + b_.edges.size(), std::nullopt};
+  if (a_.faces[0].mark <= 0) out.reach = reach(trees().a) + reach(trees().b);
+  return out;
+}
+
+TDistancePointer DirectedHausdorff::near(const plane::PieceBox& window, double low, double high) const {
+  if (high < 0) return containment().near(window, low, high);
+  if (low <= 0) return nullptr;
+  auto parts = near_parts(trees().b, trees().a, PlacedWindow(window), low, high);
+  return parts ? std::make_shared<DirectedHausdorff>(std::move(parts->b), std::move(parts->a)) : nullptr;
 }
 
 std::vector<NearLevelCurve> DirectedHausdorff::level_curves(const RealPoint& p, double tolerance) const {

@@ -31,6 +31,8 @@ class DirectedHausdorff : public TDistance {
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
+  std::optional<Size> size() const override;
+  TDistancePointer near(const plane::PieceBox& window, double low, double high) const override;
   std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   std::vector<exact::Real> special_levels() const override { return {exact::Real()}; }
 

@@ -4,9 +4,15 @@
 #include "distance/planar/signed_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "distance/planar_features/near_parts.h"
+#include "distance/planar_features/window_distance.h"
+#include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
+#include "plane/complex/extent.h"
+#include "plane/complex/overlay.h"
 #include "plane/query/topology.h"
 #include "plane/sum/minkowski.h"
 
@@ -54,6 +60,7 @@ const SignMap& SignedDistance::base() const {
 
 SignMap SignedDistance::sign_map(const exact::Real& level) const {
   if (!defined_) return CellComplex::uniform(1);
+  if (window_) return level.sign() > 0 ? window_->map(level) : plane::negated(window_->map(-level));
   if (base_->of && !base_->asked.exchange(true)) {
     const plane::Region &fixed = base_->of->first, &moving = base_->of->second;
     if (auto map = contact_level_in_batches(fixed, moving, level)) return *std::move(map);
@@ -89,6 +96,31 @@ std::optional<std::vector<SmoothForm>> SignedDistance::forms(const RealPoint& p,
     const double other = at * sign < 0 ? (sign < 0 ? *sides_.outside : *sides_.inside).nearest(x, y) : 0;
     if (other <= radius * margin::kUpward) side.add_forms(x, y, radius, out);
   }
+  return out;
+}
+
+std::optional<TDistance::Size> SignedDistance::size() const {
+  if (!defined_) return std::nullopt;
+  Size out{base().edges.size(), std::nullopt};
+  if (const auto box = plane::extent(base()); box && base().faces[0].mark > 0)
+    out.reach = plain_length(std::max(-box->x0, box->x1), std::max(-box->y0, box->y1)) * margin::kUpward;
+  return out;
+}
+
+TDistancePointer SignedDistance::near(const plane::PieceBox& window, double low, double high) const {
+  const PlacedWindow w(window);
+  const int sign = low > 0 ? 1 : -1;
+  if (low <= 0 && high >= 0) return nullptr;
+  // Where f has one sign, the nearest edges of the other side tell it.
+  const auto middle = value({Real::from_double(w.x), Real::from_double(w.y)});
+  if (!middle || middle->minus_infinity || sign * near_value(middle->value) <= w.radius + w.noise(1)) return nullptr;
+  const double most = sign > 0 ? high : -low, reach = (most + w.radius) * margin::kUpward + w.noise(most);
+  std::vector<plane::Cell> chosen;
+  for (const BoundaryFeature& s : distance::features(base(), [sign](Mark m) { return m * sign <= 0; }))
+    if (s.distance(w.x, w.y) <= reach) chosen.push_back(s.cell);
+  auto out = std::make_shared<SignedDistance>(boundary_alone(base(), chosen, 0, Mark(sign)));
+  const auto edges = plane::remark(out->base(), [](Mark m) { return Mark(m == 0); });
+  out->window_ = std::make_shared<const WindowDistance>(edges, window);
   return out;
 }
 

@@ -27,6 +27,8 @@
 
 namespace findspace::distance {
 
+class WindowDistance;
+
 class SignedDistance : public TDistance {
  public:
   /// From the sign map at level 0.
@@ -45,6 +47,8 @@ class SignedDistance : public TDistance {
   /// f at a position; nothing if undefined.
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
+  std::optional<Size> size() const override;
+  TDistancePointer near(const plane::PieceBox& window, double low, double high) const override;
   std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& p, double radius) const override;
   std::vector<NearLevelCurve> level_curves(const exact::RealPoint& p, double tolerance) const override;
   /// 0: the least level of sets without interior.
@@ -71,6 +75,7 @@ class SignedDistance : public TDistance {
   };
 
   std::shared_ptr<Base> base_ = std::make_shared<Base>();
+  std::shared_ptr<const WindowDistance> window_;  // of near(), whose sign maps are those of a window
   mutable Sides sides_;
   bool defined_ = true;
 };

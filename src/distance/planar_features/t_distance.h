@@ -17,6 +17,7 @@
 #include "distance/answer/answer.h"
 #include "distance/planar_features/level_curve.h"
 #include "distance/planar_features/smooth_form.h"
+#include "plane/complex/broad_phase.h"
 #include "plane/complex/cell_complex.h"
 
 namespace findspace::distance {
@@ -39,6 +40,20 @@ class TDistance : public PositionFunction {
  public:
   /// A position where a search may begin.
   virtual exact::RealPoint seed() const = 0;
+  /// What a search over all positions has to expect: of how many edges sign maps are made, and f(p) >= |p| - reach,
+  /// where the family grows so.
+  struct Size {
+    std::size_t edges;
+    std::optional<double> reach;
+  };
+  /// Nothing where the family has no near().
+  virtual std::optional<Size> size() const { return std::nullopt; }
+  /// A function made of the few features that count in the window: for levels from low to high, the sign of f - level
+  /// at its positions is that of the other one. Null where there is none, or too much counts.
+  virtual std::shared_ptr<const TDistance> near(const plane::PieceBox& /*window*/, double /*low*/,
+                                                double /*high*/) const {
+    return nullptr;
+  }
   /// Smooth functions of which f is one at every position no farther than `radius` from p, where the family knows them.
   virtual std::optional<std::vector<SmoothForm>> forms(const exact::RealPoint& /*p*/, double /*radius*/) const {
     return std::nullopt;

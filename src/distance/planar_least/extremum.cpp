@@ -10,7 +10,9 @@
 
 #include "distance/planar_features/point_set.h"
 #include "distance/planar_least/extremum_candidates.h"
+#include "distance/planar_least/level_cover.h"
 #include "distance/planar_least/level_probe.h"
+#include "distance/planar_least/level_windows.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/plane.h"
 #include "plane/base/real_vector.h"
@@ -30,6 +32,7 @@ using plane::operator-;
 namespace {
 
 constexpr int kMostProbes = 120;
+constexpr std::size_t kManyEdges = 60;  // from here on a sign map costs more than many values
 
 /// A number between the two with few digits.
 double simple_between(double low, double high) {
@@ -51,7 +54,12 @@ class ExtremumSearch {
   Extremum run(const std::optional<Bracket>& known);
 
  private:
-  CellComplex probe(const Real& level, const Region& over) const { return distance::probe(f_, level, over, rotation_); }
+  CellComplex probe(const Real& level, const Region& over);
+  /// The cells of the closure of S at the last level that was reached, and beyond.
+  const CellComplex& reached();
+  void set_reached(const Real& level, CellComplex cells);
+  void cover();
+  void open_windows();
   RealPoint start() const {
     return whole_ || closure_.vertices.empty() ? f_.seed() : closure_.geometry.exact(closure_.vertices[0].point);
   }
@@ -71,7 +79,7 @@ class ExtremumSearch {
   void pin_down();
   bool take_lowest(Extremum& out) const;
   Extremum proven();
-  Extremum enclosed() const;
+  Extremum enclosed();
 
   const TDistance& f_;
   const Region& s_;
@@ -80,7 +88,10 @@ class ExtremumSearch {
   Sense sense_;
   int rotation_;
   double bad_ = 0, good_ = 0, scale_ = 1;  // rotated so that less is better: the extremum is in (bad, good]
-  CellComplex reached_;                    // of the last level that was reached
+  std::optional<Real> reached_level_;      // the last one that was reached
+  std::optional<CellComplex> reached_;     // its cells, made when asked for
+  std::optional<LevelCover> cover_;
+  std::optional<LevelWindows> windows_;  // within the cover
   std::vector<Real> refused_;
   std::optional<Bracket> known_;
   Real level_, beyond_;   // the extremum; where it is enclosed: what is reached, and what is not
@@ -88,11 +99,38 @@ class ExtremumSearch {
   bool value_only_ = false;
 };
 
+CellComplex ExtremumSearch::probe(const Real& level, const Region& over) {
+  if (windows_ && windows_->hold(level)) {
+    if (auto cells = windows_->probe(level, over)) return *std::move(cells);
+    windows_.reset();
+  }
+  return distance::probe(f_, level, over, rotation_);
+}
+
+const CellComplex& ExtremumSearch::reached() {
+  if (!reached_) reached_ = reached_level_ ? probe(*reached_level_, closure_) : CellComplex{};
+  return *reached_;
+}
+
+void ExtremumSearch::set_reached(const Real& level, CellComplex cells) {
+  reached_level_ = level;
+  reached_ = std::move(cells);
+  if (windows_ && windows_->hold(level)) windows_->shrink(*reached_, level, bad_);
+}
+
 bool ExtremumSearch::reaches(const Real& level) {
+  if (const auto known = cover_ ? cover_->is_passed(level) : std::nullopt) {
+    (*known ? good_ : bad_) = number(level);
+    if (*known) {
+      reached_level_ = level;
+      reached_.reset();
+    }
+    return *known;
+  }
   CellComplex c = probe(level, closure_);
   bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
   (yes ? good_ : bad_) = number(level);
-  if (yes) reached_ = std::move(c);
+  if (yes) set_reached(level, std::move(c));
   return yes;
 }
 
@@ -101,7 +139,7 @@ bool ExtremumSearch::accept(const Real& level) {
   CellComplex c = probe(level, closure_);
   if (has_mark(c, kBeyond)) {
     good_ = number(level);
-    reached_ = std::move(c);
+    set_reached(level, std::move(c));
     return false;
   }
   if (!has_mark(c, kOn)) {
@@ -111,6 +149,21 @@ bool ExtremumSearch::accept(const Real& level) {
   level_ = level;
   accepted_ = std::move(c);
   return true;
+}
+
+/// Where sign maps cost much, values tell most of what is asked.
+void ExtremumSearch::cover() {
+  const auto size = f_.size();
+  if (size && size->edges >= kManyEdges) cover_ = LevelCover::of(f_, closure_, rotation_, start());
+}
+
+/// Where candidates are to be tried, around all that is as good as the levels asked for then.
+void ExtremumSearch::open_windows() {
+  if (!cover_) return;
+  const double slack = scale_ * margin::kTryCandidates * margin::kUpward;
+  if (cover_->narrow(slack, slack / 2))
+    windows_ =
+        LevelWindows::of(f_, rotation_, cover_->boxes(), cover_->low(), Real::from_double(rotation_ * cover_->most()));
 }
 
 /// Whether f tends to infinity within S: far away it is positive then. It is 0 there where it is max(0, -g), and
@@ -141,7 +194,12 @@ bool ExtremumSearch::bracket(const Real& value) {
   scale_ = std::max(scale_, std::abs(good_));
   good_ += scale_ * margin::kBracketSlack;
   double step = std::max(1.0, scale_ / 8);
-  for (bad_ = good_ - step; reaches(Real::from_double(rotation_ * bad_)); step *= 2) {
+  const auto is_reached = [this](double number) {
+    const Real level = Real::from_double(rotation_ * number);
+    if (cover_) cover_->decide(level);
+    return reaches(level);
+  };
+  for (bad_ = good_ - step; is_reached(bad_); step *= 2) {
     bad_ = good_ - step;
     if (bad_ < -margin::kBeyondAll) return false;
   }
@@ -174,7 +232,7 @@ bool ExtremumSearch::try_near(const std::vector<Real>& all, double number) {
 bool ExtremumSearch::try_candidates() {
   double low = bad_ - scale_ * margin::kBracketEnds, high = good_ + scale_ * margin::kBracketEnds;
   auto all =
-      extremum_candidates(f_, whole_ ? nullptr : &closure_, reached_, std::min(rotation_ * low, rotation_ * high),
+      extremum_candidates(f_, whole_ ? nullptr : &closure_, reached(), std::min(rotation_ * low, rotation_ * high),
                           std::max(rotation_ * low, rotation_ * high));
   std::erase_if(all, [&](const Real& l) {
     return std::any_of(refused_.begin(), refused_.end(), [&](const Real& r) { return near_value(r) == near_value(l); });
@@ -202,11 +260,11 @@ Extremum ExtremumSearch::proven() {
   return e;
 }
 
-Extremum ExtremumSearch::enclosed() const {
+Extremum ExtremumSearch::enclosed() {
   Extremum e = none();
   e.set_enclosed(level_, beyond_, Way::kMap);
   if (value_only_) return e;
-  const ComponentPoints found = one_point_a_component(reached_);
+  const ComponentPoints found = one_point_a_component(reached());
   e.within = found.within;
   e.at = point_set(found.points);
   const std::array<const Region*, 2> beside{&closure_, &s_};
@@ -245,16 +303,16 @@ void ExtremumSearch::enclose() {
 /// ones).
 void ExtremumSearch::pin_down() {
   constexpr int kSteps = 12, kMostRounds = 10;
-  double within = one_point_a_component(reached_).within;
+  double within = one_point_a_component(reached()).within;
   for (int round = 0; round < kMostRounds && within > scale_ * margin::kPlacesDecided; ++round) {
     for (int k = 0; k < kSteps; ++k) {
       const Real middle = (level_ + beyond_) / Real(2);
       CellComplex c = probe(middle, closure_);
       const bool yes = has_mark(c, kOn) || has_mark(c, kBeyond);
       (yes ? level_ : beyond_) = middle;
-      if (yes) reached_ = std::move(c);
+      if (yes) set_reached(middle, std::move(c));
     }
-    const double now = one_point_a_component(reached_).within;
+    const double now = one_point_a_component(reached()).within;
     if (now >= within / 2) return;
     within = now;
   }
@@ -271,11 +329,13 @@ Extremum ExtremumSearch::run(const std::optional<Bracket>& known) {
   if (!known || !take(*known)) {
     const auto value = f_.value(start());
     if (!value || value->minus_infinity) return infinite(value.has_value());
+    cover();
     if (!bracket(value->value)) return no_optimum<Region>(sense_, true);
+    open_windows();
   }
   for (int probes = 0; probes < kMostProbes; ++probes) {
     double width = good_ - bad_;
-    if (width < scale_ * margin::kTryCandidates && reached_.faces.empty()) climb(width);
+    if (width < scale_ * margin::kTryCandidates && !reached_level_) climb(width);
     if (width < scale_ * margin::kTryCandidates && probes % 2 == 0 && try_candidates()) return proven();
     width = good_ - bad_;
     double least = std::max(std::abs(good_) * margin::kNarrowBracket, scale_ * margin::kNarrowestBracket);

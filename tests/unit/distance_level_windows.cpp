@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: findspace contributors
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "distance/planar/shape_pair.h"
+#include "distance/planar_least/extremum.h"
+#include "distance/planar_least/level_cover.h"
+#include "distance/planar_least/level_probe.h"
+#include "distance/planar_least/level_windows.h"
+#include "distance_shapes.h"
+#include "plane/query/topology.h"
+
+namespace findspace::distance {
+namespace distance_level_windows {
+
+using namespace findspace::testing;
+using exact::Real;
+using plane::CellComplex;
+using plane::Mark;
+using plane::Region;
+
+/// A star with uneven peaks.
+Region star(int corners, double size) {
+  plane::Contour c;
+  for (int k = 0; k < corners; ++k) {
+    const double radius = size * (k % 2 == 0 ? 0.8 : 0.9 + 0.1 * ((k * 37) % 11) / 11);
+    const double angle = 2 * M_PI * (k + 0.2 * ((k * 13) % 7) / 7) / corners;
+    c.push_back({.start = {std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))}});
+  }
+  return plane::region_of_rings({&c, 1});
+}
+
+/// Whether two complexes have one mark everywhere.
+bool agree(const CellComplex& a, const CellComplex& b) {
+  const std::array<const CellComplex*, 2> both{&a, &b};
+  return plane::is_empty(plane::overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != m[1]); }));
+}
+
+/// Levels around the best one, in windows and in the whole plane.
+void expect_same(const TDistance& f, const Region& over, int rotation, const exact::RealPoint& start) {
+  auto cover = LevelCover::of(f, over, rotation, start);
+  ASSERT_TRUE(cover.has_value());
+  const double size = std::max(std::abs(cover->low()), std::abs(cover->high()));
+  ASSERT_TRUE(cover->narrow(size / 64, size / 128));
+  EXPECT_EQ(cover->is_passed(Real::from_double(rotation * (cover->high() + 1))), true);
+  EXPECT_EQ(cover->is_passed(Real::from_double(rotation * (cover->low() - 1))), false);
+  auto windows = LevelWindows::of(f, rotation, cover->boxes(), cover->low(), cover->most());
+  ASSERT_TRUE(windows.has_value());
+  const double low = cover->low(), most = cover->most();
+  for (const double part : {1.0, 0.5, 0.25, 0.75, 0.125, -0.5}) {
+    const Real level = Real::from_double(rotation * (low + part * (most - low)));
+    ASSERT_TRUE(windows->hold(level));
+    const auto found = windows->probe(level, over);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_TRUE(agree(*found, probe(f, level, over, rotation))) << part;
+    if (part > 0 && part < 1 && !plane::is_empty(*found)) windows->shrink(*found, level, low);
+  }
+}
+
+TEST(LevelWindows, SameCellsAsTheWholePlane) {
+  const ShapePair pair(star(30, 9000), star(40, 10000));
+  for (const Which which : {Which::kGamma1, Which::kMu, Which::kMuBack, Which::kHausdorff})
+    expect_same(*pair.distance(which), CellComplex::uniform(1), 1, pair.distance(which)->seed());
+  const ShapePair inside(star(30, 5000), star(40, 10000));
+  for (const Which which : {Which::kEta1, Which::kMu})
+    expect_same(*inside.distance(which), CellComplex::uniform(1), 1, inside.distance(which)->seed());
+}
+
+TEST(LevelWindows, OverASet) {
+  const ShapePair pair(star(30, 2000), star(40, 10000));
+  const Region over = polygon({{13000, 1000}, {16000, 2000}, {14000, 6000}});
+  for (const Which which : {Which::kGamma1, Which::kMu, Which::kHausdorff})
+    for (const int rotation : {1, -1}) expect_same(*pair.distance(which), over, rotation, at(13000, 1000));
+}
+
+TEST(LevelWindows, NotWhereItIsNotKnownHowFarToLook) {
+  const ShapePair pair(star(30, 2000), star(40, 10000));
+  const auto f = pair.distance(Which::kGamma1);
+  EXPECT_FALSE(LevelCover::of(*f, CellComplex::uniform(1), -1, at(0, 0)).has_value());
+  EXPECT_FALSE(LevelCover::of(*pair.distance(Which::kGamma2), CellComplex::uniform(1), 1, at(0, 0)).has_value());
+}
+
+}  // namespace distance_level_windows
+}  // namespace findspace::distance
