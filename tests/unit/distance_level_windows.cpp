@@ -48,7 +48,8 @@ void expect_same(const TDistance& f, const Region& over, int rotation, const exa
   ASSERT_TRUE(cover->narrow(size / 64, size / 128));
   EXPECT_EQ(cover->is_passed(Real::from_double(rotation * (cover->high() + 1))), true);
   EXPECT_EQ(cover->is_passed(Real::from_double(rotation * (cover->low() - 1))), false);
-  auto windows = LevelWindows::of(f, rotation, cover->boxes(), cover->low(), cover->most());
+  auto windows =
+      LevelWindows::of(f, over, rotation, cover->boxes(), cover->low(), Real::from_double(rotation * cover->most()));
   ASSERT_TRUE(windows.has_value());
   const double low = cover->low(), most = cover->most();
   for (const double part : {1.0, 0.5, 0.25, 0.75, 0.125, -0.5}) {

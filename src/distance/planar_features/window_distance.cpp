@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "plane/complex/overlay.h"
 #include "plane/offset/level.h"
@@ -17,15 +19,38 @@ using plane::Index;
 using plane::Mark;
 using plane::SignMap;
 
+namespace {
+
+/// The end of a straight edge that is its nearest point for all of the window.
+std::optional<Index> nearest_end(const plane::Region& edges, Index e, const PlacedWindow& w) {
+  const BoundaryFeature s = edge_feature(edges, e);
+  if (s.arc) return std::nullopt;
+  const double dx = s.x1 - s.x0, dy = s.y1 - s.y0, length = plain_length(dx, dy);
+  const double along = ((w.x - s.x0) * dx + (w.y - s.y0) * dy) / length;
+  const double off = w.radius + w.noise(std::abs(along) + length);
+  if (along + off < 0) return edges.edges[e].v0;
+  if (along - off > length) return edges.edges[e].v1;
+  return std::nullopt;
+}
+
+}  // namespace
+
 WindowDistance::WindowDistance(const plane::Region& edges, const plane::PieceBox& window)
     : window_(window), filled_(region_of_boxes({&window, 1})) {
+  std::vector<char> counts(edges.vertices.size());
   const auto add = [&](const BoundaryFeature& s) {
     parts_.push_back({boundary_alone(edges, {&s.cell, 1}, 1, 0), s.distance(window_.x, window_.y)});
   };
-  for (Index e = 0; e < edges.edges.size(); ++e)
-    if (edges.edges[e].mark > 0) add(edge_feature(edges, e));
+  for (Index e = 0; e < edges.edges.size(); ++e) {
+    if (edges.edges[e].mark <= 0) continue;
+    if (const auto end = nearest_end(edges, e, window_))
+      counts[*end] = 1;
+    else
+      add(edge_feature(edges, e));
+  }
   for (Index v = 0; v < edges.vertices.size(); ++v)
-    if (edges.vertices[v].mark > 0 && edges.vertices[v].out == plane::kNone) add(vertex_feature(edges, v));
+    if (edges.vertices[v].mark > 0 && (counts[v] != 0 || edges.vertices[v].out == plane::kNone))
+      add(vertex_feature(edges, v));
 }
 
 SignMap WindowDistance::map(const Real& radius) const {

@@ -162,8 +162,8 @@ void ExtremumSearch::open_windows() {
   if (!cover_) return;
   const double slack = scale_ * margin::kTryCandidates * margin::kUpward;
   if (cover_->narrow(slack, slack / 2))
-    windows_ =
-        LevelWindows::of(f_, rotation_, cover_->boxes(), cover_->low(), Real::from_double(rotation_ * cover_->most()));
+    windows_ = LevelWindows::of(f_, closure_, rotation_, cover_->boxes(), cover_->low(),
+                                Real::from_double(rotation_ * cover_->most()));
 }
 
 /// Whether f tends to infinity within S: far away it is positive then. It is 0 there where it is max(0, -g), and

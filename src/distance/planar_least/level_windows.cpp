@@ -63,9 +63,9 @@ std::vector<PieceBox> boxes_of(const CellComplex& c) {
 
 }  // namespace
 
-std::optional<LevelWindows> LevelWindows::of(const TDistance& f, int rotation, std::vector<PieceBox> boxes,
-                                             double least, const Real& most) {
-  LevelWindows out(f, rotation);
+std::optional<LevelWindows> LevelWindows::of(const TDistance& f, const Region& closed, int rotation,
+                                             std::vector<PieceBox> boxes, double least, const Real& most) {
+  LevelWindows out(f, closed, rotation);
   out.stages_.push_back({std::move(boxes), most});
   if (!out.place(least)) return std::nullopt;
   return out;
@@ -85,7 +85,10 @@ bool LevelWindows::place(double least) {
   for (const PieceBox& b : stage.boxes) {
     TDistancePointer f = f_->near(b, low, high);
     if (!f) return false;
-    windows.push_back({b, filled_box(b), std::move(f)});
+    Region filled = filled_box(b);
+    const std::array<const Region*, 2> both{closed_, &filled};
+    Region closed = plane::is_whole(*closed_) ? filled : plane::intersect(both);
+    windows.push_back({b, std::move(filled), std::move(closed), std::move(f)});
   }
   windows_ = std::move(windows);
   least_ = least;
@@ -113,14 +116,13 @@ std::optional<CellComplex> LevelWindows::probe(const Real& level, const Region& 
   while (!holds(stages_.back(), level)) stages_.pop_back();
   if ((first(level) < least_ || stages_.size() < stages) && !place(std::min(first(level), least_))) return std::nullopt;
   const auto rule = [this](Mark k) { return Mark(rotation_ * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
-  const bool whole = plane::is_whole(over);
   CellComplex out = CellComplex::uniform(0);
   for (const Window& w : windows_) {
     const plane::SignMap map = w.f->sign_map(level);
-    std::vector<const CellComplex*> all{&map, &w.filled};
-    if (!whole) all.push_back(&over);
-    plane::put_beside(out, plane::overlay(all, [&](std::span<const Mark> k) {
-                        return k[1] > 0 && (whole || k[2] > 0) ? rule(k[0]) : Mark(0);
+    const bool known = &over == closed_;
+    const std::array<const CellComplex*, 3> all{&map, known ? &w.closed : &w.filled, &over};
+    plane::put_beside(out, plane::overlay(std::span(all).first(known ? 2 : 3), [&](std::span<const Mark> k) {
+                        return k[1] > 0 && k.back() > 0 ? rule(k[0]) : Mark(0);
                       }));
   }
   return out;

@@ -18,8 +18,9 @@ class LevelWindows {
  public:
   /// All positions as good as the level `most` lie in the boxes. `least`, times `rotation`: no better levels are likely
   /// to be asked for. `rotation`: +1 where less is better, -1 where more is. Nothing where windows have no gain.
-  static std::optional<LevelWindows> of(const TDistance& f, int rotation, std::vector<plane::PieceBox> boxes,
-                                        double least, const exact::Real& most);
+  /// `closed`: what probes are mostly about; it is kept as a reference, as f is.
+  static std::optional<LevelWindows> of(const TDistance& f, const plane::Region& closed, int rotation,
+                                        std::vector<plane::PieceBox> boxes, double least, const exact::Real& most);
 
   /// Whether the windows hold all positions as good as the level.
   bool hold(const exact::Real& level) const;
@@ -31,7 +32,7 @@ class LevelWindows {
  private:
   struct Window {
     plane::PieceBox box;
-    plane::Region filled;
+    plane::Region filled, closed;  // the box; the part of the closed set in it
     TDistancePointer f;
   };
 
@@ -41,13 +42,15 @@ class LevelWindows {
     exact::Real level;
   };
 
-  LevelWindows(const TDistance& f, int rotation) : f_(&f), rotation_(rotation) {}
+  LevelWindows(const TDistance& f, const plane::Region& closed, int rotation)
+      : f_(&f), closed_(&closed), rotation_(rotation) {}
   bool place(double least);
   double first(const exact::Real& level) const;
   double last(const exact::Real& level) const;
   bool holds(const Stage& stage, const exact::Real& level) const;
 
   const TDistance* f_;
+  const plane::Region* closed_;
   int rotation_;
   std::vector<Stage> stages_;    // each within the one before
   std::vector<Window> windows_;  // of the last stage
