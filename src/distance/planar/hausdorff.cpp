@@ -25,6 +25,9 @@ using plane::SignMap;
 
 namespace {
 
+// Where a whole shape has so many times as many edges as its parts, these make the cheaper maps, with corners that are
+// not on the grid.
+constexpr std::size_t kGain = 4;
 constexpr MaxMinEffort kToFindLevelCurves{margin::kMaxMinGuess, 3000};  // a place near the max-min place tells them
 
 }  // namespace
@@ -90,7 +93,9 @@ TDistancePointer DirectedHausdorff::near(const plane::PieceBox& window, double l
   if (high < 0) return containment().near(window, low, high);
   if (low <= 0) return nullptr;
   auto parts = near_parts(trees().b, trees().a, PlacedWindow(window), low, high);
-  return parts ? std::make_shared<DirectedHausdorff>(std::move(parts->b), std::move(parts->a)) : nullptr;
+  if (!parts || kGain * (parts->a.edges.size() + parts->b.edges.size()) > a_.edges.size() + b_.edges.size())
+    return nullptr;
+  return std::make_shared<DirectedHausdorff>(std::move(parts->b), std::move(parts->a));
 }
 
 std::vector<NearLevelCurve> DirectedHausdorff::level_curves(const RealPoint& p, double tolerance) const {

@@ -102,7 +102,6 @@ class ExtremumSearch {
 CellComplex ExtremumSearch::probe(const Real& level, const Region& over) {
   if (windows_ && windows_->hold(level)) {
     if (auto cells = windows_->probe(level, over)) return *std::move(cells);
-    windows_.reset();
   }
   return distance::probe(f_, level, over, rotation_);
 }
@@ -115,7 +114,7 @@ const CellComplex& ExtremumSearch::reached() {
 void ExtremumSearch::set_reached(const Real& level, CellComplex cells) {
   reached_level_ = level;
   reached_ = std::move(cells);
-  if (windows_ && windows_->hold(level)) windows_->shrink(*reached_, level, bad_);
+  if (windows_) windows_->shrink(*reached_, level, bad_);
 }
 
 bool ExtremumSearch::reaches(const Real& level) {
@@ -160,10 +159,10 @@ void ExtremumSearch::cover() {
 /// Where candidates are to be tried, around all that is as good as the levels asked for then.
 void ExtremumSearch::open_windows() {
   if (!cover_) return;
+  windows_.emplace(f_, closure_, rotation_);
   const double slack = scale_ * margin::kTryCandidates * margin::kUpward;
   if (cover_->narrow(slack, slack / 2))
-    windows_ = LevelWindows::of(f_, closure_, rotation_, cover_->boxes(), cover_->low(),
-                                Real::from_double(rotation_ * cover_->most()));
+    windows_->open(cover_->boxes(), Real::from_double(rotation_ * cover_->most()), cover_->low());
 }
 
 /// Whether f tends to infinity within S: far away it is positive then. It is 0 there where it is max(0, -g), and

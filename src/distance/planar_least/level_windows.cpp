@@ -29,7 +29,7 @@ using plane::Region;
 
 namespace {
 
-constexpr std::size_t kMostWindows = 32;
+constexpr std::size_t kMostWindows = 16;
 constexpr double kSmaller = 0.5;  // no sign: windows that shrink by less stay
 
 /// On the grid, with a step around the box.
@@ -63,15 +63,12 @@ std::vector<PieceBox> boxes_of(const CellComplex& c) {
 
 }  // namespace
 
-std::optional<LevelWindows> LevelWindows::of(const TDistance& f, const Region& closed, int rotation,
-                                             std::vector<PieceBox> boxes, double least, const Real& most) {
-  LevelWindows out(f, closed, rotation);
-  out.stages_.push_back({std::move(boxes), most});
-  if (!out.place(least)) return std::nullopt;
-  return out;
+void LevelWindows::open(std::vector<PieceBox> boxes, const Real& level, double least) {
+  stages_.push_back({std::move(boxes), level});
+  if (!place(least)) stages_.pop_back();
 }
 
-/// The windows of the last stage. False, and as before, where one has no function of its own.
+/// The windows of the last stage. False, and as before, where that has no gain.
 bool LevelWindows::place(double least) {
   Stage& stage = stages_.back();
   for (PieceBox& b : stage.boxes) b = on_grid(b);
@@ -109,12 +106,16 @@ bool LevelWindows::holds(const Stage& stage, const Real& level) const {
   return rotation_ * compare(level, stage.level) <= 0;
 }
 
-bool LevelWindows::hold(const Real& level) const { return holds(stages_.front(), level); }
+bool LevelWindows::hold(const Real& level) const { return !stages_.empty() && holds(stages_.front(), level); }
 
 std::optional<CellComplex> LevelWindows::probe(const Real& level, const Region& over) {
   const std::size_t stages = stages_.size();
   while (!holds(stages_.back(), level)) stages_.pop_back();
-  if ((first(level) < least_ || stages_.size() < stages) && !place(std::min(first(level), least_))) return std::nullopt;
+  if ((first(level) < least_ || stages_.size() < stages) && !place(std::min(first(level), least_))) {
+    stages_.clear();
+    windows_.clear();
+    return std::nullopt;
+  }
   const auto rule = [this](Mark k) { return Mark(rotation_ * k < 0 ? kBeyond : k == 0 ? kOn : 0); };
   CellComplex out = CellComplex::uniform(0);
   for (const Window& w : windows_) {
@@ -133,9 +134,7 @@ void LevelWindows::shrink(const CellComplex& probed, const Real& level, double l
   double before = 0, now = 0;
   for (const Window& w : windows_) before += size(w.box);
   for (const PieceBox& b : boxes) now += size(on_grid(b));
-  if (now > kSmaller * before) return;
-  stages_.push_back({std::move(boxes), level});
-  if (!place(least)) stages_.pop_back();
+  if (windows_.empty() || now <= kSmaller * before) open(std::move(boxes), level, least);
 }
 
 }  // namespace findspace::distance

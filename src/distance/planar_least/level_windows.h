@@ -16,15 +16,17 @@ namespace findspace::distance {
 
 class LevelWindows {
  public:
-  /// All positions as good as the level `most` lie in the boxes. `least`, times `rotation`: no better levels are likely
-  /// to be asked for. `rotation`: +1 where less is better, -1 where more is. Nothing where windows have no gain.
-  /// `closed`: what probes are mostly about; it is kept as a reference, as f is.
-  static std::optional<LevelWindows> of(const TDistance& f, const plane::Region& closed, int rotation,
-                                        std::vector<plane::PieceBox> boxes, double least, const exact::Real& most);
+  /// `closed`: what probes are mostly about; both are kept as references. `rotation`: +1 where less is better, -1 where
+  /// more is.
+  LevelWindows(const TDistance& f, const plane::Region& closed, int rotation)
+      : f_(&f), closed_(&closed), rotation_(rotation) {}
 
+  /// All positions as good as the level lie in the boxes: windows are opened there, if small maps cost less than those
+  /// of the whole plane. `least`, times the rotation: no better levels are likely to be asked for.
+  void open(std::vector<plane::PieceBox> boxes, const exact::Real& level, double least);
   /// Whether the windows hold all positions as good as the level.
   bool hold(const exact::Real& level) const;
-  /// As level_probe.h, for a level that they hold; nothing where windows cannot tell.
+  /// As level_probe.h, for a level that they hold; nothing where there is no gain after all.
   std::optional<plane::CellComplex> probe(const exact::Real& level, const plane::Region& over);
   /// All positions as good as `level` are those with marks: the windows become smaller if that is worth it.
   void shrink(const plane::CellComplex& probed, const exact::Real& level, double least);
@@ -42,8 +44,6 @@ class LevelWindows {
     exact::Real level;
   };
 
-  LevelWindows(const TDistance& f, const plane::Region& closed, int rotation)
-      : f_(&f), closed_(&closed), rotation_(rotation) {}
   bool place(double least);
   double first(const exact::Real& level) const;
   double last(const exact::Real& level) const;
