@@ -28,6 +28,8 @@ namespace {
 
 /// From here on a base is not kept beside the first level: it is made again if a second question needs it.
 constexpr std::size_t kManyEdges = 200'000;
+/// Where more show in a window, a map of the whole plane may cost less.
+constexpr std::size_t kMostEdges = 40;
 
 }  // namespace
 
@@ -120,7 +122,9 @@ TDistancePointer SignedDistance::near(const plane::PieceBox& window, double low,
     if (s.distance(w.x, w.y) <= reach) chosen.push_back(s.cell);
   auto out = std::make_shared<SignedDistance>(boundary_alone(base(), chosen, 0, Mark(sign)));
   const auto edges = plane::remark(out->base(), [](Mark m) { return Mark(m == 0); });
-  out->window_ = std::make_shared<const WindowDistance>(edges, window);
+  auto inside = std::make_shared<const WindowDistance>(edges, window);
+  if (inside->edges() > kMostEdges) return nullptr;
+  out->window_ = std::move(inside);
   return out;
 }
 

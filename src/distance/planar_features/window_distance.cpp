@@ -43,10 +43,12 @@ WindowDistance::WindowDistance(const plane::Region& edges, const plane::PieceBox
   };
   for (Index e = 0; e < edges.edges.size(); ++e) {
     if (edges.edges[e].mark <= 0) continue;
-    if (const auto end = nearest_end(edges, e, window_))
+    if (const auto end = nearest_end(edges, e, window_)) {
       counts[*end] = 1;
-    else
-      add(edge_feature(edges, e));
+      continue;
+    }
+    add(edge_feature(edges, e));
+    ++edges_;
   }
   for (Index v = 0; v < edges.vertices.size(); ++v)
     if (edges.vertices[v].mark > 0 && (counts[v] != 0 || edges.vertices[v].out == plane::kNone))
