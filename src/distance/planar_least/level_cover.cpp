@@ -20,7 +20,7 @@ using plane::PieceBox;
 namespace {
 
 // A sign map costs about as much as some values for each edge.
-constexpr std::size_t kFewLooks = 1000, kLooksAnEdge = 20, kMostLooks = 12'000;
+constexpr std::size_t kFewLooks = 1000, kLooksAnEdge = 2, kMostLooks = 4000;
 constexpr int kMostRounds = 40;
 
 /// A power of two: middles of squares are short numbers then.
