@@ -31,12 +31,12 @@ PhiQuestion limits_of(const Options& options) {
   return question;
 }
 
-void note_parts(const Session& session, const std::string& name, std::size_t parts, const Shape::Rounded& rounded,
-                const Shape& shape) {
+void note_parts(const Session& session, const std::string& name, std::size_t parts, const Shape::Rounded& rounded) {
   if (parts > 1) session.reporter().note(fmt::format("{}: {} convex parts", name, parts));
   if (rounded.points == 0) return;
-  session.reporter().note(fmt::format("{}: {} vertices of convex parts rounded, by at most {:.3g} grid steps", name,
-                                      rounded.points, rounded.largest / shape.grid().step.value()));
+  const std::string unit = session.scene().unit();
+  session.reporter().note(fmt::format("{}: {} vertices of convex parts rounded, by at most {:.3g}{}{}", name,
+                                      rounded.points, rounded.largest, unit.empty() ? "" : " ", unit));
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ Outcome run_phi_verb(const Options& options, Reporter& reporter) {
   question.unit = session.scene().unit();
   const Shape a = session.scene().shape(question.a), b = session.scene().shape(question.b);
   const Phi phi(a, b);
-  note_parts(session, question.a, phi.parts_of_a(), phi.rounded_of_a(), a);
-  note_parts(session, question.b, phi.parts_of_b(), phi.rounded_of_b(), b);
+  note_parts(session, question.a, phi.parts_of_a(), phi.rounded_of_a());
+  note_parts(session, question.b, phi.parts_of_b(), phi.rounded_of_b());
   if (options.at) {
     question.at = asked_coordinates(session, session.in_space() ? 3 : 2);
     if (phi.form() == Phi::Form::kCurves) asked_position(session);  // refuses what is too far away

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 
+#include <findspace/error.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,7 +10,9 @@
 
 #include "distance/rotation/motion_maps.h"
 #include "distance/rotation/rated_gap.h"
+#include "distance/rotation/rotation_in_time.h"
 #include "distance/rotation/rotation_motion.h"
+#include "distance/rotation/rotational_by_position.h"
 #include "distance_shapes.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
@@ -196,6 +199,49 @@ TEST(RatedGap, ConvexSets) {
   EXPECT_FALSE(is_convex(polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 5}, {5, 3}}})));
   EXPECT_FALSE(is_convex(plane::complement(disc)));
   EXPECT_FALSE(is_convex(plane::region_of_chain(ring({{0, 0}, {4, 0}}))));
+}
+
+/// As thin as the grid: rotated by many angles and put on it, it crosses itself.
+Region splinter() {
+  plane::Contour c{{.start = {0, 0}}, {.start = {400'000'000'000, 0}}};
+  for (std::int64_t k = 99; k > 0; --k)
+    c.push_back({.start = {k * 4'000'000'000 - (k * k % 7) * 100'000'001, 1 + k % 2}});
+  return plane::region_of_rings(std::array{c});
+}
+
+/// Where an error says that it arose.
+template <class Ask>
+std::array<double, 2> place_of_error(Ask&& ask) {
+  try {
+    ask();
+  } catch (const Error& e) {
+    if (!e.geometry().empty()) return e.geometry()[0];
+  }
+  ADD_FAILURE() << "no error with a place";
+  return {};
+}
+
+TEST(RotatingMotion, AnErrorSaysItsPlaceInTheUnit) {
+  const auto expect_in_unit = [](auto&& ask) {
+    constexpr double kSize = 400'000'000'000, kStep = 1.0 / 1024;
+    const auto far = [&](double step) {
+      const std::array<double, 2> place = place_of_error([&] { ask(step); });
+      return std::hypot(place[0], place[1]);
+    };
+    EXPECT_GT(far(1), kSize / 1000);
+    EXPECT_GT(far(kStep), kSize / 1000 * kStep);
+    EXPECT_LT(far(kStep), kSize * 1.01 * kStep);
+  };
+  const Region thin = splinter();
+  const Which gap = Which::kGamma1;
+  expect_in_unit([&](double step) {
+    static_cast<void>(RotatingMotion(thin, kSquare, gap, turning(0, 90), step).extremum({}, Sense::kMinimum));
+  });
+  expect_in_unit([&](double step) {
+    static_cast<void>(RotationInTime(thin, kSquare, gap, {}, {}, turning(1, 84), step).extremum(Sense::kMinimum));
+  });
+  // By motion_maps.
+  expect_in_unit([&](double step) { rotation_position_maps(kSquare, thin, gap, at(7, 9), 170, step); });
 }
 
 }  // namespace distance_rotation_motion

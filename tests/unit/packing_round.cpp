@@ -6,7 +6,9 @@
 #include <findspace/error.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <random>
 
 #include "packing/problem/arc_corners.h"
@@ -84,6 +86,33 @@ TEST(RoundPart, RefusesWhatIsNoArea) {
   EXPECT_THROW(RoundPart(plane::Region::uniform(1)), Error);
   const std::vector<plane::GridPoint> point{{3, 4}};
   EXPECT_THROW(RoundPart(plane::region_of_points(point)), Error);
+}
+
+TEST(RoundPart, AnErrorSaysItsPlaceInTheUnit) {
+  constexpr double kSize = 400'000'000'000;
+  const plane::Contour splinter{{.start = {0, 0}},
+                                {.start = {400'000'000'000, 0}},
+                                {.start = {390'000'000'000, 1}},
+                                {.start = {300'000'000'000, 2}},
+                                {.start = {250'000'000'000, 1}},
+                                {.start = {200'000'000'000, 2}},
+                                {.start = {140'000'000'000, 1}},
+                                {.start = {90'000'000'000, 2}},
+                                {.start = {30'000'000'000, 1}}};  // as thin as the grid
+  const auto far = [&](double step) {
+    const RoundPart part(plane::region_of_rings(std::array{splinter}), step);
+    for (int angle = 1; angle < 90; ++angle) {
+      try {
+        static_cast<void>(part.at(angle, false));
+      } catch (const Error& e) {
+        return std::hypot(e.geometry().at(0)[0], e.geometry().at(0)[1]);
+      }
+    }
+    return 0.0;
+  };
+  const double steps = far(1);
+  EXPECT_GT(steps, kSize / 100);
+  EXPECT_EQ(far(1.0 / 1024), steps / 1024);
 }
 
 TEST(RoundPart, APolygonIsKnown) {

@@ -80,9 +80,10 @@ class SignBounds {
 };
 
 BoundedMaps bounds_of_piece(const plane::Region& b, const plane::Region& a, Which which, bool convex,
-                            const RotatingPiece& piece, const RotationSenses& senses, const Real& level) {
+                            const RotatingPiece& piece, const RotationSenses& senses, const Real& level, double step) {
   plane::Rounding rounding;
-  const ShapePair pair(rotated(b, {0, 0}, piece.moving, 1, rounding), rotated(a, {0, 0}, piece.fixed, 1, rounding));
+  const ShapePair pair(rotated(b, {0, 0}, piece.moving, step, rounding),
+                       rotated(a, {0, 0}, piece.fixed, step, rounding));
   const SignBounds f(pair, which, convex);
   const bool least = senses.pieces == Sense::kMinimum;
   // Two shapes, each off by the rounding (ends of an arc carry its bulge along: twice that).
@@ -112,12 +113,14 @@ int pieces_of_leg(const RotatingPose& p, const RotatingPose& q) {
 }
 
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
-                        std::span<const RotatingPiece> pieces, const RotationSenses& senses, const Real& level) {
+                        std::span<const RotatingPiece> pieces, const RotationSenses& senses, const Real& level,
+                        double step) {
   const bool gap = which == Which::kGamma1 || which == Which::kPenetration,
              convex = gap && is_convex(b) && is_convex(a);
   std::vector<BoundedMaps> all(pieces.size());
-  plane::parallel_for(all.size(),
-                      [&](std::size_t k) { all[k] = bounds_of_piece(b, a, which, convex, pieces[k], senses, level); });
+  plane::parallel_for(all.size(), [&](std::size_t k) {
+    all[k] = bounds_of_piece(b, a, which, convex, pieces[k], senses, level, step);
+  });
   auto joined = [&](SignMap BoundedMaps::*side) {
     std::vector<const CellComplex*> maps;
     for (const BoundedMaps& m : all) maps.push_back(&(m.*side));
@@ -130,8 +133,8 @@ BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which wh
 }
 
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
-                        const std::vector<RotatingPose>& poses, Sense sense, const Real& level) {
-  return motion_maps(b, a, which, pieces_of(poses, reach(b), reach(a)), {sense, sense, sense}, level);
+                        const std::vector<RotatingPose>& poses, Sense sense, const Real& level, double step) {
+  return motion_maps(b, a, which, pieces_of(poses, reach(b), reach(a)), {sense, sense, sense}, level, step);
 }
 
 }  // namespace findspace::distance

@@ -35,12 +35,14 @@ struct RotationSenses {
   Sense low, high;  // along the way of a piece, for either bound
 };
 
+/// `step`: size of a grid step, for the place of an error.
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
-                        std::span<const RotatingPiece> pieces, const RotationSenses& senses, const exact::Real& level);
+                        std::span<const RotatingPiece> pieces, const RotationSenses& senses, const exact::Real& level,
+                        double step = 1);
 
 /// inf or sup over the time of a motion; `poses` as for RotatingMotion, `level` in grid steps.
 BoundedMaps motion_maps(const plane::Region& b, const plane::Region& a, Which which,
-                        const std::vector<RotatingPose>& poses, Sense sense, const exact::Real& level);
+                        const std::vector<RotatingPose>& poses, Sense sense, const exact::Real& level, double step = 1);
 
 /// Into how many pieces a leg is cut whose angles change by so much.
 int pieces_of_leg(const RotatingPose& from, const RotatingPose& to);

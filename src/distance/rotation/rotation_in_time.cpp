@@ -52,7 +52,7 @@ RotationMap base_map(const RotatedPair& pair, Which which, const Real& level) {
 }  // namespace
 
 RotationInTime::RotationInTime(Region b, Region a, Which which, RealPoint centre, RealPoint p,
-                               std::vector<RotatingPose> poses)
+                               std::vector<RotatingPose> poses, double step)
     : b_(std::move(b)),
       a_(std::move(a)),
       which_(which),
@@ -60,7 +60,8 @@ RotationInTime::RotationInTime(Region b, Region a, Which which, RealPoint centre
       p_(std::move(p)),
       poses_(std::move(poses)),
       b_reach_(reach(b_)),
-      a_reach_(reach(a_)) {}
+      a_reach_(reach(a_)),
+      step_(step) {}
 
 BoundedRotations RotationInTime::circles(const PartOfLeg& part) const {
   const RotatingPose &from = poses_[part.leg], &to = poses_[std::min(part.leg + 1, poses_.size() - 1)];
@@ -70,8 +71,8 @@ BoundedRotations RotationInTime::circles(const PartOfLeg& part) const {
                   from_b_at{from.at.x + from.fixed_at.x, from.at.y + from.fixed_at.y},
                   to_b_at{to.at.x + to.fixed_at.x, to.at.y + to.fixed_at.y}, b_at = between(from_b_at, to_b_at, mid);
   plane::Rounding rounding;
-  const RotatedPair pair(rotated(b_, {0, 0}, between(from.moving, to.moving, mid), 1, rounding),
-                         rotated(a_, {0, 0}, between(from.fixed, to.fixed, mid), 1, rounding),
+  const RotatedPair pair(rotated(b_, {0, 0}, between(from.moving, to.moving, mid), step_, rounding),
+                         rotated(a_, {0, 0}, between(from.fixed, to.fixed, mid), step_, rounding),
                          {centre_.x - p_.x - b_at.x, centre_.y - p_.y - b_at.y},
                          {centre_.x - a_at.x, centre_.y - a_at.y});
   const double radians = std::numbers::pi / 180;

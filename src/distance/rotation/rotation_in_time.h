@@ -27,9 +27,10 @@ struct PartOfLeg {
 
 class RotationInTime {
  public:
-  /// Closed shapes; `which`: gamma, eta or delta; `centre` and the position `p` in grid steps.
+  /// Closed shapes; `which`: gamma, eta or delta; `centre` and the position `p` in grid steps. `step`: size of one, for
+  /// the place of an error.
   RotationInTime(plane::Region b, plane::Region a, Which which, exact::RealPoint centre, exact::RealPoint p,
-                 std::vector<RotatingPose> poses);
+                 std::vector<RotatingPose> poses, double step = 1);
 
   /// The signs that f minus a level (degrees) may have.
   SignRange signs(const PartOfLeg& part, const exact::Real& level) const;
@@ -50,7 +51,7 @@ class RotationInTime {
   Which which_;
   exact::RealPoint centre_, p_;
   std::vector<RotatingPose> poses_;
-  double b_reach_, a_reach_, radius_ = 0;
+  double b_reach_, a_reach_, step_, radius_ = 0;
   int first_parts_ = kFirstParts, most_parts_ = kMostParts;
 };
 

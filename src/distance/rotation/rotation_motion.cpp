@@ -210,9 +210,10 @@ double reach(const plane::Region& r) {
 }
 
 RotatingMotion::RotatingMotion(const plane::Region& b, const plane::Region& a, Which which,
-                               std::vector<RotatingPose> poses)
+                               std::vector<RotatingPose> poses, double step)
     : b_reach_(reach(b)),
       a_reach_(reach(a)),
+      step_(step),
       which_(which == Which::kPenetration ? Which::kGamma1 : which),
       negated_(which == Which::kPenetration),
       keeps_rate_(which_ == Which::kGamma1 && is_convex(b) && is_convex(a)),
@@ -238,7 +239,7 @@ RotatingMotion::Standing RotatingMotion::standing(const RealPoint& p, std::size_
   const RotatingPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
   plane::Rounding rounding;
   auto rotated = [&](const plane::Region& r, const Real& degrees) {
-    return plane::rotated(r, {0, 0}, degrees, 1 / factor_, rounding);
+    return plane::rotated(r, {0, 0}, degrees, step_ / factor_, rounding);
   };
   const plane::Region b = rotated(b_, between(from.moving, to.moving, s)),
                       a = rotated(a_, between(from.fixed, to.fixed, s));

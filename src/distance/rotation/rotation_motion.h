@@ -49,8 +49,10 @@ double reach(const plane::Region& r);
 
 class RotatingMotion {
  public:
-  /// Closed shapes. `poses`: at the way points, straight and even between.
-  RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses);
+  /// Closed shapes. `poses`: at the way points, straight and even between. `step`: size of a grid step, for the place
+  /// of an error.
+  RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses,
+                 double step = 1);
 
   /// At part `s` (0 to 1) of leg `k`; nothing where undefined whatever was rounded; from -infinity where f is.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
@@ -95,6 +97,7 @@ class RotatingMotion {
 
   plane::Region b_, a_;  // on the fine grid
   double b_reach_, a_reach_, factor_;
+  double step_;      // of the scene's grid
   Which which_;      // kGamma1 for a penetration
   bool negated_;     // a penetration: max(0, -gamma1)
   bool keeps_rate_;  // known of a gap: below 0 too, as both shapes are convex, or as none turns or is rounded

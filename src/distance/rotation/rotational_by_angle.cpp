@@ -58,11 +58,12 @@ bool meet(const RotationMap& one, const RotationMap& other) {
 
 class RotationsOfA {
  public:
-  RotationsOfA(const RotatedShapes& s, Which plain, const RealPoint& centre)
+  RotationsOfA(const RotatedShapes& s, Which plain, const RealPoint& centre, double step)
       : shapes_(s),
         a_(plane::moved(s.fixed, {-centre.x, -centre.y})),
         to_{s.to.x - centre.x, s.to.y - centre.y},
         plain_(plain),
+        step_(step),
         reach_(reach(a_)) {}
 
   /// While B rotates about the centre from one angle to another.
@@ -106,7 +107,7 @@ class RotationsOfA {
   BoundedRotations bounds(const Piece& piece, Sense sense) const {
     plane::Rounding rounding;
     const Real back = -Real::ratio(1, 2) * (piece.from + piece.to);
-    const RotatedPair pair(shapes_.rotating, rotated(a_, {0, 0}, back, 1, rounding), shapes_.about, to_);
+    const RotatedPair pair(shapes_.rotating, rotated(a_, {0, 0}, back, step_, rounding), shapes_.about, to_);
     const auto map = [&](const Real& level) {
       return plain_ == Which::kGamma1 ? pair.nearest_point(level) : pair.sign_map(plain_, level);
     };
@@ -142,14 +143,14 @@ class RotationsOfA {
   Region a_;
   RealPoint to_;
   Which plain_;
-  double reach_;
+  double step_, reach_;
 };
 
 }  // namespace
 
 BoundedRotations rotation_angle_maps(const RotatedShapes& shapes, Which which, const RealPoint& centre,
-                                     const Real& level) {
-  const RotationsOfA rotations(shapes, plain_of(which), centre);
+                                     const Real& level, double step) {
+  const RotationsOfA rotations(shapes, plain_of(which), centre, step);
   return rotational_bounds(which, level, RotationMap::uniform(1), [&](const Real& from, const Real& to, Sense sense) {
     return rotations.over(from, to, sense);
   });

@@ -18,8 +18,9 @@
 
 namespace findspace::distance {
 
-/// `which`: gamma, eta or delta; `centre` in grid steps, the level in degrees.
+/// `which`: gamma, eta or delta; `centre` in grid steps, the level in degrees. `step`: size of a grid step, for the
+/// place of an error.
 BoundedRotations rotation_angle_maps(const RotatedShapes& shapes, Which which, const exact::RealPoint& centre,
-                                     const exact::Real& level);
+                                     const exact::Real& level, double step = 1);
 
 }  // namespace findspace::distance

@@ -39,8 +39,8 @@ RealPoint rotated(const RealPoint& p, const Real& degrees) {
 class Rotated {
  public:
   Rotated(const Region& b, const Region& a, Which plain, const RealPoint& centre, const RotatingPose& from,
-          const RotatingPose& to)
-      : b_(b), a_(a), which_(plain), from_(from), to_(to) {
+          const RotatingPose& to, double grid_step)
+      : b_(b), a_(a), which_(plain), from_(from), to_(to), grid_step_(grid_step) {
     // What stands still of A's place goes into the shape; A that rotates in time rotates about its own origin.
     const RealPoint place = minus(from.fixed_at, centre);
     const bool rotations = from.fixed.sign() != 0 || to.fixed.sign() != 0;
@@ -72,7 +72,7 @@ class Rotated {
     }
     const RotationSenses senses =
         whole ? RotationSenses{sense, sense, sense} : RotationSenses{sense, Sense::kMinimum, Sense::kMaximum};
-    return motion_maps(b_, a_, which_, pieces, senses, Real());
+    return motion_maps(b_, a_, which_, pieces, senses, Real(), grid_step_);
   }
 
  private:
@@ -83,7 +83,7 @@ class Rotated {
   Which which_;
   RotatingPose from_, to_;
   std::array<RealPoint, 2> place_, b_place_;
-  double in_time_ = 0, reach_ = 0;
+  double grid_step_, in_time_ = 0, reach_ = 0;
 };
 
 bool stands(const RotatingPose& p, const RotatingPose& q) {
@@ -102,13 +102,14 @@ plane::SignMap extreme(const std::vector<BoundedMaps>& all, plane::SignMap Bound
 }  // namespace
 
 BoundedMaps rotation_position_maps(const Region& b, const Region& a, Which which, const RealPoint& centre,
-                                   const Real& level) {
+                                   const Real& level, double step) {
   const RotatingPose still{};
-  return rotation_position_maps(b, a, which, centre, level, {still, still}, Sense::kMinimum);
+  return rotation_position_maps(b, a, which, centre, level, {still, still}, Sense::kMinimum, step);
 }
 
 BoundedMaps rotation_position_maps(const Region& b, const Region& a, Which which, const RealPoint& centre,
-                                   const Real& level, const std::vector<RotatingPose>& poses, Sense over_time) {
+                                   const Real& level, const std::vector<RotatingPose>& poses, Sense over_time,
+                                   double step) {
   // The least over the turns and over the time, or the greatest over both: then whole legs can be taken.
   const bool same_order =
       !is_second_kind(which) && (level.sign() == 0 || (level.sign() > 0) == (over_time == Sense::kMinimum));
@@ -118,7 +119,7 @@ BoundedMaps rotation_position_maps(const Region& b, const Region& a, Which which
     const int n = std::max(pieces_of_leg(from, to), same_order || stands(from, to) ? 1 : kTimesOfALeg);
     for (int k = 0; k < n; ++k) {
       const Rotated rotated(b, a, plain_of(which), centre, between(from, to, Real::ratio(k, n)),
-                            between(from, to, Real::ratio(k + 1, n)));
+                            between(from, to, Real::ratio(k + 1, n)), step);
       all.push_back(rotational_bounds(which, level, plane::SignMap::uniform(1),
                                       [&](const Real& first, const Real& last, Sense sense) {
                                         return rotated.over(first, last, same_order ? over_time : sense, same_order);

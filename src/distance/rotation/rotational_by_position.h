@@ -14,12 +14,13 @@
 
 namespace findspace::distance {
 
-/// `which`: kGamma1, kEta1, kDelta1 or the second kinds; `centre` in grid steps, the level in degrees.
+/// `which`: kGamma1, kEta1, kDelta1 or the second kinds; `centre` in grid steps, the level in degrees. `step`: size of
+/// a grid step, for the place of an error.
 BoundedMaps rotation_position_maps(const plane::Region& b, const plane::Region& a, Which which,
-                                   const exact::RealPoint& centre, const exact::Real& level);
+                                   const exact::RealPoint& centre, const exact::Real& level, double step = 1);
 /// Its inf or sup over a motion.
 BoundedMaps rotation_position_maps(const plane::Region& b, const plane::Region& a, Which which,
                                    const exact::RealPoint& centre, const exact::Real& level,
-                                   const std::vector<RotatingPose>& poses, Sense over_time);
+                                   const std::vector<RotatingPose>& poses, Sense over_time, double step = 1);
 
 }  // namespace findspace::distance

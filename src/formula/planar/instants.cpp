@@ -156,7 +156,7 @@ std::array<Section, 2> signs_of_turning(const PreparedWorld& world, const SignMa
   if (first || second) which = eta ? Which::kMu : Which::kMuBack;
   const bool least_only = second || (first && wanted.level.sign() > 0);
   const RotatingMotion f(world.shape(r.names.first), world.shape(r.names.second), which,
-                         rotation_poses(world, r, false));
+                         rotation_poses(world, r, false), world.step().to_double());
   const bool penetration = which == Which::kPenetration;
   const double steps = (wanted.level / world.step()).to_double(), level = penetration ? -steps : steps;
   std::vector<Piece> pieces =

@@ -71,8 +71,10 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
     const RealPoint centre = world.steps({r.wanted.vector.at(0), r.wanted.vector.at(1)});
     const Which kind = r.which();
     const plane::SharedRegion b = world.shape(r.names.first), a = world.shape(r.names.second);
-    if (!world.motion().given()) return distance::rotation_position_maps(b, a, kind, centre, wanted.level);
-    return distance::rotation_position_maps(b, a, kind, centre, wanted.level, rotation_poses(world, r, false), sense);
+    const double step = world.step().to_double();
+    if (!world.motion().given()) return distance::rotation_position_maps(b, a, kind, centre, wanted.level, step);
+    return distance::rotation_position_maps(b, a, kind, centre, wanted.level, rotation_poses(world, r, false), sense,
+                                            step);
   }
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that rotate in time");
@@ -82,7 +84,8 @@ BoundedMaps bounded_maps(const PreparedWorld& world, const SignMap& asked) {
     kind = kind == Which::kEta1 ? Which::kMu : Which::kMuBack;
   const auto bounds = [&](Which of, const Real& level) {
     return distance::motion_maps(world.shape(r.names.first), world.shape(r.names.second), of,
-                                 rotation_poses(world, r, false), sense, level / world.step());
+                                 rotation_poses(world, r, false), sense, level / world.step(),
+                                 world.step().to_double());
   };
   const bool eta = kind == Which::kEta1 || kind == Which::kEta2, first = kind == Which::kEta1 || kind == Which::kDelta1;
   if (!eta && !first && kind != Which::kDelta2) return bounds(kind, wanted.level);

@@ -53,7 +53,8 @@ ValueRange values_over(const RotationMaps& maps, const Distance& wanted, const p
     poses[0].moving = stops[first_stop];
     poses[1].moving = stops[last_stop];
     return distance::RotationInTime(plane::moved(world.shape(d.first), {-about.x, -about.y}), world.shape(d.second),
-                                    world.which(d), centre_of(world, d), maps.centre(), poses);
+                                    world.which(d), centre_of(world, d), maps.centre(), poses,
+                                    world.step().to_double());
   };
   const int rotation = sense == Sense::kMinimum ? 1 : -1;
   const auto better = [rotation](ValueRange v) { return rotation > 0 ? v : ValueRange{-v.high, -v.low}; };
@@ -94,7 +95,7 @@ BoundedRotations bounded_map(const RotationMaps& maps, const SignMap& wanted) {
   const PreparedWorld& world = maps.world();
   const Distance d = moving_first(wanted.distance, world.world().moving);
   return distance::rotation_angle_maps({world.shape(d.first), world.shape(d.second), maps.about(), maps.centre()},
-                                       world.which(d), centre_of(world, d), wanted.level);
+                                       world.which(d), centre_of(world, d), wanted.level, world.step().to_double());
 }
 
 std::optional<Real> finite(double v) { return std::isinf(v) ? std::nullopt : std::optional(Real::from_double(v)); }

@@ -50,13 +50,15 @@ distance::RotationInTime rotation_in_time(const PreparedWorld& world, const Role
           r.which(),
           world.steps({r.wanted.vector.at(0), r.wanted.vector.at(1)}),
           p,
-          rotation_poses(world, r, instant)};
+          rotation_poses(world, r, instant),
+          world.step().to_double()};
 }
 
 RotatingMotion rotation_motion(const PreparedWorld& world, const Roles& r, bool instant) {
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that rotate in time");
-  return {world.shape(r.names.first), world.shape(r.names.second), r.which(), rotation_poses(world, r, instant)};
+  return {world.shape(r.names.first), world.shape(r.names.second), r.which(), rotation_poses(world, r, instant),
+          world.step().to_double()};
 }
 
 std::optional<ValueRange> rotation_value(const PreparedWorld& world, const Roles& r, const RealPoint& p) {

@@ -155,7 +155,8 @@ RotationSolver::Met RotationSolver::rotation_elsewhere(const RotationMaps& maps,
   const Distance d = moving_first(wanted, world_.world().moving);
   const RealPoint& about = maps.about();
   const distance::RotationInTime f(plane::moved(world_.shape(d.first), {-about.x, -about.y}), world_.shape(d.second),
-                                   world_.which(d), centre_of(world_, d), maps.centre(), {{{}, pose_.degrees, {}}});
+                                   world_.which(d), centre_of(world_, d), maps.centre(), {{{}, pose_.degrees, {}}},
+                                   world_.step().to_double());
   const distance::ValueRange v = f.instant(0, Real());
   const bool undefined = v.low == exact::kInfinity;
   Met out{ranged_answer(world_, wanted, undefined ? std::nullopt : std::optional(v)), std::nullopt};

@@ -172,7 +172,7 @@ class SolidOfCad {
       }
       const double bound = mesh.bound * grid.steps() + kForGrid + to->most_moved;
       if (bound <= tolerance) return done(to->surface, mesh, bound, outside ? "outside" : "inside");
-      why = fmt::format("its sharpest edges need a bound of {:.3g} grid steps", bound);
+      why = fmt::format("its sharpest edges need a bound of {}", context_.length_text(bound));
       part *= kLess * std::min(1.0, tolerance / bound);
     }
     throw Error(ErrorCode::kUnsupported,
@@ -181,10 +181,11 @@ class SolidOfCad {
                             outside ? "outside" : "inside", why));
   }
 
-  static NearMesh near_mesh(const CadMesh& mesh, const CadGrid& grid) {
+  NearMesh near_mesh(const CadMesh& mesh, const CadGrid& grid) const {
     const GridPlaces places(mesh.places, grid);
     NearMesh out;
     out.surface.points = places.points;
+    out.surface.step = context_.grid.step_size();
     for (const auto& [x, y, z] : places.moved) out.moved.push_back({x > 0, y > 0, z > 0});
     for (const CadFace& face : mesh.faces) {
       out.surface.faces.push_back({face.corners[0], face.corners[1], face.corners[2]});

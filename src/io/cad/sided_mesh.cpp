@@ -17,6 +17,7 @@
 #include "plane/base/parallel.h"
 #include "space/convolution/mesh_crossing.h"
 #include "space/convolution/ray_overlap.h"
+#include "space/mesh/mesh.h"
 #include "space/polytope/polytope.h"
 #include "space/polytope/vector.h"
 #include "space/surface/real_overlap.h"
@@ -178,7 +179,7 @@ class Sides {
 
   std::string place_of(std::size_t v) const {
     const Point& p = near_.surface.points[v];
-    return fmt::format(", at grid steps ({}, {}, {})", p.x, p.y, p.z);
+    return ", at " + space::places_text({&p, 1}, near_.surface.step);
   }
 
   static constexpr std::int64_t kSpare = 1;  // for the rounding of the vector to the grid

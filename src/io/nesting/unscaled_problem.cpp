@@ -175,9 +175,9 @@ plane::Region region_without(const std::vector<packing::Polygon>& sets) {
   return plane::closure(plane::subtract(all));
 }
 
-/// A polygon where the set is one; a round part otherwise.
-Outlined outlined_as(plane::Region region, const std::string& place) {
-  const auto round = std::make_shared<const packing::RoundPart>(std::move(region));
+/// A polygon where the set is one; a round part otherwise. `steps`: in a unit.
+Outlined outlined_as(plane::Region region, packing::int128 steps, const std::string& place) {
+  const auto round = std::make_shared<const packing::RoundPart>(std::move(region), 1 / double(steps));
   if (auto rings = packing::rings_of(round->at(0, false).region))
     return {packing::make_polygon(std::move(*rings), place)};
   return {round->at(0, false).about, round};
@@ -190,11 +190,11 @@ Outlined outlined_on(const Unscaled& from, packing::int128 steps, const std::str
   try {
     if (!from.shape) {
       const std::vector<packing::Polygon> sets = sets_of(stated);
-      return holes_overlap(sets) ? outlined_as(region_without(sets), place) : Outlined{std::move(stated)};
+      return holes_overlap(sets) ? outlined_as(region_without(sets), steps, place) : Outlined{std::move(stated)};
     }
     const packing::int128 factor = from.shape->step.over(steps);
     return outlined_as(factor == 1 ? *from.shape->region : plane::scaled(from.shape->region, std::int64_t(factor)),
-                       place);
+                       steps, place);
   } catch (const Error& e) {
     throw e.within(place);
   }

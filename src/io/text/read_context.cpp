@@ -66,9 +66,9 @@ void ReadContext::use(const DrawingRules& rules) {
   if (rules.repair) drawing.repair.width = whole_steps_of("repair", *rules.repair, *this);
   if (rules.close_holes) drawing.repair.hole = whole_steps_of("close_holes", *rules.close_holes, *this);
   if (drawing.tolerance < plane::kLeastBound)
-    throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {:.3g} grid steps is too small; {} are needed, so "
-                                                  "give the scene a finer \"grid\"",
-                                                  drawing.tolerance, plane::kLeastBound));
+    throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {} is too small; at least {} is needed, so give the "
+                                                  "scene a finer \"grid\"",
+                                                  length_text(drawing.tolerance), length_text(plane::kLeastBound)));
 }
 
 std::string ReadContext::length_text(double steps) const {

@@ -123,7 +123,7 @@ double twice_area_of(const plane::Region& region) {
 
 }  // namespace
 
-RoundPart::RoundPart(plane::Region region) : region_(std::move(region)) {
+RoundPart::RoundPart(plane::Region region, double step) : region_(std::move(region)), step_(step) {
   check(region_);
   twice_area_ = twice_area_of(region_);
 }
@@ -135,7 +135,7 @@ const RoundPart::Form& RoundPart::at(const Fraction& angle, bool mirrored) const
   plane::Rounding rounding;
   plane::Region turned = mirrored ? plane::mirrored_in_y_axis(region_) : *region_;
   const exact::Real degrees = exact::Real(angle.numerator()) / exact::Real(angle.denominator());
-  auto form = std::make_unique<Form>(Form{plane::rotated(turned, {}, degrees, 1, rounding), {}, {}, {}, {}});
+  auto form = std::make_unique<Form>(Form{plane::rotated(turned, {}, degrees, step_, rounding), {}, {}, {}, {}});
   find_box(*form);
   form->about = polygon_about(form->region);
   known = std::move(form);
@@ -156,7 +156,7 @@ double RoundPart::area_left_of(double most) const {
 std::shared_ptr<const RoundPart> what_is_about(const RoundPart& inner, const Polygon& polygon) {
   const plane::Region all = region_of(polygon);
   const std::array<const plane::Region*, 2> both{&all, &*inner.at(0, false).region};
-  return std::make_shared<const RoundPart>(plane::closure(plane::subtract(both)));
+  return std::make_shared<const RoundPart>(plane::closure(plane::subtract(both)), inner.step());
 }
 
 std::optional<std::vector<Ring>> rings_of(const plane::Region& region) {

@@ -31,8 +31,9 @@ class RoundPart {
   };
   static constexpr int kSlack = 2;
 
-  /// A closed bounded set that is the closure of its interior, in grid steps. Error(kGeometry) where it is not.
-  explicit RoundPart(plane::Region region);
+  /// A closed bounded set that is the closure of its interior, in grid steps. Error(kGeometry) where it is not. `step`:
+  /// the size of one, for the place of an error.
+  explicit RoundPart(plane::Region region, double step = 1);
 
   /// Throws Error(kGeometry) where the rounded vertices make curves cross.
   const Form& at(const Fraction& angle, bool mirrored) const;
@@ -40,10 +41,11 @@ class RoundPart {
   double twice_area() const { return twice_area_; }
   /// Of what of it lies at x <= most.
   double area_left_of(double most) const;
+  double step() const { return step_; }
 
  private:
   plane::SharedRegion region_;
-  double twice_area_ = 0;
+  double step_, twice_area_ = 0;
   mutable std::mutex guard_;
   mutable std::map<std::pair<Fraction, bool>, std::unique_ptr<const Form>> forms_;
 };

@@ -92,7 +92,7 @@ class OnItsSide {
     if (round == nullptr) return nullptr;
     const auto up = std::int64_t(box_.high.x);
     return std::make_shared<const RoundPart>(
-        plane::translated(*round->at(Fraction() - kQuarter, false).region, {0, up}));
+        plane::translated(*round->at(Fraction() - kQuarter, false).region, {0, up}), round->step());
   }
   Zone turned(const Zone& zone) const {
     return {turned(zone.shape), zone.parts, zone.holds, turned(zone.round), turned(zone.about)};
