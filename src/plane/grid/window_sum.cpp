@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "exact/planar/geometry_signs.h"
+#include "plane/grid/merged_curves.h"
 
 namespace findspace::plane {
 namespace {
@@ -16,6 +17,8 @@ using Curve = ConvolutionIndex::Curve;
 using exact::Geometry;
 using exact::int128;
 using exact::SupportingCurve;
+
+constexpr std::size_t kCurvesToMerge = 400;  // of fewer it does not pay
 
 Range range(const GridBox& w) { return {double(w.x0), double(w.y0), double(w.x1), double(w.y1)}; }
 
@@ -30,6 +33,49 @@ bool misses(const ConvolutionIndex& index, const Curve& c, const GridBox& w) {
   return std::abs(nx * mx + ny * my) > reach / 2 + tolerance;
 }
 
+/// A curve as it is, its ends in order.
+struct WholeCurve {
+  Piece piece;
+  GridPoint from, to;
+  InnerSide side;
+};
+
+WholeCurve whole_curve(Geometry& g, const ConvolutionIndex& index, const Curve& c) {
+  const GridCorner& e = index.edge(c);
+  GridPoint p = index.from(c), q = index.to(c);
+  const bool right = e.dx > 0 || (e.dx == 0 && e.dy > 0), hides = e.turn < 0;
+  if (!right) std::swap(p, q);
+  WholeCurve out{{}, p, q, {.left = right, .hides_at_p0 = !right || hides, .hides_at_p1 = right || hides}};
+  out.piece.supporting_curve =
+      g.add_parallel(index.operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
+  out.piece.p0 = g.add_grid_point(p.x, p.y);
+  out.piece.p1 = g.add_grid_point(q.x, q.y);
+  return out;
+}
+
+/// Those that overlap on one line as one, where they are many.
+std::optional<ReducedConvolution> merged_where_it_pays(const ConvolutionIndex& index, std::span<const Curve> curves) {
+  if (curves.size() < kCurvesToMerge) return std::nullopt;
+  ReducedConvolution out;
+  for (const Curve& c : curves) {
+    const WholeCurve whole = whole_curve(out.geometry, index, c);
+    out.pieces.push_back(whole.piece);
+    out.sides.push_back(whole.side);
+  }
+  if (!merging_pays(out)) return std::nullopt;
+  return merged_curves(std::move(out));
+}
+
+WholeCurve copied(Geometry& g, const ReducedConvolution& from, std::size_t k) {
+  const Piece& piece = from.pieces[k];
+  const exact::Point &p = from.geometry.points[piece.p0], &q = from.geometry.points[piece.p1];
+  WholeCurve out{{}, {p.gx, p.gy}, {q.gx, q.gy}, from.sides[k]};
+  out.piece.supporting_curve = g.add(exact::SupportingCurve(from.geometry.supporting_curves[piece.supporting_curve]));
+  out.piece.p0 = g.add_grid_point(p.gx, p.gy);
+  out.piece.p1 = g.add_grid_point(q.gx, q.gy);
+  return out;
+}
+
 /// Collects the curves, cut to the window.
 class Clipped {
  public:
@@ -39,21 +85,16 @@ class Clipped {
     border_ = {g.add_line(1, 0, w.x0), g.add_line(1, 0, w.x1), g.add_line(0, 1, w.y0), g.add_line(0, 1, w.y1)};
   }
 
-  void add(const ConvolutionIndex& index, const Curve& c) {
+  /// The geometry ends with its line and its ends.
+  void add(const WholeCurve& c) {
     auto& g = out.geometry;
-    const GridCorner& e = index.edge(c);
-    GridPoint p = index.from(c), q = index.to(c);
-    const bool right = e.dx > 0 || (e.dx == 0 && e.dy > 0), hides = e.turn < 0;
-    if (!right) std::swap(p, q);
-    Piece piece;
-    piece.supporting_curve =
-        g.add_parallel(index.operand(c.side).geometry.supporting_curves[e.supporting_curve], p.x, p.y);
-    const Index p0 = piece.p0 = g.add_grid_point(p.x, p.y), p1 = piece.p1 = g.add_grid_point(q.x, q.y);
-    if (!cut_x(piece, p.x, q.x) || !cut_y(piece) || compare_xy(g, piece.p0, piece.p1) == 0) return;
+    Piece piece = c.piece;
+    if (!cut_x(piece, c.from.x, c.to.x) || !cut_y(piece) || compare_xy(g, piece.p0, piece.p1) == 0) return;
     out.pieces.push_back(piece);
-    out.sides.push_back({.left = right,
-                         .hides_at_p0 = !right || hides || piece.p0 != p0,
-                         .hides_at_p1 = right || hides || piece.p1 != p1});
+    InnerSide side = c.side;
+    side.hides_at_p0 |= piece.p0 != c.piece.p0;
+    side.hides_at_p1 |= piece.p1 != c.piece.p1;
+    out.sides.push_back(side);
   }
 
   /// The border; after all curves, as it has no inner side.
@@ -121,7 +162,12 @@ std::vector<Curve> curves_in(const ConvolutionIndex& index, const GridBox& w, st
 SignMap window_sum(const ConvolutionIndex& index, const GridBox& w, std::span<const Curve> curves,
                    const InsideTest& inside) {
   Clipped clipped(w);
-  for (const Curve& c : curves) clipped.add(index, c);
+  Geometry& g = clipped.out.geometry;
+  if (const std::optional<ReducedConvolution> merged = merged_where_it_pays(index, curves)) {
+    for (std::size_t k = 0; k < merged->pieces.size(); ++k) clipped.add(copied(g, *merged, k));
+  } else {
+    for (const Curve& c : curves) clipped.add(whole_curve(g, index, c));
+  }
   clipped.close();
   Arena arena(clipped.out.pieces.size());
   Arrangement arrangement = arrange(std::move(clipped.out.geometry), std::move(clipped.out.pieces), {}, arena.memory());
