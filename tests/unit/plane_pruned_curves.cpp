@@ -48,7 +48,7 @@ struct Curve {
   }
 };
 
-Curve segment(GridPoint from, GridPoint to) {
+Curve straight(GridPoint from, GridPoint to) {
   if (to.x < from.x || (to.x == from.x && to.y < from.y)) std::swap(from, to);
   Curve c;
   std::int64_t a = to.y - from.y, b = from.x - to.x;
@@ -64,15 +64,15 @@ TEST(KeptParts, OfNoLengthAreNone) {
   const InnerMask mask = block(-6, -9, 3, 3, side);
   ASSERT_GT(mask.depth(-6, -9), 0);
   ASSERT_EQ(mask.depth(-7, -9), 0);
-  EXPECT_TRUE(segment({-630, -630}, {-210, -630}).kept(mask).empty()) << "it starts on the border, inside";
-  EXPECT_TRUE(segment({0, 0}, {420, 0}).kept(mask).empty()) << "it ends on the border";
-  EXPECT_EQ(segment({-640, -630}, {-210, -630}).kept(mask).size(), 1u);
-  EXPECT_EQ(segment({0, 0}, {421, 0}).kept(mask).size(), 1u);
+  EXPECT_TRUE(straight({-630, -630}, {-210, -630}).kept(mask).empty()) << "it starts on the border, inside";
+  EXPECT_TRUE(straight({0, 0}, {420, 0}).kept(mask).empty()) << "it ends on the border";
+  EXPECT_EQ(straight({-640, -630}, {-210, -630}).kept(mask).size(), 1u);
+  EXPECT_EQ(straight({0, 0}, {421, 0}).kept(mask).size(), 1u);
 }
 
 TEST(KeptParts, ThatMayReachBeyondAnEnd) {
   const InnerMask mask = block(0, 0, 3, 3, 16);
-  Curve c = segment({0, 20}, {40, 20});
+  Curve c = straight({0, 20}, {40, 20});
   EXPECT_TRUE(c.kept(mask).empty());
   exact::Point& start = c.g.points[c.piece.p0];
   start.kind = exact::Point::Kind::kReal;  // in truth it may lie to the left of the cells
@@ -155,7 +155,7 @@ TEST(KeptParts, LeaveOutOnlyWhatIsMasked) {
       const GridPoint p{lattice(), lattice()}, q{lattice(), rng() % 3 > 0 ? lattice() : p.y};
       if (p.x == q.x && p.y == q.y) continue;
       check(
-          segment(p, q), mask,
+          straight(p, q), mask,
           [&](double t) {
             return std::array{double(p.x) + t * double(q.x - p.x), double(p.y) + t * double(q.y - p.y)};
           },

@@ -10,6 +10,7 @@
 #include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
 #include "plane/base/subdivide.h"
+#include "plane/query/topology.h"
 
 namespace findspace::distance {
 
@@ -23,10 +24,12 @@ namespace {
 constexpr std::size_t kFewCurves = 100;        // arranged at once
 constexpr std::size_t kManyCurves = 20000;     // not counted further
 constexpr std::int64_t kSmallest = 4;          // of a box, in grid steps
+constexpr std::size_t kCornersTried = 32;      // of each shape
 constexpr int kVainHalvings = 2;               // that leave nearly all curves in both halves: they run along each other
 constexpr std::size_t kCurvesOfMap = 10000;    // a map of fewer is cheap
 constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape could go round a hole of the other
-constexpr std::size_t kPairsOfMap = 5000;      // of edges: there are no more curves
+constexpr std::size_t kCurvesCounted = 500'000;  // a map of so many is not made
+constexpr std::size_t kPairsOfMap = 5000;        // of edges: there are no more curves
 // What a map costs, in boxes: the square of the number of curves, in these.
 constexpr double kCurvesPerBox = 1000, kCurvesPerArcBox = 500;
 
@@ -140,6 +143,17 @@ bool has_vertex_deep(const FeatureTree& of, const FeatureTree& in, double dx, do
   });
 }
 
+/// The same of some corners among all, always the same ones. Steps are odd: teeth repeat by even numbers.
+bool has_corner_deep(const FeatureTree& of, const FeatureTree& in, double dx, double dy, double margin, bool inside) {
+  const auto all = of.features();
+  const std::size_t step = (all.size() / kCornersTried) | 1;
+  for (std::size_t k = 0; k < all.size(); k += step) {
+    const auto depth = depth_in(in, all[k].x0 + dx, all[k].y0 + dy);
+    if (depth && (inside ? *depth : -*depth) > margin) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 PenetrationDepth::PenetrationDepth(const FeatureTree& moving, const FeatureTree& fixed, Of of, Sum sum,
@@ -171,7 +185,7 @@ std::unique_ptr<const PenetrationDepth> PenetrationDepth::make(const FeatureTree
   if (moving.features().size() * fixed.features().size() < kPairsOfMap && !always) return nullptr;
   auto places = plane::FreePlaces::make(a, b, contact ? Keep::kApart : Keep::kInside);
   if (!places) return nullptr;
-  const std::size_t curves = places->curve_count();
+  const std::size_t curves = places->curve_count(kCurvesCounted);
   if (!always && curves < kCurvesOfArcMap) return nullptr;
   return made(std::move(places), curves, kCurvesPerArcBox);
 }
@@ -181,16 +195,26 @@ bool PenetrationDepth::holds(const RealPoint& p) const {
   return !std::get<Places>(sum_)->is_free(p);
 }
 
-bool PenetrationDepth::certainly_holds(double x, double y, double reach) const {
-  const double margin =
-      reach + (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * margin::kDepthTolerance;
+bool PenetrationDepth::sticks_out(double x, double y, const Moves& by) const {
+  if (of_ == Of::kContact || !plane::is_bounded(fixed_.region()) || fixed_.empty() || moving_.empty()) return false;
+  const FeatureBox &a = fixed_.nodes()[0].box, &b = moving_.nodes()[0].box;
+  return std::max(a.x0 - (b.x0 + x), b.x1 + x - a.x1) > by.x || std::max(a.y0 - (b.y0 + y), b.y1 + y - a.y1) > by.y;
+}
+
+bool PenetrationDepth::certainly_holds(double x, double y, const Moves& by) const {
+  const double slack = (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * margin::kDepthTolerance;
+  const double margin = std::hypot(by.x, by.y) + slack;
+  const Moves moves{by.x + slack, by.y + slack};
   const bool contact = of_ == Of::kContact;
   auto meets = [&](const InnerDisc& d, const FeatureTree& other, double dx, double dy, bool inside) {
     auto depth = d.radius > 0 ? depth_in(other, d.x + dx, d.y + dy) : std::nullopt;
     return depth && (inside ? *depth : -*depth) + d.radius > margin;
   };
-  return meets(moving_disc_, fixed_, x, y, contact) || (contact && meets(fixed_disc_, moving_, -x, -y, true)) ||
-         certainly_cross(fixed_, moving_, x, y, margin) || has_vertex_deep(moving_, fixed_, x, y, margin, contact) ||
+  return sticks_out(x, y, moves) || meets(moving_disc_, fixed_, x, y, contact) ||
+         (contact && meets(fixed_disc_, moving_, -x, -y, true)) ||
+         has_corner_deep(moving_, fixed_, x, y, margin, contact) ||
+         has_corner_deep(fixed_, moving_, -x, -y, margin, true) || certainly_cross(fixed_, moving_, x, y, moves) ||
+         has_vertex_deep(moving_, fixed_, x, y, margin, contact) ||
          has_vertex_deep(fixed_, moving_, -x, -y, margin, true);
 }
 
@@ -210,7 +234,7 @@ bool PenetrationDepth::certainly_free(double x, double y, double margin) const {
 
 bool PenetrationDepth::certainly_holds(const GridBox& w) const {
   return certainly_holds((double(w.x0) + double(w.x1)) / 2, (double(w.y0) + double(w.y1)) / 2,
-                         std::hypot(double(w.x1 - w.x0), double(w.y1 - w.y0)) / 2);
+                         {double(w.x1 - w.x0) / 2, double(w.y1 - w.y0) / 2});
 }
 
 PenetrationDepth::Found PenetrationDepth::search(const RealPoint& p, bool far) const {
@@ -224,7 +248,9 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
                                                  const RealPoint& p, bool far) const {
   using Curves = typename Boundary::Curves;
   const plane::FreePlaces::Certain certain{
-      [&](double qx, double qy, double error) { return certainly_holds(qx, qy, error); },
+      [&](double qx, double qy, double error) {
+        return certainly_holds(qx, qy, {error, error});
+      },
       [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
   const double x = near_value(p.x), y = near_value(p.y);
   std::optional<Nearest> best;

@@ -17,6 +17,7 @@
 #include <memory>
 #include <variant>
 
+#include "distance/planar_features/feature_pairs.h"
 #include "distance/planar_features/inner_disc.h"
 #include "plane/query/nearest.h"
 #include "plane/rotation/free_places.h"
@@ -60,8 +61,10 @@ class PenetrationDepth {
   template <class Boundary>
   Found search(const Boundary& boundary, const std::optional<plane::GridBox>& bounds, const exact::RealPoint& p,
                bool far) const;
-  /// At a place the shapes overlap (or B leaves A) by more than `reach`: so they do wherever that leads.
-  bool certainly_holds(double x, double y, double reach) const;
+  /// At a place the shapes overlap (or B leaves A), and they do wherever moves so far lead.
+  bool certainly_holds(double x, double y, const Moves& by) const;
+  /// B is too wide or too high for A there, or reaches beyond it.
+  bool sticks_out(double x, double y, const Moves& by) const;
   bool certainly_holds(const plane::GridBox& w) const;
   /// They do not, and the boundaries are farther than the margin from each other.
   bool certainly_free(double x, double y, double margin) const;

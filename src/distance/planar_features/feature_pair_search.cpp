@@ -7,8 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 
-#include "distance/planar_features/feature_pairs.h"
 #include "exact/margins/planar_distance.h"
 
 namespace findspace::distance {
@@ -37,7 +38,7 @@ class PairSearch {
   double gap() const { return best_ - slack_; }
   /// A crossing of straight edges, certain; with `arcs` also a place where arcs meet or seem to.
   std::optional<FeaturePair> run_common(bool arcs);
-  bool run_crossing(double margin);
+  bool run_crossing(const Moves& by);
   /// The exact best among what numbers left over.
   FeaturePair best(bool far) const;
   /// What numbers say is nearest, exactly.
@@ -49,7 +50,18 @@ class PairSearch {
     Index i, j;
   };
   void keep(const Candidate& c);
+  using Cells = std::tuple<int, Index, int, Index>;
+  static Cells cells(const Candidate& c) {
+    return {c.first.dimension, c.first.index, c.second.dimension, c.second.index};
+  }
+  bool meet_when_moved(const FeatureBox& s, const FeatureBox& t, double px, double py) const {
+    return std::min(s.x1 - (t.x0 + px), t.x1 + px - s.x0) >= moves_->x &&
+           std::min(s.y1 - (t.y0 + py), t.y1 + py - s.y0) >= moves_->y;
+  }
   Entry entry(Index i, Index j, bool far) const;
+  /// leaves(leaf of A, leaf of B) for those whose features may count; ends when it returns false.
+  template <class Leaves>
+  void walk_leaves(bool far, Leaves&& leaves);
   /// leaf(feature of A, feature of B) for the pairs of features that may count; ends when it returns false.
   template <class Leaf>
   void walk(bool far, Leaf&& leaf);
@@ -58,7 +70,9 @@ class PairSearch {
   const FeatureTree &a_, &b_;
   const RealPoint& p_;
   double px_, py_, slack_ = 0, tolerance_ = 0, best_ = std::numeric_limits<double>::infinity();
-  std::vector<Candidate> candidates_;
+  std::optional<Moves> moves_;         // the pairs that count meet, however one is moved by as much
+  std::vector<Candidate> candidates_;  // each pair once: thousands may touch at once
+  std::set<Cells> kept_;               // these
 };
 
 /// Nearest values count as they are, farthest ones with a minus: less is better.
@@ -66,14 +80,18 @@ void PairSearch::keep(const Candidate& c) {
   if (c.value > best_ + slack_) return;
   if (c.value < best_) {
     best_ = c.value;
-    std::erase_if(candidates_, [&](const Candidate& k) { return k.value > best_ + slack_; });
+    std::erase_if(candidates_, [&](const Candidate& k) {
+      const bool worse = k.value > best_ + slack_;
+      if (worse) kept_.erase(cells(k));
+      return worse;
+    });
   }
-  auto same = [&](const Candidate& k) { return k.first == c.first && k.second == c.second; };
-  if (std::none_of(candidates_.begin(), candidates_.end(), same)) candidates_.push_back(c);
+  if (kept_.insert(cells(c)).second) candidates_.push_back(c);
 }
 
 PairSearch::Entry PairSearch::entry(Index i, Index j, bool far) const {
   const FeatureBox &s = a_.nodes()[i].box, &t = b_.nodes()[j].box;
+  if (moves_ && !meet_when_moved(s, t, px_, py_)) return {std::numeric_limits<double>::infinity(), i, j};
   return {far ? -s.farthest_squared(t, px_, py_) : s.nearest_squared(t, px_, py_), i, j};
 }
 
@@ -82,8 +100,8 @@ bool PairSearch::worth(double squared, bool far) const {
   return far ? limit > 0 || -squared >= limit * limit : squared <= limit * limit;
 }
 
-template <class Leaf>
-void PairSearch::walk(bool far, Leaf&& leaf) {
+template <class Leaves>
+void PairSearch::walk_leaves(bool far, Leaves&& leaves) {
   std::vector<Entry> stack{entry(0, 0, far)};
   while (!stack.empty()) {
     Entry e = stack.back();
@@ -92,11 +110,7 @@ void PairSearch::walk(bool far, Leaf&& leaf) {
     const FeatureTree::Node &s = a_.nodes()[e.i], &t = b_.nodes()[e.j];
     bool split_first = s.right != kNone && (t.right == kNone || s.last - s.first >= t.last - t.first);
     if (!split_first && t.right == kNone) {
-      for (Index j = t.first; j < t.last; ++j) {
-        Placed q = placed(b_.region(), b_.features()[j], px_, py_);
-        for (Index i = s.first; i < s.last; ++i)
-          if (!leaf(placed(a_.region(), a_.features()[i], 0, 0), q)) return;
-      }
+      if (!leaves(s, t)) return;
       continue;
     }
     Entry near = split_first ? entry(e.i + 1, e.j, far) : entry(e.i, e.j + 1, far);
@@ -105,6 +119,18 @@ void PairSearch::walk(bool far, Leaf&& leaf) {
     if (worth(other.squared, far)) stack.push_back(other);
     if (worth(near.squared, far)) stack.push_back(near);
   }
+}
+
+template <class Leaf>
+void PairSearch::walk(bool far, Leaf&& leaf) {
+  walk_leaves(far, [&](const FeatureTree::Node& s, const FeatureTree::Node& t) {
+    for (Index j = t.first; j < t.last; ++j) {
+      const Placed q = placed(b_.region(), b_.features()[j], px_, py_);
+      for (Index i = s.first; i < s.last; ++i)
+        if (!leaf(placed(a_.region(), a_.features()[i], 0, 0), q)) return false;
+    }
+    return true;
+  });
 }
 
 bool PairSearch::run_nearest(bool touching) {
@@ -134,7 +160,7 @@ std::optional<FeaturePair> PairSearch::run_common(bool arcs) {
   walk(false, [&](const Placed& p, const Placed& q) {
     const BoundaryFeature &s = p.s, &t = q.s;
     if (!s.arc && !t.arc) {
-      if (!s.is_vertex() && !t.is_vertex() && segments_cross(s, t, slack_))
+      if (!s.is_vertex() && !t.is_vertex() && segments_cross(s, t, {slack_, slack_}))
         found = crossing(a_.region(), b_.region(), s.cell, t.cell, p_);
     } else if (arcs) {
       if (auto at = s.arc ? arc_meeting(s, t, tolerance_) : arc_meeting(t, s, tolerance_)) {
@@ -147,12 +173,20 @@ std::optional<FeaturePair> PairSearch::run_common(bool arcs) {
   return found;
 }
 
-bool PairSearch::run_crossing(double margin) {
+bool PairSearch::run_crossing(const Moves& by) {
   bool found = false;
   best_ = 0;
-  walk(false, [&](const Placed& p, const Placed& q) {
-    const BoundaryFeature &s = p.s, &t = q.s;
-    found = !s.is_vertex() && !t.is_vertex() && edges_cross(s, t, margin, slack_);
+  moves_ = by;
+  walk_leaves(false, [&](const FeatureTree::Node& of_a, const FeatureTree::Node& of_b) {
+    for (Index i = of_a.first; i < of_a.last && !found; ++i) {
+      const BoundaryFeature& s = a_.features()[i];
+      const FeatureBox box = box_of(s);
+      if (s.is_vertex() || !meet_when_moved(box, of_b.box, px_, py_)) continue;
+      for (Index j = of_b.first; j < of_b.last && !found; ++j) {
+        const BoundaryFeature t = placed(b_.region(), b_.features()[j], px_, py_).s;
+        found = !t.is_vertex() && meet_when_moved(box, box_of(t), 0, 0) && edges_cross(s, t, by, slack_);
+      }
+    }
     return !found;
   });
   return found;
@@ -193,8 +227,8 @@ std::optional<FeaturePair> crossing_pair(const FeatureTree& a, const FeatureTree
   return PairSearch(a, b, p).run_common(false);
 }
 
-bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin) {
-  return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(margin);
+bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by) {
+  return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(by);
 }
 
 bool certainly_apart(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin) {

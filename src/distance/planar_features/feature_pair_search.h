@@ -10,6 +10,7 @@
 #pragma once
 
 #include "distance/planar_features/exact_pairs.h"
+#include "distance/planar_features/feature_pairs.h"
 #include "distance/planar_features/feature_tree.h"
 
 namespace findspace::distance {
@@ -20,8 +21,8 @@ std::optional<FeaturePair> nearest_pair(const FeatureTree& a, const FeatureTree&
 FeaturePair closest_pair(const FeatureTree& a, const FeatureTree& b, const exact::RealPoint& p);
 /// A point where straight edges of the two boundaries cross, for certain.
 std::optional<FeaturePair> crossing_pair(const FeatureTree& a, const FeatureTree& b, const exact::RealPoint& p);
-/// Two edges cross, and still do when one is moved by the margin, for certain.
-bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin);
+/// Two edges cross, and still do when one is moved so far, for certain.
+bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by);
 /// The boundaries are farther than the margin from each other, for certain.
 bool certainly_apart(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin);
 /// A point of both boundaries, which meet; on arcs as good as numbers tell.

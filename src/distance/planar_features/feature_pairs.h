@@ -38,13 +38,18 @@ inline Placed placed(const plane::Region& r, const BoundaryFeature& feature, dou
 
 inline double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
-/// They cross, the ends of each further than `tolerance` from the line of the other.
-inline bool segments_cross(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance) {
+/// How far something may be moved, along x and along y.
+struct Moves {
+  double x, y;
+};
+
+/// They cross, and still do when one is moved so far.
+inline bool segments_cross(const BoundaryFeature& s, const BoundaryFeature& t, const Moves& by) {
   double dx = s.x1 - s.x0, dy = s.y1 - s.y0, ex = t.x1 - t.x0, ey = t.y1 - t.y0;
   double a = cross(dx, dy, t.x0 - s.x0, t.y0 - s.y0), b = cross(dx, dy, t.x1 - s.x0, t.y1 - s.y0);
   double c = cross(ex, ey, s.x0 - t.x0, s.y0 - t.y0), d = cross(ex, ey, s.x1 - t.x0, s.y1 - t.y0);
   if ((a > 0) == (b > 0) || (c > 0) == (d > 0)) return false;
-  double wide = plain_length(dx, dy) * tolerance, high = plain_length(ex, ey) * tolerance;
+  double wide = std::abs(dy) * by.x + std::abs(dx) * by.y, high = std::abs(ey) * by.x + std::abs(ex) * by.y;
   return std::min(std::abs(a), std::abs(b)) > wide && std::min(std::abs(c), std::abs(d)) > high;
 }
 
@@ -95,10 +100,11 @@ inline std::optional<std::array<double, 2>> arc_meeting(const BoundaryFeature& a
   return arc_meeting(arc, other, tolerance, [](double, double) { return true; });
 }
 
-/// Two edges cross, and still do when one is moved by `tolerance`: within reach of the place where they meet, short of
-/// all ends, both bend by less than an eighth of what they part. `slack`: what the place may be off.
-inline bool edges_cross(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance, double slack) {
-  if (!s.arc && !t.arc) return segments_cross(s, t, tolerance + slack);
+/// Two edges cross, and still do when one is moved so far: within reach of the place where they meet, short of all
+/// ends, both bend by less than an eighth of what they part. `slack`: what the place may be off.
+inline bool edges_cross(const BoundaryFeature& s, const BoundaryFeature& t, const Moves& by, double slack) {
+  if (!s.arc && !t.arc) return segments_cross(s, t, {by.x + slack, by.y + slack});
+  const double farthest = plain_length(by.x, by.y);
   const auto tangent = [](const BoundaryFeature& e, double x, double y) {
     const double dx = e.arc ? e.cy - y : e.x1 - e.x0, dy = e.arc ? x - e.cx : e.y1 - e.y0, n = plain_length(dx, dy);
     return std::array{dx / n, dy / n};
@@ -111,7 +117,7 @@ inline bool edges_cross(const BoundaryFeature& s, const BoundaryFeature& t, doub
       reach = std::min({reach, plain_length(x - e->x0, y - e->y0), plain_length(x - e->x1, y - e->y1)});
       if (e->arc) reach = std::min(reach, e->r * sine / 4);
     }
-    return reach * sine / 2 > tolerance + slack + slack / sine;
+    return reach * sine / 2 > farthest + slack + slack / sine;
   };
   return (s.arc ? arc_meeting(s, t, slack, wanted) : arc_meeting(t, s, slack, wanted)).has_value();
 }
@@ -119,7 +125,7 @@ inline bool edges_cross(const BoundaryFeature& s, const BoundaryFeature& t, doub
 inline bool may_meet(const BoundaryFeature& s, const BoundaryFeature& t, double tolerance) {
   if (s.arc) return arc_meeting(s, t, tolerance).has_value();
   if (t.arc) return arc_meeting(t, s, tolerance).has_value();
-  return !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, 0);
+  return !s.is_vertex() && !t.is_vertex() && segments_cross(s, t, {0, 0});
 }
 
 /// Calls take(candidate) for the pairs of features of two features that can be nearest, coordinates being off by no

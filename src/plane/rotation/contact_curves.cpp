@@ -47,15 +47,10 @@ double RoughCurve::least() const {
   return along >= square ? length(q) : std::abs(cross(d, p)) / std::sqrt(square);
 }
 
-namespace {
-
-/// Whether a feature of A and one of B can touch at some angle between middle - half and middle + half.
 bool can_touch(const Cone& a, Outside of_a, const Cone& b, Outside of_b, double middle, double half) {
   return may_meet(of_a, of_b) &&
          cones_meet(a, {b.from + middle - half + kPi, b.width + 2 * half}, margin::kOneDirection);
 }
-
-}  // namespace
 
 bool ContactCurves::may_touch(const ContactPair& k, double middle, double half) const {
   if (k.kind == Kind::kTurningEdge) {

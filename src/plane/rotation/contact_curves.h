@@ -10,6 +10,7 @@
 // moving convolution.
 #pragma once
 
+#include <compare>
 #include <memory>
 
 #include "plane/rotation/contact_features.h"
@@ -22,6 +23,7 @@ struct ContactPair {
   enum class Kind : std::uint8_t { kRounds, kFixedEdge, kTurningEdge };
   Kind kind;
   Index fixed, rotating;  // in the features of A and of B
+  friend auto operator<=>(const ContactPair&, const ContactPair&) = default;
 };
 
 struct RoughCurve {
@@ -74,6 +76,8 @@ class ContactCurves {
   ContactFeatures fixed_;
 };
 
+/// Whether a feature of A and one of B can touch at some angle between middle - half and middle + half.
+bool can_touch(const Cone& a, Outside of_a, const Cone& b, Outside of_b, double middle, double half);
 /// Whether a feature of the other set, as it stands, may touch one of these. `fixed`: they stand still.
 bool may_touch_one(const ContactFeatures& these, bool fixed, const FeatureOutline& other);
 

@@ -21,23 +21,6 @@ namespace {
 
 constexpr double kBeside = 64;  // tolerances: how far beside a point a position is tried
 
-/// Around the curve; of a part of a circle, around the whole circle.
-RoughBox box_of(const RoughCurve& c, double tolerance) {
-  RoughPoint low = c.line ? c.p : c.center, high = low;
-  const auto add = [&](RoughPoint p) {
-    low = {std::min(low.real(), p.real()), std::min(low.imag(), p.imag())};
-    high = {std::max(high.real(), p.real()), std::max(high.imag(), p.imag())};
-  };
-  if (c.line) {
-    add(c.q);
-  } else {
-    const double r = std::abs(c.radius);
-    add(c.center - RoughPoint(r, r));
-    add(c.center + RoughPoint(r, r));
-  }
-  return {low.real() - tolerance, low.imag() - tolerance, high.real() + tolerance, high.imag() + tolerance};
-}
-
 /// The sign of a point's distance to a regular set.
 SignMap signs(Region r) {
   for (Face& f : r.faces) f.mark = f.mark > 0 ? -1 : 1;
@@ -78,19 +61,11 @@ FreePlaces::FreePlaces(const Region& a, const Region& b, Keep keep)
     features_of_b_ = std::make_shared<ContactFeatures>(
         contact_features(b, {}, is_in, [&](const FeatureOutline& f) { return may_touch_one(fixed, true, f); }));
   }
-  const ContactCurves all(features_of_b_, std::move(fixed));
-  RoughBox whole{1, 0, 0, 0};
-  for (const ContactPair& k : all.pairs(0, 0)) {
-    const RoughBox box = box_of(all.rough(k, 0), tolerance_);
-    const bool first = curves_.empty();
-    whole = first ? box
-                  : RoughBox{std::min(whole.x0, box.x0), std::min(whole.y0, box.y0), std::max(whole.x1, box.x1),
-                             std::max(whole.y1, box.y1)};
-    curves_.push_back({k, box});
-  }
-  if (curves_.empty()) return;
-  bounds_ = GridBox{std::llround(whole.x0) - 1, std::llround(whole.y0) - 1, std::llround(whole.x1) + 1,
-                    std::llround(whole.y1) + 1};
+  curves_.emplace(features_of_b_, std::move(fixed));
+  index_.emplace(*curves_, tolerance_);
+  if (const std::optional<RoughBox> whole = index_->bounds())
+    bounds_ = GridBox{std::llround(whole->x0) - 1, std::llround(whole->y0) - 1, std::llround(whole->x1) + 1,
+                      std::llround(whole->y1) + 1};
 }
 
 ContactFeatures FreePlaces::features_of_a(const RealPoint& about, const ChosenFeatures& chosen) const {
@@ -104,26 +79,32 @@ bool FreePlaces::is_free(const RealPoint& s) const {
   return (contact_->marks_met(ExactAngle{}, held, s) & held) == 0;
 }
 
-FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, std::size_t most) const {
-  const RoughBox box{double(w.x0), double(w.y0), double(w.x1), double(w.y1)};
+std::size_t FreePlaces::curve_count(std::size_t most) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;
+  index_->visit({-kFar, -kFar, kFar, kFar}, [&](const ContactPair&) { return ++count < most; });
+  return count;
+}
+
+FreePlaces::Curves FreePlaces::curves_in(const RoughBox& box, std::size_t most) const {
   Curves out;
-  for (Index k = 0; k < curves_.size() && out.size() < most; ++k)
-    if (!box.apart(curves_[k].box)) out.push_back(k);
+  index_->visit(box, [&](const ContactPair& k) {
+    out.push_back(k);
+    return out.size() < most;
+  });
+  if (out.size() < most) std::sort(out.begin(), out.end());
   return out;
 }
 
-FreePlaces::Curves FreePlaces::curves_in(const RoughBox& box) const {
-  Curves out;
-  for (Index k = 0; k < curves_.size(); ++k)
-    if (!box.apart(curves_[k].box)) out.push_back(k);
-  return out;
+FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, std::size_t most) const {
+  return curves_in(RoughBox{double(w.x0), double(w.y0), double(w.x1), double(w.y1)}, most);
 }
 
 FreePlaces::Curves FreePlaces::curves_in(const GridBox& w, const Curves& among) const {
   const RoughBox box{double(w.x0), double(w.y0), double(w.x1), double(w.y1)};
   Curves out;
-  for (Index k : among)
-    if (!box.apart(curves_[k].box)) out.push_back(k);
+  for (const ContactPair& k : among)
+    if (!box.apart(index_->box(k))) out.push_back(k);
   return out;
 }
 
@@ -153,16 +134,14 @@ class FreePlaces::From::Search {
         y_(rough(p_.y)),
         far_(far),
         certain_(certain),
-        curves_(from.contacts_) {
+        curves_(from.contacts_),
+        pairs_(which) {
     window_ = {double(w.x0) - x_, double(w.y0) - y_, double(w.x1) - x_, double(w.y1) - y_};
-    for (Index k : which) {
-      pairs_.push_back(f_.curves_[k].pair);
-      names_.push_back(k);
-    }
     for (const ContactPair& k : pairs_) rough_.push_back(curves_.rough(k, 0));
-    for (std::size_t i = 0; i < rough_.size(); ++i) {
-      for (RoughPoint s : rough_projections(rough_[i], f_.tolerance_)) add(s, 0, i, i);
-      for (std::size_t k = i + 1; k < rough_.size(); ++k) add_meetings(i, k);
+    make_bundles();
+    for (std::size_t i = 0; i < bundles_.size(); ++i) {
+      add_projections(bundles_[i]);
+      for (std::size_t k = i + 1; k < bundles_.size(); ++k) add_meetings(bundles_[i], bundles_[k]);
     }
     std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
       return far_ ? c.distance > d.distance : c.distance < d.distance;
@@ -208,10 +187,71 @@ class FreePlaces::From::Search {
     candidates_.push_back({at, length(at), off, first, second});
   }
 
-  void add_meetings(std::size_t i, std::size_t k) {
-    for (const RoughMeeting& m : rough_meetings(rough_[i], rough_[k], margin::kRoughCurveError * f_.tolerance_)) {
+  /// Curves on one line, or in one point, seen from the same side: where some of them is, as good as one.
+  using Bundle = std::vector<std::size_t>;
+
+  /// Of a corner: its curves are many where shapes have edges on one line, as combs do.
+  bool is_of_corner(std::size_t i) const {
+    const ContactPair& k = pairs_[i];
+    using Kind = ContactPair::Kind;
+    const bool fixed = k.kind == Kind::kFixedEdge || curves_.fixed().rounds[k.fixed].r == 0;
+    return fixed && (k.kind == Kind::kTurningEdge || curves_.rotating().rounds[k.rotating].r == 0);
+  }
+
+  /// What curves of a bundle have in common, in numbers.
+  std::array<double, 4> key(std::size_t i) const {
+    const RoughCurve& c = rough_[i];
+    if (c.line) return {1, c.normal.real(), c.normal.imag(), c.offset()};
+    return {0, c.center.real(), c.center.imag(), 0};
+  }
+
+  bool goes_with(std::size_t i, std::size_t k) const {
+    if (rough_[i].line != rough_[k].line || !is_of_corner(i) || !is_of_corner(k)) return false;
+    const auto p = key(i), q = key(k);
+    if (rough_[i].line ? p[1] != q[1] || p[2] != q[2] || std::abs(p[3] - q[3]) > f_.tolerance_
+                       : std::max(std::abs(p[1] - q[1]), std::abs(p[2] - q[2])) > f_.tolerance_)
+      return false;
+    const ExactCurve c = curves_.exact(pairs_[i], ExactAngle{}), d = curves_.exact(pairs_[k], ExactAngle{});
+    if (!c.line) return c.center == d.center;
+    return plane::cross(c.normal, d.normal).sign() == 0 && c.normal.x * d.offset == d.normal.x * c.offset &&
+           c.normal.y * d.offset == d.normal.y * c.offset;
+  }
+
+  void make_bundles() {
+    std::vector<std::pair<std::array<double, 4>, std::size_t>> order;
+    for (std::size_t i = 0; i < rough_.size(); ++i) order.push_back({key(i), i});
+    std::sort(order.begin(), order.end());
+    for (const auto& [key, i] : order) {
+      if (bundles_.empty() || !goes_with(bundles_.back().front(), i)) bundles_.emplace_back();
+      bundles_.back().push_back(i);
+    }
+    // By their first curves, as these are told.
+    for (Bundle& b : bundles_) std::sort(b.begin(), b.end());
+    std::sort(bundles_.begin(), bundles_.end());
+  }
+
+  void add_projections(const Bundle& bundle) {
+    for (const std::size_t i : bundle) {
+      const std::vector<RoughPoint> found = rough_projections(rough_[i], f_.tolerance_);
+      for (RoughPoint s : found) add(s, 0, i, i);
+      if (!found.empty()) return;
+    }
+  }
+
+  std::optional<std::size_t> one_that_holds(const Bundle& bundle, RoughPoint at, double tolerance) const {
+    for (const std::size_t i : bundle)
+      if (rough_[i].holds(at, tolerance)) return i;
+    return std::nullopt;
+  }
+
+  void add_meetings(const Bundle& a, const Bundle& b) {
+    for (const RoughMeeting& m :
+         rough_meetings(rough_[a.front()], rough_[b.front()], margin::kRoughCurveError * f_.tolerance_)) {
       const double tolerance = f_.tolerance_ + m.off;
-      if (rough_[i].holds(m.at, tolerance) && rough_[k].holds(m.at, tolerance)) add(m.at, m.off, i, k);
+      const auto i = one_that_holds(a, m.at, tolerance);
+      if (!i) continue;
+      const auto k = one_that_holds(b, m.at, tolerance);
+      if (k) add(m.at, m.off, *i, *k);
     }
   }
 
@@ -223,8 +263,11 @@ class FreePlaces::From::Search {
     if (along < margin::kOpenCurves || std::min(bend(c.first), bend(c.second)) < 8 * reach / along) return std::nullopt;
     const RoughPoint way = (u + v) / (2 * along);
     const double x = c.at.real() + x_, y = c.at.imag() + y_;
-    for (Index k : f_.curves_in({x - reach, y - reach, x + reach, y + reach}))
-      if (k != names_[c.first] && k != names_[c.second] && !leaves_alone(k, c, way, reach)) return std::nullopt;
+    bool alone = true;
+    f_.index_->visit({x - reach, y - reach, x + reach, y + reach}, [&](const ContactPair& k) {
+      return alone = k == pairs_[c.first] || k == pairs_[c.second] || leaves_alone(k, c, way, reach);
+    });
+    if (!alone) return std::nullopt;
     const double bx = x + step * way.real(), by = y + step * way.imag(), margin = step * along / 4;
     if (certain_.free(bx, by, margin)) return true;
     if (certain_.held(bx, by, margin)) return false;
@@ -232,8 +275,8 @@ class FreePlaces::From::Search {
   }
 
   /// Another curve does not pass within reach, or the candidate lies on its free side, and the way leads away from it.
-  bool leaves_alone(Index k, const Candidate& c, RoughPoint way, double reach) const {
-    const RoughCurve r = curves_.rough(f_.curves_[k].pair, 0);
+  bool leaves_alone(const ContactPair& k, const Candidate& c, RoughPoint way, double reach) const {
+    const RoughCurve r = curves_.rough(k, 0);
     const double round = length(c.at - r.center) - std::abs(r.radius);
     const double over = r.line ? dot(r.normal, c.at) - r.offset() : r.radius > 0 ? round : -round;
     if (std::abs(over) > reach || !r.holds(c.at, reach)) return true;
@@ -259,9 +302,9 @@ class FreePlaces::From::Search {
   const Certain& certain_;
   const ContactCurves& curves_;
   RoughBox window_;
-  std::vector<ContactPair> pairs_;
-  Curves names_;  // among all curves
+  const Curves& pairs_;
   std::vector<RoughCurve> rough_;
+  std::vector<Bundle> bundles_;
   std::vector<Candidate> candidates_;
 };
 

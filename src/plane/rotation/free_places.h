@@ -9,9 +9,10 @@
 // their distance, and the first that lies in F is it. Guarantee: exact; doubles only choose what is looked at, with
 // tolerance. Where no other contact curve passes near, one position beside such a point, on the free side of its
 // curves, tells whether it lies in F, for no boundary of F runs between them; else the exact test of rotated_contact.h
-// does. Cost: prepared in O(n m), pairs of features with opposite normals; a window: the pairs of its curves in
-// doubles, some ten microseconds for a point that numbers do not rule out, milliseconds where curves meet by threes.
-// Source: rotated_free.h, which asks the same at all angles. Keywords: penetration depth, contact curve.
+// does. Cost: prepared in O((n + m) log(n + m)), a window: its curves found (contact_index.h), those of one line or
+// point taken together, and pairs of these in doubles, some ten microseconds for a point that numbers do not rule out,
+// milliseconds where curves meet by threes. Source: rotated_free.h, which asks the same at all angles. Keywords:
+// penetration depth, contact curve.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@
 
 #include "plane/grid/boundary_box.h"
 #include "plane/query/nearest.h"
-#include "plane/rotation/contact_curves.h"
+#include "plane/rotation/contact_index.h"
 #include "plane/rotation/rotated_contact.h"
 
 namespace findspace::plane {
@@ -39,10 +40,11 @@ class FreePlaces {
 
   /// All contact curves; nothing if there are none.
   const std::optional<GridBox>& bounds() const { return bounds_; }
-  std::size_t curve_count() const { return curves_.size(); }
+  /// How many they are, or `most` if there are more.
+  std::size_t curve_count(std::size_t most) const;
   bool is_free(const exact::RealPoint& s) const;
 
-  using Curves = std::vector<Index>;
+  using Curves = std::vector<ContactPair>;
   /// The curves that reach into the window, `most` of them if there are more; or those among some.
   Curves curves_in(const GridBox& window, std::size_t most) const;
   Curves curves_in(const GridBox& window, const Curves& among) const;
@@ -55,12 +57,8 @@ class FreePlaces {
   class From;
 
  private:
-  struct Curve {
-    ContactPair pair;
-    RoughBox box;
-  };
   FreePlaces(const Region& a, const Region& b, Keep keep);
-  Curves curves_in(const RoughBox& box) const;
+  Curves curves_in(const RoughBox& box, std::size_t most) const;
   /// Of A, relative to a point.
   ContactFeatures features_of_a(const exact::RealPoint& about, const ChosenFeatures& chosen = {}) const;
   ContactFeatures seen_from(const exact::RealPoint& p) const;
@@ -72,9 +70,10 @@ class FreePlaces {
   SignMap around_;                                        // the sign of a point's distance to A
   mutable std::mutex guard_;
   mutable std::optional<RotatedContact> contact_;  // of B with that, once it is asked for; guarded
-  std::vector<Curve> curves_;
+  double tolerance_ = 0;                           // lengths below it are left to exact numbers
+  std::optional<ContactCurves> curves_;
+  std::optional<ContactIndex> index_;  // of these
   std::optional<GridBox> bounds_;
-  double tolerance_ = 0;  // lengths below it are left to exact numbers
 };
 
 /// Seen from a position p.
