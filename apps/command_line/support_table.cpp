@@ -94,7 +94,7 @@ a line of any direction (`"free": {"line": ..}`) | exact · quick | exact · qui
 `gap`, `eta1`, `delta1` | exact or enclosed 2^-40 · quick | exact or enclosed 2^-40 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
 `protrusion`, where B fits | enclosed 2^-40 · slow | enclosed 2^-36 · quick | enclosed 2^-30 · slow | enclosed 2^-40 · long | enclosed 2^-30 · long | enclosed 2^-36 · slow | refused: no least value
 `hausdorff` | enclosed 2^-30 · long | enclosed 2^-36 · quick | enclosed 2^-36 · fast | enclosed 2^-30 · long | enclosed 2^-30 · long | enclosed · long | refused: no least value
-`gap`, `eta1`, `delta1` along a direction | exact · quick | exact · quick | exact or enclosed 2^-30 · fast | exact · long | enclosed 2^-30 · slow | refused: no convex parts | refused: no least value
+`gap`, `eta1`, `delta1` along a direction | exact · quick | exact · quick | exact or enclosed 2^-30 · fast | exact · long | enclosed 2^-14 · slow | enclosed · slow | refused: no least value
 # Rotation, motion, placement
 orientations: `check` at one | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact · fast | exact · quick
 `rotating`, `free` over angles or time; `motion` | refused: not computed
@@ -176,12 +176,13 @@ Some cells need more words:
 | cut | two such shapes, or one and a complement, are refused. [distances.md](distances.md#shapes-that-round-ones-are-cut-out-of) says which shape may be the cut one |
 | complements of round shapes | as "round"; complements of cut shapes are refused |
 | `margin` below 0, round convex | exact into a shape that is as round or rounder |
-| `eta2` in a ball | more than 40 corners or balls are refused |
-| fits of zero clearance, round | refused where other than flat faces hold the shape, or no single part holds it |
+| `eta2` in a ball | of more than 40 corners or balls: enclosed 2^-36 |
+| fits of zero clearance, round | where other than flat faces hold the shape, or no single part holds it, the value may have no upper end |
 | containment in "round" along a direction, other lines | level 0 only |
 | containment in "round", B about an inner edge at which walls of parts meet aslant | level 0 is not decided; along a direction mostly refused |
 | least `protrusion`, round | in unions of round parts the search mostly ends at its limit |
-| least values along a direction, round | fits in unions of round parts are refused. Where sets of positions touch without overlapping, `bound` is far from the value |
+| least values along a direction, round | where sets of positions touch without overlapping, `bound` is far from the value |
+| least values along a direction, cut | of `gap` and of a cut shape in a round one `bound` may be far from the value |
 | orientations | elsewhere as for the rotated shape; a box rotated by other than quarters is a convex polytope |
 | "exact or none" | given where the region is one convex polytope, or one grown by a ball |
 
@@ -190,7 +191,6 @@ Some cells need more words:
 | kind | the message says |
 |---|---|
 | not computed | that this distance or question is not computed |
-| no convex parts | that the shape is not a union of convex parts |
 | no least value | that a distance to a complement has no least value |
 | slanted faces | that all faces must be parallel to the axes |
 )";

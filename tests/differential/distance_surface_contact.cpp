@@ -72,7 +72,7 @@ void compare(const Both& a, const Both& b, const RealVector& p, Counts& counts) 
   if (depth->value.sign() < 0) {
     const SurfaceContact found = SurfaceContacts(b.surface, a.surface, TouchSide::kOutside).nearest(p);
     expect_same(found, depth, p, -1, counts.depths, counts);
-    if (testing::Test::HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
     EXPECT_FALSE(overlap.interiors_meet(*found.place));
     EXPECT_EQ(pair.value(Which::kGamma1, *found.place)->value.sign(), 0);
   }
@@ -80,7 +80,7 @@ void compare(const Both& a, const Both& b, const RealVector& p, Counts& counts) 
   ASSERT_EQ(across.interiors_meet(p), !fit || fit->value.sign() > 0);
   if (fit && fit->value.sign() <= 0) return;
   expect_same(SurfaceContacts(b.surface, a.surface, TouchSide::kInside).nearest(p), fit, p, 1, counts.fits, counts);
-  if (testing::Test::HasFatalFailure()) return;
+  if (::testing::Test::HasFatalFailure()) return;
   expect_same(SurfaceContacts(b.surface, a.surface, TouchSide::kInside).farthest(p), pair.value(Which::kEta2, p), p, 1,
               counts.farthest, counts);
 }
@@ -94,7 +94,7 @@ RealVector drawn(std::mt19937& random, int reach) {
 void compare_some(const Both& a, const Both& b, std::mt19937& random, int reach, int count, Counts& counts) {
   for (int k = 0; k < count; ++k) {
     compare(a, b, drawn(random, reach), counts);
-    if (testing::Test::HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 

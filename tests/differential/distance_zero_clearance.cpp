@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Round shapes that fit only where they have zero clearance: places of sets without volume, at positions of any
-// coordinates, against formulas for these sets. Where numbers cannot tell a fit from none the distance is right or
-// refused.
-#include <findspace/error.h>
+// coordinates, against formulas for these sets. Where numbers cannot tell a fit from none the distance is right, or
+// at least as much as is said.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +100,7 @@ Body slanted_slot(std::int64_t k, std::int64_t size) {
 /// 2p / sqrt 2 less 2q for the fractions p/q next to sqrt 2: less clearance than numbers tell from none, or as little
 /// too little. Every other time the ball fits.
 TEST(ZeroClearance, BallBetweenSlantedPlanes) {
-  int fits = 0, refused = 0;
+  int fits = 0, undecided = 0;
   for (std::int64_t p = 1, q = 1; q < 100'000'000; p += 2 * q, q = p - q) {
     if (q < 10) continue;
     const bool has_clearance = p * p - 2 * q * q > 0;
@@ -109,22 +108,23 @@ TEST(ZeroClearance, BallBetweenSlantedPlanes) {
     far.parts[1] = {space::box_polytope({{{20 * q, 20 * q, 20 * q}, {21 * q, 21 * q, 21 * q}}}), {}, Real()};
     const PairDistances pair = solid_pair(space::shared(ball(q)), space::shared(far));
     const auto from = space::place(7, -3, 6 * q, 3);
-    try {
-      const auto v = pair.value(Which::kEta1, from);
-      EXPECT_EQ(v.has_value(), has_clearance) << p << '/' << q;
-      if (!v) continue;
-      ++fits;
-      ASSERT_TRUE(v->nearest);
-      EXPECT_LE(pair.value(Which::kEta1, *v->nearest)->value.sign(), 0);
-      EXPECT_NEAR(v->value.to_double(), double(q) - 4 / (3 * std::sqrt(2.0)), 1e-9 * double(q));
-    } catch (const Error& e) {
-      EXPECT_EQ(e.code(), ErrorCode::kUnsupported);
+    const double expected = double(q) - 4 / (3 * std::sqrt(2.0)), error = 1e-9 * double(q);
+    const auto v = pair.value(Which::kEta1, from);
+    if (v && !v->bounds().upper) {
       EXPECT_FALSE(has_clearance) << p << '/' << q;
-      ++refused;
+      EXPECT_NEAR(v->bounds().lower->to_double(), expected, error);
+      ++undecided;
+      continue;
     }
+    EXPECT_EQ(v.has_value(), has_clearance) << p << '/' << q;
+    if (!v) continue;
+    ++fits;
+    ASSERT_TRUE(v->nearest);
+    EXPECT_LE(pair.value(Which::kEta1, *v->nearest)->value.sign(), 0);
+    EXPECT_NEAR(v->value.to_double(), expected, error);
   }
   EXPECT_GT(fits, 8);
-  EXPECT_GT(refused, 2);
+  EXPECT_GT(undecided, 2);
 }
 
 }  // namespace distance_zero_clearance

@@ -33,7 +33,6 @@ EXACT = {"exact", "exact, one distance"}
 UNMARKED = "nothing says that the lines have an error"
 KINDS = {
     "not computed": "(is|are) not computed|rotation is about",
-    "no convex parts": "not a union of convex parts",
     "no least value": "has no least value",
     "slanted faces": "faces are all parallel to the axes",
 }

@@ -291,7 +291,7 @@ IN_SPACE = {
         "gap, eta1, delta1": least_fit("gamma1(B, A) -> min"),
         "protrusion, where B fits": least_fit("mu(B, A) -> min"),
         "hausdorff": least3("hausdorff(B, A) -> min"),
-        "gap, eta1, delta1 along a direction": map3("gamma1(B, A, along=(1, 0, 0)) -> min"),
+        "gap, eta1, delta1 along a direction": map3("gamma1(B, A, along=(1, 0, 0)) -> min", "eta1(B, A, along=(1, 0, 0)) -> min"),
     },
     "Rotation, motion, placement": {
         "orientations: check at one": orientation3("reach(B, A) >= 1"),

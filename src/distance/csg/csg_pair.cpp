@@ -9,6 +9,7 @@
 
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
+#include "distance/rays/ray_directional_least.h"
 #include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
@@ -212,8 +213,7 @@ TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, co
   if (!found) return found.refusal();
   const std::optional<Answer>& v = *found;
   if (!v) return std::nullopt;
-  const double d = v->value.to_double();
-  return Between{d - v->error - at, d + v->error - at};
+  return about(v->value.to_double(), v->error, at);
 }
 
 /// "A in B", at positions of A.
@@ -236,14 +236,18 @@ class CsgBackSide : public PairSide {
   }
   TriedAnswer fit(const RealVector& p) const override;
   TriedAnswer farthest_fit(const RealVector& p) const override;
+  /// The least delta1 along a direction, for B that moves.
+  TriedAnswer least_along(const RealVector& direction, bool both_ways) const;
 
  private:
   /// What holds the positions at which A fits between the planes of B, or of the box about it, and what they hold.
   struct Fits {
     std::vector<space::HalfSpace> holding, held;
-    bool exact = true;  // the planes are B
+    bool plain = true;  // the planes are B
   };
   exact::Tried<Fits> made_fits() const;
+  /// Where the planes are those of a box.
+  static std::optional<space::Bounds3> box_of(const Fits& fits);
   const exact::Tried<Fits>& fits() const {
     return fits_.of([this] { return made_fits(); });
   }
@@ -253,14 +257,18 @@ class CsgBackSide : public PairSide {
     return among_.of([this] { return made_among(); });
   }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
+  TriedAnswer searched_protrusion(const RealVector& p) const;
+  BoundaryPlace farthest_out(const BodyPart& part, const space::Vector& p) const;
+  TriedAnswer in_round_part(const BodyPart& part, const space::Bounds3& box, const RealVector& p, bool farthest) const;
+  TriedAnswer in_round_parts(const RealVector& p, bool farthest) const;
 
   std::shared_ptr<const CsgSide> side_;
   plane::Lazy<exact::Tried<Fits>> fits_;
   plane::Lazy<CsgSide::TriedAmong> among_;
 };
 
-TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
-  if (side_->a_->walls) return left_walls();
+/// Of A + p; inside a union B as deep as the parts alone say.
+TriedAnswer CsgBackSide::searched_protrusion(const RealVector& p) const {
   const Body& b = *side_->b_;
   const RealVector by = space::negated(p);  // of B
   std::vector<ConvexDistance> beyond;
@@ -273,8 +281,13 @@ TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
     if (!found.found || (best && found.value <= best->value.to_double())) continue;
     best = named_protrusion(*part.sets, p, found);
   }
-  TriedAnswer most = bound.best(std::move(best));
-  if (!most || b.convex() || depth == Depth::kSign || (*most)->value.to_double() > (*most)->error) return most;
+  return bound.best(std::move(best));
+}
+
+TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
+  if (side_->a_->walls) return left_walls();
+  TriedAnswer most = searched_protrusion(p);
+  if (!most || side_->b_->convex() || depth == Depth::kSign || (*most)->value.to_double() > (*most)->error) return most;
   return fit(p);
 }
 
@@ -299,9 +312,9 @@ exact::Tried<CsgBackSide::Fits> CsgBackSide::made_fits() const {
   const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
   const Body& b = *side_->b_;
   Fits out;
-  out.exact = b.convex() && b.parts[0].core && !b.round();
+  out.plain = b.convex() && b.parts[0].core && !b.round();
   const double error = margin::kFoundError * side_->size_;
-  for (const space::HalfSpace& h : out.exact ? b.parts[0].planes() : space::walls(bounds(b))) {
+  for (const space::HalfSpace& h : out.plain ? b.parts[0].planes() : space::walls(bounds(b))) {
     const ConvexDistance ahead = [n = h.unit](const space::Vector& x) { return space::dot(n, x); };
     double least = -exact::kInfinity, most = least;
     for (const CsgPartSearch& part : side_->parts_) {
@@ -329,27 +342,134 @@ Answer between_two(const Real& one, const Real& taken) {
   return out;
 }
 
-Refusal not_fitting() {
-  return Refusal("how far a shape that round ones are cut out of is from fitting into another is not computed");
+/// A value that may be any from there on, if there is one.
+Answer at_least(Answer v) {
+  v.set_unproven();
+  v.nearest.reset();
+  v.enclosed = Enclosure{v.value, std::nullopt};
+  v.error = exact::kInfinity;
+  return v;
 }
 
+constexpr int kMostPlacesOut = 40;
+
 }  // namespace
+
+/// Of positions of B against A, whose walls are those of a box, above and below on each axis.
+std::optional<space::Bounds3> CsgBackSide::box_of(const Fits& fits) {
+  space::Bounds3 out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.low[k] = fits.holding[2 * k].offset;
+    out.high[k] = -fits.holding[2 * k + 1].offset;
+    if (out.high[k] < out.low[k]) return std::nullopt;
+  }
+  return out;
+}
+
+/// The place of A + p that is farthest out of the part.
+BoundaryPlace CsgBackSide::farthest_out(const BodyPart& part, const space::Vector& p) const {
+  const ConvexDistance beyond = reverse_convex_constraint(part, space::scaled(-1, p));
+  BoundaryPlace out;
+  out.value = out.bound = -exact::kInfinity;
+  for (const CsgPartSearch& of_a : side_->parts_) {
+    const BoundaryPlace found = of_a.places.farthest_from(beyond);
+    const double bound = std::max(out.bound, found.bound);
+    if (found.found && found.value > out.value) out = found;
+    out.bound = bound;
+  }
+  return out;
+}
+
+/// A lies in the part where all of its places do. Those that are farthest out, at the nearest position that all places
+/// before allow, are the next. How far A is out is convex in the position: on the way to one at which it fits it does
+/// so from where chords say.
+TriedAnswer CsgBackSide::in_round_part(const BodyPart& part, const space::Bounds3& box, const RealVector& p,
+                                       bool farthest) const {
+  const double size = side_->size_, error = margin::kFoundError * size;
+  const space::Vector from = space::rounded(p);
+  Constraints holding;
+  const auto hold = [&](const space::Vector& place) {
+    holding.convex.push_back(touching_boundary(part, space::scaled(-1, place), part.radius.to_double()));
+  };
+  std::optional<space::Vector> inside;  // the position at which A is deepest in the part
+  double depth = 0;
+  std::vector<Answer> places;
+  BoundaryPlace end;
+  end.bound = farthest ? space::rounded(box).farthest(from) : 0;
+  const auto offer = [&](const space::Vector& at) {
+    BoundaryPlace taken;
+    taken.place = at;
+    Answer v = searched_place(taken, p, error);
+    const bool better = places.empty() || (farthest ? places[0].value < v.value : v.value < places[0].value);
+    if (better) places.assign(1, std::move(v));
+  };
+  space::Vector middle = space::rounded(box).middle();
+  for (int k = 0; k < kMostPlacesOut; ++k) {
+    const BoundaryPlace of_middle = farthest_out(part, middle);
+    if (of_middle.found) hold(of_middle.place);
+    if (of_middle.found && -of_middle.bound > depth) {
+      depth = -of_middle.bound;
+      inside = middle;
+    }
+    const PositionSet outer = PositionSet::of_constraints(holding, space::rounded(box), size, {});
+    const BoundaryPlace best =
+        farthest ? outer.farthest_from(from) : outer.nearest_to(distance_to_point(from), PositionSet::Query{});
+    if (!best.found && !best.unresolved && best.complete) return std::nullopt;
+    end.bound = farthest ? std::min(end.bound, best.bound) : std::max(end.bound, best.bound);
+    middle = outer.deepest({error}).place;
+    if (!best.found) continue;
+    const BoundaryPlace out = farthest_out(part, best.place);
+    if (out.found) hold(out.place);
+    if (out.bound <= error)
+      offer(best.place);
+    else if (inside)
+      offer(space::plus(best.place, space::scaled(out.bound / (out.bound + depth), *inside - best.place)));
+    if (!places.empty() && std::fabs(places[0].value.to_double() - end.bound) <= 8 * error) break;
+  }
+  return std::optional(ended_before(end, error, places, farthest));
+}
+
+/// Of a union what its parts alone say, and how far A is out of it.
+TriedAnswer CsgBackSide::in_round_parts(const RealVector& p, bool farthest) const {
+  const exact::Tried<Fits>& fits = this->fits();
+  if (!fits) return fits.refusal();
+  const auto of_b = box_of(*fits);
+  if (!of_b) return std::nullopt;
+  const space::Bounds3 box{space::negated(of_b->high), space::negated(of_b->low)};
+  const Body& b = *side_->b_;
+  BoundaryPlace out;
+  out.bound = space::rounded(box).farthest(space::rounded(p));
+  if (!farthest) {
+    TriedAnswer most = searched_protrusion(p);
+    if (!most || (b.convex() && (*most)->value.to_double() <= (*most)->error)) return most;
+    if ((*most)->value.to_double() <= (*most)->error) {
+      // No way out of the box about B is longer.
+      Real deepest = fits->holding[0].value(p);
+      for (const space::HalfSpace& h : fits->holding) deepest = std::max(deepest, h.value(p));
+      return between_two(std::min(deepest, *(*most)->bounds().upper), *(*most)->bounds().upper);
+    }
+    out.bound = (*most)->bounds().lower->to_double();
+  }
+  std::vector<Answer> places;
+  for (const BodyPart& part : b.parts) {
+    TriedAnswer v = in_round_part(part, box, p, farthest);
+    if (b.convex()) return v;
+    if (v && *v && (*v)->error < exact::kInfinity) places.push_back(**std::move(v));
+  }
+  return std::optional(ended_before(out, margin::kFoundError * side_->size_, places, farthest));
+}
 
 CsgSide::TriedAmong CsgBackSide::made_among() const {
   const exact::Tried<Fits>& fits = this->fits();
   if (!fits) return fits.refusal();
-  // A's walls are those of a box, above and below on each axis.
-  space::Bounds3 places;
-  for (std::size_t k = 0; k < 3; ++k) {
-    places.low[k] = fits->holding[2 * k].offset;
-    places.high[k] = -fits->holding[2 * k + 1].offset;
-    if (places.high[k] < places.low[k]) return std::shared_ptr<const CsgSide::Among>();
-  }
-  return CsgSide::among_cells(*side_->b_, *side_->a_, places);
+  const auto places = box_of(*fits);
+  if (!places) return std::shared_ptr<const CsgSide::Among>();
+  return CsgSide::among_cells(*side_->b_, *side_->a_, *places);
 }
 
 TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
+  if (side_->b_->round()) return in_round_parts(p, false);
   if (!side_->b_->convex()) {
     const CsgSide::TriedAmong& among = this->among();
     if (!among) return among.refusal();
@@ -362,8 +482,8 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   if (!outer) return std::nullopt;
   TriedAnswer v = protrusion(p, Depth::kValue);
   if (!v || (*v)->value.to_double() <= (*v)->error) return v;
-  const auto inner = fits->exact ? nearest_in(fits->held, p) : std::nullopt;
-  if (!inner) return not_fitting();
+  const auto inner = nearest_in(fits->held, p);
+  if (!inner) return std::optional(at_least(signed_value(p, *outer, 1)));
   Answer out = between_two(signed_value(p, *outer, 1).value, signed_value(p, *inner, 1).value);
   out.nearest = inner;
   return out;
@@ -371,6 +491,11 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
 
 TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
   if (side_->a_->walls) return left_walls();
+  if (side_->b_->round()) {
+    TriedAnswer v = in_round_parts(p, true);
+    if (v && *v) (*v)->farthest = std::exchange((*v)->nearest, std::nullopt);
+    return v;
+  }
   if (!side_->b_->convex()) {
     const CsgSide::TriedAmong& among = this->among();
     if (!among) return among.refusal();
@@ -392,15 +517,55 @@ TriedAnswer CsgBackSide::farthest_fit(const RealVector& p) const {
   };
   const auto outer = farthest(fits->holding);
   if (!outer) return std::nullopt;
-  const auto inner = fits->exact ? farthest(fits->held) : std::nullopt;
-  if (!inner) return not_fitting();
-  return between_two(*outer, *inner);
+  const auto inner = farthest(fits->held);
+  return inner ? between_two(*outer, *inner) : at_least(Answer{});
+}
+
+/// Between the longest chords of what holds the positions, and of what they hold where B is a polytope.
+TriedAnswer CsgBackSide::least_along(const RealVector& direction, bool both_ways) const {
+  if (side_->a_->walls) return left_walls();
+  const exact::Tried<Fits>& fits = this->fits();
+  if (!fits) return fits.refusal();
+  const space::Bounds3 box = space::meeting(bounds(*side_->a_), bounds(*side_->b_));
+  const auto chord = [&](const std::vector<space::HalfSpace>& planes) {
+    space::ConvexRegion region(box.low, box.high);
+    for (const space::HalfSpace& h : planes) region.cut(h);
+    return convex_directional_least(region, Real(), direction, both_ways);
+  };
+  const std::optional<Answer> longest = chord(fits->holding);
+  if (!longest) return std::nullopt;
+  const std::optional<Answer> held = fits->plain ? chord(fits->held) : std::nullopt;
+  Answer out = least_answer(held ? held->value : Real(), longest->value, false, space::negated(longest->at));
+  if (held) out.at = space::negated(held->at);
+  if (!held) out.enclosed->upper.reset();
+  if (!held || !both_ways) out.side = Side::kNone;
+  return out;
 }
 
 PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves) {
   auto back = std::make_shared<const CsgBackSide>(side);
   if (cut_moves) return {std::move(back), std::move(side)};
   return {std::move(side), std::move(back)};
+}
+
+TriedAnswer csg_directional_least(Which which, const std::shared_ptr<const CsgSide>& side, bool cut_moves,
+                                  const RealVector& direction, bool both_ways) {
+  if (cut_moves) {
+    // A + p against B is A against B - p.
+    TriedAnswer v = csg_directional_least(exchanged(which), side, false, direction, both_ways);
+    if (v && *v) (*v)->at = space::negated((*v)->at);
+    return v;
+  }
+  if (which == Which::kGamma1) return CsgSide::least_gap_along(side, direction, both_ways);
+  if (which == Which::kDelta1) return CsgBackSide(side).least_along(direction, both_ways);
+  if (which != Which::kEta1)
+    return Refusal("least values along a direction are computed in 3D of gap, eta1 and delta1 only");
+  const FitSearch search = [&](const space::Body& swept, std::int64_t finer) {
+    const CsgSide fine(std::make_shared<const space::Body>(swept),
+                       std::make_shared<const space::CsgSolid>(at_scale(side->cut(), side->cut().scale * finer)));
+    return fine.fits_somewhere();
+  };
+  return least_of_swept_fits(side->complete(), bounds(side->cut()), direction, both_ways, search);
 }
 
 }  // namespace findspace::distance

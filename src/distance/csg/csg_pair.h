@@ -12,7 +12,8 @@
 //                   is in A where it is free of that;
 //   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A;
 //   diameter   exact where two places of A are as far from each other as two of the sets that hold it, else enclosed;
-//   least values (csg_least)   gamma1 and eta1 by the deepest place of a set of positions, others as solid_least.h.
+//   least values (csg_least)   gamma1 and eta1 by the deepest place of a set of positions, others as solid_least.h;
+//   along a direction eta1 by what B covers on its way, gamma1 between what holds A and the lines that are tried.
 // Guarantee: distances from and to places on one sphere or on the polyhedra are exact, others found by search
 // (boundary_search.h; `proven` false, `error`). Whether B + p lies in A is decided exactly. What is not computed is
 // refused; so is what walls in parts of A (CsgSolid::walls) may change. Threads: safe. Keywords: bowl, spherical
@@ -25,6 +26,7 @@
 
 #include "distance/csg/csg_part.h"
 #include "distance/rays/near_rays.h"
+#include "distance/rays/swept_fits.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/position_set.h"
 #include "distance/solid/solid_pair.h"
@@ -56,6 +58,11 @@ class CsgSide : public PairSide {
   TriedAnswer least_fit() const;
   /// A position at which the two meet.
   exact::Tried<space::RealVector> meeting() const;
+  /// Whether B fits somewhere.
+  exact::Tried<SweptFit> fits_somewhere() const;
+  /// The least gamma1 along a direction, for B that moves.
+  static TriedAnswer least_gap_along(const std::shared_ptr<const CsgSide>& side, const space::RealVector& direction,
+                                     bool both_ways);
   /// Of A alone.
   const TriedAnswer& own_diameter() const {
     return diameter_.of([&] { return made_diameter(); });
@@ -126,6 +133,7 @@ class CsgSide : public PairSide {
     return fits_.of([&] { return made_fits(); });
   }
   std::vector<NearSet> near_sets() const;
+  space::Body holding_sets() const;
   bool holds_ends(const Answer& widest, const space::Body& sets) const;
   TriedAnswer made_diameter() const;
   /// Of B + p out of A, where it is not in A.
@@ -149,6 +157,9 @@ class CsgSide : public PairSide {
 PairDistances csg_pair(std::shared_ptr<const CsgSide> side, bool cut_moves);
 /// As solid_least().
 TriedAnswer csg_least(Which which, const std::shared_ptr<const CsgSide>& side, bool cut_moves);
+/// The same along a direction, as ray_directional_least().
+TriedAnswer csg_directional_least(Which which, const std::shared_ptr<const CsgSide>& side, bool cut_moves,
+                                  const space::RealVector& direction, bool both_ways);
 /// As CsgSide::nearly, or by the value.
 TriedBetween between(const std::shared_ptr<const CsgSide>& side, Which which, const exact::Real& level,
                      const space::RealVector& p);

@@ -187,6 +187,24 @@ TriedAnswer CsgSide::farthest_in_union(const RealVector& p) const {
   return farthest_among(**made, p);
 }
 
+Tried<SweptFit> CsgSide::fits_somewhere() const {
+  if (!by_containers()) {
+    const TriedAmong& made = among();
+    if (!made) return made.refusal();
+    if (!*made) return SweptFit{SweptFit::Found::kNowhere};
+    const Tried<PositionSet> fits = (*made)->fits();
+    if (!fits) return fits.refusal();
+    return any_fit(*fits, fits->box().middle(), kMostCellsOfQuestion / kShareOfSearch / 4);
+  }
+  const TriedFits& fits = this->fits();
+  if (!fits) return fits.refusal();
+  if (!*fits) return SweptFit{SweptFit::Found::kNowhere};
+  const double least = margin::kNoDepth * size_;
+  const Slack most = (*fits)->deepest({least, 0});
+  if (most.value > least) return SweptFit{SweptFit::Found::kSomewhere, most.place};
+  return SweptFit{most.bound <= least ? SweptFit::Found::kNowhere : SweptFit::Found::kUnknown};
+}
+
 /// eta1 less the level; for levels up to 0 the slack of what protrudes takes the place of how far that is from none.
 TriedBetween CsgSide::nearly_in_union(const RealVector& p, double level) const {
   const TriedAmong& made = among();

@@ -322,18 +322,23 @@ bool CsgSide::holds_ends(const Answer& widest, const Body& sets) const {
   return false;
 }
 
+/// For each part of A the smallest of the sets that hold it.
+Body CsgSide::holding_sets() const {
+  Body out;
+  for (const CsgPartSearch& part : parts_) {
+    const std::vector<BodyPart>& within = part.sets->within;
+    out.parts.push_back(*std::min_element(within.begin(), within.end(), [](const BodyPart& s, const BodyPart& t) {
+      return distance::diameter(space::body_of_part(s)) < distance::diameter(space::body_of_part(t));
+    }));
+  }
+  return out;
+}
+
 /// Else between places that are far from each other and the least of what holds A; where these differ, the search for
 /// the place of A that is farthest from another tells.
 TriedAnswer CsgSide::made_diameter() const {
   const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
-  Body sets;
-  for (const CsgPartSearch& part : parts_) {
-    const std::vector<BodyPart>& within = part.sets->within;
-    sets.parts.push_back(*std::min_element(within.begin(), within.end(), [](const BodyPart& s, const BodyPart& t) {
-      return distance::diameter(space::body_of_part(s)) < distance::diameter(space::body_of_part(t));
-    }));
-  }
-  const auto all = std::make_shared<const Body>(std::move(sets));
+  const auto all = std::make_shared<const Body>(holding_sets());
   const TriedAnswer widest = SolidSide(all, all).reach({});
   if (holds_ends(**widest, *all)) return exact_answer<RealVector>((*widest)->value, Way::kParts);
   const space::Bounds3 box = bounds(*a_);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The maps of a CsgSide on lines: by the least values on stretches of functions (near_rays.h), or by values.
+// The maps of a CsgSide on lines: by the least values on stretches of functions (near_rays.h), or by values. And the
+// least values along a direction.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "distance/csg/csg_pair.h"
+#include "distance/rays/ray_directional_least.h"
 #include "distance/search/boundary_search.h"
 #include "distance/search/convex_distance.h"
+#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
 #include "space/body/body.h"
@@ -329,6 +332,75 @@ std::unique_ptr<space::RaySource> cut_map_along(Which which, const Real& level, 
     return Between{std::max(all->lo, -beyond->hi), std::max(all->hi, -beyond->lo)};
   };
   return std::make_unique<ValueRays>(rule, range.middle, range.size, scale, grid);
+}
+
+namespace {
+
+constexpr int kLinesAcross = 8;  // each way, that are tried for the longest overlap
+
+/// The longest stretch of a line on which the function is less than 0, by its ends.
+exact::Tried<std::pair<double, double>> longest_below(const NearRule& rule, const NearLine& line,
+                                                      const NearRange& range) {
+  const exact::Tried<std::vector<SignStretch>> all = near_stretches(rule, line, range);
+  if (!all) return all.refusal();
+  std::pair<double, double> best{0, 0};
+  std::optional<double> from;
+  for (const SignStretch& s : *all) {
+    if (s.sign >= 0) {
+      from.reset();
+      continue;
+    }
+    if (!from) from = s.from;
+    if (s.to - *from > best.second - best.first) best = {*from, s.to};
+  }
+  return best;
+}
+
+}  // namespace
+
+/// No stretch is longer than that of what holds A. The line of that, and others across it, have one that is nearly so.
+TriedAnswer CsgSide::least_gap_along(const std::shared_ptr<const CsgSide>& side, const RealVector& direction,
+                                     bool both_ways) {
+  if (side->a_->walls) return left_walls();
+  if (side->points_) return no_depth();
+  const SearchQuestion question;
+  const TriedAnswer held =
+      ray_directional_least(Which::kGamma1, direction, both_ways, side->complete(), side->holding_sets());
+  if (!held || !*held) return held;
+  const Real bound = *(*held)->bounds().lower;
+  const Vector along = space::rounded(direction), unit = space::scaled(1 / space::length(along), along);
+  const NearRange range = meeting_range(*side, Real());
+  const GapNear rule(side, 0, unit);
+  Vector across = space::cross(unit, std::fabs(unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});  // no sign: any
+  across = space::scaled(1 / space::length(across), across);
+  const Vector upward = space::cross(unit, across);
+  double longest = 0;
+  Vector middle = range.middle, best = range.middle;
+  const double most = -bound.to_double() * (both_ways ? 2 : 1), blur = 4 * ValueRays::kCertain * range.size;
+  const auto look = [&](const Vector& start) {
+    if (question.work().spent() || most - longest <= blur) return;
+    const exact::Tried<std::pair<double, double>> found = longest_below(rule, {start, unit}, range);
+    if (!found || !(found->second - found->first > longest)) return;  // another line may tell
+    longest = found->second - found->first;
+    best = start;
+    middle = space::plus(start, space::scaled((found->first + found->second) / 2, unit));
+  };
+  const auto aside = [&](const Vector& from, double x, double y) {
+    return space::plus(from, space::plus(space::scaled(x * range.size, across), space::scaled(y * range.size, upward)));
+  };
+  look(space::rounded((*held)->at));
+  for (int i = 0; i < kLinesAcross; ++i) {
+    for (int j = 0; j < kLinesAcross; ++j)
+      look(aside(range.middle, (i + 0.5) / kLinesAcross - 0.5, (j + 0.5) / kLinesAcross - 0.5));
+  }
+  for (double step = 0.5 / kLinesAcross; step * range.size > margin::kDeepestGap * side->size_; step /= 2) {
+    const Vector from = best;
+    for (const auto& [x, y] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) look(aside(from, x, y));
+  }
+  const Real value = -Real::from_double(longest) / Real(both_ways ? 2 : 1);
+  Answer out = least_answer(value, std::min(bound, value), false, space::real(middle));
+  if (!both_ways) out.side = Side::kNone;
+  return out;
 }
 
 }  // namespace findspace::distance

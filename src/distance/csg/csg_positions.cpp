@@ -298,8 +298,7 @@ exact::Tried<PositionSet> free_positions(const space::Body& b, const std::vector
   }
   return PositionSet::lazily(
       [all = std::shared_ptr<const CsgPositions>(std::move(all))] { return std::make_unique<CsgConstraints>(all); },
-      around, size,
-      "how deep a shape is in one that round ones are cut out of was not found within the limit of the search");
+      around, size);
 }
 
 }  // namespace findspace::distance

@@ -6,8 +6,10 @@
 
 #include "distance/rays/ray_covers.h"
 #include "distance/rays/round_runs.h"
+#include "distance/rays/swept_fits.h"
 #include "distance/search/convex_distance.h"
 #include "distance/search/grown_set.h"
+#include "distance/search/union_fit.h"
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
@@ -196,14 +198,28 @@ std::optional<BallFits> ball_fits(const Body& b, const Body& a) {
   return BallFits{std::move(worn), Real()};
 }
 
+constexpr long kCellsOfUnionFit = 1500;  // each takes searches
+
+/// Of round parts.
+TriedAnswer least_fit_in_union(const Body& b, const Body& a, const RealVector& direction, bool both_ways) {
+  space::Vector near = space::rounded(space::fitting(bounds(b), bounds(a)).value_or(bounds(a))).middle();
+  const FitSearch search = [&](const Body& swept, std::int64_t finer) -> exact::Tried<SweptFit> {
+    const Body outer = at_scale(a, a.scale * finer);
+    const auto box = space::fitting(bounds(swept), bounds(outer));
+    if (!box) return SweptFit{SweptFit::Found::kNowhere};
+    return any_fit(fits_in_union(swept, outer, space::rounded(*box)), space::scaled(double(finer), near),
+                   kCellsOfUnionFit);
+  };
+  return least_of_swept_fits(b, bounds(a), direction, both_ways, search);
+}
+
 TriedAnswer least_eta(const Body& b, const Body& a, const RealVector& direction, bool both_ways) {
   if (!a.round() && (a.convex() || !b.round())) return least_fit(b, a, direction, both_ways);
   if (const auto ball = ball_fits(b, a)) {
     if (ball->radius.sign() < 0) return std::nullopt;
     return convex_directional_least(ball->positions, ball->radius, direction, both_ways);
   }
-  if (a.round() && !a.convex())
-    return Refusal("the least fit in a union of round parts along a direction is not computed");
+  if (a.round() && !a.convex()) return least_fit_in_union(b, a, direction, both_ways);
   return round_fit(b, a, direction, both_ways);
 }
 

@@ -81,7 +81,7 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
     const std::optional<Answer>& v = *found;
     if (!v) return std::nullopt;
     const double gap = (outside ? level - v->value : v->value - level).to_double();
-    return Between{gap - v->error, gap + v->error};
+    return about(gap, v->error);
   };
   auto rays = std::make_unique<ValueRays>(rule, space::scaled(0.5, space::plus(low, high)), size, b.scale, grid);
   return outside ? space::negated_rays(std::move(rays)) : std::move(rays);

@@ -40,6 +40,11 @@ struct Between {
   double low = 0, high = 0;
   std::optional<SignBall> ball{};
 };
+/// Less the level, of a value and what that may be off: infinite where it may be any from there on.
+inline Between about(double value, double error, double level = 0) {
+  if (!(error < exact::kInfinity)) return {value - level, error};
+  return {value - error - level, value + error - level};
+}
 /// Nothing where the function is undefined: so everywhere, and its sign is +. Refused where a search does not tell.
 using TriedBetween = exact::Tried<std::optional<Between>>;
 using RayRule = std::function<TriedBetween(const space::RealVector&)>;

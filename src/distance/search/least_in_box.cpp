@@ -108,8 +108,10 @@ class BoxSearch {
       return;
     }
     if (found) {
-      const double value = found->value.to_double();
-      box.bound = value - found->slack() - space::length(box.half);
+      const bool taken = found->error < exact::kInfinity;  // else it may be nowhere, or greater
+      const double value = taken ? found->value.to_double() : exact::kInfinity;
+      const double low = taken ? value - found->slack() : found->value.to_double();
+      box.bound = low - space::length(box.half);
       if (value < least_ || count_ == 1) {
         least_ = value;
         best_ = *std::move(found);
@@ -206,6 +208,7 @@ class TangentSearch {
       return false;
     }
     const Answer& v = *found;
+    if (!(v.error < exact::kInfinity)) return false;
     const double value = v.value.to_double();
     if (value < least_) {
       least_ = value;

@@ -53,6 +53,34 @@ Answer searched_answer(const BoundaryPlace& found, double size) {
   return out;
 }
 
+Answer searched_place(const BoundaryPlace& found, const RealVector& p, double slack) {
+  Answer out = signed_value(p, space::real(found.place), 1);
+  out.set_unproven();
+  out.error = slack;
+  return out;
+}
+
+Answer ended_before(const BoundaryPlace& found, double slack, std::span<const Answer> places, bool farthest) {
+  const Real bound = Real::from_double(std::max(0.0, found.bound + (farthest ? slack : -slack)));
+  const auto worse = [farthest](const Answer& a, const Answer& b) {
+    return farthest ? a.value < b.value : b.value < a.value;
+  };
+  const auto best = std::max_element(places.begin(), places.end(), worse);
+  Answer out = best == places.end() ? Answer{} : *best;
+  if (best == places.end()) {
+    if (!farthest) out.value = bound;
+    out.enclosed = Enclosure{out.value, std::nullopt};
+    out.error = exact::kInfinity;
+  } else {
+    const Enclosure taken = out.bounds();
+    out.enclosed = farthest ? Enclosure{taken.lower, std::max(*taken.lower, bound)}
+                            : Enclosure{std::min(*taken.upper, bound), taken.upper};
+    out.error = out.enclosed->width();
+  }
+  out.set_unproven();
+  return out;
+}
+
 PositionSet::PositionSet(const RealVector& low, const RealVector& high)
     : low_(low), high_(high), box_{space::rounded(low), space::rounded(high)} {}
 
@@ -128,10 +156,9 @@ PositionSet PositionSet::of_constraints(Constraints constraints, const Box& box,
   return out;
 }
 
-PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size, std::string not_found) {
+PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size) {
   PositionSet out = of_constraints({}, box, size, {});
   out.lazy_ = std::move(lazy);
-  out.not_found_ = std::move(not_found);
   return out;
 }
 
@@ -178,12 +205,17 @@ BoundaryPlace PositionSet::farthest_from(std::span<const ConvexDistance> from, c
   return farthest_allowed(cells(box_), lazy->constraints(), from, size_, known, end);
 }
 
-/// A place of zero clearance that belongs all the same, with simple coordinates.
+/// A place of zero clearance that belongs all the same, with simple coordinates. Where boundaries touch the place that
+/// is found is as near as the square root of what they are known to.
 std::optional<RealVector> PositionSet::even_place(const BoundaryPlace& found) const {
   if (!found.unresolved || !holds_) return std::nullopt;
-  const double blur = margin::kEvenPlace * size_;
-  const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur), even(found.unresolved->z, blur)};
-  return holds_(p) ? std::optional(p) : std::nullopt;
+  for (const double share : {margin::kEvenPlace, std::sqrt(margin::kEvenPlace)}) {
+    const double blur = share * size_;
+    const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur),
+                       even(found.unresolved->z, blur)};
+    if (holds_(p)) return p;
+  }
+  return std::nullopt;
 }
 
 namespace {
@@ -207,8 +239,24 @@ PositionSet::Known PositionSet::sharp_place(std::function<std::optional<RealVect
   };
 }
 
-TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p,
-                                 const std::optional<Answer>& known) const {
+/// The nearest place beyond the box.
+Answer PositionSet::beyond_box(const RealVector& p) const {
+  const Real more = Real::from_double(margin::kAroundCube * size_);
+  std::optional<Answer> best;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const Real& wall : {low_[k] - more, high_[k] + more}) {
+      RealVector out = p;
+      out[k] = wall;
+      Answer v = at_place(out, p);
+      if (!best || v.value < best->value) best = std::move(v);
+    }
+  }
+  return *std::move(best);
+}
+
+/// `beyond`: a place that is known beyond what was searched.
+TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p, const std::optional<Answer>& known,
+                                 const std::optional<Answer>& beyond, bool farthest) const {
   const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
                off = std::fabs(found.value - found.bound);
   const RealVector place = space::real(found.place);
@@ -228,13 +276,18 @@ TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p
     return out;
   }
   if (!found.found && !found.known && !found.unresolved && found.complete) return std::nullopt;
+  std::vector<Answer> places;
   if (const auto exact = even_place(found)) {
     Answer out = at_place(*exact, p);
     if (std::fabs(out.value.to_double() - found.bound) <= margin::kSearchesAgree * slack)
       return out;  // no sign: nothing is better
+    places.push_back(std::move(out));
   }
-  if (belongs && !found.unresolved) return exact::Refusal(not_found_);
-  return exact::Refusal(holds_ ? "whether a round shape fits with zero clearance is not decided" : not_found_);
+  if (belongs) places.push_back(searched_place(found, p, slack));
+  for (const auto* place : {&known, &beyond}) {
+    if (*place) places.push_back(**place);
+  }
+  return ended_before(found, slack, places, farthest);
 }
 
 double PositionSet::deepest_at(const Vector& p) const {
@@ -272,17 +325,29 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
     };
   }
   if (open) query.box = around(near);
-  return settled(nearest_to(distance_to_point(near), query), p, decided);
+  return settled(nearest_to(distance_to_point(near), query), p, decided,
+                 open ? std::optional(beyond_box(p)) : std::nullopt, false);
 }
 
-exact::Tried<Answer> PositionSet::least(const TouchingConstraint& of) const {
+Answer PositionSet::least(const TouchingConstraint& of) const {
   const BoundaryPlace found = nearest_to(of, {-exact::kInfinity});
   const double off = std::fabs(found.value - found.bound);
-  if (!found.found || off > margin::kMostFoundError * size_ || !holds(space::real(found.place)))
-    return exact::Refusal(
-        "how deep the shape lies in a union of rounded parts was not found within the limit of the search; where parts "
-        "lie flush, let them overlap");
-  return searched_answer(found, size_);
+  const bool belongs = found.found && holds(space::real(found.place));
+  if (belongs && off <= margin::kMostFoundError * size_) return searched_answer(found, size_);
+  const double noise = margin::kFoundError * size_;
+  double most = belongs ? found.value : exact::kInfinity;
+  const Box around = grown(box_, margin::kAroundCube * size_);  // its corners belong
+  for (const double x : {around.low.x, around.high.x}) {
+    for (const double y : {around.low.y, around.high.y}) {
+      for (const double z : {around.low.z, around.high.z}) most = std::min(most, of({x, y, z}).value);
+    }
+  }
+  Answer out;
+  out.value = Real::from_double(most);
+  out.set_unproven();
+  out.enclosed = Enclosure{Real::from_double(found.bound - noise), Real::from_double(most + noise)};
+  out.error = out.enclosed->width();
+  return out;
 }
 
 TriedAnswer PositionSet::farthest(const RealVector& p) const {
@@ -298,7 +363,7 @@ TriedAnswer PositionSet::farthest(const RealVector& p) const {
   const BoundaryPlace found = farthest_from(space::rounded(p), ask);
   // Where many places are nearly as far the search ends before: the value lies between what it found and the bound.
   const bool early = found.found && !found.complete && !found.unresolved && holds(space::real(found.place));
-  TriedAnswer v = early ? TriedAnswer(searched_answer(found, size_)) : settled(found, p, decided);
+  TriedAnswer v = early ? TriedAnswer(searched_answer(found, size_)) : settled(found, p, decided, std::nullopt, true);
   if (early) (*v)->nearest = space::real(found.place);
   if (v && *v) (*v)->farthest = std::exchange((*v)->nearest, std::nullopt);
   return v;

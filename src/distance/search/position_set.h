@@ -18,8 +18,9 @@
 // Guarantee: places are found by search (boundary_search.h), mostly to 2^-40 of the sizes; `proven` is false and
 // `error` says how far values may be off; whether a place belongs is decided exactly, where a provider can. A passage
 // or fit of zero clearance, which numbers cannot tell from none, is found among the planes along the faces of the sets,
-// exactly; one between other boundaries (an edge and a face, two edges) that would change the answer is refused, not
-// passed over. Keywords: configuration space, penetration depth, rounded polyhedra, containment.
+// exactly; with one between other boundaries (an edge and a face, two edges) that would change the answer, or a search
+// that ends at its limit, the value is what that leaves open: from the bound to the best place that is known. Keywords:
+// configuration space, penetration depth, rounded polyhedra, containment.
 #pragma once
 
 #include <functional>
@@ -41,6 +42,12 @@ namespace findspace::distance {
 /// What a search found for a value of that size; nothing is off by more than `error`.
 Answer searched_answer(const BoundaryPlace& found, double size);
 
+/// The value at the place that it found, which is off by no more than `slack`.
+Answer searched_place(const BoundaryPlace& found, const space::RealVector& p, double slack);
+/// Of a search that ended before: the nearest (farthest) place lies between the bound, which may be off by `slack`, and
+/// the best one of those that are known. Without one there may be none, whose distance counts as +infinity.
+Answer ended_before(const BoundaryPlace& found, double slack, std::span<const Answer> places, bool farthest);
+
 class PositionSet {
  public:
   using Box = space::Extent;
@@ -59,8 +66,7 @@ class PositionSet {
                             const space::RealVector& high);
   /// `size`: of the coordinates and of what the functions are made of.
   static PositionSet of_constraints(Constraints constraints, const Box& box, double size, Holds holds);
-  /// `not_found`: why a value is refused where the search ends before it is known.
-  static PositionSet lazily(MakeLazy lazy, const Box& box, double size, std::string not_found);
+  static PositionSet lazily(MakeLazy lazy, const Box& box, double size);
   /// What it has in common with a convex set.
   PositionSet also_in(TouchingConstraint set) const;
   /// The same set, searched within another box.
@@ -71,8 +77,8 @@ class PositionSet {
   /// belongs if `open`.
   TriedAnswer nearest(const space::RealVector& p, bool open, const Known& known = {}) const;
   TriedAnswer farthest(const space::RealVector& p) const;
-  /// The least of a convex function at a place of the set.
-  exact::Tried<Answer> least(const TouchingConstraint& of) const;
+  /// The least of a convex function at a place of the set, to which all beyond the box belongs.
+  Answer least(const TouchingConstraint& of) const;
 
   /// At least how far p is from the set, if more than 0; else so far, negated, p may go without leaving it. Numbers.
   double beyond(const space::Vector& p) const;
@@ -110,7 +116,9 @@ class PositionSet {
   Box around_box(const Box& box) const;
   Box around(const space::Vector& p) const;
   double deepest_at(const space::Vector& p) const;
-  TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p, const std::optional<Answer>& known) const;
+  Answer beyond_box(const space::RealVector& p) const;
+  TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p, const std::optional<Answer>& known,
+                      const std::optional<Answer>& beyond, bool farthest) const;
   Known sharp_place(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p) const;
   std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;
 
@@ -124,7 +132,6 @@ class PositionSet {
   Box box_;
   bool askew_ = false;  // the box is to be put askew (boundary_cells.h)
   double size_ = 0;
-  std::string not_found_ = "how far a round shape is from fitting was not found within the limit of the search";
 };
 
 }  // namespace findspace::distance

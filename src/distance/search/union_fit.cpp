@@ -348,7 +348,7 @@ PositionSet fits_in_union(const space::Body& b, const space::Body& a, const Posi
   auto protrusion = std::make_shared<const UnionProtrusion>(b, a);
   const double size = protrusion->size();
   return PositionSet::lazily([protrusion] { return std::make_unique<FitConstraints>(protrusion); },
-                             grown(box, margin::kAroundBox * size), size, {});
+                             grown(box, margin::kAroundBox * size), size);
 }
 
 }  // namespace findspace::distance

@@ -82,7 +82,8 @@ TriedAnswer deepest_place(const Obstacles& all, const Real& radius, const RealVe
       return;
     }
     const std::optional<Answer>& v = *found;
-    if (!v || (best && !(v->value < best->value - blur))) return;
+    // A round shape may not fit there.
+    if (!v || !(v->error < exact::kInfinity) || (best && !(v->value < best->value - blur))) return;
     best = least_answer(v->value, std::min(bound, v->value), false, p);
   };
   if (max_min.value > 0) {
@@ -198,11 +199,8 @@ class Least {
       all.distances.push_back(distance_to(cover.planes(k)));
       all.planes.push_back(cover.planes(k));
     }
-    auto found = deepest_place(all, radius, *somewhere, [&](const RealVector& p) -> TriedAnswer {
-      TriedAnswer v = pair_.try_value(Which::kEta1, p);
-      // A round shape that does not fit there has no value.
-      return v || radius.sign() == 0 ? std::move(v) : std::nullopt;
-    });
+    auto found =
+        deepest_place(all, radius, *somewhere, [&](const RealVector& p) { return pair_.try_value(Which::kEta1, p); });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
     return found && !*found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
   }

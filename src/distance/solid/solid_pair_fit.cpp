@@ -9,7 +9,7 @@
 //   in polyhedra          what is farther from the cover of outside cells less B's cores than their radii;
 //   in a union of round parts   where it lies in a single part, exactly, or where the search through all others
 //                         (union_fit.h) finds better ones, to 2^-36 of the sizes; where a fit of zero clearance, and
-//                         is none in a single part, may be nearer, it is refused.
+//                         is none in a single part, may be nearer, the value lies from that to the best place known.
 // Guarantee: as solid_pair.h; boundaries that are round are searched (position_set.h). Keywords: erosion, Minkowski
 // difference, containment.
 
@@ -165,9 +165,7 @@ TriedAnswer SolidSide::farthest_fit(const RealVector& p) const {
   if (f.round) return boundary_of(f).farthest(p);
   std::optional<RealVector> q;
   if (f.balls) {
-    if (!f.balls->few())
-      return exact::Refusal("more than " + std::to_string(space::BallMeet::kMostBalls) +
-                            " balls (or vertices of a polytope in a ball) are not computed");
+    if (!f.balls->few()) return fit_box(*b_, *a_) ? boundary_of(f).farthest(p) : std::nullopt;
     q = f.balls->farthest(p);
   } else {
     const auto box = fit_box(*b_, *a_);
@@ -191,13 +189,12 @@ TriedAnswer SolidSide::clearance(const RealVector& p) const {
 
 TriedAnswer SolidSide::depth_inside(const RealVector& p) const {
   const PositionSet free = PositionSet::outside_of(*a_);
-  std::optional<Answer> least;
+  std::optional<Answer> most;
   for (const BodyPart& part : b_->parts) {
-    exact::Tried<Answer> v = free.least(touching_distance(part, space::rounded(p), part.radius.to_double()));
-    if (!v) return v.refusal();
-    if (!least || v->value < least->value) least = *std::move(v);
+    Answer v = minus(free.least(touching_distance(part, space::rounded(p), part.radius.to_double())));
+    most = most ? greatest(*std::move(most), std::move(v)) : std::move(v);
   }
-  return minus(*std::move(least));
+  return most;
 }
 
 /// What is kept from position to position.
@@ -215,12 +212,14 @@ std::optional<Answer> in_one_part(const UnionContainers& containers, const RealV
     TriedAnswer tried = farthest ? pair->farthest_fit(p) : pair->fit(p);
     if (!tried || !*tried) continue;  // the search will tell
     Answer& v = **tried;
+    if (!(v.error < exact::kInfinity)) continue;  // it may fit nowhere
     if (!best || (farthest ? best->value < v.value : v.value < best->value)) best = std::move(v);
   }
   return best;
 }
 
-TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& known, double size) {
+TriedAnswer settled(const BoundaryPlace& found, const RealVector& p, const std::optional<Answer>& known, double size,
+                    bool farthest) {
   const double slack = margin::kUnionFitError * size, off = std::fabs(found.value - found.bound);
   if (found.known && off <= slack) return known;
   if (found.found && off <= slack) {
@@ -232,13 +231,11 @@ TriedAnswer settled(const BoundaryPlace& found, const std::optional<Answer>& kno
     out.error = slack;
     return std::optional(std::move(out));
   }
-  if (!found.complete)
-    return exact::Refusal(
-        "how far a shape is from fitting into a union of round parts was not found within the limit of the search");
-  if (!found.unresolved) return std::nullopt;
-  return exact::Refusal(
-      "whether a shape fits into a union of round parts with zero clearance "
-      "is not decided");
+  if (!found.found && !found.known && !found.unresolved && found.complete) return std::nullopt;
+  std::vector<Answer> places;
+  if (known) places.push_back(*known);
+  if (found.found) places.push_back(searched_place(found, p, slack));
+  return ended_before(found, slack, places, farthest);
 }
 
 }  // namespace
@@ -266,8 +263,8 @@ TriedAnswer SolidSide::into_union(const Fit& fit, const RealVector& p, const Ans
   const auto known = in_one_part(containers, p, false);
   PositionSet::Query query{outside.value.to_double() - outside.error};
   if (known) query.known = [&] { return std::optional(known->value.to_double()); };
-  return settled(containers.fits.nearest_to(distance_to_point(space::rounded(p)), query), known,
-                 containers.fits.size());
+  return settled(containers.fits.nearest_to(distance_to_point(space::rounded(p)), query), p, known,
+                 containers.fits.size(), false);
 }
 
 TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
@@ -275,7 +272,7 @@ TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
   const auto known = in_one_part(containers, p, true);
   Incumbent best;
   if (known) best = [&] { return std::optional(-known->value.to_double()); };
-  auto out = settled(containers.fits.farthest_from(space::rounded(p), best), known, containers.fits.size());
+  auto out = settled(containers.fits.farthest_from(space::rounded(p), best), p, known, containers.fits.size(), true);
   if (out && *out) (*out)->nearest.reset();
   return out;
 }

@@ -227,8 +227,8 @@ class BallSearch {
   }
 
   BallPlace run(bool farthest) const {
-    const PositionSet places = PositionSet::lazily(
-        [this] { return std::make_unique<BallConstraints>(ball_, field_, size_); }, box_, size_, {});
+    const PositionSet places =
+        PositionSet::lazily([this] { return std::make_unique<BallConstraints>(ball_, field_, size_); }, box_, size_);
     const TouchingConstraint away = distance_to_point(space::rounded(x_));
     BoundaryPlace found;
     if (farthest) {

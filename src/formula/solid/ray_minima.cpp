@@ -41,10 +41,10 @@ QuestionOnLines question_on_lines(const RayWorld& world, const std::function<con
   const Formula& asked = out.levels.formula;
   out.window = window(world, asked);
   out.unbounded = holds_far_away(world, asked);
-  out.somewhere = asked.atoms().size() == 1 && !out.levels.minima.empty() && out.levels.minima[0].least &&
-                  is_taken(*out.levels.minima[0].least);
+  const bool alone = asked.atoms().size() == 1 && !out.levels.minima.empty();
+  out.somewhere = alone && out.levels.minima[0].least && is_taken(*out.levels.minima[0].least);
   const space::Point low = out.window.low;
-  if (out.somewhere && !try_ray_region(world, asked, {2, 1, low.x, low.y, 1, 1, 1, 1})) {
+  if (alone && !try_ray_region(world, asked, {2, 1, low.x, low.y, 1, 1, 1, 1})) {
     out.one_position = true;
     out.levels.side = Side::kInner;
   }

@@ -39,7 +39,7 @@ struct QuestionOnLines {
   bool unbounded = false;  // the set goes on beyond it
   /// The formula is one `-> min` with a least value: some position is known, whatever the lines meet.
   bool somewhere = false;
-  /// And that is all that is known: its set has no map on lines.
+  /// And that is all that is known, or there is none: its set has no map on lines.
   bool one_position = false;
 
   /// The formula, or another one of the same atoms at other levels, on these lines.

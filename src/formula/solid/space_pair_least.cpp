@@ -178,6 +178,11 @@ Tried<std::optional<distance::Answer>> SpacePair::directional_least(Which which,
     const auto found = distance::convex_directional_least(zero->region, zero->radius, direction, both_ways);
     return found ? std::optional(distance::in_unit(*found, Real(1) / zero->scale)) : std::nullopt;
   }
+  if (cut_side_) {
+    auto found = distance::csg_directional_least(which, cut_side_, cut_moves_, direction, both_ways);
+    if (!found || !*found) return found;
+    return distance::in_unit(**found, Real::ratio(1, cut_scale_));
+  }
   if (!all().pair) return *all().refused;
   auto found = distance::ray_directional_least(which, direction, both_ways, *all().b, *all().a);
   if (!found || !*found) return found;

@@ -116,7 +116,8 @@ void RaysQuestion::ask(const formula::Formula& where, const RayChoice& choice) {
   }
   aim();
   set.source = [this](const space::RayGrid& grid) { return question.on(world, formula, grid); };
-  if (question.one_position) asked.note("the minimisers have no map on lines: one of them is given");
+  if (question.one_position && question.somewhere)
+    asked.note("the minimisers have no map on lines: one of them is given");
 }
 
 /// Of the cells about the lines, as asked where the lines themselves do not err to the other side.
