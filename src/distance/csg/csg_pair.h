@@ -10,7 +10,8 @@
 //   other one is known; eta2;
 //                   in unions of such, and where a container is not convex, eta1 and eta2 by what A leaves of a box: B
 //                   is in A where it is free of that;
-//   delta1, mu of A to B + p   where B is convex; delta1 where it is at most 0, or B too small for A;
+//   delta1, delta2, mu of A to B + p   of a polytope B by how far A reaches along its normals, of a union of polytopes
+//   by what that leaves, of a round part by the places of A that are farthest out, of a union of such between ends;
 //   diameter   exact where two places of A are as far from each other as two of the sets that hold it, else enclosed;
 //   least values (csg_least)   gamma1 and eta1 by the deepest place of a set of positions, others as solid_least.h;
 //   along a direction eta1 by what B covers on its way, gamma1 between what holds A and the lines that are tried.

@@ -7,8 +7,8 @@
 // longest stretches are met by a corner from aside. Of polyhedra the stretches run between the frontier of U, or
 // between the closed sets of positions at which B is not in A (space/rays/longest_run.h); one convex set is its longest
 // chord, grown by a ball where shapes are round. Guarantee: exact. Unions of round parts, and other shapes in round
-// ones, are enclosed (round_runs.h). Refused: complements, over whose positions there is none. Keywords: directional
-// penetration depth, longest chord.
+// ones, are enclosed (round_runs.h, swept_fits.h). Refused: complements, over whose positions there is none. Keywords:
+// directional penetration depth, longest chord.
 #pragma once
 
 #include "distance/answer/answer.h"
