@@ -118,7 +118,7 @@ class CsgSide : public PairSide {
   static TriedAnswer inside_among(const Among& all, const space::RealVector& p);
   static TriedAnswer fit_among(const Among& all, const space::RealVector& p);
   static TriedAnswer farthest_among(const Among& all, const space::RealVector& p);
-  /// Of a body and a solid that moves against it, at positions of the body in that box; both of one scale.
+  /// Of a polyhedral body and a solid that moves against it, at positions of the body in that box; both of one scale.
   static TriedAmong among_cells(const space::Body& fixed, const space::CsgSolid& moving, const space::Bounds3& places);
   TriedAnswer contained_in_union(const space::RealVector& p) const;
   TriedAnswer inside_union(const space::RealVector& p) const;

@@ -127,9 +127,6 @@ CsgSide::TriedAmong CsgSide::made_among() const {
 /// Cells of the outside, and what bounds the box about the fixed one on each side.
 CsgSide::TriedAmong CsgSide::among_cells(const space::Body& fixed, const space::CsgSolid& moving,
                                          const space::Bounds3& places) {
-  if (fixed.round())
-    return exact::Refusal(
-        "how far a shape that round ones are cut out of is from fitting into a union with round parts is not computed");
   const space::Bounds3 box = bounds(fixed);
   const RealVector wide = space::minus(box.high, box.low);
   const space::Bounds3 around{space::minus(box.low, wide), space::plus(box.high, wide)};
