@@ -122,9 +122,8 @@ TDistancePointer SignedDistance::near(const plane::PieceBox& window, double low,
     if (s.distance(w.x, w.y) <= reach) chosen.push_back(s.cell);
   auto out = std::make_shared<SignedDistance>(boundary_alone(base(), chosen, 0, Mark(sign)));
   const auto edges = plane::remark(out->base(), [](Mark m) { return Mark(m == 0); });
-  auto inside = std::make_shared<const WindowDistance>(edges, window);
-  if (inside->edges() > kMostEdges) return nullptr;
-  out->window_ = std::move(inside);
+  if (WindowDistance::edges_seen(edges, window) > kMostEdges) return nullptr;
+  out->window_ = std::make_shared<const WindowDistance>(edges, window);
   return out;
 }
 

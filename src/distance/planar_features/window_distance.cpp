@@ -35,6 +35,14 @@ std::optional<Index> nearest_end(const plane::Region& edges, Index e, const Plac
 
 }  // namespace
 
+std::size_t WindowDistance::edges_seen(const plane::Region& edges, const plane::PieceBox& window) {
+  const PlacedWindow placed(window);
+  std::size_t seen = 0;
+  for (Index e = 0; e < edges.edges.size(); ++e)
+    if (edges.edges[e].mark > 0 && !nearest_end(edges, e, placed)) ++seen;
+  return seen;
+}
+
 WindowDistance::WindowDistance(const plane::Region& edges, const plane::PieceBox& window)
     : window_(window), filled_(region_of_boxes({&window, 1})) {
   std::vector<char> counts(edges.vertices.size());
@@ -48,7 +56,6 @@ WindowDistance::WindowDistance(const plane::Region& edges, const plane::PieceBox
       continue;
     }
     add(edge_feature(edges, e));
-    ++edges_;
   }
   for (Index v = 0; v < edges.vertices.size(); ++v)
     if (edges.vertices[v].mark > 0 && (counts[v] != 0 || edges.vertices[v].out == plane::kNone))

@@ -15,11 +15,11 @@ namespace findspace::distance {
 
 class WindowDistance {
  public:
+  /// How many edges show more than an end in the window; their maps are the costly ones.
+  static std::size_t edges_seen(const plane::Region& edges, const plane::PieceBox& window);
   /// C is a set without faces; the corners of the window are on the grid.
   WindowDistance(const plane::Region& edges, const plane::PieceBox& window);
 
-  /// How many edges show more than an end; their maps are the costly ones.
-  std::size_t edges() const { return edges_; }
   /// -1, 0, +1 in the window; elsewhere nothing is said.
   plane::SignMap map(const exact::Real& radius) const;
 
@@ -32,7 +32,6 @@ class WindowDistance {
   PlacedWindow window_;
   plane::Region filled_;
   std::vector<Part> parts_;
-  std::size_t edges_ = 0;
 };
 
 }  // namespace findspace::distance
