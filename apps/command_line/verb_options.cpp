@@ -429,7 +429,8 @@ void add_limits(CLI::App& command, Options& o) {
   size("--memory-limit", o.memory_limit, "give up beyond SIZE bytes of memory, such as 500M or 2G (default: none)",
        "SIZE");
   size("--input-limit", o.input_limit, "read SIZE bytes at most, unpacked (default 256M)", "SIZE");
-  size("--work-limit", o.work_limit, "refuse input that costs more than N units of work (default 20000000)", "N");
+  size("--work-limit", o.work_limit,
+       "refuse what costs more than N units of work: input, constructions, searches in space (default 20000000)", "N");
   auto* none = command.add_flag("--no-files", o.no_files, "take no shapes from files that the scene names");
   none->group(kLimits);
   command

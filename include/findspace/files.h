@@ -50,7 +50,7 @@ struct ReadOptions {
   bool files = true;                        // whether shapes may come from other files
   std::string root = {};                    // these lie in this folder, links followed; empty: anywhere
   std::uint64_t input_limit = kUsualInput;  // bytes of all files together, packed ones as they are unpacked
-  std::uint64_t work_limit = kUsualWork;    // units, of reading, of each shape and of each formula: the same everywhere
+  std::uint64_t work_limit = kUsualWork;    // units, of reading, of each shape, each formula and of searches in space
   DrawingRules drawings = {};               // before those that the scene states
 };
 

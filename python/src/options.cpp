@@ -45,8 +45,8 @@ py::object function_of(const Options& o) {
 }
 
 Options options_made(unsigned threads, double seconds, std::size_t memory, const py::object& progress,
-                     const std::optional<Cancel>& cancel, std::uint64_t seed, double work) {
-  return {threads, seconds, memory, progress_of(progress), cancel.value_or(Cancel()), seed, work};
+                     const std::optional<Cancel>& cancel, std::uint64_t seed, double work, std::uint64_t work_limit) {
+  return {threads, seconds, memory, progress_of(progress), cancel.value_or(Cancel()), seed, work, work_limit};
 }
 
 void bind_cancel(py::module_& m) {
@@ -160,16 +160,18 @@ seed : int
     Of what is random, packings and samples.
 work : float
     Of packings, in million pairs of parts looked at; 0: no limit.
+work_limit : int
+    Units that the searches of a question in space may cost, as with ``--work-limit``; 0: as many as reading allowed.
 
 Examples
 --------
 >>> import findspace as fs
 >>> fs.Options(seconds=5, seed=7)
-<Options threads=0 seconds=5.0 memory=0 seed=7 work=0.0>
+<Options threads=0 seconds=5.0 memory=0 seed=7 work=0.0 work_limit=0>
 )doc")
       .def(py::init(&options_made), py::kw_only(), py::arg("threads") = 0, py::arg("seconds") = 0.0,
            py::arg("memory") = 0, py::arg("progress") = py::none(), py::arg("cancel") = py::none(), py::arg("seed") = 1,
-           py::arg("work") = 0.0)
+           py::arg("work") = 0.0, py::arg("work_limit") = 0)
       .def_readwrite("threads", &Options::threads, "0: one for each core.")
       .def_readwrite("seconds", &Options::seconds, "Of each question; 0: no limit.")
       .def_readwrite("memory", &Options::memory, "Bytes that the process has in memory; 0: no limit.")
@@ -181,17 +183,19 @@ Examples
           "The token that ends the question.")
       .def_readwrite("seed", &Options::seed, "Of what is random.")
       .def_readwrite("work", &Options::work, "Of packings, in million pairs of parts looked at; 0: no limit.")
+      .def_readwrite("work_limit", &Options::work_limit, "Units that the searches of a question in space may cost.")
       .def(py::pickle(
           [](const Options& o) {
-            return py::make_tuple(o.threads, o.seconds, o.memory, function_of(o), o.seed, o.work);
+            return py::make_tuple(o.threads, o.seconds, o.memory, function_of(o), o.seed, o.work, o.work_limit);
           },
           [](const py::tuple& t) {
             return options_made(t[0].cast<unsigned>(), t[1].cast<double>(), t[2].cast<std::size_t>(), t[3],
-                                std::nullopt, t[4].cast<std::uint64_t>(), t[5].cast<double>());
+                                std::nullopt, t[4].cast<std::uint64_t>(), t[5].cast<double>(),
+                                t[6].cast<std::uint64_t>());
           }))
       .def("__repr__", [](const Options& o) {
-        return py::str("<Options threads={} seconds={} memory={} seed={} work={}>")
-            .format(o.threads, o.seconds, o.memory, o.seed, o.work);
+        return py::str("<Options threads={} seconds={} memory={} seed={} work={} work_limit={}>")
+            .format(o.threads, o.seconds, o.memory, o.seed, o.work, o.work_limit);
       });
 }
 

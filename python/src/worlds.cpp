@@ -308,7 +308,7 @@ void bind_changes(py::class_<World>& world) {
 Parameters
 ----------
 options : Options, optional
-    Or its words: threads, seconds, memory, progress, cancel, seed, work.
+    Or its words: threads, seconds, memory, progress, cancel, seed, work, work_limit.
 
 Returns
 -------

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "distance/csg/csg_pair.h"
-#include "distance/search/search_work.h"
+#include "plane/base/search_work.h"
 #include "unit/cut_cases.h"
 #include "unit/space_bodies.h"
 
@@ -337,8 +337,8 @@ TEST(CutValues, LeastGapsEndWithTheWorkOfTheirQuestion) {
       *node(Kind::kDifference, {box({0, 0, 0}, {40, 10, 4}), ball({12, 5, 4}, 3), ball({20, 5, 4}, 3)})));
   const auto side = std::make_shared<const CsgSide>(space::shared(space::body(*box({0, 0, 0}, {3, 3, 3}))), plate);
   for (const long cells : {1L, 30000L}) {
-    SearchWork work{cells};
-    const ScopedSearchWork here(&work);
+    plane::SearchWork work{cells};
+    const plane::ScopedSearchWork here(&work);
     const TriedAnswer v = csg_least(Which::kGamma1, side, false);
     ASSERT_TRUE(v && *v);
     EXPECT_LE((*v)->bounds().lower->to_double(), -3.5 + 1e-9);

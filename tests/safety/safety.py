@@ -431,6 +431,15 @@ class Limits(SafetyTest):
         self.expect(4, "--work-limit raises", "map", scene, "--work-limit", "20000")
         self.expect(0, "", "map", scene, "--work-limit", "40K")
 
+    def test_work_limit_of_searches_is_raised(self):
+        tetrahedron = {"offset": 1, "of": {"polytope": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]]}}
+        bowl = {"difference": [{"ball": {"center": [0, 0, 0], "radius": 5}},
+                               {"ball": {"center": [0, 0, 2], "radius": 3}}]}
+        scene = self.scene({"A": tetrahedron, "B": bowl}, moving="B", where="hausdorff(B,A) <= 3", grid=0.001)
+        ask = ("map", scene, "--resolution", "1", "--axis", "x", "--work-limit")
+        self.expect(3, "--work-limit raises", *ask, "4K")
+        self.expect(0, "", *ask, "40M")
+
     def test_sizes_that_mean_nothing(self):
         scene = self.scene({"A": {"polygon": SQUARE}})
         for size in ("0", "-1", "1.5G", "12X", "99999999999T", ""):

@@ -10,7 +10,8 @@
 #include <optional>
 
 #include "distance/search/least_in_box.h"
-#include "distance/search/search_work.h"
+#include "plane/base/parallel.h"
+#include "plane/base/search_work.h"
 #include "plane/base/stop_check.h"
 
 namespace findspace::distance {
@@ -34,7 +35,7 @@ struct Costly {
   exact::Tried<Answer> least() {
     return least_in_box(
         [this](const RealVector& p) {
-          for (long k = 0; k < cells; ++k) count_cell();
+          for (long k = 0; k < cells; ++k) plane::count_cell();
           in_all += cells;
           return value_at(p);
         },
@@ -47,8 +48,8 @@ TEST(LeastInBox, EndsAfterAStatedAmountOfWork) {
     Costly costly{cells};
     const auto v = costly.least();
     ASSERT_TRUE(v);
-    EXPECT_LE(costly.in_all, kMostCellsOfQuestion + cells) << cells;
-    if (cells > 1000) EXPECT_GE(costly.in_all, kMostCellsOfQuestion / 2) << cells;
+    EXPECT_LE(costly.in_all, plane::kMostCellsOfQuestion + cells) << cells;
+    if (cells > 1000) EXPECT_GE(costly.in_all, plane::kMostCellsOfQuestion / 2) << cells;
     EXPECT_LE(v->bounds().lower->to_double(), 1);
     EXPECT_GE(v->value.to_double(), 1);
     if (cells < 100000) EXPECT_GT(v->bounds().lower->to_double(), 0);
@@ -69,12 +70,30 @@ TEST(LeastInBox, EndsAtTheSamePlaceForAnyNumberOfThreads) {
   }
 }
 
+/// The units that the asker allows raise the cells, of tasks as well, which count for themselves.
+TEST(LeastInBox, MayTakeMoreWhereMoreIsAllowed) {
+  const plane::SearchLimit limit{4 * plane::kUsualWorkBudget};
+  const plane::ScopedSearchLimit here(&limit);
+  Costly costly{10000};
+  ASSERT_TRUE(costly.least());
+  EXPECT_GE(costly.in_all, 2 * plane::kMostCellsOfQuestion);
+  EXPECT_LE(costly.in_all, 4 * plane::kMostCellsOfQuestion + 10000);
+  const plane::SearchQuestion question;
+  std::atomic<int> apart{0};
+  plane::parallel_for(8, [&](std::size_t) {
+    plane::count_cells(7);
+    apart += plane::allowed(100) == 400 && plane::cells_left() == 4 * plane::kMostCellsOfQuestion;
+  });
+  EXPECT_EQ(apart, 8);
+  EXPECT_EQ(question.work().left, 4 * plane::kMostCellsOfQuestion);
+}
+
 /// Where a value takes all the cells that it has, its box keeps the bound of the one that it is a part of.
 TEST(LeastInBox, AValueThatIsNotFoundInItsShareIsLeftOpen) {
   const auto v = least_in_box(
       [](const RealVector& p) -> exact::Tried<Answer> {
         if (p[0].sign() <= 0) return value_at(p);
-        while (cells_left() > 0) count_cell();
+        while (plane::cells_left() > 0) plane::count_cell();
         return exact::Refusal("not found");
       },
       {-4, -4, -4}, {4, 4, 4}, -exact::kInfinity);

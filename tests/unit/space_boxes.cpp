@@ -211,16 +211,16 @@ TEST(OpenUnion, SlitsAndEmptyComplements) {
   cover.add(everywhere(), slab(3, 9));
   EXPECT_FALSE(cover.covers(place(3, 5, 5)));
   EXPECT_TRUE(cover.covers(place(2, 5, 5)));
-  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)), place(3, 5, 5));
-  EXPECT_EQ(*cover.nearest_in_complement(place(7, 5, 5)), place(9, 5, 5));
+  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)).at, place(3, 5, 5));
+  EXPECT_EQ(*cover.nearest_in_complement(place(7, 5, 5)).at, place(9, 5, 5));
   EXPECT_EQ(*cover.nearest_touching(place(-2, 1, 1)), place(0, 1, 1));
   cover.add(everywhere(), slab(2, 4));
-  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)), place(0, 5, 5));
+  EXPECT_EQ(*cover.nearest_in_complement(place(4, 5, 5)).at, place(0, 5, 5));
   OpenUnion all;
   all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(1, 0, 0), Real(-1))});
   all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(-1, 1, 0), Real(0))});
   all.add(everywhere(), OpenUnion::Planes{HalfSpace(place(-1, -1, 0), Real(0))});
-  EXPECT_FALSE(all.nearest_in_complement(place(0, 0, 0)));
+  EXPECT_FALSE(all.nearest_in_complement(place(0, 0, 0)).at);
 }
 
 /// Beside the edge of a box: two of its planes are nearer than numbers tell, of a place so far from the third.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <random>
 
+#include "plane/base/search_work.h"
 #include "space/body/open_union.h"
 #include "unit/space_bodies.h"
 
@@ -82,7 +83,7 @@ TEST(OpenUnion, CrowdsOfBlocksAsTheCellsOfTheirLattice) {
     OpenUnion cover;
     for (const Block& b : blocks) cover.add(extent_of(b), planes_of(b));
     const RealVector p = place(kMiddle, kMiddle, kMiddle);
-    const auto q = cover.nearest_in_complement(p);
+    const auto q = cover.nearest_in_complement(p).at;
     ASSERT_TRUE(q) << round;
     EXPECT_FALSE(cover.covers(*q)) << round;
     const RealVector off = minus(*q, p);
@@ -112,10 +113,23 @@ TEST(OpenUnion, CrowdsOfTetrahedra) {
   }
   const RealVector p = place(0, 0, 0);
   ASSERT_TRUE(cover.covers(p));
-  const auto q = cover.nearest_in_complement(p);
+  plane::SearchQuestion question;
+  const auto q = cover.nearest_in_complement(p).at;
   ASSERT_TRUE(q);
   EXPECT_FALSE(cover.covers(*q));
   const Real square = dot(*q, *q);
+  // A search that may look at less ends there, with a bound.
+  const long all = plane::kMostCellsOfQuestion - question.work().left;
+  EXPECT_GT(all, 10);
+  for (const long some : {1L, all / 4, all - 1}) {
+    plane::SearchWork work{some};
+    const plane::ScopedSearchWork here(&work);
+    const NearestOutside early = cover.nearest_in_complement(p);
+    EXPECT_LE(some - work.left, some + 1000) << some;
+    EXPECT_LE(Real::from_double(early.bound) * Real::from_double(early.bound), square) << some;
+    EXPECT_EQ(bool(early.settled()), !early.spent);
+    if (some < all / 2) EXPECT_TRUE(early.spent) << some;
+  }
   EXPECT_LT(Real(20 * 20), square);
   std::uniform_int_distribution<std::int64_t> place_in(-100'000, 100'000);
   for (int k = 0; k < 20'000; ++k) {

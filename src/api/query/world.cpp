@@ -216,6 +216,7 @@ World World::with(const ShapeGroups& groups) const {
 World World::with(const Options& options) const {
   auto data = std::make_shared<Data>(*data_);
   data->options = options;
+  if (options.work_limit == 0) data->options.work_limit = data_->options.work_limit;
   return World(std::move(data));
 }
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "findspace/options.h"
+#include "plane/base/search_work.h"
 #include "plane/base/stop_check.h"
 
 namespace findspace::api {
@@ -37,8 +38,11 @@ template <class F>
 auto limited(const Options& options, const F& question) -> std::invoke_result_t<F> {
   std::optional<std::invoke_result_t<F>> out;
   Watch watch(options);
+  const plane::SearchLimit most{options.work_limit};
+  const plane::SearchLimit* const work = options.work_limit == 0 ? plane::ScopedSearchLimit::now() : &most;
   plane::with_threads(options.threads, [&] {
     const plane::ScopedStopCheck here(&watch);
+    const plane::ScopedSearchLimit allowed(work);
     watch.poll();
     out.emplace(question());
   });

@@ -10,9 +10,9 @@
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_part.h"
 #include "distance/rays/ray_directional_least.h"
-#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/body_boxes.h"
 #include "space/polytope/convex_region.h"
 
@@ -309,7 +309,7 @@ Answer CsgBackSide::named_protrusion(const CsgPart& part, const RealVector& p, c
 
 /// As far as A reaches along the normal of each plane, from below and from above.
 exact::Tried<CsgBackSide::Fits> CsgBackSide::made_fits() const {
-  const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
+  const plane::ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
   const Body& b = *side_->b_;
   Fits out;
   out.plain = b.convex() && b.parts[0].core && !b.round();

@@ -8,10 +8,10 @@
 
 #include "distance/csg/csg_pair.h"
 #include "distance/csg/csg_part.h"
-#include "distance/search/search_work.h"
 #include "distance/search/set_protrusion.h"
 #include "distance/solid/solid_least.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/cell_parts.h"
 #include "space/body/outside_cells.h"
 
@@ -290,7 +290,7 @@ TriedAnswer CsgSide::least_gap() const {
   if (points_) return std::nullopt;
   const Tried<PositionSet>& free = this->free();
   if (!free) return free.refusal();
-  const SearchQuestion question;
+  const plane::SearchQuestion question;
   const PositionSet around = free->within(grown(free->box(), size_ / 8));
   // Out of one container, or in one obstacle, B is free.
   NearSet set{&around};
@@ -307,9 +307,7 @@ TriedAnswer CsgSide::least_gap() const {
   }
   const Tried<SetProtrusion> out =
       set_protrusion({tetrahedra_of_box(free->box())}, {set}, size_, margin::kDeepestGap * size_, nullptr, end);
-  if (!out)
-    return exact::Refusal(
-        "the deepest overlap with a shape that round ones are cut out of was not found within the limit of the search");
+  if (!out) return plane::search_spent("the deepest overlap with a shape that round ones are cut out of was not found");
   const RealVector at = space::real(out->found.place);
   TriedAnswer v = gap(at, Depth::kValue);
   if (!v && question.work().spent()) v = within_search(*out, error);

@@ -14,10 +14,10 @@
 #include "distance/answer/answer.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/search/least_in_box.h"
-#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -195,8 +195,7 @@ exact::Tried<double> CsgSide::common_depth(const RealVector& p, double enough) c
   }
   if (most > enough * size_) return most;
   if (decided) return 0.0;
-  return exact::Refusal(
-      "whether a shape overlaps one that round ones are cut out of was not found within the limit of the search");
+  return plane::search_spent("whether a shape overlaps one that round ones are cut out of was not found");
 }
 
 /// Surely.
@@ -337,7 +336,7 @@ Body CsgSide::holding_sets() const {
 /// Else between places that are far from each other and the least of what holds A; where these differ, the search for
 /// the place of A that is farthest from another tells.
 TriedAnswer CsgSide::made_diameter() const {
-  const ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
+  const plane::ScopedSearchWork of_all(nullptr);  // kept: not of the question that comes first
   const auto all = std::make_shared<const Body>(holding_sets());
   const TriedAnswer widest = SolidSide(all, all).reach({});
   if (holds_ends(**widest, *all)) return exact_answer<RealVector>((*widest)->value, Way::kParts);

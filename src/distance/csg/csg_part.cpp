@@ -10,6 +10,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/name_place.h"
 #include "space/polytope/convex_region.h"
 
@@ -99,9 +100,8 @@ double depth_in_cuts(const BodyPart& set, const CsgPart& part, const RealVector&
 }
 
 exact::Refusal not_found_in_part() {
-  return exact::Refusal(
-      "whether there is a place in a part of a shape that round ones are cut out of was not found within the limit of "
-      "the search");
+  return plane::search_spent(
+      "whether there is a place in a part of a shape that round ones are cut out of was not found");
 }
 
 bool came_to_end(const BoundaryPlace& found, double size) {

@@ -18,9 +18,9 @@
 
 #include "distance/csg/csg_part.h"
 #include "distance/search/boundary_search.h"
-#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -85,7 +85,7 @@ class CsgConstraints : public LazyConstraints {
     return out;
   }
 
-  bool spent() const override { return cells_ > kMostCellsInAll; }
+  bool spent() const override { return cells_ > plane::allowed(kMostCellsInAll); }
 
   double beyond(int number, const Vector& x) const override {
     return -slack(cuts_[static_cast<std::size_t>(number)], x).value;
@@ -163,7 +163,7 @@ class CsgConstraints : public LazyConstraints {
 
   /// It costs about what a cell does.
   MeetSlack slack(const Cut& cut, const Vector& p) const {
-    count_cell();
+    plane::count_cell();
     const CsgPosition& pair = all_->pairs[cut.pair];
     std::vector<MeetSet> sets;
     sets.reserve(pair.moving.size() + pair.fixed.size() + cut.planes.size());

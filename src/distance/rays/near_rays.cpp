@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "distance/rays/value_rays.h"
-#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -79,8 +79,8 @@ class Walk {
 
   /// Nothing once the walk is refused.
   std::optional<NearRule::Least> least(double from, double to, const Until& until) {
-    if (!refused_ && (++searches_ > kMostSearches || cells_left() <= 0))
-      refused_.emplace("the signs along a line were not found within the limit of the search");
+    if (!refused_ && (++searches_ > plane::allowed(kMostSearches) || plane::cells_left() <= 0))
+      refused_.emplace(plane::search_spent("the signs along a line were not found"));
     if (refused_) return std::nullopt;
     exact::Tried<NearRule::Least> found = rule_.least(line_, from, to, until);
     if (found) return *std::move(found);
@@ -192,7 +192,7 @@ exact::Tried<NearRule::Known> NearRule::known(const NearLine&) const { return Kn
 
 exact::Tried<std::vector<SignStretch>> near_stretches(const NearRule& rule, const NearLine& line,
                                                       const NearRange& range) {
-  const SearchQuestion line_is_one;
+  const plane::SearchQuestion line_is_one;
   const double place = space::dot(range.middle - line.start, line.unit);
   return Walk(rule, line, range.size).run(place - 2 * range.size, place + 2 * range.size);
 }

@@ -11,6 +11,7 @@
 #include "distance/rays/line_signs.h"
 #include "distance/search/grown_set.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/rays/oblique_line.h"
 
 namespace findspace::distance {
@@ -260,8 +261,8 @@ exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Si
     std::optional<Stretch> again = cut_again(side, line, s, seen);
     if (!again) {
       const SolidMaxMin max_min = field_->max_min(swept(line, s), side.enough, kProvenShare);
-      if (!max_min.complete || ++count > kMostCuts)
-        return exact::Refusal("the protrusion of the shape was not found within the limit of the search");
+      if (!max_min.complete || ++count > plane::allowed(kMostCuts))
+        return plane::search_spent("the protrusion of the shape was not found");
       if (max_min.value <= side.enough) continue;
       again = outside(side, line, max_min.place, s);
       seen.insert(seen.begin(), max_min.place);

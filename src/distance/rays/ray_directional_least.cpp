@@ -110,14 +110,15 @@ Answer least_gap(const Body& b, const Body& a, const RealVector& direction, bool
 }
 
 /// E; A has no radius, and B only where A is convex.
-std::optional<Answer> least_fit(const Body& b, const Body& a, const RealVector& direction, bool both_ways) {
+TriedAnswer least_fit(const Body& b, const Body& a, const RealVector& direction, bool both_ways) {
   const RayCover cover = outside_sets(b, a);
   if (cover.all) return std::nullopt;
   if (const auto run = run_between(cover, direction))
     return least_of_run(run->length, run->middle, direction, both_ways);
   const auto somewhere = space::farthest_in_complement(cover.lazy(), cover.low, cover.high, cover.low);
-  if (!somewhere) return std::nullopt;
-  return touching(*somewhere);
+  if (!somewhere) return somewhere.refusal();
+  if (!*somewhere) return std::nullopt;
+  return touching(**somewhere);
 }
 
 /// Found by search, to be confirmed at `at`.

@@ -15,6 +15,7 @@
 #include "distance/search/grown_set.h"
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 #include "space/rays/ray_sources.h"
 
@@ -67,8 +68,12 @@ class Search {
     all.at_to = values(all.to, all.active);
     add(std::move(all));
     queue_.run(
-        kMostPieces, [&](const Piece& top) { return settled(best_, std::max(best_, top.bound), size_); },
-        [&](const Piece& top) { divide(top); });
+        plane::allowed(kMostPieces),
+        [&](const Piece& top) { return settled(best_, std::max(best_, top.bound), size_) || plane::cells_left() <= 0; },
+        [&](const Piece& top) {
+          plane::count_cell();
+          divide(top);
+        });
     const double high = queue_.empty() ? best_ : std::max(best_, queue_.best().bound);
     return {best_ - margin::kRayNoise * size_, high + margin::kRayNoise * size_};
   }

@@ -11,6 +11,7 @@
 
 #include "distance/search/lp_bound.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {
@@ -108,8 +109,12 @@ class RoundRunSearch {
     add({corner[0], corner[1], corner[2]}, all, kInfinity);
     add({corner[3], corner[1], corner[2]}, all, kInfinity);
     queue_.run(
-        kMostRunCells, [&](const RunTriangle& top) { return top.bound.value <= best_.length + enough(); },
-        [&](const RunTriangle& top) { divide(top); });
+        plane::allowed(kMostRunCells),
+        [&](const RunTriangle& top) { return top.bound.value <= best_.length + enough() || plane::cells_left() <= 0; },
+        [&](const RunTriangle& top) {
+          plane::count_cell();
+          divide(top);
+        });
     best_.bound = std::max(best_.length, dropped_);
     for (const RunTriangle& left : queue_.left()) best_.bound = std::max(best_.bound, left.bound.value);
     best_.bound += noise_;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/search_work.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -95,8 +95,8 @@ void ValueRays::look(Walk& walk, double from, double to) const {
     walk.known.push_back({from, to, 0});
     return;
   }
-  if (++walk.values > kMostValues || cells_left() <= 0) {
-    walk.refused.emplace("the signs along a line were not found within the limit of the search");
+  if (++walk.values > plane::allowed(kMostValues) || plane::cells_left() <= 0) {
+    walk.refused.emplace(plane::search_spent("the signs along a line were not found"));
     return;
   }
   const TriedBetween found = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
@@ -149,7 +149,7 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
 exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    const SearchQuestion line_is_one;
+    const plane::SearchQuestion line_is_one;
     Walk walk{position_line(grid_, unit_, i, j), {}};
     const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
     look(walk, place - 2 * size_, place + 2 * size_);

@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "distance/search/boundary_columns.h"
-#include "distance/search/search_work.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {
@@ -57,9 +57,9 @@ class BoundarySearch {
     std::iota(all.in.begin(), all.in.end(), 0);
     domain_ = domain;
     until_ = until;
-    const long least_left = until ? cells_left() - until->cells : 0;
+    const long least_left = until ? plane::cells_left() - until->cells : 0;
     const auto spent = [&] {
-      return (constraints_.more && constraints_.more->spent()) || (until && cells_left() <= least_left);
+      return (constraints_.more && constraints_.more->spent()) || (until && plane::cells_left() <= least_left);
     };
     if (constraints_.more || nearer_ > margin::kNearerAtAll) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);
@@ -75,8 +75,8 @@ class BoundarySearch {
       left = std::min(left, top.key);
       return true;
     };
-    const auto end = queue_.run(kMostSearchCells, settled, [&](const BoundaryCell& top) {
-      count_cell();
+    const auto end = queue_.run(plane::allowed(kMostSearchCells), settled, [&](const BoundaryCell& top) {
+      plane::count_cell();
       std::size_t a = 0, b = 1;
       const double edge = longest_edge(top.corner, a, b);
       ended = edge < last_cell_ * size_;

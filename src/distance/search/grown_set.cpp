@@ -85,7 +85,7 @@ Answer GrownSet::to_boundary(const RealVector& p) const {
     space::OpenUnion core;
     core.add(space::everywhere(), planes);
     inside = core.covers(p);
-    projection = *(inside ? core.nearest_in_complement(p) : nearest_in(planes, p));
+    projection = *(inside ? core.nearest_in_complement(p).settled().or_throw() : nearest_in(planes, p));
   }
   const RealVector w = space::minus(p, projection);
   const Real d = sqrt(space::dot(w, w));

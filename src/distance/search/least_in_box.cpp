@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "distance/search/lp_bound.h"
-#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/parallel.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {
@@ -39,10 +39,10 @@ using Value = std::function<Tried<Answer>(const RealVector&)>;
 
 class BoxSearch {
  public:
-  BoxSearch(const Value& value, double floor, int most) : value_(value), floor_(floor), most_(most) {}
+  BoxSearch(const Value& value, double floor, int most) : value_(value), floor_(floor), most_(plane::allowed(most)) {}
 
   Tried<Answer> run(const Vector& low, const Vector& high) {
-    const SearchQuestion question;
+    const plane::SearchQuestion question;
     work_ = &question.work();
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
@@ -84,11 +84,11 @@ class BoxSearch {
     }
     at_once_ = std::clamp(work_->left / (2 * dearest_), 1L, 2 * at_once_);
     boxes = boxes.first(std::min(boxes.size(), static_cast<std::size_t>(at_once_)));
-    const long share = count_ == 0 ? work_->left : std::max(work_->left / kShareOfSearch, 1L);
+    const long share = count_ == 0 ? work_->left : std::max(work_->left / plane::kShareOfSearch, 1L);
     std::vector<Tried<Answer>> values(boxes.size(), Answer());
-    std::vector<SearchWork> works(boxes.size(), {share});
+    std::vector<plane::SearchWork> works(boxes.size(), {share});
     plane::parallel_for(boxes.size(), [&](std::size_t k) {
-      const ScopedSearchWork here(&works[k]);
+      const plane::ScopedSearchWork here(&works[k]);
       values[k] = value_(space::real(boxes[k].center));
     });
     for (std::size_t k = 0; k < boxes.size() && !refused_; ++k) {
@@ -123,8 +123,8 @@ class BoxSearch {
 
   const Value& value_;
   double floor_, tolerance_ = 0, least_ = exact::kInfinity;
-  int most_, count_ = 0;
-  SearchWork* work_ = nullptr;
+  long most_, count_ = 0;
+  plane::SearchWork* work_ = nullptr;
   long dearest_ = 1, at_once_ = static_cast<long>(kAtOnce);
   plane::Subdivision<Box> queue_{"boxes of the position with the least value"};
   std::optional<exact::Refusal> refused_;
@@ -175,10 +175,10 @@ class TangentSearch {
   }
 
   TriedAnswer run() {
-    const SearchQuestion question;
+    const plane::SearchQuestion question;
     double bound = -exact::kInfinity;
-    for (int k = 0;
-         k < kMostTangents && !question.work().spent() && !(least_ - bound <= margin::kTangentsMeet * size_ + off());
+    for (long k = 0; k < plane::allowed(kMostTangents) && !question.work().spent() &&
+                     !(least_ - bound <= margin::kTangentsMeet * size_ + off());
          ++k) {
       if (!add_tangent()) break;
       const LpBound lowest = bounding_lp(columns_, std::nullopt);

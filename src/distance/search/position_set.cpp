@@ -9,6 +9,7 @@
 
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -231,11 +232,12 @@ Answer at_place(const RealVector& place, const RealVector& p) {
 }  // namespace
 
 /// Of the sets with sharp edges, if it belongs.
-PositionSet::Known PositionSet::sharp_place(std::function<std::optional<RealVector>()> find,
+PositionSet::Known PositionSet::sharp_place(std::function<exact::Tried<std::optional<RealVector>>()> find,
                                             const RealVector& p) const {
   return [this, find = std::move(find), p]() -> std::optional<Answer> {
-    const auto place = find();
-    return place && holds(*place) ? std::optional(at_place(*place, p)) : std::nullopt;
+    const auto found = find();
+    if (!found || !*found || !holds(**found)) return std::nullopt;
+    return at_place(**found, p);
   };
 }
 
@@ -315,7 +317,9 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
     v.value = -v.value;
     return v;
   }
-  const Known ask = known ? known : sharp_ ? sharp_place([&] { return sharp_->nearest_in_complement(p); }, p) : Known();
+  const Known ask = known    ? known
+                    : sharp_ ? sharp_place([&] { return sharp_->nearest_in_complement(p).settled(); }, p)
+                             : Known();
   std::optional<Answer> decided;
   Query query{-deepest};
   if (ask) {

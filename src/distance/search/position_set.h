@@ -119,7 +119,8 @@ class PositionSet {
   Answer beyond_box(const space::RealVector& p) const;
   TriedAnswer settled(const BoundaryPlace& found, const space::RealVector& p, const std::optional<Answer>& known,
                       const std::optional<Answer>& beyond, bool farthest) const;
-  Known sharp_place(std::function<std::optional<space::RealVector>()> find, const space::RealVector& p) const;
+  Known sharp_place(std::function<exact::Tried<std::optional<space::RealVector>>()> find,
+                    const space::RealVector& p) const;
   std::optional<space::RealVector> even_place(const BoundaryPlace& found) const;
 
   Constraints constraints_;

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "distance/search/boundary_columns.h"
-#include "distance/search/search_work.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -227,7 +227,7 @@ class PlacesOfSets : public MaxMinTarget {
   double distance(int set, const Vector& x) const override { return space::length(x - place(set).at); }
   double shortest_share() const override { return 1; }
   int rounds() const override { return kPlaceRounds; }
-  bool spent() const override { return cells_left() <= 0; }
+  bool spent() const override { return plane::cells_left() <= 0; }
 
   double offer_in(const Vector& x, MaxMinBest& best) const override {
     const NearestPlace found = nearest(x, share_);
@@ -278,7 +278,7 @@ class PlacesOfSets : public MaxMinTarget {
   std::optional<Projection> searched(const PositionSet& places, const Vector& x, double share, double& missed) const {
     // Along the edge of what is cut out many places are nearly as near: they need not be distinguished.
     Until until{0, 1 - share};
-    if (places.has_more()) until.cells = std::max(cells_left() / kShareOfSearch, kLeastCells);
+    if (places.has_more()) until.cells = std::max(plane::cells_left() / plane::kShareOfSearch, kLeastCells);
     const BoundaryPlace found = places.nearest_to(distance_to_point(x), {0, {}, &until});
     if (found.found) return Projection{found.bound, found.place};
     missed = std::min(missed, found.bound);
@@ -361,8 +361,7 @@ void NearSet::take_away(const space::BodyPart& part) {
 }
 
 exact::Refusal not_protruding() {
-  return exact::Refusal(
-      "the protrusion from a shape that round ones are cut out of was not found within the limit of the search");
+  return plane::search_spent("the protrusion from a shape that round ones are cut out of was not found");
 }
 
 Answer SetProtrusion::answer(double size) const {
@@ -379,7 +378,7 @@ Answer SetProtrusion::answer(double size) const {
 
 exact::Tried<SetProtrusion> set_protrusion(const Solids& solids, const std::vector<NearSet>& sets, double size,
                                            double near, const SolidMaxMin* known, const ProtrusionEnd& end) {
-  const SearchQuestion question;
+  const plane::SearchQuestion question;
   const PlacesOfSets target(sets, size, near, end.ceiling);
   MaxMinBest start(-exact::kInfinity, 0, 0, near);
   if (known) start.offer(known->place, known->value);

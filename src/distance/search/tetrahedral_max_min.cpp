@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::distance {
@@ -93,7 +93,7 @@ bool TetrahedralMaxMin::dropped(double bound) {
 SolidMaxMin TetrahedralMaxMin::run(int most) {
   bool spent = false;
   const auto end = queue_.run(
-      most, [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
+      plane::allowed(most), [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
       [this](const MaxMinCell& top) { split(top); });
   SolidMaxMin out = best_.found();
   out.complete = !spent && end != plane::SubdivisionEnd::kSpent;
@@ -119,7 +119,7 @@ double TetrahedralMaxMin::bend(const MaxMinCell& cell, std::size_t v, std::size_
 
 /// Across the edge along which the distances bend most, so that cells stay long on flat ridges.
 void TetrahedralMaxMin::split(const MaxMinCell& cell) {
-  count_cell();
+  plane::count_cell();
   std::size_t a = 0, b = 1;
   const double longest = longest_edge(cell.corner, a, b);
   if (target_.shortest_share() < 1) {

@@ -11,6 +11,7 @@
 #include "distance/search/boundary_columns.h"
 #include "distance/search/solid_protrusion.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -241,7 +242,7 @@ class FitConstraints : public LazyConstraints {
       : protrusion_(std::move(protrusion)), size_(protrusion_->size()) {}
 
   Constraints constraints() override { return {{}, {}, this}; }
-  bool spent() const override { return cells_ > kMostFitCells; }
+  bool spent() const override { return cells_ > plane::allowed(kMostFitCells); }
   double nearer() const override { return margin::kNearerFit; }
   double last_cell() const override { return margin::kSmallestFitCell; }
 

@@ -3,6 +3,7 @@
 #include "distance/solid/fitting_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -90,11 +91,16 @@ bool holds_places(const Extent& box) {
   return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;
 }
 
+/// The positions at which the box lies in the other, and a hair more.
+Extent box_of_places(const Extent& box, const Extent& c) {
+  return widened({c.low - box.low, c.high - box.high}, size_of(c) + size_of(box));
+}
+
 /// The positions at which the box lies in one of the others.
 std::vector<Extent> places_in(const Extent& box, const std::vector<Extent>& containers) {
   std::vector<Extent> out;
   for (const Extent& c : containers) {
-    const Extent places = widened({c.low - box.low, c.high - box.high}, size_of(c) + size_of(box));
+    const Extent places = box_of_places(box, c);
     if (holds_places(places)) out.push_back(places);
   }
   return out;
@@ -126,6 +132,65 @@ std::optional<std::vector<Extent>> fitting_places(const Body& b, const Body& a) 
     left.swap(next);
   }
   return left;
+}
+
+namespace {
+
+/// Those of the points that are farthest in one of the 26 directions to the neighbours of a lattice point.
+std::vector<space::Vector> farthest_corners(const Body& b) {
+  std::vector<space::Vector> out;
+  for (int k = 0; k < 27; ++k) {
+    const space::Vector way{double(k % 3 - 1), double(k / 3 % 3 - 1), double(k / 9 - 1)};
+    std::optional<space::Vector> best;
+    for (const BodyPart& part : b.parts) {
+      for (const space::Point& v : part.vertices()) {
+        const space::Vector at = exact::approx(v);
+        if (!best || space::dot(way, *best) < space::dot(way, at)) best = at;
+      }
+    }
+    const bool listed =
+        std::any_of(out.begin(), out.end(), [&](const space::Vector& v) { return space::length(v - *best) <= 0; });
+    if (!listed) out.push_back(*best);
+  }
+  return out;
+}
+
+}  // namespace
+
+CornersOut::CornersOut(const Body& b, const Body& a)
+    : around_(box_of_places(space::rounded(bounds(b)), space::rounded(bounds(a)))), corners_(farthest_corners(b)) {
+  std::vector<Extent> boxes;
+  for (const BodyPart& part : a.parts) {
+    const Extent box = space::rounded(bounds(part));
+    boxes.push_back(widened(box, size_of(box)));
+    std::vector<Plane>& planes = planes_.emplace_back();
+    for (const space::HalfSpace& h : part.planes()) planes.push_back({h.unit, h.shift});
+  }
+  parts_ = space::ExtentTree(std::move(boxes));
+}
+
+bool CornersOut::at(const Extent& positions) const {
+  return std::any_of(corners_.begin(), corners_.end(), [&](const space::Vector& v) {
+    return out({space::plus(positions.low, v), space::plus(positions.high, v)});
+  });
+}
+
+/// Whether the places meet no part.
+bool CornersOut::out(const Extent& places) const {
+  const Extent around = widened(places, size_of(places));
+  const space::Vector middle = around.middle(), half = space::scaled(0.5, around.high - around.low);
+  const double size = space::size_of(middle) + space::size_of(half);
+  bool met = false;
+  parts_.each([&](const Extent& e) { return !met && e.meets(around); },
+              [&](std::size_t k) {
+                met = std::none_of(planes_[k].begin(), planes_[k].end(), [&](const Plane& h) {
+                  const double error = margin::kRoundings32 * (size + 2 * std::fabs(h.shift));
+                  const double spread =
+                      std::fabs(h.unit.x) * half.x + std::fabs(h.unit.y) * half.y + std::fabs(h.unit.z) * half.z;
+                  return space::dot(h.unit, middle) + h.shift - spread > error;
+                });
+              });
+  return !met;
 }
 
 }  // namespace findspace::distance

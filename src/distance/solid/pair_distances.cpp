@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/solid/pair_distances.h"
 
-#include "distance/search/search_work.h"
+#include "plane/base/search_work.h"
 #include "space/polytope/real_vector.h"
 
 namespace findspace::distance {
@@ -96,7 +96,7 @@ TriedAnswer PairDistances::hausdorff(const SpacePosition& p) const {
 
 TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const {
   using Depth = PairSide::Depth;
-  const SearchQuestion question;
+  const plane::SearchQuestion question;
   switch (which) {
     case Which::kGamma1:
       return forth_->gap(p, Depth::kValue);

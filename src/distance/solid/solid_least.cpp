@@ -188,19 +188,20 @@ class Least {
     const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
     const space::OpenUnion cover = space::outside_cover(core, cells);
     const auto somewhere = space::farthest_in_complement(cover, low, high, low);
-    if (!somewhere) return std::nullopt;
+    if (!somewhere) return somewhere.refusal();
+    if (!*somewhere) return std::nullopt;
     Obstacles all;
     for (const ConvexRegion& piece : space::complement_pieces(cover, low, high)) {
       const std::vector<Tetrahedron> more = tetrahedra(piece);
       all.domain.insert(all.domain.end(), more.begin(), more.end());
     }
-    if (all.domain.empty() && radius.sign() == 0) return least_answer(Real(), Real(), true, *somewhere);
+    if (all.domain.empty() && radius.sign() == 0) return least_answer(Real(), Real(), true, **somewhere);
     for (std::size_t k = 0; k < cover.size(); ++k) {
       all.distances.push_back(distance_to(cover.planes(k)));
       all.planes.push_back(cover.planes(k));
     }
     auto found =
-        deepest_place(all, radius, *somewhere, [&](const RealVector& p) { return pair_.try_value(Which::kEta1, p); });
+        deepest_place(all, radius, **somewhere, [&](const RealVector& p) { return pair_.try_value(Which::kEta1, p); });
     // Where it fits nowhere with its radius the value says so, or that this is not decided.
     return found && !*found && radius.sign() > 0 ? searched(Which::kEta1, -exact::kInfinity) : found;
   }
@@ -212,7 +213,9 @@ class Least {
     auto [low, high] = *box;
     const std::vector<space::OutsideCell> cells = space::outside_cells(a_);
     const space::OpenUnion cover = space::outside_cover(b_, cells);
-    if (!space::farthest_in_complement(cover, low, high, low)) return std::nullopt;
+    const auto somewhere = space::farthest_in_complement(cover, low, high, low);
+    if (!somewhere) return somewhere.refusal();
+    if (!*somewhere) return std::nullopt;
     std::vector<std::vector<HalfSpace>> sets;
     for (std::size_t k = 0; k < cover.size(); ++k) sets.push_back(cover.planes(k));
     for (std::size_t k = 0; k < 3; ++k) {

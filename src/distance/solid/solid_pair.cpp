@@ -11,6 +11,7 @@
 #include "exact/margins/protrusion.h"
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/body_boxes.h"
 
 namespace findspace::distance {
@@ -22,10 +23,27 @@ using space::BodyPart;
 using space::real;
 using space::RealVector;
 
+TriedAnswer nearest_value(const RealVector& p, const space::NearestOutside& found, int sign, const char* what) {
+  if (!found.at && found.spent) return plane::search_spent(what);
+  if (!found.at) return std::nullopt;
+  Answer out = signed_value(p, *found.at, sign);
+  if (!found.spent) return out;
+  Real end = Real::from_double(sign * found.bound);
+  out.nearest.reset();
+  out.set_unproven();
+  out.way = Way::kSearch;
+  out.error = abs(out.value - end).to_double();
+  out.enclosed = sign > 0 ? Enclosure{std::move(end), out.value} : Enclosure{out.value, std::move(end)};
+  return out;
+}
+
 TriedAnswer SolidSide::gap(const RealVector& p, Depth depth) const {
   if (a_->round() || b_->round()) return round_gap(p, depth);
   const space::OpenUnion& overlap = overlap_.of([&] { return overlap_cover(*b_, *a_); });
-  if (overlap.covers(p)) return signed_value(p, *overlap.nearest_in_complement(p), -1);
+  if (overlap.covers(p)) {
+    return nearest_value(p, overlap.nearest_in_complement(p), -1,
+                         "how deep the shapes are in one another was not found");
+  }
   return signed_value(p, *overlap.nearest_touching(p), 1);
 }
 

@@ -119,6 +119,10 @@ class SolidSide : public PairSide {
   Near near_;
 };
 
+/// A signed distance at p, whose zero set is nearest at what was found: enclosed where the search for that did not come
+/// to its end. `what`: why it is refused where nothing was found by then.
+TriedAnswer nearest_value(const space::RealVector& p, const space::NearestOutside& found, int sign, const char* what);
+
 /// max |v - w| + radii over two points of the body.
 exact::Real diameter(const space::Body& body);
 

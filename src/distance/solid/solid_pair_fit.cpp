@@ -23,7 +23,9 @@
 #include "distance/solid/fitting_places.h"
 #include "distance/solid/solid_pair.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/body_boxes.h"
+#include "space/body/complement_search.h"
 
 namespace findspace::distance {
 
@@ -34,6 +36,20 @@ using space::real;
 using space::RealVector;
 
 namespace {
+
+/// Sets of a cover: of fewer a search is done soon.
+constexpr std::size_t kManySets = 4096;
+
+/// The place nearest to p that the cover of the complement of E leaves; no radius.
+space::NearestOutside nearest_fit(const Body& b, const Body& a, const space::OpenUnion& cover,
+                                  std::span<const space::Extent> places, const RealVector& p) {
+  // B may fit a hair beyond parts that were rounded.
+  if (cover.size() <= kManySets || a.rounded > 0) return cover.nearest_in_complement(p, places);
+  const CornersOut corners(b, a);
+  space::ComplementSearch search(cover, p, places.empty() ? std::span(&corners.around(), 1) : places);
+  search.leave_out([&](const space::Extent& box) { return corners.at(box); });
+  return search.run();
+}
 
 std::optional<space::Bounds3> fit_box(const Body& b, const Body& a) { return space::fitting(bounds(b), bounds(a)); }
 
@@ -114,8 +130,9 @@ TriedAnswer SolidSide::to_fit(const RealVector& p) const {
   const Fit& f = positions();
   if (f.none) return std::nullopt;
   if (f.round) return boundary_of(f).nearest(p, false);
-  const auto q = f.balls ? f.balls->nearest(p) : f.groups[0].cover.nearest_in_complement(p, f.places);
-  return q ? std::optional(signed_value(p, *q, 1)) : std::nullopt;
+  const space::NearestOutside found =
+      f.balls ? space::NearestOutside{f.balls->nearest(p)} : nearest_fit(*b_, *a_, f.groups[0].cover, f.places, p);
+  return nearest_value(p, found, 1, "how far a shape is from fitting into another was not found");
 }
 
 TriedAnswer SolidSide::fit(const RealVector& p) const {
@@ -170,7 +187,9 @@ TriedAnswer SolidSide::farthest_fit(const RealVector& p) const {
   } else {
     const auto box = fit_box(*b_, *a_);
     if (!box) return std::nullopt;
-    q = farthest_in_complement(f.groups[0].cover, box->low, box->high, p);
+    exact::Tried<std::optional<RealVector>> found = farthest_in_complement(f.groups[0].cover, box->low, box->high, p);
+    if (!found) return found.refusal();
+    q = *std::move(found);
   }
   if (!q) return std::nullopt;
   Answer out;

@@ -113,7 +113,7 @@ namespace {
 
 /// The signed distance to the polytope of positions at which B lies in A, which is one; nothing where there are none.
 std::optional<ConvexDistance> fit_of_polytopes(const Body& b, const Body& a, const space::OpenUnion& outside) {
-  if (!outside.nearest_in_complement({})) return std::nullopt;
+  if (!outside.nearest_in_complement({}).settled().or_throw()) return std::nullopt;
   GrownSet fits;
   for (const space::HalfSpace& h : a.parts[0].planes())
     fits.planes.emplace_back(h.normal, h.offset + space::support(b, h.normal));

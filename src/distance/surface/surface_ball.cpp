@@ -8,6 +8,7 @@
 #include "distance/search/position_set.h"
 #include "distance/surface/surface_field.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/ball_meet.h"
 #include "space/body/open_union.h"
 #include "space/polytope/extent.h"
@@ -98,7 +99,7 @@ std::vector<HalfSpace> planes_of(const SurfaceBall& ball, const std::vector<int>
 std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const RealVector& x, std::size_t least) {
   space::OpenUnion cover;
   for (const HalfSpace& h : planes) cover.add(space::everywhere(), space::OpenUnion::Planes{h});
-  auto found = cover.nearest_in_complement(x);
+  auto found = cover.nearest_in_complement(x).settled().or_throw();
   const auto holds = [&](const HalfSpace& h) { return h.sign(*found, space::rounded(*found)) == 0; };
   if (!found || std::size_t(std::count_if(planes.begin(), planes.end(), holds)) < least) return std::nullopt;
   return found;
@@ -170,7 +171,7 @@ class BallConstraints : public LazyConstraints {
         size_(size) {}
 
   Constraints constraints() override { return {{}, {}, this}; }
-  bool spent() const override { return cells_ > kMostBallCells; }
+  bool spent() const override { return cells_ > plane::allowed(kMostBallCells); }
 
   double beyond(int number, const Vector& x) const override {
     return number == kNone ? -exact::kInfinity : field_.distance(number, x) - radius_;

@@ -9,6 +9,7 @@
 #include "distance/search/plane_projections.h"
 #include "distance/surface/surface_depths.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 #include "space/polytope/extent.h"
 #include "space/surface/contact_planes.h"
@@ -158,9 +159,15 @@ class ContactSearch {
   }
 
   SurfaceContact run() {
+    bool spent = false;
     const auto end = queue_.run(
-        kMostContactBoxes, [&](const Task& top) { return beyond(top.key); }, [&](const Task& top) { look(top); });
-    if (end == plane::SubdivisionEnd::kSpent) return {};
+        plane::allowed(kMostContactBoxes),
+        [&](const Task& top) { return beyond(top.key) || (spent = plane::cells_left() <= 0); },
+        [&](const Task& top) {
+          plane::count_cell();
+          look(top);
+        });
+    if (spent || end == plane::SubdivisionEnd::kSpent) return {};
     const double off = std::max(best_ - bound_, 0.0);
     if (off > margin::kMostContactOff * size_) return {};
     return {true, place_, off};

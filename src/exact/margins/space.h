@@ -27,6 +27,9 @@ inline constexpr double kAsHigh = 0x1p-36;
 /// Sine of the angle of two edges above which the direction across both is known to 2^10 roundings. Filters: else it is
 /// computed exactly.
 inline constexpr double kKnownDirection = 0x1p-10;
+/// Share by which the direction across two edges may be off and is taken by numbers. Filters: else the set that it
+/// bounds is made exactly, and what is nearer to the plane than so much is decided by that.
+inline constexpr double kUnknownNormal = 0x1p-20;
 /// Cosine below 1 of two directions that may be the same, an angle of 2^-14.5. Filters: these are compared exactly.
 inline constexpr double kSameDirection = 0x1p-30;
 /// Below this determinant of a Gram matrix of unit normals planes may be parallel, as its entries are rounded. Filters:

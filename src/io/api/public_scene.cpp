@@ -63,6 +63,7 @@ std::map<std::string, Shape> shapes_of(const Scene& scene) {
 World::Data data_of(const Scene& scene) {
   World::Data data{shapes_of(scene), scene.grid, context_of(scene)};
   if (scene.motion.given()) data.motion = public_motion(scene);
+  data.options.work_limit = scene.work_limit;
   return data;
 }
 
@@ -204,7 +205,8 @@ Answer asked(std::shared_ptr<const Scene::Data> data, std::optional<exact::Real>
     std::vector<std::string> notes{};
   };
   const auto heard = std::make_shared<Heard>();
-  const Options options = data->source.options;
+  Options options = data->source.options;
+  if (options.work_limit == 0) options.work_limit = data->read.work_limit;
   Scene::Listener listener = data->source.listener;
   listener.note = [heard, told = listener.note](const std::string& text) {
     const std::lock_guard held(heard->guard);

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "plane/base/result_store.h"
+#include "plane/base/search_work.h"
 #include "plane/base/stage_observer.h"
 #include "plane/base/stop_check.h"
 #include "plane/base/tasks.h"
@@ -17,9 +18,12 @@ namespace findspace::plane {
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   StopCheck* const limit = stop_check();
   ResultStore* const store = result_store();
+  const SearchLimit* const most = ScopedSearchLimit::now();
   const auto run = [&](std::size_t k) {
     const ScopedStopCheck here(limit);  // another thread's task, perhaps, that this one took over
     const ScopedResultStore kept(store);
+    const ScopedSearchLimit allowed_work(most);
+    const ScopedSearchWork own_work(nullptr);
     if (limit != nullptr) limit->poll();
     task(k);
   };

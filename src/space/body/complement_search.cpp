@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "exact/margins/rounding.h"
 
@@ -37,14 +38,15 @@ ComplementSearch::ComplementSearch(const OpenUnion& cover, const RealVector& p, 
   }
 }
 
-ComplementSearch::Meeting ComplementSearch::meeting(std::size_t set, const Extent& box) const {
+ComplementSearch::Meeting ComplementSearch::meeting(std::size_t set, const Extent& box) {
   if (!box.meets(cover_.extent(set))) return Meeting::kApart;
   if (!box.bounded()) return Meeting::kMeets;
+  ++met_;
   const Vector middle = box.middle(), half = scaled(0.5, box.high - box.low);
   const double size = size_of(middle) + size_of(half);
   bool covers = true;
   for (const OpenUnion::RoundedPlane& h : cover_.rounded_planes(set)) {
-    const double at = dot(h.unit, middle) + h.shift, error = margin::kRoundings32 * (size + 2 * std::fabs(h.shift));
+    const double at = dot(h.unit, middle) + h.shift, error = h.share * (size + 2 * std::fabs(h.shift)) + h.off;
     const double spread = std::fabs(h.unit.x) * half.x + std::fabs(h.unit.y) * half.y + std::fabs(h.unit.z) * half.z;
     if (at - spread > error) return Meeting::kApart;
     covers = covers && at + spread < -error;
@@ -52,7 +54,7 @@ ComplementSearch::Meeting ComplementSearch::meeting(std::size_t set, const Exten
   return covers ? Meeting::kCovers : Meeting::kMeets;
 }
 
-bool ComplementSearch::likely_covered(const Cell& cell) const {
+bool ComplementSearch::likely_covered(const Cell& cell) {
   if (!cell.box.bounded()) return false;
   std::vector<std::pair<double, std::size_t>> likely;
   for (const std::size_t k : cell.sets) {
@@ -64,7 +66,7 @@ bool ComplementSearch::likely_covered(const Cell& cell) const {
                      [&](const auto& set) { return meeting(set.second, cell.box) == Meeting::kCovers; });
 }
 
-bool ComplementSearch::sift(Cell& cell) const {
+bool ComplementSearch::sift(Cell& cell) {
   std::vector<std::size_t> left;
   for (const std::size_t k : cell.sets) {
     const Meeting how = meeting(k, cell.box);
@@ -105,15 +107,23 @@ void ComplementSearch::divide(const Cell& cell) {
 
 bool ComplementSearch::crowded() const {
   long holding = 0;
-  cover_.tree().each([&](const Extent& e) { return holding <= kCrowd && e.holds(near_, 0); },
-                     [&](std::size_t) { ++holding; });
+  for (std::size_t k = 0; k < cover_.size() && holding <= kCrowd; ++k) holding += cover_.extent(k).holds(near_, 0);
   return holding > kCrowd;
 }
 
+void ComplementSearch::count(const Cell& cell) {
+  const long sets = cell.whole ? 0 : static_cast<long>(cell.sets.size());
+  steps_ += 1 + (sets + 4 * std::exchange(met_, 0)) / kSetsOfStep;
+  plane::count_cells(steps_ / kStepsOfCell);
+  steps_ %= kStepsOfCell;
+}
+
 void ComplementSearch::look(Cell cell) {
+  count(cell);
   if (cell.whole) {
-    if (crowded()) return divide(cell);
+    if (covered_ || crowded()) return divide(cell);
   } else {
+    if (covered_ && cell.box.bounded() && covered_(cell.box)) return;
     if (likely_covered(cell)) return;
     const std::size_t before = cell.sets.size();
     if (before <= static_cast<std::size_t>(kSifted << std::min(cell.fruitless / 3, 40)) && sift(cell)) return;
@@ -122,19 +132,24 @@ void ComplementSearch::look(Cell cell) {
   std::optional<ProjectionSearch::Within> within;
   if (!cell.whole) within = {cell.box, cell.sets};
   ProjectionSearch search(cover_, p_, std::move(within));
-  const plane::SubdivisionEnd end = search.run(most_looks(cell), bound_);
+  const plane::SubdivisionEnd end =
+      search.run(std::min(most_looks(cell), ProjectionSearch::kLooksOfCell * question_.work().left), bound_);
   if (end == plane::SubdivisionEnd::kSpent && !search.found()) return divide(cell);
   if (!search.found()) return;
   bound_ = search.distance();
   found_ = search.found();
 }
 
-std::optional<RealVector> ComplementSearch::run() {
+NearestOutside ComplementSearch::run() {
   std::vector<std::size_t> all(cover_.size());
   std::iota(all.begin(), all.end(), 0);
   queue_.push({everywhere(), std::move(all), 0, true});
-  queue_.run([&](const Cell& best) { return best.distance > bound_; }, [&](Cell cell) { look(std::move(cell)); });
-  return found_;
+  bool spent = false;
+  queue_.run([&](const Cell& best) { return best.distance > bound_ || (spent = question_.work().spent()); },
+             [&](Cell cell) { look(std::move(cell)); });
+  if (!spent) return {found_};
+  const double rounding = margin::kRoundings32 * (queue_.best().distance + size_of(near_));
+  return {found_, true, std::max(0.0, queue_.best().distance - rounding)};
 }
 
 }  // namespace findspace::space

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "space/body/lowest_in_complement.h"
 
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::space {
@@ -47,13 +48,16 @@ auto piece_of(ConvexRegion region, const KeyOf& key_of) {
 
 /// The point of what the sets leave whose key, which is least at vertices, is least.
 template <class KeyOf>
-std::optional<RealVector> least_in_complement(const OpenUnion& cover, const ConvexRegion& within, const KeyOf& key_of) {
+exact::Tried<std::optional<RealVector>> least_in_complement(const OpenUnion& cover, const ConvexRegion& within,
+                                                            const KeyOf& key_of) {
   using Piece = decltype(piece_of(within, key_of));
   plane::Subdivision<Piece> queue;
   std::optional<RealVector> found;
   if (!within.empty()) queue.push(piece_of(within, key_of));
-  queue.run([&](const Piece&) { return found.has_value(); },
+  const plane::SearchQuestion question;
+  queue.run([&](const Piece&) { return found.has_value() || question.work().spent(); },
             [&](Piece top) {
+              plane::count_cell();
               const RealVector& least = top.region.vertices()[top.least].at;
               const int set = cover.covering(least);
               if (set < 0) {
@@ -61,6 +65,7 @@ std::optional<RealVector> least_in_complement(const OpenUnion& cover, const Conv
                 return;
               }
               for (const HalfSpace& h : cover.planes(static_cast<std::size_t>(set))) {
+                plane::count_cell();
                 const ConvexRegion::Sides sides = top.region.sides(h);
                 if (!sides.on && !sides.outside) continue;
                 ConvexRegion beyond = top.region;
@@ -70,6 +75,8 @@ std::optional<RealVector> least_in_complement(const OpenUnion& cover, const Conv
                 if (top.region.empty()) break;
               }
             });
+  if (!found && !queue.empty())
+    return plane::search_spent("the lowest or farthest place outside a union of convex sets was not found");
   return found;
 }
 
@@ -77,17 +84,19 @@ std::optional<RealVector> least_in_complement(const OpenUnion& cover, const Conv
 
 std::optional<RealVector> lowest_in_complement(const OpenUnion& cover, const ConvexRegion& within,
                                                std::span<const RealVector> forms) {
-  return least_in_complement(cover, within, [&](const ConvexRegion::Vertex& v) {
-    FormValues key;
-    for (const RealVector& f : forms) key.values.push_back(dot(f, v.at));
-    return key;
-  });
+  return least_in_complement(cover, within,
+                             [&](const ConvexRegion::Vertex& v) {
+                               FormValues key;
+                               for (const RealVector& f : forms) key.values.push_back(dot(f, v.at));
+                               return key;
+                             })
+      .or_throw();
 }
 
-std::optional<RealVector> farthest_in_complement(const OpenUnion& cover, const RealVector& low, const RealVector& high,
-                                                 const RealVector& p) {
+exact::Tried<std::optional<RealVector>> farthest_in_complement(const OpenUnion& cover, const RealVector& low,
+                                                               const RealVector& high, const RealVector& p) {
   for (int k = 0; k < 3; ++k) {
-    if (high[k] < low[k]) return std::nullopt;
+    if (high[k] < low[k]) return std::optional<RealVector>();
   }
   const Vector near = space::rounded(p);
   return least_in_complement(cover, ConvexRegion(low, high),

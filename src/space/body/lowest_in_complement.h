@@ -5,7 +5,8 @@
 // points x of the polytope that no set holds, with f1(x) least, of these with f2(x) least, and so on. Slits, sheets and
 // single points that are left count as bulky parts do. Method: best first over convex pieces by their lexicographically
 // least vertex; where a set holds that vertex, the piece is divided into its parts beyond the planes of the set, which
-// may be flat. Guarantee: exact. Cost: the pieces looked at, those below the minimiser only. Source: branch and bound,
+// may be flat. Guarantee: exact. Cost: the pieces looked at, those below the minimiser only; where they are more than a
+// question may look at (search_work.h), Error(kUnsupported). Source: branch and bound,
 // as farthest_in_complement() in open_union.h. Keywords: bottom-left placement, linear programming over a non-convex
 // set.
 #pragma once

@@ -6,17 +6,27 @@
 #include <limits>
 
 #include "exact/margins/rounding.h"
+#include "plane/base/search_work.h"
 #include "space/body/complement_search.h"
 
 namespace findspace::space {
 
 using exact::Real;
 
-void OpenUnion::add(const Extent& extent, std::function<Planes()> make) {
+exact::Tried<std::optional<RealVector>> NearestOutside::settled() const {
+  if (spent) return plane::search_spent("the nearest place outside a union of convex sets was not found");
+  return at;
+}
+
+void OpenUnion::add(const Extent& extent, std::function<Planes()> make) { add(extent, std::move(make), nullptr); }
+
+void OpenUnion::add(const Extent& extent, std::function<Planes()> make,
+                    std::function<std::optional<RoundedPlanes>()> rounded) {
   index_ = std::make_unique<Index>();  // of all sets
   parts_.push_back(std::make_unique<Part>());
   parts_.back()->extent = extent;
   parts_.back()->make = std::move(make);
+  parts_.back()->round = std::move(rounded);
 }
 
 void OpenUnion::add(const Extent& extent, Planes planes) {
@@ -25,17 +35,24 @@ void OpenUnion::add(const Extent& extent, Planes planes) {
 
 const OpenUnion::Planes& OpenUnion::planes(std::size_t k) const {
   const Part& part = *parts_[k];
-  std::call_once(part.made, [&] {
-    part.planes = part.make();
-    part.rounded.reserve(part.planes.size());
-    for (const HalfSpace& h : part.planes) part.rounded.push_back({h.unit, h.shift});
-  });
+  std::call_once(part.made, [&] { part.planes = part.make(); });
   return part.planes;
 }
 
 std::span<const OpenUnion::RoundedPlane> OpenUnion::rounded_planes(std::size_t k) const {
-  planes(k);
-  return parts_[k]->rounded;
+  const Part& part = *parts_[k];
+  std::call_once(part.made_rounded, [&] {
+    if (part.round) {
+      if (std::optional<RoundedPlanes> known = part.round()) {
+        part.rounded = *std::move(known);
+        return;
+      }
+    }
+    const Planes& all = planes(k);
+    part.rounded.reserve(all.size());
+    for (const HalfSpace& h : all) part.rounded.push_back({h.unit, h.shift});
+  });
+  return part.rounded;
 }
 
 const ExtentTree& OpenUnion::tree() const {
@@ -50,17 +67,23 @@ const ExtentTree& OpenUnion::tree() const {
 int OpenUnion::covering(const RealVector& p) const {
   const Vector near = space::rounded(p);
   const double tolerance = margin::kWiderBox * size_of(near);
+  const auto holds = [&](std::size_t k) {
+    const Planes& all = planes(k);
+    return std::all_of(all.begin(), all.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; });
+  };
+  // Sets without bounds that come first are looked at without a tree.
+  for (std::size_t k = 0; k < parts_.size() && !parts_[k]->extent.bounded(); ++k) {
+    if (holds(k)) return static_cast<int>(k);
+  }
   int found = -1;
   tree().each([&](const Extent& e) { return found < 0 && e.holds(near, tolerance); },
               [&](std::size_t k) {
-                const Planes& all = planes(k);
-                if (std::all_of(all.begin(), all.end(), [&](const HalfSpace& h) { return h.sign(p, near) < 0; }))
-                  found = static_cast<int>(k);
+                if (holds(k)) found = static_cast<int>(k);
               });
   return found;
 }
 
-std::optional<RealVector> OpenUnion::nearest_in_complement(const RealVector& p, std::span<const Extent> within) const {
+NearestOutside OpenUnion::nearest_in_complement(const RealVector& p, std::span<const Extent> within) const {
   return ComplementSearch(*this, p, within).run();
 }
 
@@ -92,7 +115,8 @@ std::optional<RealVector> OpenUnion::nearest_touching(const RealVector& p) const
 std::optional<RealVector> nearest_in(std::span<const HalfSpace> planes, const RealVector& p) {
   OpenUnion beyond;
   for (const HalfSpace& h : planes) beyond.add(everywhere(), OpenUnion::Planes{h.opposite()});
-  return beyond.nearest_in_complement(p);
+  const plane::ScopedSearchWork of_no_question(nullptr);
+  return beyond.nearest_in_complement(p).settled().or_throw();
 }
 
 }  // namespace findspace::space

@@ -288,15 +288,19 @@ Extent extent_of(const OutsideCell& bounded) {
   return extent_of(points);
 }
 
+bool share_edge(const OutsideCell& cell, std::size_t v, std::size_t w) {
+  std::vector<int> both;
+  std::set_intersection(cell.tight[v].begin(), cell.tight[v].end(), cell.tight[w].begin(), cell.tight[w].end(),
+                        std::back_inserter(both));
+  return both.size() >= 2;
+}
+
 std::vector<RealVector> edge_directions(const OutsideCell& cell) {
   std::vector<RealVector> out;
   const std::size_t n = cell.vertices.size();
   for (std::size_t v = 0; v < n; ++v) {
     for (std::size_t w = v + 1; w < n; ++w) {
-      std::vector<int> both;
-      std::set_intersection(cell.tight[v].begin(), cell.tight[v].end(), cell.tight[w].begin(), cell.tight[w].end(),
-                            std::back_inserter(both));
-      if (both.size() >= 2) out.push_back(minus(cell.vertices[w], cell.vertices[v]));
+      if (share_edge(cell, v, w)) out.push_back(minus(cell.vertices[w], cell.vertices[v]));
     }
   }
   return out;

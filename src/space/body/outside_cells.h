@@ -29,6 +29,8 @@ struct OutsideCell {
 std::vector<OutsideCell> outside_cells(const Body& body);
 
 Extent extent_of(const OutsideCell& bounded);
+/// Whether the two vertices are on one edge.
+bool share_edge(const OutsideCell& cell, std::size_t v, std::size_t w);
 /// Of the edges of a bounded cell.
 std::vector<RealVector> edge_directions(const OutsideCell& cell);
 

@@ -7,7 +7,8 @@
 //   outside   the complement of E = {p : B + p in A}, the union of int(T - S) with T over the cells outside A.
 // Guarantee: exact. T - S of two polytopes has the planes of its contact surface; of a cell outside A, whose vertices
 // need not lie on any grid, planes along the facets of both and along pairs of edges, some of which may touch the sum
-// only: they change neither the set nor a distance. Cost: sets are made when first needed. Keywords: configuration
+// only: they change neither the set nor a distance. Cost: sets are made when first needed; those of a cell are known by
+// doubles sooner, unless edges are nearly parallel. Keywords: configuration
 // space obstacle.
 #pragma once
 

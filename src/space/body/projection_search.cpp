@@ -7,12 +7,15 @@
 
 #include "exact/margins/rounding.h"
 #include "exact/margins/space.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::space {
 
 using exact::Real;
 
 namespace {
+
+constexpr std::size_t kPlanesOfCell = 16;  // that are made exactly in the time of a cell of other searches
 
 double determinant(const std::array<std::array<double, 3>, 3>& g, int n) {
   if (n == 1) return g[0][0];
@@ -87,10 +90,20 @@ const std::vector<int>& ProjectionSearch::seen_planes(std::size_t part) {
   std::vector<int>& ids = of_part_[part];
   if (!ids.empty()) return ids;
   if (part >= cover_.size()) return ids = {seen(walls_[part - cover_.size()])};
+  plane::count_cells(static_cast<long>(cover_.planes(part).size() / kPlanesOfCell));
   for (const HalfSpace& plane : cover_.planes(part)) {
     if (!within_ || side_of(plane, within_->box) >= 0) ids.push_back(seen(plane));
   }
   return ids;
+}
+
+bool ProjectionSearch::surely_out(std::size_t part, const Vector& at, double error) const {
+  if (part >= cover_.size() || !cover_.rounds_early(part) || of_part_.count(part) > 0) return false;
+  const double size = size_of(at);
+  const auto planes = cover_.rounded_planes(part);
+  return std::any_of(planes.begin(), planes.end(), [&](const OpenUnion::RoundedPlane& h) {
+    return dot(h.unit, at) + h.shift > error + h.share * (size + 2 * std::fabs(h.shift)) + h.off;
+  });
 }
 
 bool ProjectionSearch::exact_multipliers(const std::array<int, 3>& planes, int count, std::array<Real, 3>& out) const {
@@ -209,6 +222,7 @@ int ProjectionSearch::covering_part(const Projection& projection, std::optional<
   const Vector at = plus(near_, projection.at);
   const double tolerance = 8 * projection.error + margin::kWiderBox * size_of(at);
   const auto consider = [&](std::size_t k) {
+    if (surely_out(k, at, 8 * projection.error)) return;
     double highest = -exact::kInfinity;
     for (const int id : seen_planes(k)) {
       const Seen& s = planes_[id];
@@ -243,6 +257,7 @@ plane::SubdivisionEnd ProjectionSearch::run(long most, double bound) {
   return queue_.run(
       most, [&](const Projection& best) { return found_ || best.distance > bound; },
       [&](const Projection& projection) {
+        if (++looks_ % kLooksOfCell == 0) plane::count_cell();
         std::optional<RealVector> exact;
         const int part = covering_part(projection, exact);
         if (part >= 0) {

@@ -5,7 +5,8 @@
 // from p (so that p is the origin), projections of p on up to three of them, and the queue of projections by distance.
 // A projection's constraints are n . y + c >= 0: "not in the set that this plane bounds". Beyond each side of the box
 // there is an open half space. Guarantee: as in open_union.h. Cost: the projections that are covered, whose number
-// grows like the cube of the number of planes; a caller says how many are worth a look. Keywords: dual simplex.
+// grows like the cube of the number of planes; a caller says how many are worth a look. Each counts for the question,
+// and so does each set whose exact planes it takes. Keywords: dual simplex.
 #pragma once
 
 #include <array>
@@ -21,6 +22,7 @@ namespace findspace::space {
 
 class ProjectionSearch {
  public:
+  static constexpr long kLooksOfCell = 8;  // that cost as much as a cell of other searches
   /// A box, sides included, and the sets that meet it.
   struct Within {
     Extent box;
@@ -54,6 +56,8 @@ class ProjectionSearch {
   /// Of a set, those that it needs within the box; of a wall, numbered after the sets.
   const std::vector<int>& seen_planes(std::size_t part);
   int seen(const HalfSpace& plane);
+  /// Whether the place is surely not in the set, by planes that doubles know sooner than its exact ones.
+  bool surely_out(std::size_t part, const Vector& at, double error) const;
   /// The part that holds the projection deepest, or -1.
   int covering_part(const Projection& projection, std::optional<RealVector>& exact);
   bool covers_exactly(std::size_t part, const Projection& projection, std::optional<RealVector>& exact);
@@ -75,6 +79,7 @@ class ProjectionSearch {
   std::set<std::array<int, 3>> known_;
   std::optional<RealVector> found_;
   double distance_ = 0;
+  long looks_ = 0;
 };
 
 }  // namespace findspace::space
