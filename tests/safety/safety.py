@@ -435,10 +435,10 @@ class Limits(SafetyTest):
         tetrahedron = {"offset": 1, "of": {"polytope": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]]}}
         bowl = {"difference": [{"ball": {"center": [0, 0, 0], "radius": 5}},
                                {"ball": {"center": [0, 0, 2], "radius": 3}}]}
-        scene = self.scene({"A": tetrahedron, "B": bowl}, moving="B", where="hausdorff(B,A) <= 3", grid=0.001)
-        ask = ("map", scene, "--resolution", "1", "--axis", "x", "--work-limit")
+        scene = self.scene({"A": tetrahedron, "B": bowl}, moving="B", where="hausdorff(B,A) <= 5", grid=0.001)
+        ask = ("map", scene, "--resolution", "3", "--axis", "x", "--work-limit")
         self.expect(3, "--work-limit raises", *ask, "4K")
-        self.expect(0, "", *ask, "40M")
+        self.expect(0, "", *ask, "20M")
 
     def test_sizes_that_mean_nothing(self):
         scene = self.scene({"A": {"polygon": SQUARE}})

@@ -85,7 +85,7 @@ class CsgConstraints : public LazyConstraints {
     return out;
   }
 
-  bool spent() const override { return cells_ > plane::allowed(kMostCellsInAll); }
+  bool spent() const override { return cells_ > kMostCellsInAll; }
 
   double beyond(int number, const Vector& x) const override {
     return -slack(cuts_[static_cast<std::size_t>(number)], x).value;

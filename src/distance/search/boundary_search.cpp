@@ -75,18 +75,19 @@ class BoundarySearch {
       left = std::min(left, top.key);
       return true;
     };
-    const auto end = queue_.run(plane::allowed(kMostSearchCells), settled, [&](const BoundaryCell& top) {
-      plane::count_cell();
-      std::size_t a = 0, b = 1;
-      const double edge = longest_edge(top.corner, a, b);
-      ended = edge < last_cell_ * size_;
-      if (!ended && edge >= margin::kSmallestCell * size_) return split(top, a, b);
-      if (top.key < left) {
-        left = top.key;
-        best_.unresolved = centre(top.corner);
-      }
-      ask();
-    });
+    const auto end =
+        queue_.run(until ? kMostSearchCells : plane::allowed(kMostSearchCells), settled, [&](const BoundaryCell& top) {
+          plane::count_cell();
+          std::size_t a = 0, b = 1;
+          const double edge = longest_edge(top.corner, a, b);
+          ended = edge < last_cell_ * size_;
+          if (!ended && edge >= margin::kSmallestCell * size_) return split(top, a, b);
+          if (top.key < left) {
+            left = top.key;
+            best_.unresolved = centre(top.corner);
+          }
+          ask();
+        });
     if (end == plane::SubdivisionEnd::kSpent) {
       best_.complete = false;
       left = std::min(left, queue_.best().key);

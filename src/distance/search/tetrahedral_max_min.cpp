@@ -38,7 +38,7 @@ class TetrahedralMaxMin {
   TetrahedralMaxMin(const MaxMinTarget& target, const MaxMinBest& start) : target_(target), best_(start) {}
 
   void add(const Solids& solids);
-  SolidMaxMin run(int most);
+  SolidMaxMin run(long most);
 
  private:
   /// `ceiling`: nothing in it has more.
@@ -90,10 +90,10 @@ bool TetrahedralMaxMin::dropped(double bound) {
   return true;
 }
 
-SolidMaxMin TetrahedralMaxMin::run(int most) {
+SolidMaxMin TetrahedralMaxMin::run(long most) {
   bool spent = false;
   const auto end = queue_.run(
-      plane::allowed(most), [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
+      most, [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
       [this](const MaxMinCell& top) { split(top); });
   SolidMaxMin out = best_.found();
   out.complete = !spent && end != plane::SubdivisionEnd::kSpent;
@@ -144,7 +144,7 @@ void TetrahedralMaxMin::split(const MaxMinCell& cell) {
 
 }  // namespace
 
-SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, int most) {
+SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, long most) {
   TetrahedralMaxMin search(target, start);
   search.add(solids);
   return search.run(most);

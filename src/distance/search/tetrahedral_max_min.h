@@ -74,6 +74,6 @@ class MaxMinTarget {
 };
 
 /// With at most so many cells.
-SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, int most);
+SolidMaxMin tetrahedral_max_min(const Solids& solids, const MaxMinTarget& target, const MaxMinBest& start, long most);
 
 }  // namespace findspace::distance

@@ -10,6 +10,7 @@
 #include "distance/search/tetrahedral_max_min.h"
 #include "distance/surface/surface_field.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 namespace {
@@ -146,7 +147,7 @@ class FieldOfSurfaces : public ProtrusionField {
     Solids some = solids;
     std::erase_if(some.cells, [&](const Tetrahedron& t) { return boxes_->within(t, slack); });
     return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, boxes_.get()),
-                               MaxMinBest(std::min(0.0, slack), slack, share, 0), kMostCells);
+                               MaxMinBest(std::min(0.0, slack), slack, share, 0), plane::allowed(kMostCells));
   }
   double run(const Vector& x, const Vector& way, double cut, double size) const override {
     double at = 0;

@@ -4,9 +4,10 @@
 // What all searches in space that answer one question do together. A search may search within each look at a cell, and
 // so may what it asks. Each has a limit of its own, but thousands of them would add up to minutes. So cells are counted
 // for the question, too. Where it may look at no more, its outermost search ends with what it knows: bounds of a value,
-// or a refusal. A search within that one goes on to its own end. All these limits grow with the units of work that the
-// asker allows (work_budget.h). Guarantee: work is counted, not timed, and each task counts its own: the same answer
-// for any number of threads. Keywords: budget, nested search.
+// or a refusal. A search within that one goes on to its own end. These limits grow with the units of work that the
+// asker allows (work_budget.h), but not those of a search within another: a longer one there would leave less to the
+// others. Guarantee: work is counted, not timed, and each task counts its own: the same answer for any number of
+// threads. Keywords: budget, nested search.
 #pragma once
 
 #include <algorithm>
