@@ -29,7 +29,7 @@ namespace {
 /// From here on a base is not kept beside the first level: it is made again if a second question needs it.
 constexpr std::size_t kManyEdges = 200'000;
 /// Where more show in a window, a map of the whole plane may cost less.
-constexpr std::size_t kMostEdges = 40;
+constexpr std::size_t kMostEdges = 12;
 
 }  // namespace
 
