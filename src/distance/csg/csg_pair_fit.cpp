@@ -191,7 +191,7 @@ Tried<SweptFit> CsgSide::fits_somewhere() const {
     if (!*made) return SweptFit{SweptFit::Found::kNowhere};
     const Tried<PositionSet> fits = (*made)->fits();
     if (!fits) return fits.refusal();
-    return any_fit(*fits, fits->box().middle(), kMostCellsOfQuestion / kShareOfSearch / 4);
+    return any_fit(*fits, fits->box().middle(), plane::kMostCellsOfQuestion / plane::kShareOfSearch / 4);
   }
   const TriedFits& fits = this->fits();
   if (!fits) return fits.refusal();

@@ -11,9 +11,9 @@
 #include "distance/rays/ray_directional_least.h"
 #include "distance/search/boundary_search.h"
 #include "distance/search/convex_distance.h"
-#include "distance/search/search_work.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
+#include "plane/base/search_work.h"
 #include "space/body/body.h"
 #include "space/body/body_boxes.h"
 #include "space/rays/ray_sources.h"
@@ -363,7 +363,7 @@ TriedAnswer CsgSide::least_gap_along(const std::shared_ptr<const CsgSide>& side,
                                      bool both_ways) {
   if (side->a_->walls) return left_walls();
   if (side->points_) return no_depth();
-  const SearchQuestion question;
+  const plane::SearchQuestion question;
   const TriedAnswer held =
       ray_directional_least(Which::kGamma1, direction, both_ways, side->complete(), side->holding_sets());
   if (!held || !*held) return held;

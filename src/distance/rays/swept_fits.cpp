@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "distance/search/search_work.h"
 #include "exact/solid/space_sign.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -122,7 +122,7 @@ TriedAnswer least_of_swept_fits(const Body& b, const space::Bounds3& within, con
   const auto ask = [&](std::int64_t length) {
     return search(swept(fine, {unit->x * length, unit->y * length, unit->z * length}), finer);
   };
-  const SearchQuestion question;
+  const plane::SearchQuestion question;
   const exact::Tried<SweptFit> still = search(fine, finer);
   if (!still) return still.refusal();
   if (still->found == SweptFit::Found::kNowhere) return std::nullopt;
