@@ -399,9 +399,9 @@ TriedAnswer CsgBackSide::in_round_part(const BodyPart& part, const space::Bounds
   const auto offer = [&](const space::Vector& at) {
     BoundaryPlace taken;
     taken.place = at;
-    Answer v = searched_place(taken, p, error);
+    const Answer v = searched_place(taken, p, error);
     const bool better = places.empty() || (farthest ? places[0].value < v.value : v.value < places[0].value);
-    if (better) places.assign(1, std::move(v));
+    if (better) places.assign(1, v);
   };
   space::Vector middle = space::rounded(box).middle();
   for (int k = 0; k < kMostPlacesOut; ++k) {
