@@ -140,7 +140,8 @@ namespace {
 std::vector<space::Vector> farthest_corners(const Body& b) {
   std::vector<space::Vector> out;
   for (int k = 0; k < 27; ++k) {
-    const space::Vector way{double(k % 3 - 1), double(k / 3 % 3 - 1), double(k / 9 - 1)};
+    const int x = k % 3 - 1, y = k / 3 % 3 - 1, z = k / 9 - 1;
+    const space::Vector way{double(x), double(y), double(z)};
     std::optional<space::Vector> best;
     for (const BodyPart& part : b.parts) {
       for (const space::Point& v : part.vertices()) {
