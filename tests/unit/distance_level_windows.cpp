@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
-
+//
+// The cells of levels in small windows are those of the whole plane.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -67,20 +68,20 @@ void expect_same(const TDistance& f, const Region& over, int rotation, const exa
 
 TEST(LevelWindows, SameCellsAsTheWholePlane) {
   const Region whole = CellComplex::uniform(1);
-  const ShapePair apart(star(30, 9000), star(40, 10000)), inside(star(30, 5000), star(40, 10000));
+  const ShapePair apart(star(20, 9000), star(24, 10000)), inside(star(20, 5000), star(24, 10000));
   for (const auto& f : {apart.distance(Which::kGamma1), inside.distance(Which::kEta1), inside.distance(Which::kMu)})
     expect_same(*f, whole, 1, f->seed(), 0x1p-6);
-  const ShapePair alike(star(150, 100000), star(200, 100000));
+  const ShapePair alike(star(40, 100000), star(50, 100000));
   const auto f = alike.distance(Which::kHausdorff);
   expect_same(*f, whole, 1, f->seed(), 0x1p-10);
 }
 
 TEST(LevelWindows, OverASet) {
-  const ShapePair apart(star(30, 2000), star(40, 10000));
+  const ShapePair apart(star(20, 2000), star(24, 10000));
   const Region over = polygon({{13000, 1000}, {16000, 2000}, {14000, 6000}});
   for (const int rotation : {1, -1})
     expect_same(*apart.distance(Which::kGamma1), over, rotation, at(13000, 1000), 0x1p-6);
-  const ShapePair alike(star(150, 100000), star(200, 100000));
+  const ShapePair alike(star(40, 100000), star(50, 100000));
   const Region near = polygon({{-4000, -3000}, {4000, -4000}, {500, 6000}});
   expect_same(*alike.distance(Which::kHausdorff), near, 1, at(-4000, -3000), 0x1p-10);
 }
