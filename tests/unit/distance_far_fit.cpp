@@ -91,5 +91,21 @@ TEST(FarFit, AShortSearchSaysWhatItKnows) {
   EXPECT_GT(enclosed, 0);
 }
 
+/// The nearest face of one set is taken where the question may look at no more, too.
+TEST(FarFit, AFaceIsTakenWhereNothingIsLeft) {
+  const auto block = [](std::int64_t size, int radius) {
+    const space::Corners corners{{{0, 0, 0}, {size, size, size}}};
+    Body out = space::box_body(std::vector{corners});
+    out.parts[0].radius = Real(radius);
+    return shared(out);
+  };
+  const PairDistances pair = solid_pair(block(100, 10), block(1000, 0));
+  plane::SearchWork none{0};
+  const plane::ScopedSearchWork here(&none);
+  const TriedAnswer v = pair.try_value(Which::kGamma1, place(450, 20, 450));
+  ASSERT_TRUE(v && *v);
+  EXPECT_EQ((*v)->value, Real(-130));
+}
+
 }  // namespace distance_far_fit
 }  // namespace findspace::distance

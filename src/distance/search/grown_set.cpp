@@ -7,6 +7,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/open_union.h"
 #include "space/body/position_covers.h"
 
@@ -82,6 +83,7 @@ Answer GrownSet::to_boundary(const RealVector& p) const {
   RealVector projection = center;
   bool inside = false;
   if (!planes.empty()) {
+    const plane::ScopedSearchWork of_no_question(nullptr);  // a few looks, also where that may take no more
     space::OpenUnion core;
     core.add(space::everywhere(), planes);
     inside = core.covers(p);

@@ -17,6 +17,7 @@
 #include "distance/search/grown_set.h"
 #include "distance/solid/solid_pair.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/search_work.h"
 #include "space/body/body_boxes.h"
 
 namespace findspace::distance {
@@ -113,6 +114,7 @@ namespace {
 
 /// The signed distance to the polytope of positions at which B lies in A, which is one; nothing where there are none.
 std::optional<ConvexDistance> fit_of_polytopes(const Body& b, const Body& a, const space::OpenUnion& outside) {
+  const plane::ScopedSearchWork of_no_question(nullptr);  // kept: not of the one that comes first
   if (!outside.nearest_in_complement({}).settled().or_throw()) return std::nullopt;
   GrownSet fits;
   for (const space::HalfSpace& h : a.parts[0].planes())

@@ -97,6 +97,7 @@ std::vector<HalfSpace> planes_of(const SurfaceBall& ball, const std::vector<int>
 
 /// The place nearest to x that lies before all planes; nothing where fewer than `least` of these hold it.
 std::optional<RealVector> on_planes(const std::vector<HalfSpace>& planes, const RealVector& x, std::size_t least) {
+  const plane::ScopedSearchWork of_no_question(nullptr);  // a few looks, also where that may take no more
   space::OpenUnion cover;
   for (const HalfSpace& h : planes) cover.add(space::everywhere(), space::OpenUnion::Planes{h});
   auto found = cover.nearest_in_complement(x).settled().or_throw();
