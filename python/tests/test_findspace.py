@@ -282,6 +282,15 @@ def test_a_token_ends_questions(world):
     assert limited.holds("clear(peg, plate)", (90, 50))
 
 
+def test_work_of_searches_is_raised():
+    bowl = fs.Shape.ball((0, 0, 0), 5) - fs.Shape.ball((0, 0, 2), 3)
+    world = fs.World({"A": bowl, "B": fs.Shape.box((0, 0, 0), (2, 2, 2))}, "B")
+    few = world.limited(work_limit=1000)
+    assert (few.options.work_limit, pickle.loads(pickle.dumps(few.options)).work_limit) == (1000, 1000)
+    widths = [v.upper - v.lower for v in (w.distance("protrusion(A, B)", (1, 1, 1)) for w in (few, few.limited(threads=1), world))]
+    assert widths[0] > 0.1 and widths[1] > 0.1 and widths[2] < 1e-6
+
+
 def test_options(world):
     options = fs.Options(threads=1, seconds=5, progress=print, seed=7)
     again = pickle.loads(pickle.dumps(options))

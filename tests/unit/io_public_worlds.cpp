@@ -235,6 +235,26 @@ TEST(PublicLimits, OneAnswerForAnyNumberOfThreads) {
             world.with({.threads = 2}).solve(clear_of_all(20)).exact_json());
 }
 
+/// A search in space may look at more, or at less; limits that say nothing of it keep what was said before.
+TEST(PublicLimits, WorkOfSearchesIsRaised) {
+  const Shape bowl = Shape::subtract({Shape::ball({0, 0, 0}, 5), Shape::ball({0, 0, 2}, 3)});
+  const World world({{"A", bowl}, {"B", Shape::box({0, 0, 0}, {2, 2, 2})}}, "B");
+  const auto width = [](const World& asked) {
+    const DistanceValue v = asked.distance("protrusion(A, B)", {1, 1, 1});
+    return v.upper - v.lower;
+  };
+  EXPECT_GT(width(world.with({.work_limit = 1000})), 0.1);
+  EXPECT_GT(width(world.with({.work_limit = 1000}).with({.threads = 1})), 0.1);
+  EXPECT_LT(width(world), 1e-6);
+  EXPECT_LT(width(world.with({.work_limit = 1000}).with({.work_limit = kUsualWork})), 1e-6);
+  const Scene scene = Scene::json(R"({"findspace": 1, "shapes": {"B": {"box": {"min": [0, 0, 0], "max": [2, 2, 2]}},
+    "A": {"difference": [{"ball": {"center": [0, 0, 0], "radius": 5}}, {"ball": {"center": [0, 0, 2], "radius": 3}}]}},
+    "moving": "B"})",
+                                  ".", {.work_limit = 2000});
+  EXPECT_GT(width(scene.world()), 0.1);
+  EXPECT_LT(width(scene.world().with({.work_limit = kUsualWork})), 1e-6);
+}
+
 TEST(PublicLimits, ProgressGrows) {
   double last = 0;
   int calls = 0;
