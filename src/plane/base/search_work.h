@@ -42,9 +42,9 @@ inline long allowed(long usual) {
   return static_cast<long>(std::clamp(static_cast<double>(usual) * share, 1.0, kLargest));
 }
 
-/// Why a search has no answer; `what` was not found, and says so. `more`: what else may help.
-inline exact::Refusal search_spent(const std::string& what, const std::string& more = "") {
-  return exact::Refusal(what + " within the limit of the search, which --work-limit raises" + more);
+/// Why a search has no answer; `what` was not found, and says so.
+inline exact::Refusal search_spent(const std::string& what) {
+  return exact::Refusal(what + " within the limit of the search, which --work-limit raises");
 }
 
 struct SearchWork {
