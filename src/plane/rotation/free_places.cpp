@@ -143,9 +143,8 @@ class FreePlaces::From::Search {
       add_projections(bundles_[i]);
       for (std::size_t k = i + 1; k < bundles_.size(); ++k) add_meetings(bundles_[i], bundles_[k]);
     }
-    std::sort(candidates_.begin(), candidates_.end(), [&](const Candidate& c, const Candidate& d) {
-      return far_ ? c.distance > d.distance : c.distance < d.distance;
-    });
+    std::sort(candidates_.begin(), candidates_.end(),
+              [&](const Candidate& c, const Candidate& d) { return place_in_order(c) < place_in_order(d); });
   }
 
   std::optional<Nearest> run() const {
@@ -178,6 +177,12 @@ class FreePlaces::From::Search {
     double distance, off;       // off: how far `at` may be off
     std::size_t first, second;  // of the curves; equal for a projection
   };
+
+  /// Of those in one place, where many curves meet, such on lines come first: roots of circles cost much to compare.
+  double place_in_order(const Candidate& c) const {
+    const double least = far_ ? -c.distance : c.distance;
+    return rough_[c.first].line && rough_[c.second].line ? least - f_.tolerance_ : least + c.off;
+  }
 
   void add(RoughPoint at, double off, std::size_t first, std::size_t second) {
     const double tolerance = f_.tolerance_ + off;
