@@ -103,8 +103,10 @@ double MovedFeatures::most(const BoundaryFeature& s, const SearchRange& r, const
     for (const Spot& h : hull) far = std::max(far, s.distance(h.x, h.y));
     return far;
   }
+  // No place is farther from an arc than from an end of it.
   for (const Spot& h : hull)
-    if (!s.has_direction(h.x - s.cx, h.y - s.cy)) return std::numeric_limits<double>::infinity();
+    if (!s.has_direction(h.x - s.cx, h.y - s.cy))
+      return std::min(farthest(r, hull, s.x0, s.y0), farthest(r, hull, s.x1, s.y1));
   return std::max(farthest(r, hull, s.cx, s.cy) - s.r, s.r - nearest(r, hull, s.cx, s.cy));
 }
 
