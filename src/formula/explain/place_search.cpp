@@ -7,6 +7,7 @@
 
 #include "exact/margins/space_distance.h"
 #include "plane/base/parallel.h"
+#include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
 
 namespace findspace::formula {
@@ -43,7 +44,7 @@ class Search {
     for (const PlaceBox& b : boxes) parts_.push_back({b});
     take();
     queue_.run(
-        kMostDivisions, kAtOnce, [&](const Box& top) { return settled(top.bound); },
+        kMostDivisions, kAtOnce, [&](const Box& top) { return spent() || settled(top.bound); },
         [&](const Box& top) { divide(top); }, [&] { take(); });
     // Boxes that were dropped hold nothing below the least value.
     found_.bound = queue_.empty() ? found_.least : std::min(queue_.best().bound, found_.least);
@@ -51,6 +52,8 @@ class Search {
   }
 
  private:
+  /// Values that are searched may take as many cells together as those of one question.
+  bool spent() const { return cells_ >= plane::allowed(plane::kMostCellsOfQuestion); }
   bool settled(double bound) const { return found_.least <= asked_.enough || found_.least - bound <= asked_.tolerance; }
 
   void divide(const Box& box) {
@@ -67,19 +70,21 @@ class Search {
     }
   }
 
-  /// A box, and what is known of its centre.
+  /// A box, what is known of its centre, and how many cells searches looked at for that.
   struct Glance {
     PlaceSeen seen;
     bool exact = false;
+    long cells = 0;
   };
 
   void take() {
     std::vector<Box> boxes = std::exchange(parts_, {});
     std::vector<Glance> seen(boxes.size());
     plane::in_ranges(boxes.size(), kAtOnce, [&](const plane::IndexRange& range) {
-      for (std::size_t k = range.first; k < range.end; ++k) seen[k] = glance(boxes[k]);
+      for (std::size_t k = range.first; k < range.end; ++k) seen[k] = counted(boxes[k]);
     });
     for (std::size_t k = 0; k < boxes.size(); ++k) {
+      cells_ += seen[k].cells;
       const Vector& center = boxes[k].place.center;
       if (!seen[k].exact && perhaps_best(seen[k].seen)) seen[k] = {asked_.look(space::real(center)), true};
       note(boxes[k], seen[k]);
@@ -88,6 +93,14 @@ class Search {
       boxes[k].bound = bound(boxes[k], seen[k].seen);
       if (!is_needless(boxes[k], seen[k].seen) && longest(boxes[k]) > 0) queue_.push(boxes[k]);
     }
+  }
+  Glance counted(const Box& box) const {
+    plane::SearchWork work;
+    const long all = work.left;
+    const plane::ScopedSearchWork here(&work);
+    Glance out = glance(box);
+    out.cells = all - work.left;
+    return out;
   }
   /// Exact where numbers say too little. Does not change what was found.
   Glance glance(const Box& box) const {
@@ -135,6 +148,7 @@ class Search {
   plane::Subdivision<Box> queue_{"boxes of positions in which the explanation looks"};
   std::vector<Box> parts_;
   PlaceFound found_;
+  long cells_ = 0;
   double most_inside_ = -exact::kInfinity;
 };
 

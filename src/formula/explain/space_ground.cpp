@@ -256,11 +256,11 @@ class SearchedGround : public Ground {
         return true;
       }
     }
-    return exact::Refusal(Error(
-        ErrorCode::kLimit,
-        fmt::format(
-            "whether there is room is not decided: {} boxes of positions leave it open, the best lacks {:.3g} at most",
-            kMostDivisions, std::max(0.0, found.bound * step().to_double()))));
+    return exact::Refusal(
+        Error(ErrorCode::kLimit, fmt::format("whether there is room is not decided: the boxes of positions that were "
+                                             "looked at leave it open, the best lacks {:.3g} "
+                                             "at most",
+                                             std::max(0.0, found.bound * step().to_double()))));
   }
   void keep(const RealVector& p, MetDemands met) {
     cells_.push_back(std::move(met));
