@@ -5,8 +5,9 @@
 // step. The set is a union of boxes, or in them what a second such function leaves: its places have 0 or more there.
 // Best first: boxes of least bound are divided, a fixed number at a time whatever the number of threads. Numbers bound
 // them; a place is looked at exactly where these leave open whether it is the best one yet. Guarantee: no place has
-// less than `bound`; `at` belongs and has `least`, exactly. Ends within `tolerance`, after
-// kMostDivisions divisions, or after as many cells of searches as a question has. Coordinates in grid steps. Source: subdivide.h; Piyavskii 1972. Keywords: Lipschitz optimisation, branch and bound.
+// less than `bound`; `at` belongs and has `least`, exactly. Ends within `tolerance`, after kMostDivisions divisions, or
+// after as many cells of searches as a question has. Coordinates in grid steps. Source: subdivide.h; Piyavskii 1972.
+// Keywords: Lipschitz optimisation, branch and bound.
 #pragma once
 
 #include <functional>
