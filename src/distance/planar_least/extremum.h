@@ -7,12 +7,12 @@
 // has become small, the level curves that pass there are met in pairs and triples; each meeting is a candidate, and one
 // is accepted only with the proof that no position of S lies beyond it and some position on it, by one more exact sign
 // map. Guarantee: `proven` values and sets are exact. A value that square roots cannot express is enclosed by exact
-// sign maps on both sides: at value() a position of the closure of S is as good, at bound(), within
-// 1e-13 of the value or of the extent, none is; `at` has one such position for each component of those as good as
-// value(), and all best positions lie `within` that distance of one of them. Cost: 20 to
-// 50 sign maps, a handful where a bracket is known. Of many edges: a few thousand values first (level_cover.h), and
-// maps of small windows (level_windows.h) where these can be made. Keywords: argmin, constrained minimum, largest
-// inscribed circle, smallest enclosing circle, minimal Hausdorff distance.
+// sign maps on both sides: at value() a position of the closure of S is as good, at bound(), within 1e-13 of the value
+// or of the extent, none is; `at` has one such position for each component of those as good as value(), and all best
+// positions lie `within` that distance of one of them. Cost: 20 to 50 sign maps, a handful where a bracket is known. Of
+// many edges: a few thousand values first (level_cover.h), and maps of small windows (level_windows.h) where these can
+// be made. Keywords: argmin, constrained minimum, largest inscribed circle, smallest enclosing circle, minimal
+// Hausdorff distance.
 #pragma once
 
 #include "distance/answer/optimum.h"

@@ -111,7 +111,8 @@ inline constexpr double kPlacesDecided = 0x1p-42;
 /// The first level is taken this much worse than a value that is reached, so that its exact sign map is not empty
 /// because of rounding. Searches: the map, which is exact, says whether it is reached.
 inline constexpr double kBracketSlack = 0x1p-30;
-/// What the numbers of a bracket that is known may be off; the sign maps at both ends are exact. Searches.
+/// What the numbers of a bracket that is known may be off, and bounds that say where maps are made; the sign maps at
+/// both ends are exact. Searches and bounds.
 inline constexpr double kKnownNumber = 0x1p-40;
 /// An exact candidate this near to a known number may be it. Filters: it is accepted by exact sign maps only.
 inline constexpr double kNearCandidate = 0x1p-36;
