@@ -236,13 +236,17 @@ TEST(EndsBefore, CutShapesInRoundRooms) {
   }
   for (int k = 0; k < 8; ++k) of_bowl.push_back({k & 1 ? 20.0 : 0.0, k & 2 ? 20.0 : 0.0, k & 4 ? 16.0 : 0.0});
   int told = 0;
-  for (const auto& [shape, solid] : {std::pair{lens, of_lens}, {bowl, of_bowl}}) {
+  struct Solid {
+    plane::ShapePtr shape;
+    std::vector<Vector> points;
+  };
+  for (const Solid& solid : {Solid{lens, of_lens}, {bowl, of_bowl}}) {
     for (const RoundRoom& room : rooms()) {
-      const auto side = cut_side(room.body, shape);
+      const auto side = cut_side(room.body, solid.shape);
       const PairDistances pair = csg_pair(side, true);
       const auto out = [&](const Vector& q) {
         double most = -exact::kInfinity;
-        for (const Vector& x : solid) most = std::max(most, room.level(space::plus(x, q)));
+        for (const Vector& x : solid.points) most = std::max(most, room.level(space::plus(x, q)));
         return most;
       };
       for (const Vector& p : {Vector{70, 40, -35}, Vector{-8, -6, -5}, Vector{12, 40, 3}}) {
