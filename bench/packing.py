@@ -20,6 +20,8 @@ import subprocess
 import sys
 import tempfile
 
+from kept_runs import add_runs, kept_runs
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 TRUE_HEIGHTS = {"fu": "38", "jakobs1": "40", "jakobs2": "70", "blaz1": "15", "shapes0": "40", "shapes1": "40"}
 CLASSICS = ["albano", "blaz1", "dagli", "fu", "jakobs1", "jakobs2", "mao", "marques", "shapes0", "shapes1", "shirts", "swim",
@@ -54,15 +56,6 @@ def density_table(arguments):
         print(f"| {name} | " + " | ".join(cells) + f" | {density:.2f} | {last:.1f} s |", flush=True)
 
 
-def kept_runs(arguments):
-    """The lines of the file that were run for as long."""
-    if not os.path.exists(arguments.runs):
-        return []
-    with open(arguments.runs, encoding="utf-8") as file:
-        lines = [json.loads(line) for line in file if line.strip()]
-    return [line for line in lines if line["seconds"] == arguments.seconds]
-
-
 def one_run(arguments, name, seed):
     height = ["--height", TRUE_HEIGHTS[name]] if name in TRUE_HEIGHTS else []
     with tempfile.TemporaryDirectory() as folder:
@@ -72,23 +65,16 @@ def one_run(arguments, name, seed):
         with open(out, encoding="utf-8") as file:
             layout = json.load(file)["layout"]
     curve_seen = [(float(s), float(density)) for s, _, density in NOTE.findall(done.stderr)]
-    return {"instance": name, "seed": seed, "seconds": arguments.seconds, "density": 100 * layout["density"],
-            "length": layout["length"], "curve": curve_seen}
+    return {"density": 100 * layout["density"], "length": layout["length"], "curve": curve_seen}
 
 
 def seed_table(arguments):
     names = arguments.instances or CLASSICS + GARDEYN
-    done = {(line["instance"], line["seed"]) for line in kept_runs(arguments)}
-    for seed in range(1, arguments.seeds + 1):
-        for name in names:
-            if (name, seed) in done:
-                continue
-            line = one_run(arguments, name, seed)
-            with open(arguments.runs, "a", encoding="utf-8") as file:
-                file.write(json.dumps(line) + "\n")
+    add_runs(arguments.runs, arguments.seconds, names, arguments.seeds, lambda name, seed: one_run(arguments, name, seed))
+    runs = kept_runs(arguments.runs, arguments.seconds)
     print("| instance | runs | mean | least | best | shortest |\n|---|---|---|---|---|---|")
     for name in names:
-        lines = [line for line in kept_runs(arguments) if line["instance"] == name]
+        lines = [line for line in runs if line["instance"] == name]
         if not lines:
             continue
         densities = [line["density"] for line in lines]

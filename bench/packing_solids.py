@@ -3,13 +3,14 @@
 # SPDX-FileCopyrightText: findspace contributors
 """Heights of `findspace pack` on the data sets of solids, beside those of sparrow-3d, as a table in Markdown.
 
-usage: packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S | --work N] [--seeds N] [--threads N] [INSTANCE...]
+usage: packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S | --work N] [--seeds N] [--threads N] [--runs FILE] [INSTANCE...]
        packing_solids.py EXECUTABLE [--data FOLDER] [--seconds S] --mixed N    N parts of all sets in boxes
 
 FOLDER holds stoyan2004, stoyan2005, egeblad2009 and liu2015 (default: ../shared/data/3d beside the repository). The
 figures of sparrow-3d are the mean and the best of 15 seeds of ten minutes with 4 workers. "processor" is the time that
 the machine gave the program in the mean: other work on the machine takes from it. "first" is the time of the first
-layout. Evaluations are boxes and planes looked at, of one island, where --work limits them."""
+layout. Evaluations are boxes and planes looked at, of one island, where --work limits them. FILE keeps each run by the
+clock as a line of JSON, and what stands there is not run again, so a table may take several days."""
 import argparse
 import glob
 import json
@@ -19,6 +20,8 @@ import resource
 import subprocess
 import sys
 import tempfile
+
+from kept_runs import add_runs, kept_runs
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPARROW = {"stoyan2004/Example1": (51.54, 50.37), "stoyan2004/Example2": (29.00, 29.00),
@@ -31,8 +34,8 @@ SPARROW = {"stoyan2004/Example1": (51.54, 50.37), "stoyan2004/Example2": (29.00,
 NOTE = re.compile(r"([\d.]+) s +processor +([\d.]+) s +height ([\d.]+)")
 
 
-def run(arguments, name, seed):
-    """(seconds, processor seconds, height) of every better layout, the processor time of all, and the lower bound."""
+def one_run(arguments, name, seed):
+    """The curve, (seconds, processor seconds, height) of every better layout, the processor time and the lower bound."""
     limit = ["--work", str(arguments.work)] if arguments.work else ["--time-limit", str(arguments.seconds)]
     before = os.times()
     done = subprocess.run([arguments.executable, "pack", os.path.join(arguments.data, name + ".json"), *limit, "--threads",
@@ -42,7 +45,13 @@ def run(arguments, name, seed):
         sys.exit(done.stderr)
     points = [(float(s), float(p), float(h)) for s, p, h in NOTE.findall(done.stderr)]
     bound = re.search(r"no layout is lower(?: than ([\d.]+))?", done.stdout).group(1)
-    return points, after.children_user - before.children_user, bound or "reached"
+    return {"curve": points, "processor": after.children_user - before.children_user, "bound": bound or "reached"}
+
+
+def runs_of(arguments, name):
+    if not arguments.runs:
+        return [one_run(arguments, name, seed) for seed in range(1, arguments.seeds + 1)]
+    return [line for line in kept_runs(arguments.runs, arguments.seconds) if line["instance"] == name]
 
 
 def mesh_of(folder, path):
@@ -91,18 +100,24 @@ def main():
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--mixed", type=int, default=0)
-    arguments = parser.parse_args()
+    parser.add_argument("--runs", default="")
+    arguments = parser.parse_intermixed_args()
     if arguments.mixed:
         return mixed_table(arguments)
-    print("| instance | mean | best | sparrow-3d mean | best | lower bound | first, s | last gain, s | processor, s |\n"
-          "|---|---|---|---|---|---|---|---|---|")
-    for name in arguments.instances or SPARROW:
-        runs = [run(arguments, name, seed) for seed in range(1, arguments.seeds + 1)]
-        heights = [points[-1][2] for points, _, _ in runs]
+    names = arguments.instances or SPARROW
+    if arguments.runs:
+        add_runs(arguments.runs, arguments.seconds, names, arguments.seeds,
+                 lambda name, seed: one_run(arguments, name, seed))
+    print("| instance | runs | mean | best | sparrow-3d mean | best | lower bound | first, s | last gain, s | processor, s |\n"
+          "|---|---|---|---|---|---|---|---|---|---|")
+    for name in names:
+        runs = runs_of(arguments, name)
+        heights = [run["curve"][-1][2] for run in runs]
         mean, best = SPARROW.get(name, ("", ""))
-        print(f"| {name} | {sum(heights) / len(heights):.3f} | {min(heights):.3f} | {mean} | {best} | {runs[0][2]} | "
-              f"{max(points[0][0] for points, _, _ in runs):.2f} | {max(points[-1][0] for points, _, _ in runs):.1f} | "
-              f"{sum(used for _, used, _ in runs) / len(runs):.0f} |", flush=True)
+        print(f"| {name} | {len(runs)} | {sum(heights) / len(heights):.3f} | {min(heights):.3f} | {mean} | {best} | "
+              f"{runs[0]['bound']} | {max(run['curve'][0][0] for run in runs):.2f} | "
+              f"{max(run['curve'][-1][0] for run in runs):.1f} | {sum(run['processor'] for run in runs) / len(runs):.0f} |",
+              flush=True)
     return None
 
 
