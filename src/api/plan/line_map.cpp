@@ -27,10 +27,10 @@ struct AskedOnLines {
   formula::QuestionOnLines question;
   double step;
 
-  AskedOnLines(const World::Data& data, const Formula& text)
+  AskedOnLines(const World::Data& data, const Formula& text, const std::vector<int>& axes)
       : world(*data.space("a map on lines").world().rays),
         question(formula::question_on_lines(
-            world, [&]() -> const formula::SpaceSolver& { return *data.solid; }, data.formula(text.text()))),
+            world, [&]() -> const formula::SpaceSolver& { return *data.solid; }, data.formula(text.text()), axes)),
         step(data.grid.step_size()) {}
   space::RayGrid grid(const Lines& lines) const {
     return space::ray_grid(question.window.low, question.window.high, static_cast<int>(lines.axis), lines.count);
@@ -83,7 +83,7 @@ LineMap api::line_map(const space::RaySource& rays, const formula::RayWindow& wi
 
 LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
-    const AskedOnLines asked(*data_, formula);
+    const AskedOnLines asked(*data_, formula, {static_cast<int>(lines.axis)});
     const formula::RegionOnLines source = asked.on(asked.question.levels.formula, asked.grid(lines));
     LineMap out = api::line_map(*source.rays, asked.question.window, asked.step);
     out.exact = formula::both(asked.question.levels.side, source.side) == formula::Side::kExact;
@@ -94,7 +94,7 @@ LineMap World::on_lines(const Formula& formula, const Lines& lines) const {
 
 VolumeBounds World::volume(const Formula& formula, const Lines& lines) const {
   return api::limited(data_->options, [&] {
-    const AskedOnLines asked(*data_, formula);
+    const AskedOnLines asked(*data_, formula, {static_cast<int>(lines.axis)});
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     if (asked.question.unbounded) return VolumeBounds{kInfinite, kInfinite};
     const space::RayGrid grid = asked.grid(lines);
@@ -106,7 +106,7 @@ VolumeBounds World::volume(const Formula& formula, const Lines& lines) const {
 
 Surface World::surface(const Formula& formula, int count) const {
   return api::limited(data_->options, [&] {
-    const AskedOnLines asked(*data_, formula);
+    const AskedOnLines asked(*data_, formula, {0, 1, 2});
     const space::RayLattice lattice = space::ray_lattice(asked.question.window.low, asked.question.window.high, count);
     const auto source = [&](int axis) { return asked.on(asked.question.levels.formula, lattice.grid(axis)).rays; };
     const space::RaySurface found = space::ray_surface(lattice, source, [](std::int8_t sign) { return sign <= 0; });

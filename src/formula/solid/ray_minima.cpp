@@ -3,6 +3,8 @@
 #include "formula/solid/ray_minima.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "distance/rays/ray_directional_least.h"
 #include "formula/language/evaluate.h"
@@ -35,7 +37,7 @@ RegionOnLines QuestionOnLines::on(const RayWorld& world, const Formula& asked, c
 }
 
 QuestionOnLines question_on_lines(const RayWorld& world, const std::function<const SpaceSolver&()>& solver,
-                                  const Formula& formula) {
+                                  const Formula& formula, const std::vector<int>& axes) {
   QuestionOnLines out{{formula, {}, Side::kExact}, {}};
   if (has_minima(formula)) out.levels = minima_as_levels(solver(), formula);
   const Formula& asked = out.levels.formula;
@@ -43,8 +45,13 @@ QuestionOnLines question_on_lines(const RayWorld& world, const std::function<con
   out.unbounded = holds_far_away(world, asked);
   const bool alone = asked.atoms().size() == 1 && !out.levels.minima.empty();
   out.somewhere = alone && out.levels.minima[0].least && is_taken(*out.levels.minima[0].least);
-  const space::Point low = out.window.low;
-  if (alone && !try_ray_region(world, asked, {2, 1, low.x, low.y, 1, 1, 1, 1})) {
+  const auto has_map = [&](int axis) {
+    const space::Point& low = out.window.low;
+    const std::array<std::int64_t, 3> at{low.x, low.y, low.z};
+    const auto k = std::size_t(axis);
+    return bool(try_ray_region(world, asked, {axis, 1, at[(k + 1) % 3], at[(k + 2) % 3], 1, 1, 1, 1}));
+  };
+  if (alone && !std::all_of(axes.begin(), axes.end(), has_map)) {
     out.one_position = true;
     out.levels.side = Side::kInner;
   }

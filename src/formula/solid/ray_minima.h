@@ -39,14 +39,14 @@ struct QuestionOnLines {
   bool unbounded = false;  // the set goes on beyond it
   /// The formula is one `-> min` with a least value: some position is known, whatever the lines meet.
   bool somewhere = false;
-  /// And that is all that is known, or there is none: its set has no map on lines.
+  /// And that is all that is known, or there is none: its set has no map on lines along one of the axes.
   bool one_position = false;
 
   /// The formula, or another one of the same atoms at other levels, on these lines.
   RegionOnLines on(const RayWorld& world, const Formula& asked, const space::RayGrid& grid) const;
 };
-/// `solver` is called where there are least values.
+/// `solver` is called where there are least values. `axes`: along which the lines run.
 QuestionOnLines question_on_lines(const RayWorld& world, const std::function<const SpaceSolver&()>& solver,
-                                  const Formula& formula);
+                                  const Formula& formula, const std::vector<int>& axes);
 
 }  // namespace findspace::formula

@@ -127,7 +127,7 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   if (*rays) return rays;
   return no_map(map,
                 "of shapes that round ones are cut out of only gap at levels from 0 on and reach are computed along "
-                "a direction that is not the lines'");
+                "a direction that is not the lines' (--resolution N --axis z takes lines along z alone)");
 }
 
 /// Whether the direction is that of the lines, or the opposite one.

@@ -95,7 +95,8 @@ void RaysQuestion::ask(const formula::Formula& where, const RayChoice& choice) {
     asked.stage("looking for least values");
     return solver.emplace(space_world(asked));
   };
-  question = formula::question_on_lines(world, least, where);
+  question = formula::question_on_lines(world, least, where,
+                                        choice.lines.axes ? std::vector<int>{0, 1, 2} : std::vector{choice.lines.axis});
   formula = question.levels.formula;
   set.title = fmt::format("Positions of {}", fmt::join(asked.scene().moving, ", "));
   set.subtitle = asked.scene().where.text;
