@@ -26,6 +26,12 @@ exact::Real steps_of(const char* rule, const std::string& length, const ReadCont
   }
 }
 
+/// As it is written, with the scene's unit where it has none of its own: rounded, it might look like the least one.
+std::string stated_length(const std::string& length, std::optional<Unit> unit) {
+  const bool plain = scan_number(length) == length.size();
+  return plain && unit ? fmt::format("{} {}", length, formula::name(*unit)) : length;
+}
+
 /// Rounded down.
 std::int64_t whole_steps_of(const char* rule, const std::string& length, const ReadContext& context) {
   const exact::Real steps = steps_of(rule, length, context);
@@ -66,9 +72,9 @@ void ReadContext::use(const DrawingRules& rules) {
   if (rules.repair) drawing.repair.width = whole_steps_of("repair", *rules.repair, *this);
   if (rules.close_holes) drawing.repair.hole = whole_steps_of("close_holes", *rules.close_holes, *this);
   if (drawing.tolerance < plane::kLeastBound)
-    throw Error(ErrorCode::kBadValue, fmt::format("a tolerance of {} is too small; at least {} is needed, so give the "
-                                                  "scene a finer \"grid\"",
-                                                  length_text(drawing.tolerance), length_text(plane::kLeastBound)));
+    throw Error(ErrorCode::kBadValue,
+                fmt::format("a tolerance of {} is too small; at least {} is needed, so give the scene a finer \"grid\"",
+                            stated_length(*rules.tolerance, unit), length_text(plane::kLeastBound)));
 }
 
 std::string ReadContext::length_text(double steps) const {
