@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{SHAPE("{\"box\": {\"min\": [0,0], \"max\": [1,0]}}"), "must be less than \"max\""},
         Refused{SHAPE("{\"points\": []}"), "an empty list"},
         Refused{SHAPE("{\"polyline\": [[0,0],[0,0]]}"), "two different points"},
-        Refused{SHAPE("{\"union\": []}"), "needs at least 1 shapes"},
+        Refused{SHAPE("{\"union\": []}"), "needs at least 1 shape"},
         Refused{SHAPE("{\"difference\": [\"a\"]}"), "needs at least 2"},
         Refused{SHAPE("{\"minkowski_sum\": [\"a\",\"a\",\"a\"]}"), "exactly 2"},
         Refused{SHAPE("{\"union\": \"a\"}"), "must be a list"},

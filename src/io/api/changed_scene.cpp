@@ -116,8 +116,8 @@ Scene rotated_scene(Scene scene, const Rotation::Data& given) {
     shape = std::make_shared<const plane::Shape>(std::move(turned));
   }
   if (rounding.points > 0)
-    scene.notes.push_back(fmt::format("{} points were put on the grid, moved by at most {:.2g} {}", rounding.points,
-                                      rounding.largest * scene.grid.step_size(),
+    scene.notes.push_back(fmt::format("{} points were put on the grid, moved by at most {:.2g}{}{}", rounding.points,
+                                      rounding.largest * scene.grid.step_size(), scene.unit ? " " : "",
                                       scene.unit ? formula::name(*scene.unit) : ""));
   return scene;
 }

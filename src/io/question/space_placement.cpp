@@ -30,8 +30,9 @@ plane::ShapePtr turned_solid(const AskedScene& asked, const planning::RotatedSha
   plane::Shape out = *space::rotated(*asked.scene().shape(t.shape), t.turn.in_space(), rounding);
   out.name = t.name;
   if (rounding.points > 0)
-    asked.note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g} {}", t.name,
-                           rounding.points, rounding.largest * asked.scene().grid.step_size(), asked.unit()));
+    asked.note(fmt::format("shape '{}': {} points were put on the grid, moved by at most {:.2g}{}{}", t.name,
+                           rounding.points, rounding.largest * asked.scene().grid.step_size(),
+                           asked.unit().empty() ? "" : " ", asked.unit()));
   return std::make_shared<const plane::Shape>(std::move(out));
 }
 

@@ -26,8 +26,10 @@ ShapePtr build_several(ShapeReader& reader, const JsonValue& object, const JsonV
   json.expect(value, JsonValue::Kind::kArray, fmt::format("\"{}\"", object.keys()[0]), label);
   if (value.size() < least || value.size() > most) {
     std::string many = least == most ? fmt::format("exactly {}", least) : fmt::format("at least {}", least);
-    json.fail(ErrorCode::kBadValue, fmt::format("\"{}\" needs {} shapes, not {}", object.keys()[0], many, value.size()),
-              label, value);
+    json.fail(
+        ErrorCode::kBadValue,
+        fmt::format("\"{}\" needs {} shape{}, not {}", object.keys()[0], many, least == 1 ? "" : "s", value.size()),
+        label, value);
   }
   Shape shape = reader.node(kind, label, object);
   shape.children.reserve(value.size());
@@ -72,9 +74,9 @@ ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape
     rotated.name.clear();
     rotated.place = json.place(label, object);
     if (rounding.points > 0) {
-      reader.context().notes.push_back(
-          fmt::format("{}: {} rotated points were put on the grid, moved by at most {:.2g}", label.text(),
-                      rounding.points, rounding.largest * reader.context().grid.step_size()));
+      reader.context().notes.push_back(fmt::format("{}: {} rotated points were put on the grid, moved by at most {}",
+                                                   label.text(), rounding.points,
+                                                   reader.context().length_text(rounding.largest)));
     }
     return share(std::move(rotated));
   });

@@ -30,8 +30,8 @@ std::vector<plane::Region> regions_of(const Scene& scene, const std::vector<plan
 }
 
 std::string rotated_note(const Scene& scene, const std::string& name, std::size_t points, double largest) {
-  return fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g} {}", name, points,
-                     largest, scene.unit ? formula::name(*scene.unit) : "");
+  return fmt::format("shape '{}': {} rotated points were put on the grid, moved by at most {:.2g}{}{}", name, points,
+                     largest, scene.unit ? " " : "", scene.unit ? formula::name(*scene.unit) : "");
 }
 
 }  // namespace findspace::io

@@ -134,7 +134,8 @@ ShapePtr build_height_field(ShapeReader& reader, const JsonValue& object, const 
     if (j == 0) frame.columns = row.size();
     if (row.size() != frame.columns)
       json.fail(ErrorCode::kBadValue,
-                fmt::format("a row of {} heights, and the first has {}", row.size(), frame.columns),
+                fmt::format("a row of {} height{}, and the first has {}", row.size(), row.size() == 1 ? "" : "s",
+                            frame.columns),
                 label.part("row", j), row);
   }
   ReadContext& context = reader.context();
