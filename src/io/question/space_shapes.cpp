@@ -11,6 +11,7 @@
 
 #include "formula/solid/faults.h"
 #include "formula/solid/solve_rays.h"
+#include "io/question/ray_map.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::io {
@@ -69,16 +70,14 @@ bool drawn_by_members(const AskedScene& asked, const std::string& name) {
 
 namespace {
 
-/// What is drawn of a shape: its body, or all sets that a cut solid is made of and that are cut out of it.
-std::shared_ptr<const space::Body> drawn_body(const formula::SpaceShape& shape) {
-  if (!shape.cut) return shape.body.pointer();
-  space::Body all;
-  all.scale = shape.cut->scale;
-  for (const space::CsgPart& part : shape.cut->parts) {
-    all.parts.insert(all.parts.end(), part.within.begin(), part.within.end());
-    all.parts.insert(all.parts.end(), part.without.begin(), part.without.end());
-  }
-  return std::make_shared<const space::Body>(std::move(all));
+/// The surface of a solid that round ones are cut out of, as lines give it: in the scene's unit, moved.
+std::shared_ptr<const DrawnSurface> cut_surface(const plane::Shape& shape, double step, const space::Place3& by) {
+  constexpr int kLines = 48;
+  const Surface found = surface_on_lines(shape, kLines, step);
+  auto out = std::make_shared<DrawnSurface>();
+  for (const auto& v : found.vertices) out->vertices.push_back({v[0] + by[0], v[1] + by[1], v[2] + by[2]});
+  for (const auto& f : found.faces) out->faces.emplace_back(f.begin(), f.end());
+  return out;
 }
 
 }  // namespace
@@ -94,9 +93,15 @@ KeptBodies add_bodies(BodiesPicture& picture, const AskedScene& asked, const for
       BodiesPicture::Drawn drawn{name};
       if (shape.surfaces) {
         drawn.solids = shape.surfaces.get();  // its convex parts may be many
+      } else if (shape.cut) {
+        const auto surface = cut_surface(*asked.scene().shape(name), asked.scene().grid.step_size(),
+                                         moving ? *moving_at : space::Place3{});
+        drawn.surface = surface.get();
+        kept.push_back(surface);
       } else {
-        kept.push_back(drawn_body(shape));
-        drawn.body = kept.back().get();
+        const std::shared_ptr<const space::Body> body = shape.body.pointer();
+        drawn.body = body.get();
+        kept.push_back(body);
       }
       if (moving) {
         drawn.role = BodiesPicture::Role::kMoving;
@@ -111,9 +116,9 @@ KeptBodies add_bodies(BodiesPicture& picture, const AskedScene& asked, const for
 void note_rounding(const AskedScene& asked, const std::string& name, const formula::SpaceShape& shape) {
   const auto note = [&](const auto& made) {
     if (made.rounded == 0) return;
-    asked.note(
-        fmt::format("shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g} {}",
-                    name, made.rounded, made.moved * asked.scene().grid.step_size(), asked.unit()));
+    asked.note(fmt::format(
+        "shape '{}': {} vertices of its convex parts were put on the grid, moved by at most {:.2g}{}{}", name,
+        made.rounded, made.moved * asked.scene().grid.step_size(), asked.unit().empty() ? "" : " ", asked.unit()));
   };
   if (shape.body.made()) note(*shape.body);
   if (shape.cut) note(*shape.cut);

@@ -29,7 +29,7 @@ formula::RayWorld ray_world(const AskedScene& asked);
 bool drawn_by_members(const AskedScene& asked, const std::string& name);
 /// The bodies of the scene for a picture, which lives no longer than what is returned; the moving ones at a place, or
 /// not at all.
-using KeptBodies = std::vector<std::shared_ptr<const space::Body>>;
+using KeptBodies = std::vector<std::shared_ptr<const void>>;
 KeptBodies add_bodies(BodiesPicture& picture, const AskedScene& asked, const formula::SpaceWorld& world,
                       const std::optional<space::Place3>& moving_at);
 /// Says what was rounded to make the parts of a body, if it has been made.
