@@ -177,6 +177,9 @@ TEST_F(Program, CheckInSpaceKnowsTheNearestWithAGap) {
   EXPECT_EQ(nearest(R"({"box": {"min": [-2, -2, -2], "max": [2, 2, 2]}})", "gap(B, A) >= 1"), expected);
   EXPECT_EQ(nearest(R"({"ball": {"center": [0, 0, 0], "radius": 2}})", "gap(B, A) >= 1"), expected);
   EXPECT_EQ(nearest(R"({"ball": {"center": [0, 0, 0], "radius": 2}})", "gap(B, A) > 1").at("attained"), false);
+  EXPECT_EQ(nearest(R"({"ball": {"center": [0, 0, 0], "radius": 2}})", "distance(B, A) >= 1"), expected);
+  EXPECT_EQ(nearest(R"({"box": {"min": [-2, -2, -2], "max": [2, 2, 2]}})", "depth(B, A) <= 1"),
+            json::parse(R"({"at": [-1, 2, 3], "distance": 2, "attained": true})"));
 }
 
 TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {
@@ -369,6 +372,20 @@ TEST_F(Program, PictureAtAnInstant) {
   EXPECT_TRUE(words(standing).contains("463.456"));                               // a corner of A
   const std::set<std::string> whole = words(standing), same = words(at_instant);  // that has no dimension lines
   EXPECT_TRUE(std::includes(whole.begin(), whole.end(), same.begin(), same.end())) << at_instant << standing;
+}
+
+/// A bowl as it is, by a mesh, and not as a block and the ball that is cut out of it.
+TEST_F(Program, CutSolidsAreDrawnByTheirSurface) {
+  const Result r = run("check scene.json --at 20,20,11 -o bowl.svg", R"json({"findspace": 1, "shapes": {
+    "bowl": {"difference": [{"box": {"min": [0, 0, 0], "max": [40, 40, 20]}},
+                            {"interior": {"ball": {"center": [20, 20, 22], "radius": 15}}}]},
+    "cube": {"box": {"min": [-2, -2, 0], "max": [2, 2, 4]}}}, "moving": "cube", "where": "gap(cube, bowl) >= 1"})json");
+  EXPECT_EQ(r.status, 0) << r.err;
+  const std::string svg = read("bowl.svg");
+  std::size_t faces = 0;
+  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++faces;
+  EXPECT_GT(faces, 1000u);  // six of the block
+  EXPECT_TRUE(contains(svg, ">cube<"));
 }
 
 /// What is placed in space is drawn among what stands, round shapes too, with a line for each.

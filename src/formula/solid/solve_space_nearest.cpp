@@ -61,9 +61,24 @@ std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Fo
   return nearest_by_contact(asked, formula, distance::coordinates(p));
 }
 
+/// With `gap` in place of `distance` and `depth` at levels above 0: there they say the same, and contacts tell more.
+Formula by_gaps(const Formula& formula) {
+  std::vector<Atom> atoms = formula.atoms();
+  for (Atom& a : atoms) {
+    const bool depth = a.distance.kind == Kind::kPenetration;
+    if (a.minimum || !a.more.empty() || a.level.sign() <= 0 || (!depth && a.distance.kind != Kind::kD1)) continue;
+    a.distance.kind = Kind::kGamma1;
+    if (!depth) continue;
+    a.level = -a.level;
+    a.relation = mirrored(a.relation);
+  }
+  return Formula(formula.root(), std::move(atoms));
+}
+
 }  // namespace
 
-TriedNearest nearest_feasible(const SpaceSolver& solver, const Formula& formula, const RealVector& p) {
+TriedNearest nearest_feasible(const SpaceSolver& solver, const Formula& asked, const RealVector& p) {
+  const Formula formula = by_gaps(asked);
   const exact::Refusal not_computed(
       "the region is neither made of boxes nor a convex polytope, and the contacts near the position do not decide");
   const exact::Real& step = solver.world().step;
