@@ -131,7 +131,7 @@ constexpr std::array<Sign, 15> kSigns{{
 }};
 
 // What programmers and mathematicians write instead.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kForeign{{{"==", "="},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kForeign{{{"==", "="},
                                                                                   {"=<", "<="},
                                                                                   {"=>", ">="},
                                                                                   {"<>", "!="},
@@ -141,7 +141,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kForeign
                                                                                   {"|", "or"},
                                                                                   {"°", "deg"},
                                                                                   {"!", "not"},
-                                                                                  {"∪", "+"}}};
+                                                                                  {"∪", "+"},
+                                                                                  {"“", "\""},
+                                                                                  {"”", "\""},
+                                                                                  {"„", "\""},
+                                                                                  {"‘", "'"},
+                                                                                  {"’", "'"}}};
 
 /// The mark that is always a token of its own; kFault if it is none.
 K mark(char c) {

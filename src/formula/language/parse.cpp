@@ -172,6 +172,10 @@ class Grammar {
       if (!cursor_.accept_word("min")) cursor_.fail_syntax("only 'min' may follow '->', found {}", cursor_.found());
       return left.term ? minimum(*left.term) : minimum(left);
     }
+    if (cursor_.at(K::kTimes) || cursor_.at(K::kOver))
+      cursor_.fail_syntax(
+          "numbers stand before the distance that they multiply, such as 1/2 * gap(B, A); distances are not multiplied "
+          "with each other");
     if (!cursor_.at(K::kRelation)) {
       const std::string example = left.term ? written(left.term->distance) : "gap(B, A) + gap(B, C)";
       cursor_.fail(ErrorCode::kSyntax, left.span, "a distance is a number, not a condition; compare it, e.g. {} >= 0",
