@@ -486,6 +486,15 @@ def test_limits_that_are_no_limits(world):
         fs.Scene.file("")
 
 
+def test_mistakes_name_what_is_meant():
+    scene = fs.Scene.json("""{"findspace": 1, "shapes": {"A": {"box": {"min": [0, 0], "max": [9, 9]}},
+        "B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B", "where": "gap(B, A) >= 1"}""")
+    with pytest.raises(fs.Error, match="apply: inside is none of interior, closure"):
+        scene.map(apply="inside")
+    with pytest.raises(fs.Error, match="1 shape at least, not 0"):
+        fs.Shape.intersect([])
+
+
 def test_more_threads_than_cores_are_quiet():
     asked = "import findspace as fs; print(fs.Shape.box((0, 0), (9, 9)).region.sample(9, threads=64).shape)"
     done = subprocess.run([sys.executable, "-c", asked], capture_output=True, text=True)

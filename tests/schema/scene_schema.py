@@ -42,6 +42,7 @@ REASONS = {
     "a number beyond the limits": r"this is not JSON: the number is beyond|(\S+|an arc's radius) is more than "
                                   r"2\^40 grid steps|"
                                   r"a vertex is more than 2\^42 grid steps",
+    "a text that is no length": r"'.*' is not a length, such as",
     "a tolerance that the grid does not hold": r"a tolerance of \S+( \S+)? is too small; at least",
     "more work than is allowed": r".* costs more than the work limit",
     "a file that cannot be read": FILE,

@@ -165,7 +165,9 @@ Shape lone_points(const Points& points, const Grid& grid) {
 
 /// Of one dimension and on one grid.
 Shape combined(Tree::Kind kind, const std::vector<Shape>& shapes, std::size_t least) {
-  if (shapes.size() < least) throw Error(ErrorCode::kBadValue, fmt::format("{} shapes, not {}", least, shapes.size()));
+  if (shapes.size() < least)
+    throw Error(ErrorCode::kBadValue,
+                fmt::format("{} shape{} at least, not {}", least, least == 1 ? "" : "s", shapes.size()));
   plane::Grid grid = shapes[0].data().grid;
   for (const Shape& s : shapes) {
     if (s.dimension() != shapes[0].dimension())

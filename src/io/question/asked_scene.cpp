@@ -74,14 +74,20 @@ void AskedScene::require_positions_in_space(bool line, bool poses) const {
   if (scene_->motion.given()) refuse("a scene with \"motion\"");
   using Kind = Free::Kind;
   if (scene_->free.kind != Kind::kPosition && !(poses && scene_->free.kind == Kind::kPose) &&
-      !(line && scene_->free.kind == Kind::kLine))
-    refuse("this kind of \"free\"");
+      !(line && scene_->free.kind == Kind::kLine)) {
+    const bool angle = scene_->free.kind == Kind::kAngle;
+    refuse(angle ? "\"free\": \"angle\", which \"pose\" with a list of \"angles\" asks one by one,"
+                 : "this kind of \"free\"");
+  }
   require_moving();
 }
 
 void AskedScene::require_moving() const {
   if (scene_->moving.empty())
-    throw Error(ErrorCode::kBadValue, "the scene does not say which shape is \"moving\"", scene_->file);
+    throw Error(ErrorCode::kBadValue,
+                scene_->board ? "nothing says which parts move: --move names them"
+                              : "the scene does not say which shape is \"moving\"",
+                scene_->file);
 }
 
 void AskedScene::require_question() const {

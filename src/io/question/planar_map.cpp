@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "io/question/planar_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "api/values/region_data.h"
@@ -23,7 +25,9 @@ plane::Region applied(plane::Region region, const std::string& operation) {
   if (operation == "boundary") return plane::boundary(std::move(region));
   if (operation == "regularize") return plane::regularize(std::move(region));
   if (operation == "complement") return plane::complement(std::move(region));
-  return region;
+  if (operation.empty()) return region;
+  throw Error(ErrorCode::kBadValue,
+              fmt::format("apply: {} is none of interior, closure, boundary, regularize and complement", operation));
 }
 
 formula::PlanarLine line_of(const Free& free) {

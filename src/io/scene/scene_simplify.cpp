@@ -9,6 +9,7 @@
 
 #include "findspace/error.h"
 #include "io/scene/scene_curves.h"
+#include "io/text/drawing_rules.h"
 #include "io/text/outline_shapes.h"
 
 namespace findspace::io {
@@ -102,6 +103,7 @@ ShapePtr build_simplify(ShapeReader& reader, const JsonValue& object, const Json
   const RulesBeside rules(reader, object, label);
   if (!value.is(JsonValue::Kind::kNumber) && !value.is(JsonValue::Kind::kString))
     json.fail(ErrorCode::kBadValue, "\"simplify\" is a length: a number, or a text such as \"0.01mm\"", label, value);
+  json.placed(label.part("simplify"), value, [&] { parse_length(value.text(), context.unit); });
   return json.placed(label, value, [&] {
     DrawingRules own = read_drawing_rules(json, object, label).over(context.scene_rules);
     own = context.options.drawings.over(own);
