@@ -78,8 +78,8 @@ std::string progress_text(const PackProgress& state, std::string_view size) {
 
 std::string verdict_text(std::size_t items, const LayoutSize& size, const PackVerdict& verdict) {
   std::string text =
-      fmt::format("{}  {} items, {} {}, density {:.4f} %\n", verdict.feasible() ? "feasible" : "not feasible", items,
-                  size.word, size.value.text(), 100 * verdict.density);
+      fmt::format("{}  {} item{}, {} {}, density {:.4f} %\n", verdict.feasible() ? "feasible" : "not feasible", items,
+                  items == 1 ? "" : "s", size.word, size.value.text(), 100 * verdict.density);
   for (std::size_t i = 0; i < std::min(kFaultsShown, verdict.faults.size()); ++i)
     text += "  " + verdict.faults[i].text + "\n";
   if (verdict.faults.size() > kFaultsShown)

@@ -127,6 +127,16 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
   return result;
 }
 
+/// Without the line and column of the problem that was made of drawings: nobody wrote that.
+Error without_made_place(const Error& e, const std::string& name) {
+  std::string place = e.place();
+  const std::size_t from = place.find(fmt::format(" ({}:", name)), to = place.find(')', from);
+  if (from == std::string::npos || to == std::string::npos) return e;
+  Error out(e.code(), e.message(), place.erase(from, to + 1 - from));
+  for (const auto& [x, y] : e.geometry()) out.at(x, y);
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> files_among(const std::vector<std::string>& words) {
@@ -153,7 +163,12 @@ Packing stated_packing(const StatedProblem& stated, const Options& options) {
     asked.read.files = true;  // those that are named
     asked.read.root.clear();
   }
-  return Packing::json(stated.text, asked);
+  try {
+    return Packing::json(stated.text, asked);
+  } catch (const Error& e) {
+    if (!stated.drawn) throw;
+    throw without_made_place(e, stated.name);
+  }
 }
 
 SolidPacking stated_solids(const StatedProblem& stated, const Options& options) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace findspace::io {
 
 using packing::Fault;
@@ -28,6 +30,11 @@ std::string fault_text(const packing::Problem& problem, const packing::Layout& l
       return fmt::format("a condition of {} and {} does not hold, near ({:.6g}, {:.6g})", item(fault.first),
                          item(fault.second), fault.x, fault.y);
     case Fault::Kind::kOutside:
+      if (const std::size_t sheet = layout.items[fault.first].sheet,
+          count = std::max<std::size_t>(layout.sheets.size(), 1);
+          sheet >= count)
+        return fmt::format("{} stands on sheet {}, and there {} {}, counted from 0", item(fault.first), sheet,
+                           count == 1 ? "is" : "are", count);
       if (fault.depth <= 0)  // in a frame or a hole: no depth is measured
         return fmt::format("{} is outside the sheet or its edge, or in a hole of it", item(fault.first));
       return fmt::format("{} is outside the strip, the sheet or its edges by {:.3g}", item(fault.first), fault.depth);

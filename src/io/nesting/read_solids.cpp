@@ -321,6 +321,8 @@ class SolidReader : private NestingJson {
     } else {
       const Label label{nullptr, "item", id != nullptr ? id->text() : std::string_view()};
       shapes_.push_back(shapes.shape(*shape, label));
+      if (shapes.dimension() == 2)
+        fail(*shape, fmt::format("this is a shape of the plane: {} needs one of space", label.text()));
       result.name = shape->is(Kind::kString) ? shape->text() : "";
     }
     if (id != nullptr) result.name = id->text();
@@ -425,7 +427,9 @@ class SolidReader : private NestingJson {
     try {
       packing::set_forms(part, *shapes_[k], rotations_[k]);
     } catch (const Error& e) {
-      throw e.within(fmt::format("item '{}' ({})", part.name, places_[k]));
+      const std::string item = fmt::format("item '{}'", part.name);
+      if (e.place().starts_with(item)) throw;
+      throw e.within(fmt::format("{} ({})", item, places_[k]));
     }
   }
 

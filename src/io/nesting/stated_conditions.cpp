@@ -93,7 +93,10 @@ std::vector<packing::PairCondition> conditions_of(const StatedConditions& stated
   for (const StatedGroup& group : stated.groups) {
     const std::optional<Fraction> within = group.within ? group.within : farthest;
     if (!within)
-      throw Error(ErrorCode::kBadValue, "a group says 'within' where there are no sheets or containers", place);
+      throw Error(
+          ErrorCode::kBadValue,
+          "a group needs 'within' here: its parts may stay on one sheet, or in one container, and there is none",
+          place);
     packing::add_conditions(result, group.parts, fmt::format("gap(self, other) <= {}", within->text()));
   }
   return result;

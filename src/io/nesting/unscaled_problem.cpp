@@ -57,13 +57,28 @@ bool has_conditions(const StatedConditions& stated) {
   return !stated.conditions.empty() || !stated.where.empty() || !stated.groups.empty();
 }
 
-packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) {
+/// An error of an outline whose points are grid steps, with them in units: in its words too.
+Error in_units(const Error& e, packing::int128 steps) {
+  std::vector<std::string> places;
+  for (const auto& [x, y] : e.geometry())
+    places.push_back(fmt::format("({:.6g}, {:.6g})", x / double(steps), y / double(steps)));
+  const std::string where = places.empty()       ? ""
+                            : places.size() == 1 ? " at " + places[0]
+                                                 : ": its edges from " + places[0] + " and from " + places[1];
+  Error out(e.code(), e.message() + where, e.place());
+  for (const auto& [x, y] : e.geometry()) out.at(x / double(steps), y / double(steps));
+  return out;
+}
+
+packing::Polygon on_steps(const std::vector<UnscaledRing>& rings, packing::int128 steps, const std::string& place) try {
   std::vector<packing::Ring> result;
   for (const UnscaledRing& ring : rings) {
     packing::Ring& out = result.emplace_back();
     for (const auto& [x, y] : ring) out.push_back({x.over(steps), y.over(steps)});
   }
   return packing::make_polygon(std::move(result), place);
+} catch (const Error& e) {
+  throw in_units(e, steps);
 }
 
 /// The outline and each hole as polygons.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "packing/problem/pair_formula.h"
 
@@ -47,6 +48,22 @@ bool fits_somewhere(const Problem& problem, const LatticeBox& box) {
     return sheet.count > 0 && width <= Fraction(room.high.x, steps) && height <= Fraction(room.high.y, steps);
   };
   return std::any_of(problem.sheets.begin(), problem.sheets.end(), fits);
+}
+
+/// No allowed angle makes the part low enough for the strip.
+[[noreturn]] void fail_high(const Problem& problem, const Part& part) {
+  std::optional<Fraction> least;
+  for (const bool mirrored : {false, true})
+    for (const Fraction& angle : part.angles) {
+      if (mirrored && !part.mirrored) continue;
+      const LatticeBox box = box_of(part, angle, mirrored);
+      const Fraction height(box.high.y - box.low.y, problem.steps());
+      least = least ? std::min(*least, height) : height;
+    }
+  throw Error(ErrorCode::kBadValue,
+              fmt::format("part '{}' is higher than the strip: {:.6g} at its lowest allowed angle, and the strip has "
+                          "{:.6g} between its edges",
+                          part.name, least->to_double(), (problem.height - problem.edge - problem.edge).to_double()));
 }
 
 /// The rings as a set, from the lowest corner on: the same for parts that are translates of one another.
@@ -95,8 +112,7 @@ void FieldTable::add_variants(const Problem& problem, std::size_t number) {
       of_part_[number].push_back(variants_.size());
       variants_.push_back(std::move(variant));
     }
-  if (of_part_[number].empty() && !problem.on_sheets())
-    throw Error(ErrorCode::kBadValue, fmt::format("part '{}' is higher than the strip", part.name));
+  if (of_part_[number].empty() && !problem.on_sheets()) fail_high(problem, part);
 }
 
 void FieldTable::add_obstacles(const Problem& problem) {

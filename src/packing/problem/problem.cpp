@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "packing/problem/round_part.h"
@@ -76,15 +77,21 @@ bool edges_meet(const LatticePoint& a, const LatticePoint& b, const LatticePoint
          (u == 0 && exact::is_between(c, d, a)) || (v == 0 && exact::is_between(c, d, b));
 }
 
+/// The points of the error are grid steps: one corner, or where two edges start.
 void check_simple(const Ring& ring, const std::string& place) {
   const std::size_t n = ring.size();
-  const auto fail = [&](const char* why) { throw Error(ErrorCode::kGeometry, why, place); };
-  if (n < 3) fail("an outline has fewer than three corners");
+  const auto fail = [&](const char* why, std::initializer_list<LatticePoint> corners) {
+    Error error(ErrorCode::kGeometry, why, place);
+    for (const LatticePoint& p : corners) error.at(double(p.x), double(p.y));
+    throw error;
+  };
+  if (n < 3) fail("an outline has fewer than three corners", {});
   for (std::size_t i = 0; i < n; ++i) {
-    if (exact::turn_sign(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) == 0) fail("an outline turns back on itself");
+    const LatticePoint& corner = ring[(i + 1) % n];
+    if (exact::turn_sign(ring[i], corner, ring[(i + 2) % n]) == 0) fail("an outline turns back on itself", {corner});
     for (std::size_t j = i + 2; j < n; ++j)
       if ((j + 1) % n != i && edges_meet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]))
-        fail("an outline meets itself");
+        fail("an outline meets itself", {ring[i], ring[j]});
   }
 }
 
