@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 
+#include "findspace/error.h"
 #include "findspace/text.h"
+#include "findspace/vocabulary.h"
 
 namespace findspace::app {
 namespace {
@@ -134,7 +136,13 @@ std::string name_of(const JsonValue& parameters) { return text(parameters, "scen
 
 Number number_of(const JsonValue& item, std::string_view key) {
   if (!item.is(JsonKind::kNumber) && !item.is(JsonKind::kString)) refuse(fmt::format("\"{}\" wants numbers", key));
-  return item.text;
+  Number out = item.text;
+  try {
+    out.value();
+  } catch (const Error& e) {
+    refuse(fmt::format("\"{}\": {}", key, e.message()));
+  }
+  return out;
 }
 
 std::optional<Number> number(const JsonValue& parameters, std::string_view key) {
@@ -144,7 +152,10 @@ std::optional<Number> number(const JsonValue& parameters, std::string_view key) 
 
 double double_of(const JsonValue& parameters, std::string_view key, double otherwise) {
   const JsonValue* value = find(parameters, key, JsonKind::kNumber, "a number");
-  return value == nullptr ? otherwise : Number(value->text).value();
+  if (value == nullptr) return otherwise;
+  const double given = Number(value->text).value();
+  if (given < 0) refuse(fmt::format("\"{}\" is a number from 0 on", key));
+  return given;
 }
 
 std::uint64_t whole(const JsonValue& parameters, std::string_view key, std::uint64_t otherwise) {
@@ -243,7 +254,10 @@ std::string map(SceneStore& store, const JsonValue& parameters) {
     refuse("\"apply\" is one of interior, closure, boundary, regularize, complement");
   query.angle = number(parameters, "angle");
   constexpr std::uint64_t kMostLines = 1024;
-  query.resolution = static_cast<int>(std::min(whole(parameters, "resolution", 0), kMostLines));
+  const std::uint64_t lines = whole(parameters, "resolution", 0);
+  if (parameters.find("resolution") != nullptr && (lines < 1 || lines > kMostLines))
+    refuse(fmt::format("\"resolution\" is a whole number from 1 to {}", kMostLines));
+  query.resolution = static_cast<int>(lines);
   return store.scene(name_of(parameters)).map_json(query);
 }
 
@@ -452,7 +466,13 @@ std::string run_method(SceneStore& store, std::string_view name, const JsonValue
     check_names(m, parameters);
     return m.run(store, parameters);
   }
-  throw RequestError{RequestError::kMethod, fmt::format("there is no method '{}'", name)};
+  std::vector<std::string> known;
+  for (const Method& m : methods()) known.emplace_back(m.name);
+  const std::string near = nearest_word(name, known);
+  throw RequestError{RequestError::kMethod,
+                     fmt::format("there is no method '{}'; {}", name,
+                                 near.empty() ? fmt::format("the methods are {}", fmt::join(known, ", "))
+                                              : fmt::format("did you mean '{}'?", near))};
 }
 
 }  // namespace findspace::app

@@ -26,6 +26,15 @@ bool is_problem(const std::filesystem::path& path, std::uint64_t most) {
   return (has("items") && !has("shapes")) || has("item-types");
 }
 
+/// Which names are loaded, or by which method one is.
+template <class Loads>
+std::string loaded_names(const Loads& loads, std::string_view method) {
+  if (loads.empty()) return fmt::format("'{}' comes first", method);
+  std::vector<std::string> names;
+  for (const auto& [name, load] : loads) names.push_back(fmt::format("'{}'", name));
+  return fmt::format("loaded: {}", fmt::join(names, ", "));
+}
+
 Scene read_scene(const Options& options) {
   Reporter reporter(true);
   return Session(options, reporter).scene().with(Scene::Listener());
@@ -53,14 +62,17 @@ SceneStore::SceneStore(const Options& options) : options_(options) {
 
 Loaded& SceneStore::scene(const std::string& name) {
   const auto found = scenes_.find(name);
-  if (found == scenes_.end()) throw RequestError{RequestError::kParams, fmt::format("no scene '{}' is loaded", name)};
+  if (found == scenes_.end())
+    throw RequestError{RequestError::kParams,
+                       fmt::format("no scene '{}' is loaded; {}", name, loaded_names(scenes_, "load"))};
   return *found->second;
 }
 
 PackingJob& SceneStore::packing(const std::string& name) {
   const auto found = packings_.find(name);
   if (found == packings_.end())
-    throw RequestError{RequestError::kParams, fmt::format("no packing '{}' is loaded", name)};
+    throw RequestError{RequestError::kParams,
+                       fmt::format("no packing '{}' is loaded; {}", name, loaded_names(packings_, "pack"))};
   return *found->second;
 }
 

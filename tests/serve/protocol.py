@@ -426,6 +426,28 @@ class Answers(unittest.TestCase):
         self.assertEqual(answers[0][1]["error"]["code"], -32601)
         self.assertEqual([a["error"]["code"] for a in answers[1:]], [-32700, -32600, -32600, -32600])
 
+    def test_mistakes_name_what_is_meant(self):
+        (none,), _ = serve([{"id": 1, "method": "check", "params": {"at": [1, 2]}}])
+        self.assertEqual(none["error"]["message"], "no scene 'scene' is loaded; 'load' comes first")
+        answers, _ = serve([
+            {"id": 3, "method": "chek"},
+            {"id": 4, "method": "frobnicate"},
+            {"id": 5, "method": "scene", "params": {"scene": "other"}},
+            {"id": 6, "method": "check", "params": {"at": ["a", 2]}},
+            {"id": 7, "method": "check", "params": {"at": [1, 2], "angle": "90deg"}},
+            {"id": 8, "method": "map", "params": {"resolution": 0}},
+            {"id": 9, "method": "map", "params": {"resolution": 5000}},
+            {"id": 10, "method": "place", "params": {"seconds": -1}},
+        ], PEG)
+        said = [a["error"]["message"] for a in answers]
+        self.assertEqual(said[0], "there is no method 'chek'; did you mean 'check'?")
+        self.assertIn("the methods are load, scene, copy", said[1])
+        self.assertEqual(said[2], "no scene 'other' is loaded; loaded: 'scene'")
+        self.assertEqual(said[3], "\"at\": \"a\" is not a decimal number")
+        self.assertEqual(said[4], "\"angle\": \"90deg\" is not a decimal number")
+        self.assertEqual(said[5:7], ["\"resolution\" is a whole number from 1 to 1024"] * 2)
+        self.assertEqual(said[7], "\"seconds\" is a number from 0 on")
+
     def test_files_lie_below_the_folder(self):
         for path in ("../README.md", "/etc/passwd", "../examples/../README.md"):
             self.assertEqual(ask("load", scene=PEG, path=path)["data"]["kind"], "file", path)
