@@ -139,7 +139,7 @@ class Batch {
     if (options_.json)
       return fmt::format("{{\"questions\": {}, \"before\": {}, \"seconds\": {:.3f}{}}}\n", jobs_.size(), before_,
                          seconds, text);
-    return fmt::format("{} questions in {:.3g} s{}: {}\n", jobs_.size(), seconds,
+    return fmt::format("{} question{} in {:.3g} s{}: {}\n", jobs_.size(), jobs_.size() == 1 ? "" : "s", seconds,
                        before_ > 0 ? fmt::format(" ({} were answered before)", before_) : "", text);
   }
 

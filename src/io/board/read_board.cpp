@@ -173,13 +173,16 @@ class BoardReader {
     const auto stand_in = count([](const Part& p) { return p.stands_in; });
     if (stand_in > 0)
       board_.notes.push_back(
-          fmt::format("{} of {} parts draw no closed courtyard: the box about their pads and body stands in", stand_in,
+          fmt::format("{} of {} parts without a closed courtyard: the box about pads and body stands in", stand_in,
                       board_.parts.size()));
     const auto joined = std::find_if(board_.parts.begin(), board_.parts.end(), [](const Part& p) { return p.joined; });
-    if (joined != board_.parts.end())
-      board_.notes.push_back(fmt::format("the courtyards of {} parts, the first {}: ends up to {} mm apart were joined",
-                                         count([](const Part& p) { return p.joined; }), joined->name,
+    if (joined != board_.parts.end()) {
+      const auto n = count([](const Part& p) { return p.joined; });
+      board_.notes.push_back(fmt::format("the {}: ends up to {} mm apart were joined",
+                                         n == 1 ? fmt::format("courtyard of {}", joined->name)
+                                                : fmt::format("courtyards of {} parts, the first {}", n, joined->name),
                                          show(double(kCourtyardGap) * context_.grid.step_size())));
+    }
     const auto drawings = count([](const Part& p) { return p.body == nullptr; });
     if (drawings > 0)
       board_.notes.push_back(fmt::format("{} footprints are drawings without pads or body: left out", drawings));
