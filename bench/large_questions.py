@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: findspace contributors
 """Large scenes asked at one position: `check` among 100,000 obstacles and about an outline of 1,000,000 vertices where
-the position is not feasible, so that the nearest feasible one is sought; a map within a container at that outline; and
-`measure` of a mesh of about 1,000,000 triangles, as a file and in the scene.
+the position is not feasible, so that the nearest feasible one is sought; `measure` where the moving part touches one of
+the obstacles from inside; a map within a container at that outline; and `measure` of a mesh of about 1,000,000
+triangles, as a file and in the scene.
 
 usage: bench/large_questions.py build/release/findspace [FOLDER for the scenes]
 
@@ -34,7 +35,8 @@ def obstacles(path, count):
              "moving": "B", "where": "gap(B, all) >= 2"}
     with open(path, "w", encoding="utf-8") as out:
         json.dump(scene, out)
-    return 5 * side, 5 * side
+    x, y = boxes[0]["box"]["min"]
+    return (5 * side, 5 * side), (x + 1, y + 2)
 
 
 def bumpy_ball(path, rows):
@@ -112,7 +114,7 @@ def main():
         for name in ("obstacles.json", "ball.stl", "ball.json", "outline.json", "corner.json", "torus.json"))
     # In another process: what this one takes counts for those that it starts.
     with concurrent.futures.ProcessPoolExecutor(1) as maker:
-        x, y = maker.submit(obstacles, scene, 100_000).result()
+        (x, y), (inner_x, inner_y) = maker.submit(obstacles, scene, 100_000).result()
         faces = maker.submit(bumpy_ball, mesh, 500).result()
         maker.submit(outline, ring, 1_000_000).result()
         maker.submit(outline, corner, 1_000_000, {"min": [862, -37], "max": [938, 37]}).result()
@@ -123,6 +125,7 @@ def main():
                               "B": {"box": {"min": [-2, -2, -2], "max": [2, 2, 2]}}}}, out)
     rows = [("describe, 100,000 obstacles", ["describe", scene, "all"]),
             ("check, not feasible, 100,000 obstacles", ["check", scene, "--at", f"{x},{y}"]),
+            ("measure, touching, 100,000 obstacles", ["measure", scene, "--at", f"{inner_x},{inner_y}"]),
             ("check, not feasible, an outline of 1,000,000 vertices", ["check", ring, "--at", "900,0"]),
             ("map in a container, an outline of 1,000,000 vertices", ["map", corner]),
             ("measure, an outline of 1,000,000 vertices", ["measure", ring, "--at", "900,0"]),

@@ -42,9 +42,11 @@ void set_rays(std::span<const GridCorner> corners, std::span<EdgeRay> rays) {
   EdgeRay* next = rays.data();
   for (Index k = start; k < n; ++k) *next++ = {diamond_angle(corners[k]), k};
   for (Index k = 0; k < start; ++k) *next++ = {diamond_angle(corners[k]), k};
-  // Many: nearly, and then exactly.
+  // Many: nearly, and then exactly. Thousands of edges of boxes have four directions.
   if (n > kFewRays)
-    std::sort(rays.begin(), rays.end(), [](const EdgeRay& p, const EdgeRay& q) { return p.angle < q.angle; });
+    std::sort(rays.begin(), rays.end(), [](const EdgeRay& p, const EdgeRay& q) {
+      return p.angle < q.angle || (!(q.angle < p.angle) && p.corner < q.corner);
+    });
   insert_all(rays.data(), rays.data() + n, [&](const EdgeRay& p, const EdgeRay& q) {
     const int order = compare(corners, p, corners, q);
     return order != 0 ? order < 0 : p.corner < q.corner;
