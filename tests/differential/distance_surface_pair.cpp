@@ -62,8 +62,7 @@ Given of_mesh(const space::Mesh& mesh) {
   auto set = std::make_shared<space::SurfaceSet>();
   set->add({space::RaySolid{triangles(mesh), {}, {}}}, 1);
   const bool convex = body.convex();
-  const auto outline = set->hull(1);
-  return {{set, outline, convex}, shared(std::move(body))};
+  return {{set, Outline::of(set, 1), convex}, shared(std::move(body))};
 }
 
 /// Over an L.

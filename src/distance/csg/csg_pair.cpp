@@ -11,6 +11,7 @@
 #include "distance/csg/csg_part.h"
 #include "distance/rays/ray_directional_least.h"
 #include "distance/search/solid_protrusion.h"
+#include "distance/solid/far_corners.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "space/body/body_boxes.h"

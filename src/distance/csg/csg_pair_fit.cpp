@@ -9,6 +9,7 @@
 #include "distance/csg/csg_pair.h"
 #include "distance/csg/csg_part.h"
 #include "distance/search/set_protrusion.h"
+#include "distance/solid/far_corners.h"
 #include "distance/solid/solid_least.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"

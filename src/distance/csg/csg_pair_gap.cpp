@@ -15,6 +15,7 @@
 #include "distance/csg/csg_pair.h"
 #include "distance/search/least_in_box.h"
 #include "distance/search/solid_protrusion.h"
+#include "distance/solid/far_corners.h"
 #include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"

@@ -13,6 +13,7 @@
 #include "distance/rays/ray_covers.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/solid_protrusion.h"
+#include "distance/solid/far_corners.h"
 #include "distance/solid/solid_pair.h"
 #include "space/body/position_covers.h"
 #include "space/body/union_frontier.h"

@@ -8,6 +8,7 @@
 #include "distance/search/convex_distance.h"
 #include "distance/search/least_in_box.h"
 #include "distance/search/round_solid.h"
+#include "distance/solid/far_corners.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
 #include "space/body/outside_cells.h"

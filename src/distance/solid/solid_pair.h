@@ -123,7 +123,4 @@ class SolidSide : public PairSide {
 /// to its end. `what`: why it is refused where nothing was found by then.
 TriedAnswer nearest_value(const space::RealVector& p, const space::NearestOutside& found, int sign, const char* what);
 
-/// max |v - w| + radii over two points of the body.
-exact::Real diameter(const space::Body& body);
-
 }  // namespace findspace::distance

@@ -6,10 +6,13 @@
 // lazy evaluation.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include "distance/solid/far_corners.h"
 #include "plane/base/lazy.h"
 #include "space/surface/surface_set.h"
 
@@ -34,6 +37,8 @@ class Outline {
   const Pointer& pointer() const { return later_ ? later_->made() : known_; }
   const space::Body& operator*() const { return *pointer(); }
   const space::Body* operator->() const { return pointer().get(); }
+  /// Points of the same hull. Those of a surface serve until they are asked for often: then the hull is made.
+  std::vector<Corners> corners() const { return later_ ? later_->corners() : corners_of(*known_); }
 
  private:
   class Later {
@@ -43,10 +48,19 @@ class Outline {
     const Pointer& made() const {
       return hull_.of([this] { return surface_->hull(scale_); });
     }
+    std::vector<Corners> corners() const {
+      constexpr int kOften = 100;
+      if (asked_ >= kOften) return corners_of(*made());
+      ++asked_;
+      std::vector<Corners> out;
+      for (const auto& sheet : surface_->sheets()) out.push_back({sheet->body.points, exact::Real()});
+      return out;
+    }
 
    private:
     std::shared_ptr<const space::SurfaceSet> surface_;
     std::int64_t scale_;
+    mutable std::atomic<int> asked_ = 0;
     plane::Lazy<Pointer> hull_;
   };
 

@@ -104,8 +104,18 @@ TriedAnswer SurfaceSide::gap(const RealVector& p, Depth depth) const {
   return this->depth(p);
 }
 
+std::optional<Answer> SurfaceSide::of_corners(Which which, const RealVector& p) const {
+  if (which == Which::kGamma2) return farthest_of_few(b_.outline.corners(), a_.outline.corners(), p);
+  if (which != Which::kMu || b_.convex || !a_.outline->convex()) return std::nullopt;
+  const space::BodyPart& a = a_.outline->parts[0];
+  const auto only = only_farthest(b_.outline.corners(), a, p);
+  if (!only) return std::nullopt;
+  return protrusion_of_convex(space::body_of_part(*only), a, p);
+}
+
 TriedAnswer SurfaceSide::of_outlines(Which which, const RealVector& p) const {
   if (!a_.outline || !b_.outline) return untold();
+  if (auto out = of_corners(which, p)) return out;
   return solid_pair(b_.outline.pointer(), a_.outline.pointer()).try_value(which, p);
 }
 

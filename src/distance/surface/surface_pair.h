@@ -63,6 +63,8 @@ class SurfaceSide : public PairSide {
   TriedAnswer to_fit(bool farthest, const space::RealVector& p) const;
   Answer protrusion_out(const space::RealVector& p) const;
   TriedAnswer of_outlines(Which which, const space::RealVector& p) const;
+  /// The same of their points, where these tell it: then no hull is made.
+  std::optional<Answer> of_corners(Which which, const space::RealVector& p) const;
   /// Whether the outlines tell how B fits, and whether boxes tell that it fits nowhere.
   bool by_outlines() const { return a_.convex && b_.outline; }
   bool too_large() const;
