@@ -40,5 +40,20 @@ TEST(Decimal, ReadsExactly) {
   EXPECT_THROW(Real::parse_decimal("1e-99999999999999999999999"), Error);
 }
 
+TEST(Decimal, GridIntegersAreTheNumbersOfSteps) {
+  const Real step = Real::ratio(1, 1000);
+  for (const char* text : {"0", "-0.0e7", "1.25", "-1.250000e+00", "+1.25e1", "125e-2", "12.345e2", "1e9", ".5E-2",
+                           "5.e0", "1234567890123.456e-4", "99999999999999999e-17", "0.001e00"}) {
+    const auto steps = grid_integer(text, step);
+    const auto wanted = (Real::parse_decimal(text) / step).integer();
+    ASSERT_EQ(steps.has_value(), wanted.has_value()) << text;
+    if (steps) EXPECT_TRUE(int128{*steps} == *wanted) << text;
+  }
+  for (const char* text : {"", ".", "e5", "1e", "1e+", "1e 5", "1e1.5", "1e5x", "1.2.3", "1,5", "0.0001", "1e10",
+                           "1e99", "1e-99", "1e100", "123456789012345678", "123456789012345678e-9", "1.2e-3"}) {
+    EXPECT_FALSE(grid_integer(text, step)) << text;
+  }
+}
+
 }  // namespace exact_real_decimal
 }  // namespace findspace::exact

@@ -98,8 +98,34 @@ Real Decimal::value() const {
   return detail::make_real(detail::quadratic_ratio(std::move(numerator), std::move(denominator)));
 }
 
+namespace {
+
+/// digits / below times 10 to what stands from the e on, in words; false where that does not fit.
+bool take_exponent(std::string_view text, std::int64_t& digits, std::int64_t& below) {
+  constexpr std::int64_t kMost = 100000000000000000;  // times 10 it is still a word
+  if (text[0] != 'e' && text[0] != 'E') return false;
+  text.remove_prefix(1);
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.empty() || text.size() > 2 || !std::all_of(text.begin(), text.end(), is_digit)) return false;
+  int exponent = 0;
+  for (const char c : text) exponent = exponent * 10 + (c - '0');
+  for (; exponent > 0; --exponent) {
+    std::int64_t& grows = negative ? below : digits;
+    if (!negative && below > 1)
+      below /= 10;
+    else if (grows > kMost)
+      return false;
+    else
+      grows *= 10;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step) {
-  constexpr std::size_t kMostDigits = 17;
+  constexpr std::ptrdiff_t kMostDigits = 17;
   const auto parts = step.fraction();
   if (!parts || (*parts)[0] <= 0 || (*parts)[0] > kMaxGridCoordinate || (*parts)[1] > kMaxGridCoordinate) {
     return std::nullopt;
@@ -107,20 +133,20 @@ std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step
   const char *at = text.data(), *const end = at + text.size();
   const bool negative = at != end && *at == '-';
   if (negative || (at != end && *at == '+')) ++at;
-  if (static_cast<std::size_t>(end - at) > kMostDigits + 1) return std::nullopt;
+  const char *const begin = at, *const last = at + std::min(end - at, kMostDigits + 1);
   std::int64_t digits = 0, below = 1;
-  const char* const begin = at;
-  for (; at != end && is_digit(*at); ++at) digits = digits * 10 + (*at - '0');
+  for (; at != last && is_digit(*at); ++at) digits = digits * 10 + (*at - '0');
   auto read = at - begin;
-  if (at != end && *at == '.') {
+  if (at != last && *at == '.') {
     const char* const point = at++;
-    for (; at != end && is_digit(*at); ++at) {
+    for (; at != last && is_digit(*at); ++at) {
       digits = digits * 10 + (*at - '0');
       below *= 10;
     }
     read += at - point - 1;
   }
-  if (at != end || read == 0 || read > static_cast<std::ptrdiff_t>(kMostDigits)) return std::nullopt;
+  if (read == 0 || read > kMostDigits) return std::nullopt;
+  if (at != end && !take_exponent({at, end}, digits, below)) return std::nullopt;
   const int128 above = int128(digits) * (*parts)[1], divisor = int128(below) * (*parts)[0];
   constexpr int128 kWord = std::numeric_limits<std::int64_t>::max();
   const bool short_ones = above <= kWord && divisor <= kWord;  // the division of words is ten times faster

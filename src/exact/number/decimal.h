@@ -33,8 +33,8 @@ struct Decimal {
 
 inline constexpr std::int64_t kMaxGridCoordinate = std::int64_t{1} << 40;
 
-/// The number of grid steps that a decimal is, in machine integers: nothing for numbers with an exponent or of more
-/// than 17 digits, for what is not a decimal, off the grid or beyond 2^40 steps. Cost: some ten nanoseconds.
+/// The number of grid steps that a decimal is, in machine integers: nothing for numbers of more than 17 digits or with
+/// so large an exponent, for what is not a decimal, off the grid or beyond 2^40 steps. Cost: some ten nanoseconds.
 std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step);
 
 }  // namespace findspace::exact

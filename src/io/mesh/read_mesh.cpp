@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <optional>
 
+#include "exact/number/decimal.h"
 #include "io/cad/read_cad.h"
 #include "io/mesh/mesh_3mf.h"
 #include "io/mesh/mesh_glb.h"
@@ -123,6 +123,8 @@ space::Mesh cad_mesh(const std::string& bytes, const std::string& ending, ReadCo
   return out;
 }
 
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
 }  // namespace
 
 bool TextLines::next() {
@@ -135,9 +137,9 @@ bool TextLines::next() {
     ++line_;
     line = line.substr(0, line.find('#'));
     for (std::size_t i = 0; i < line.size();) {
-      while (i < line.size() && std::isspace(static_cast<unsigned char>(line[i]))) ++i;
+      while (i < line.size() && is_blank(line[i])) ++i;
       std::size_t stop = i;
-      while (stop < line.size() && !std::isspace(static_cast<unsigned char>(line[stop]))) ++stop;
+      while (stop < line.size() && !is_blank(line[stop])) ++stop;
       if (stop > i) words_.push_back(line.substr(i, stop - i));
       i = stop;
     }
@@ -157,22 +159,28 @@ long TextLines::integer(std::string_view word) const {
 }
 
 void MeshBuilder::vertex(const TextLines& lines, std::string_view x, std::string_view y, std::string_view z) {
-  std::array<exact::Real, 3> p;
-  const std::string_view words[] = {x, y, z};
-  for (int k = 0; k < 3; ++k) {
-    try {
-      p[k] = exact::Real::parse_decimal(words[k]);
-    } catch (const Error&) {
-      lines.fail(fmt::format("'{}' is not a number", words[k]));
-    }
-  }
-  vertex(p);
+  std::array<double, 3> moved{};
+  const std::int64_t gx = on_grid(lines, x, moved[0]), gy = on_grid(lines, y, moved[1]),
+                     gz = on_grid(lines, z, moved[2]);
+  add({gx, gy, gz}, moved);
 }
 
 MeshBuilder::MeshBuilder(ReadContext& context, const exact::Real& scale) : context_(context), scale_(scale) {
+  if (scale.sign() > 0) unit_ = context.grid.step() / scale;
   constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
   const auto steps = (scale / context.grid.step()).integer();
   if (steps && *steps > 0 && *steps <= kMostSteps) steps_ = double(*steps);
+}
+
+std::int64_t MeshBuilder::on_grid(const TextLines& lines, std::string_view coordinate, double& moved) const {
+  if (const auto steps = exact::grid_integer(coordinate, unit_)) return *steps;
+  exact::Real number;
+  try {
+    number = exact::Real::parse_decimal(coordinate);
+  } catch (const Error&) {
+    lines.fail(fmt::format("'{}' is not a number", coordinate));
+  }
+  return on_grid(number, moved);
 }
 
 std::int64_t MeshBuilder::on_grid(const exact::Real& coordinate, double& moved) const {

@@ -57,12 +57,14 @@ class MeshBuilder {
   space::Mesh& mesh() { return mesh_; }
 
  private:
+  std::int64_t on_grid(const TextLines& lines, std::string_view coordinate, double& moved) const;
   std::int64_t on_grid(double coordinate, double& moved) const;
   std::int64_t on_grid(const exact::Real& coordinate, double& moved) const;
   void add(const space::Point& at, const std::array<double, 3>& moved);
 
   ReadContext& context_;
   exact::Real scale_;
+  exact::Real unit_;  // a grid step in the file's unit
   double steps_ = 0;  // that one of the file's numbers makes, if a whole number of them
   space::Mesh mesh_;
 };
