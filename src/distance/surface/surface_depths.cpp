@@ -73,39 +73,51 @@ std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceS
 }
 
 SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
-    : trees_{Tree{{}, {a, {}}, side == space::TouchSide::kInside, false}, Tree{{}, {b, {}}, false, true}} {
+    : trees_{Tree{{}, {}, {a, {}}, side == space::TouchSide::kInside, false}, Tree{{}, {}, {b, {}}, false, true}} {
   for (Tree& tree : trees_) {
     // Of the complement of A balls are not looked for.
-    std::vector<Place> places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
-    for (const Place& p : places) size_ = std::max(size_, space::size_of(p.at));
-    tree.nodes.reserve(2 * places.size());
-    tree.nodes.emplace_back();
-    build(tree, 0, places);
+    tree.places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
+    for (const Place& p : tree.places) size_ = std::max(size_, space::size_of(p.at));
+    tree.nodes.push_back(node_of(tree, 0, static_cast<std::uint32_t>(tree.places.size())));
   }
 }
 
-void SurfaceDepths::build(Tree& tree, int node, std::span<Place> places) {
+space::Extent SurfaceDepths::box_of(std::span<const Place> places) {
   space::Extent box{places[0].at, places[0].at};
+  for (const Place& p : places) box.add({p.at, p.at});
+  return box;
+}
+
+SurfaceDepths::Node SurfaceDepths::node_of(const Tree& tree, std::uint32_t begin, std::uint32_t end) {
+  const std::span<const Place> places = std::span(tree.places).subspan(begin, end - begin);
   Node made;
+  made.begin = begin;
+  made.end = end;
   made.least = made.most = places[0].clearance;
-  for (const auto& [v, clearance] : places) {
-    box.add({v, v});
-    made.least = std::min(made.least, clearance);
-    made.most = std::max(made.most, clearance);
+  made.middle = box_of(places).middle();
+  for (const Place& p : places) {
+    made.least = std::min(made.least, p.clearance);
+    made.most = std::max(made.most, p.clearance);
+    made.radius = std::max(made.radius, space::length(p.at - made.middle));
   }
-  made.middle = box.middle();
-  for (const Place& p : places) made.radius = std::max(made.radius, space::length(p.at - made.middle));
-  if (places.size() > 1) made.first = static_cast<int>(tree.nodes.size());
-  tree.nodes[static_cast<std::size_t>(node)] = made;
-  if (made.first < 0) return;
-  tree.nodes.resize(tree.nodes.size() + 2);
+  return made;
+}
+
+int SurfaceDepths::divided(Tree& tree, int node) {
+  const Node of = tree.nodes[static_cast<std::size_t>(node)];
+  if (of.first >= 0) return of.first;
+  const std::span<Place> places = std::span(tree.places).subspan(of.begin, of.end - of.begin);
+  const space::Extent box = box_of(places);
   const Vector wide = box.high - box.low;
   const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-  const std::size_t half = places.size() / 2;
-  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(half), places.end(),
+  const std::uint32_t half = (of.end - of.begin) / 2;
+  std::nth_element(places.begin(), places.begin() + half, places.end(),
                    [axis](const Place& p, const Place& q) { return component(p.at, axis) < component(q.at, axis); });
-  build(tree, made.first, places.first(half));
-  build(tree, made.first + 1, places.subspan(half));
+  const int first = static_cast<int>(tree.nodes.size());
+  tree.nodes[static_cast<std::size_t>(node)].first = first;
+  tree.nodes.push_back(node_of(tree, of.begin, of.begin + half));
+  tree.nodes.push_back(node_of(tree, of.begin + half, of.end));
+  return first;
 }
 
 double SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position) {
@@ -116,7 +128,7 @@ double SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& po
   return tree.outward ? at.value : -at.value;
 }
 
-bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than, int& likely) {
+bool SurfaceDepths::deeper(Tree& tree, const Vector& position, double than, int& likely) {
   struct Task {
     double depth;
     int node;
@@ -132,20 +144,20 @@ bool SurfaceDepths::deeper(const Tree& tree, const Vector& position, double than
       likely = k;
       return true;
     }
-    if (at + node.radius + node.most > than && node.first >= 0) stack[left++] = {at + node.most, k};
+    if (at + node.radius + node.most > than && !node.leaf()) stack[left++] = {at + node.most, k};
     return false;
   };
   if (look(0)) return true;
   while (left > 0 && looks < kMostLooks) {
     const std::size_t below = --left;
-    const int first = tree.nodes[static_cast<std::size_t>(stack[below].node)].first;
+    const int first = divided(tree, stack[below].node);
     if (look(first) || look(first + 1)) return true;
     if (left == below + 2 && stack[below].depth > stack[below + 1].depth) std::swap(stack[below], stack[below + 1]);
   }
   return false;
 }
 
-bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) const {
+bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) {
   if (likely != kNone) {
     const Tree& tree = trees_[static_cast<std::size_t>(likely % 2)];
     const Node& node = tree.nodes[static_cast<std::size_t>(likely / 2)];

@@ -6,11 +6,13 @@
 // in B. The places are the corners and, of surfaces that are not fine, the middles of the edges and faces of both, and
 // the centres of balls that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is
 // never decided as more than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond
-// each. Source: the balls as in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and
-// the normal field". Keywords: penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
+// each; the trees are divided where they are looked at. Threads: one at a time. Source: the balls as in Ma, Bae, Choi
+// 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords: penetration depth,
+// lower bound, bounding sphere hierarchy, shrinking ball.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,7 +27,7 @@ class SurfaceDepths {
   SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side);
 
   /// Whether a place lies deeper than that at the position; `likely`: one that may, and the one that does.
-  bool deeper(const space::Vector& position, double than, int& likely) const;
+  bool deeper(const space::Vector& position, double than, int& likely);
   static constexpr int kNone = -1;
   /// Of the coordinates.
   double size() const { return size_; }
@@ -36,24 +38,30 @@ class SurfaceDepths {
     space::Vector at;
     double clearance = 0;
   };
-  /// A ball about places, and the least and the greatest of their clearances: a leaf holds one, others the two nodes
-  /// from `first` on.
+  /// A ball about some of the places, and the least and the greatest of their clearances: a leaf holds one, others the
+  /// two nodes from `first` on once they are divided.
   struct Node {
     space::Vector middle;
     double radius = 0, least = 0, most = 0;
+    std::uint32_t begin = 0, end = 0;
     int first = -1;
+    bool leaf() const { return end - begin == 1; }
   };
   struct Tree {
-    std::vector<Node> nodes;
+    std::vector<Place> places;
+    std::vector<Node> nodes;  // those that were needed
     SurfaceField other;
     bool outward = false;  // deeper is farther out of the other one
     bool back = false;     // these are places of A
   };
   static std::vector<Place> places_of(const space::SurfaceSet& set, bool balls);
-  static void build(Tree& tree, int node, std::span<Place> places);
+  static space::Extent box_of(std::span<const Place> places);
+  static Node node_of(const Tree& tree, std::uint32_t begin, std::uint32_t end);
+  /// The first of the two that the node is divided in.
+  static int divided(Tree& tree, int node);
   /// At the middle of the node; where that is not decided, nothing but what is certain.
   static double depth(const Tree& tree, const Node& node, const space::Vector& position);
-  static bool deeper(const Tree& tree, const space::Vector& position, double than, int& likely);
+  static bool deeper(Tree& tree, const space::Vector& position, double than, int& likely);
 
   std::array<Tree, 2> trees_;
   double size_ = 0;
