@@ -37,6 +37,10 @@ class BoxSlabs {
     return true;
   }
 
+  /// The lowest and the highest place of all.
+  double bottom() const { return bottom_; }
+  double top() const { return top_; }
+
   /// How many entries visit() looks at.
   std::size_t count(double low, double high) const {
     if (start_.empty() || high < bottom_ || low > top_) return 0;

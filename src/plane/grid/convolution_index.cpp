@@ -16,41 +16,10 @@ namespace {
 
 using exact::Geometry;
 
-struct Size {
-  std::int64_t width, height;
-};
+/// Of corners that are kept ring by ring.
+bool one_ring(const GridFace& face) { return face.corners.back().next == 0; }
 
-/// Of each ring.
-std::vector<Size> ring_sizes(const GridFace& face) {
-  std::vector<Size> out;
-  GridPoint low{}, high{};
-  for (Index k = 0; k < face.corners.size(); ++k) {
-    const GridCorner& c = face.corners[k];
-    if (c.before >= k) low = high = c.at;  // the first of its ring
-    low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y)};
-    high = {std::max(high.x, c.at.x), std::max(high.y, c.at.y)};
-    if (c.next <= k) out.push_back({high.x - low.x, high.y - low.y});
-  }
-  return out;
-}
-
-bool has_holes(const GridFace& face) {
-  std::size_t rings = 0;
-  for (Index k = 0; k < face.corners.size(); ++k) rings += face.corners[k].next <= k;
-  return rings > std::size_t(!face.unbounded);
-}
-
-/// Could `other` go round a hole of the face?
-bool can_enclose(const GridFace& face, const GridFace& other) {
-  if (!has_holes(face)) return false;
-  std::vector<Size> rings = ring_sizes(face);
-  if (other.unbounded) return true;
-  Size size = ring_sizes(other)[0];
-  return std::any_of(rings.begin() + !face.unbounded, rings.end(),
-                     [&](const Size& r) { return r.width <= size.width && r.height <= size.height; });
-}
-
-std::int32_t euler(const GridFace& bounded) { return 2 - std::int32_t(ring_sizes(bounded).size()); }
+bool has_holes(const GridFace& face) { return face.unbounded ? !face.corners.empty() : !one_ring(face); }
 
 constexpr std::size_t kEntriesPerFace = 2;
 constexpr std::size_t kManyPairs = 10'000;  // of corners, from which on corners are tried before curves are counted
@@ -146,14 +115,52 @@ const ConvolutionIndex::Pair& ConvolutionIndex::made(Index k) const {
   return pair;
 }
 
+ConvolutionIndex::Rings::Rings(const GridFace& face) {
+  GridPoint low{}, high{};
+  for (Index k = 0; k < face.corners.size(); ++k) {
+    const GridCorner& c = face.corners[k];
+    if (c.before >= k) low = high = c.at;  // the first of its ring
+    low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y)};
+    high = {std::max(high.x, c.at.x), std::max(high.y, c.at.y)};
+    if (c.next > k) continue;
+    const Size size{high.x - low.x, high.y - low.y};
+    if (count++ == 0 && !face.unbounded)
+      outer = size;
+    else
+      holes.push_back(size);
+  }
+  std::sort(holes.begin(), holes.end(), [](const Size& p, const Size& q) { return p.width < q.width; });
+  for (std::size_t k = 1; k < holes.size(); ++k) holes[k].height = std::min(holes[k].height, holes[k - 1].height);
+}
+
+/// One at least is no larger.
+bool ConvolutionIndex::Rings::any_hole_in(const Size& size) const {
+  const auto wider = std::upper_bound(holes.begin(), holes.end(), size.width,
+                                      [](std::int64_t width, const Size& hole) { return width < hole.width; });
+  return wider != holes.begin() && (wider - 1)->height <= size.height;
+}
+
+const ConvolutionIndex::Rings& ConvolutionIndex::rings(Index pair, int s) const {
+  const auto& all = rings_[std::size_t(s)].of([&] {
+    std::vector<Rings> out;
+    for (const GridFace& face : operand(s).faces) out.emplace_back(face);
+    return out;
+  });
+  return all[face_number(pair, s)];
+}
+
 bool ConvolutionIndex::may_enclose(Index pair) const {
-  const GridFace &p = face_of(pair, 0), &q = face_of(pair, 1);
-  return can_enclose(p, q) || can_enclose(q, p);
+  // Could the other one go round a hole of this one?
+  const auto can_enclose = [&](int s) {
+    if (!has_holes(face_of(pair, s))) return false;
+    return face_of(pair, 1 - s).unbounded || rings(pair, s).any_hole_in(rings(pair, 1 - s).outer);
+  };
+  return can_enclose(0) || can_enclose(1);
 }
 
 std::int32_t ConvolutionIndex::base(Index pair) const {
-  const GridFace &p = face_of(pair, 0), &q = face_of(pair, 1);
-  return p.unbounded ? euler(q) : q.unbounded ? euler(p) : 0;
+  const auto euler = [&](int s) { return one_ring(face_of(pair, s)) ? 1 : 2 - rings(pair, s).count; };
+  return face_of(pair, 0).unbounded ? euler(1) : face_of(pair, 1).unbounded ? euler(0) : 0;
 }
 
 std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
@@ -175,6 +182,22 @@ std::vector<Index> ConvolutionIndex::pairs_meeting(const Range& r) const {
     });
     for (Index i : unbounded_) add(i, k);
   }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::optional<std::vector<Index>> ConvolutionIndex::corners_near(const Side& other, const Side& moved, const Range& r) {
+  constexpr std::size_t kManyCorners = 256, kFewerBy = 8;
+  const std::size_t all = other.fan.corners.size();
+  if (all < kManyCorners) return std::nullopt;
+  // A step more than the heights, which are rounded by much less.
+  const double low = r.y0 - moved.slabs.top() - 1, high = r.y1 - moved.slabs.bottom() + 1;
+  if (other.slabs.count(low, high) * kFewerBy > all) return std::nullopt;
+  std::vector<Index> out;
+  other.slabs.visit(low, high, [&](const BoxSlabs::Entry& e) {
+    out.push_back(e.item);
+    return true;
+  });
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -222,7 +245,12 @@ bool ConvolutionIndex::holds_by_a_corner(const exact::Point& q, Index pair) cons
   if (face_of(pair, 0).corners.size() * face_of(pair, 1).corners.size() < kManyPairs) return false;
   for (int s : {0, 1}) {
     const GridCorners& corners = face_of(pair, 1 - s).corners;
-    for (std::size_t v = 0; v < corners.size(); v += kCornerStep) {
+    std::optional<std::vector<Index>> near;
+    if (!face_of(pair, s).unbounded) near = corners_near(of(pair, 1 - s), of(pair, s), {q.x, q.y, q.x, q.y});
+    const std::size_t count = near ? near->size() : corners.size();
+    for (std::size_t i = 0; i < count; i += near ? 1 : kCornerStep) {
+      const std::size_t v = near ? (*near)[i] : i;
+      if (v % kCornerStep != 0) continue;
       const double x = q.x - double(corners[v].at.x), y = q.y - double(corners[v].at.y);
       if (lies_inside(face_of(pair, s), of(pair, s).slabs, x, y, q.error + margin::kInsideFace)) return true;
     }

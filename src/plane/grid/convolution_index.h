@@ -17,8 +17,10 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "plane/base/lazy.h"
 #include "plane/grid/box_slabs.h"
 #include "plane/grid/edge_fan.h"
 #include "plane/grid/reduced_convolution.h"
@@ -77,6 +79,18 @@ class ConvolutionIndex {
 
     explicit Side(const GridFace& face);
   };
+  struct Size {
+    std::int64_t width, height;
+  };
+  /// Of a face: how large the boxes of its rings are.
+  struct Rings {
+    std::int32_t count = 0;
+    Size outer{};             // where it is bounded
+    std::vector<Size> holes;  // by width, each with the least height of those up to it
+
+    explicit Rings(const GridFace& face);
+    bool any_hole_in(const Size& size) const;
+  };
   /// A face with one of the other set: rank and sweep of its corners.
   struct Pair {
     std::array<const Side*, 2> side;
@@ -86,15 +100,17 @@ class ConvolutionIndex {
 
   /// Pairs count by face of A, then of B.
   Index pair_count() const { return Index(pairs_.size()); }
-  const GridFace& face_of(Index pair, int s) const {
+  Index face_number(Index pair, int s) const {
     const Index others = Index(b_.faces.size());
-    return s == 0 ? a_.faces[pair / others] : b_.faces[pair % others];
+    return s == 0 ? pair / others : pair % others;
   }
+  const GridFace& face_of(Index pair, int s) const { return operand(s).faces[face_number(pair, s)]; }
   const Pair& pair(Index k) const {
     const Pair* known = pairs_[k].load(std::memory_order_acquire);
     return known ? *known : made(k);
   }
   const Pair& made(Index k) const;
+  const Rings& rings(Index pair, int s) const;
   /// One face could go round a hole of the other.
   bool may_enclose(Index pair) const;
   /// The number far away.
@@ -115,7 +131,10 @@ class ConvolutionIndex {
     const Side &moved = of(p, s), &other = of(p, 1 - s);
     const std::vector<EdgeFan::Sweep>& sweeps = pair(p).sweep[std::size_t(1 - s)];
     const std::size_t all = moved.place.size();
-    for (Index v = 0; v < other.fan.corners.size(); ++v) {
+    const std::optional<std::vector<Index>> near = corners_near(other, moved, r);
+    const Index corners = Index(near ? near->size() : other.fan.corners.size());
+    for (Index i = 0; i < corners; ++i) {
+      const Index v = near ? (*near)[i] : i;
       const GridCorner& c = other.fan.corners[v];
       if (c.turn == 0 || !wanted(c)) continue;
       const EdgeFan::Sweep& swept = sweeps[v];
@@ -138,6 +157,9 @@ class ConvolutionIndex {
     }
     return true;
   }
+  /// Of many corners those, ascending, by which an edge of `moved` can reach into the heights of the range; nothing
+  /// where these are not clearly fewer than all.
+  static std::optional<std::vector<Index>> corners_near(const Side& other, const Side& moved, const Range& r);
   /// Whether the box of an edge meets the range.
   static bool reaches(const EdgeFan& fan, Index edge, const Range& r) {
     const GridPoint p = fan.corners[edge].at, q = fan.corners[fan.corners[edge].next].at;
@@ -159,6 +181,7 @@ class ConvolutionIndex {
   mutable std::array<std::vector<std::unique_ptr<Side>>, 2> sides_;  // by face
   mutable std::deque<Pair> made_;
   mutable std::vector<std::atomic<const Pair*>> pairs_;
+  std::array<Lazy<std::vector<Rings>>, 2> rings_;
   BoxSlabs boxes_;                // of the faces of the set that has more
   std::vector<GridBox> others_;   // those of the other set
   std::vector<Index> unbounded_;  // which of these are
