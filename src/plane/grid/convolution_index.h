@@ -6,8 +6,8 @@
 // of a face of A and one of B reflected and moved there. Curves are an edge of one set with a corner of the other whose
 // turn sweeps the edge's direction. Guarantee: exact for every point. Cost: O((n + m) log(n + m)) to prepare one face
 // with one, and memory of O(n + m), when they are asked about first; a question looks at the pairs of faces whose boxes
-// it meets, and there, for every corner of one, at the other's edges in a strip; microseconds for small shapes, 0.3 ms
-// for 1000 corners each. Threads: safe once made.
+// it meets, and there, for every corner of one (of many those in a strip alone), at the other's edges in a strip;
+// microseconds for small shapes, 0.3 ms for 1000 corners each. Threads: safe once made.
 // Keywords: convolution cycles, range query, point in Minkowski sum.
 #pragma once
 
