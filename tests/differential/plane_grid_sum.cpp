@@ -56,6 +56,22 @@ void compare(const Region& a, const Region& b, const std::string& what) {
   expect_same(containment_map(a, b), 1, whole_sum(a, out, b), what + ", contained");
 }
 
+/// Of so many corners and rings that what is near a point alone decides about it.
+TEST(GridSum, ManySmallRings) {
+  std::mt19937 rng(3);
+  std::vector<Region> boxes;
+  for (std::int64_t x = 0; x < 60; x += 10) {
+    for (std::int64_t y = 0; y < 400; y += 10) {
+      const auto w = std::int64_t(1 + rng() % 7), h = std::int64_t(1 + rng() % 7);
+      boxes.push_back(ring({{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}));
+    }
+  }
+  const Region all = united(boxes);
+  compare(all, ring({{0, 0}, {3, 0}, {3, 2}, {0, 2}}), "a box");
+  compare(all, ring({{0, 0}, {4, 1}, {1, 5}}), "a triangle");
+  compare(all, ring({{0, 0}, {9, 0}, {9, 9}, {4, 3}, {0, 9}}), "a notched box, as large as the gaps");
+}
+
 TEST(GridSum, SquaresWithSlotsAndHoles) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 rng(seed);
