@@ -87,5 +87,21 @@ TEST(Geometry, CrossingsOfCirclesWithCentresThatDoublesDoNotTellApart) {
   }
 }
 
+/// Of arcs whose ends were rounded after a rotation: by the formulas in doubles they would cross far from there.
+TEST(Geometry, CrossingsOfCirclesThatNearlyCoincideAreKnown) {
+  Geometry g;
+  const Real radius(245760000000), x = Real::ratio(-1684739756927, 100), y = Real::ratio(-10148507816323, 100);
+  g.add(SupportingCurve::circle_at(x, y, radius));
+  g.add(SupportingCurve::circle_at(x - Real::ratio(2, 100), y - Real::ratio(41, 100), radius));
+  ASSERT_EQ(meet(g, 0, 1).count, 2);
+  for (const int root : {-1, 1}) {
+    const auto p = g.add_crossing(0, 1, root);
+    const RealPoint at = g.exact(p);
+    EXPECT_NEAR(g.points[p].x, at.x.to_double(), 0.001);
+    EXPECT_NEAR(g.points[p].y, at.y.to_double(), 0.001);
+    EXPECT_LT(double(g.points[p].error), 0.001);
+  }
+}
+
 }  // namespace exact_geometry
 }  // namespace findspace::exact

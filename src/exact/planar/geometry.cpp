@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "exact/number/primitive.h"
@@ -95,6 +96,24 @@ RealPoint exact_crossing(const Geometry& g, const Point& p) {
   return {s->center_x() + (dx * k + dy * half) / l2, s->center_y() + (dy * k - dx * half) / l2};
 }
 
+/// Whether searches that go by the numbers alone may: they take a place to be known to 2^-44 of the sizes.
+bool is_known(const ApproxPoint& at) {
+  constexpr double kKnown = 0x1p-46;
+  return at[0].error + at[1].error <= kKnown * (std::abs(at[0].value) + std::abs(at[1].value));
+}
+
+/// Of curves that nearly coincide, whose crossing numbers tell little of; of circles about centres that they do not
+/// tell apart nothing.
+ApproxPoint rounded(const RealPoint& p) {
+  const ApproxPoint near{from_real(p.x), from_real(p.y)};
+  if (is_known(near)) return near;
+  const auto digits = [](const Real& r) {
+    const double v = r.to_double();
+    return Approx{v, std::abs(v) * (4 * Approx::kUnit) + Approx::kTiny};
+  };
+  return {digits(p.x), digits(p.y)};
+}
+
 }  // namespace
 
 std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
@@ -149,12 +168,7 @@ Point Geometry::crossing(std::uint32_t i, std::uint32_t j, int root) const {
   p.j = j;
   p.root = std::int8_t(root);
   const ApproxPoint near = approx_crossing(*this, p);
-  if (near[0].error + near[1].error < kInfinity) {
-    set_approx(p, near);
-  } else {  // of centres that doubles do not tell apart
-    const RealPoint at = exact_crossing(*this, p);
-    set_approx(p, {from_real(at.x), from_real(at.y)});
-  }
+  set_approx(p, is_known(near) ? near : rounded(exact_crossing(*this, p)));
   return p;
 }
 
