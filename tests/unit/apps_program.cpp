@@ -124,6 +124,28 @@ TEST_F(Program, DistancesInRotationAreInDegrees) {
   EXPECT_FALSE(contains(at.out, " mm")) << at.out;
 }
 
+/// As in all other directions: how much is missing.
+TEST_F(Program, DistancesInRotationSayWhatTheyLack) {
+  const std::string scene = R"json({"findspace": 1, "unit": "mm", "shapes": {
+    "A": {"disc": {"center": [10, 0], "radius": 1}}, "B": {"disc": {"center": [0, 0], "radius": 1}}}, "moving": "B",
+    "free": "angle", "where": "gap(B, A, rotating=(0, 0)) >= 40 and gap(B, A) >= 4"})json";
+  const json atoms = json::parse(run("check scene.json --at 9,5 --angle 10 --json", scene).out)["atoms"];
+  for (const auto& [atom, level] : {std::pair(atoms[0], 40), std::pair(atoms[1], 4)})
+    EXPECT_NEAR(atom["lacks"].get<double>(), level - atom["value"].get<double>(), 1e-9) << atom;
+  EXPECT_TRUE(contains(run("check scene.json --at 9,5 --angle 10", scene).out, ", off by 22.1325°"));
+}
+
+/// No upper bound is known of the farthest fit while a shape turns.
+TEST_F(Program, SaysWhereOneEndOfAValueIsKnown) {
+  const std::string scene = R"json({"findspace": 1, "unit": "mm", "shapes": {
+    "A": {"box": {"min": [0, 0], "max": [10, 10]}}, "B": {"box": {"min": [-1, -1], "max": [1, 1]}}}, "moving": "B",
+    "motion": {"time": [0, 1], "B": {"path": [[0, 0], [1, 0]], "angles": [0, 30]}},
+    "where": "sup eta2(B, A) <= 1"})json";
+  EXPECT_TRUE(
+      contains(run("check scene.json --at 5,5", scene).out, "  at least 5.88893 mm, off by at least 4.88893 mm"));
+  EXPECT_TRUE(contains(run("measure scene.json --at 5,5 --all", scene).out, "at most -5.65685 mm"));
+}
+
 TEST_F(Program, WrongUsage) {
   for (const char* arguments :
        {"", "mpa scene.json", "map", "map scene.json --aply closure", "map scene.json --apply close",

@@ -158,6 +158,31 @@ DistanceAt derived_value(const Distance& wanted, const Derived& from, const Dist
   return out;
 }
 
+/// Over time a value is a search: it is made once for those that follow from each other.
+std::optional<Derived> derived_over_time(const PreparedWorld& world, const Distance& wanted) {
+  const bool searched = world.motion().given() && !world.world().instant && !world.roles(wanted).rotating;
+  return searched ? derived(wanted) : std::nullopt;
+}
+
+/// In the order of names that all_distances() has.
+Distance as_listed(const PreparedWorld& world, const Distance& d) {
+  return d.kind == Kind::kMu ? d : moving_first(d, world.world().moving);
+}
+
+/// Those that are not wanted, and that none follows from that is.
+void leave_out_others(const PreparedWorld& world, std::vector<Distance>& wanted, const WantedText& is_wanted) {
+  std::vector<Distance> needed;
+  for (const Distance& d : wanted) {
+    if (!is_wanted(text(d))) continue;
+    needed.push_back(d);
+    const auto from = derived_over_time(world, d);
+    if (!from) continue;
+    needed.push_back(as_listed(world, from->of));
+    if (from->other) needed.push_back(as_listed(world, *from->other));
+  }
+  std::erase_if(wanted, [&](const Distance& d) { return std::find(needed.begin(), needed.end(), d) == needed.end(); });
+}
+
 }  // namespace
 
 DistanceAt ranged_answer(const PreparedWorld& world, const Distance& wanted,
@@ -214,20 +239,15 @@ std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& 
   for (const SignMap& m : formula.sign_maps()) {
     if (std::find(wanted.begin(), wanted.end(), m.distance) == wanted.end()) wanted.push_back(m.distance);
   }
-  // Over time one may follow from another.
-  if (is_wanted && (!world.motion().given() || world.world().instant))
-    std::erase_if(wanted, [&](const Distance& d) { return !is_wanted(text(d)); });
+  if (is_wanted) leave_out_others(world, wanted, is_wanted);
   std::vector<DistanceAt> out(wanted.size());
-  // Over time a value is a search: it is made once for those that follow from each other.
   std::vector<std::size_t> source(wanted.size());
   const auto place = [&](const Distance& d) {
-    const auto canonical = d.kind == Kind::kMu ? d : moving_first(d, world.world().moving);
-    return std::size_t(std::find(wanted.begin(), wanted.end(), canonical) - wanted.begin());
+    return std::size_t(std::find(wanted.begin(), wanted.end(), as_listed(world, d)) - wanted.begin());
   };
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     source[k] = k;
-    const bool searched = world.motion().given() && !world.world().instant && !world.roles(wanted[k]).rotating;
-    const auto d = searched ? derived(wanted[k]) : std::nullopt;
+    const auto d = derived_over_time(world, wanted[k]);
     if (!d) continue;
     const bool found = place(d->of) < wanted.size() && (!d->other || place(*d->other) < wanted.size());
     if (found) source[k] = place(d->of);

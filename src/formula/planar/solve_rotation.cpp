@@ -69,6 +69,12 @@ DistanceAt angle_answer(const Distance& d, double value) {
   return out;
 }
 
+AtomAt by_angles(const Atom& atom, DistanceAt distance, int sign) {
+  AtomAt out = atom_at(atom, std::move(distance), sign);
+  out.way = distance::Way::kAngles;
+  return out;
+}
+
 /// The least that the value may be; nothing where undefined.
 std::optional<double> lowest(const DistanceAt& d) {
   const auto value = d.value();
@@ -177,10 +183,7 @@ AtomAt RotationSolver::check_plain(const RotationMaps& maps, const Formula& whol
   if (atom.distance.prefix != Extremum::kNone) return out;  // over time there is no circle
   // The truth from the exact circle: rounding must not decide a contact.
   const RotationMap map = maps.sign_map(whole.sign_maps()[whole.sign_map_of(index)]);
-  out.holds = holds(atom, mark_at(map, Angle::of_degrees(pose_.degrees)));
-  if (out.holds) out.lacks.reset();
-  out.way = distance::Way::kAngles;
-  return out;
+  return by_angles(atom, std::move(out.distance), mark_at(map, Angle::of_degrees(pose_.degrees)));
 }
 
 AtomAt RotationSolver::check_least(const RotationMaps& maps, const Atom& atom) const {
@@ -232,7 +235,7 @@ AtomAt RotationSolver::check_atom(const RotationMaps& maps, const Formula& formu
     refuse(atom.distance,
            "about another point than the shape has been rotated about, it is too near to the level here "
            "to decide");
-  return {atom, std::move(met.distance), holds(atom, *met.sign), std::nullopt, distance::Way::kAngles};
+  return by_angles(atom, std::move(met.distance), *met.sign);
 }
 
 Check RotationSolver::check(const Formula& formula) const {

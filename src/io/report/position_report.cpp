@@ -20,28 +20,25 @@ struct Ranked {
   std::size_t pair = 0, rank = 0;
 };
 
-/// A length, or a number of degrees.
-std::string amount_text(const formula::DistanceAt& d, double amount, std::string_view unit) {
-  const std::string number = shown(amount);
-  return d.in_degrees ? number + "°" : unit.empty() ? number : fmt::format("{} {}", number, unit);
-}
-
-/// How far the true value may be from the one that is shown; empty where that is exact.
-std::string within_text(const formula::DistanceAt& d) {
-  if (!d.answer || d.answer->proven || d.answer->minus_infinity) return "";
+/// A value with how far the true one may be from it; of one that has one end only, that end.
+std::string answer_text(const formula::DistanceAt& d, double value, std::string_view unit) {
+  const std::string amount = amount_words(d, value, unit);
+  if (d.answer->proven || d.answer->minus_infinity) return amount;
   const distance::Enclosure between = d.answer->bounds();
-  if (!between.lower && !between.upper) return " (not certain)";
-  if (!between.lower) return fmt::format(" (at most {})", shown(between.upper->to_double()));
-  if (!between.upper) return fmt::format(" (at least {})", shown(between.lower->to_double()));
+  if (!between.lower && !between.upper) return amount + " (not certain)";
+  if (!between.lower || !between.upper) {
+    const std::string end = amount_words(d, (between.lower ? between.lower : between.upper)->to_double(), unit);
+    return fmt::format("{} {}", between.lower ? "at least" : "at most", end);
+  }
   const exact::Real below = d.answer->value - *between.lower, above = *between.upper - d.answer->value;
   constexpr double kRoundedUp = 1.1;  // to two digits
-  return fmt::format(" (within {:.1e})", std::max(below, above).to_double() * kRoundedUp);
+  return fmt::format("{} (within {:.1e})", amount, std::max(below, above).to_double() * kRoundedUp);
 }
 
 std::string value_text(const formula::DistanceAt& d, std::string_view unit) {
   if (!d.refused.empty()) return "not computed";
   const auto value = d.value();
-  return value ? amount_text(d, *value, unit) + within_text(d) : "undefined";
+  return value ? answer_text(d, *value, unit) : "undefined";
 }
 
 /// With the value that its word says.
@@ -108,9 +105,7 @@ std::string check_text(const formula::Check& check, std::string_view at, const d
     out +=
         fmt::format("  {}  {:<{}}  {}", a.holds ? "yes" : "no ", texts[i], width,
                     said_distance(a.atom) + value_text(as_said(a.distance, formula::negated(a.atom.distance)), unit));
-    if (a.lacks)
-      out += fmt::format(", {} {}", *a.lacks > 0 ? "off by" : "not allowed: off by",
-                         amount_text(a.distance, *a.lacks, unit));
+    if (a.lacks) out += fmt::format(", {}{}", *a.lacks > 0 ? "" : "not allowed: ", lacks_words(a, unit));
     if (explain) out += explained(a.way, a.milliseconds);
     const std::string where = witness_words(a.distance);
     const std::string way = a.holds && !where.empty() ? "" : way_words(a.distance, place);

@@ -152,7 +152,7 @@ std::string here_text(const ExplanationReport& r) {
   for (const std::size_t k : here.change) {
     const formula::AtomAt& a = here.check.atoms[k];
     out += fmt::format("  {}", formula::written(a.atom));
-    if (a.lacks) out += fmt::format(": off by {}", with_unit(*a.lacks, r.unit));
+    if (a.lacks) out += ": " + lacks_words(a, r.unit);
     out += "\n";
   }
   return r.explanation.feasible ? out + nearest_words(here.nearest, r.unit) : out;

@@ -84,6 +84,17 @@ std::string way_words(const formula::DistanceAt& d, const distance::Coordinates&
   return fmt::format("is 0 after {}, at {}", shown_point(way_to(there, at)), shown_point(there));
 }
 
+std::string amount_words(const formula::DistanceAt& d, double amount, std::string_view unit) {
+  const std::string number = shown(amount);
+  return d.in_degrees ? number + "°" : unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string lacks_words(const formula::AtomAt& atom, std::string_view unit) {
+  const std::string amount = amount_words(atom.distance, *atom.lacks, unit);
+  const distance::Enclosure ends = atom.distance.answer->bounds();
+  return fmt::format("off by {}{}", ends.lower.has_value() == ends.upper.has_value() ? "" : "at least ", amount);
+}
+
 std::string nearest_words(const formula::AskedNearest& nearest, std::string_view unit) {
   if (!nearest) return "";
   if (!*nearest)
