@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "findspace/error.h"
@@ -134,6 +135,13 @@ DistanceAt shown(const PreparedSpace& prepared, const Distance& wanted, const st
   return out;
 }
 
+/// Whether the search for a value ended at its limit: it knows one end, or ends that are far from each other.
+bool cut_short(const distance::Enclosure& ends) {
+  if (!ends.lower || !ends.upper) return true;
+  constexpr double kFar = 0x1p-20;  // no sign: of the value; searches that reach their end leave 2^-30 of the sizes
+  return ends.width() > kFar * std::max(std::fabs(ends.lower->to_double()), std::fabs(ends.upper->to_double()));
+}
+
 /// The sign of a distance minus its level, given its value.
 Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std::optional<Answer>& v) {
   if (!v) return 1;
@@ -143,8 +151,9 @@ Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std:
   const distance::Enclosure ends = v->bounds();
   if (ends.lower && level < *ends.lower) return 1;
   if (ends.upper && *ends.upper < level) return -1;
-  return refused(wanted.distance,
-                 "the value, found by search, is too near the level to tell on which side of it it lies");
+  std::string why = "the value, found by search, is too near the level to tell on which side of it it lies";
+  if (cut_short(ends)) why += "; --work-limit allows a longer search";
+  return refused(wanted.distance, why);
 }
 
 /// Whether p is a minimiser, by the whole set of them where that is known, else by its value.
