@@ -96,9 +96,9 @@ RealPoint exact_crossing(const Geometry& g, const Point& p) {
   return {s->center_x() + (dx * k + dy * half) / l2, s->center_y() + (dy * k - dx * half) / l2};
 }
 
-/// Whether searches that go by the numbers alone may: they take a place to be known to 2^-44 of the sizes.
+/// Whether searches may go by the numbers alone: what they compare exactly differs by 2^-43 of the sizes or so.
 bool is_known(const ApproxPoint& at) {
-  constexpr double kKnown = 0x1p-46;
+  constexpr double kKnown = 0x1p-43;
   return at[0].error + at[1].error <= kKnown * (std::abs(at[0].value) + std::abs(at[1].value));
 }
 
