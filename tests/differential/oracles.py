@@ -7,6 +7,8 @@ usage: oracles.py PROGRAM [--count N] [--seed N]
 
 * `turns`: inf and sup over motions that turn, of convex polygons. The oracle steps through the time; what lies between
   its steps is bounded by the speed of the points.
+* `instants`: the reach of a slot and a disc that another one is cut out of, at instants of such motions. There rotated
+  arcs have rounded ends, so circles that should be one nearly coincide.
 * `mixed`: maps of formulas that mix plain distances with `along`, with `rotating` or with a motion, on a line. The
   moving shape is a disc, so each atom has a closed form.
 * `lines`: `protrusion` and `hausdorff` above 0 on lines in space, of boxes, tetrahedra and pairs of boxes. The oracle
@@ -122,6 +124,36 @@ def turns(program, rng, tally):
             atom = said["atoms"][0]
             low, high = atom.get("lower", atom["value"]), atom.get("upper", atom["value"])
             tally.compare(low - bound <= value <= high + bound, True, f"{low} to {high}, {what}")
+
+
+def bitten(rng):
+    """A disc without another one, points all along what is left of its rim, and how far they are apart."""
+    (x, y), r, r1 = (rng.randint(-3, 3), rng.randint(-3, 3)), rng.choice([2, 2.75, 3]), rng.choice([1, 1.9])
+    angle, n = rng.uniform(0, 2 * math.pi), 3000
+    hole = (round(x + r * math.cos(angle), 2), round(y + r * math.sin(angle), 2))
+    rim = [(x + r * math.cos(2 * math.pi * k / n), y + r * math.sin(2 * math.pi * k / n)) for k in range(n)]
+    disc = lambda c, radius: {"disc": {"center": c, "radius": radius}}
+    kept = [p for p in rim if math.dist(p, hole) >= r1]
+    return {"closure": {"difference": [disc((x, y), r), disc(hole, r1)]}}, kept, 2 * math.pi * r / n
+
+
+def instants(program, rng, tally):
+    a, rim, near = bitten(rng)
+    ends, r = [(0, 0), (rng.randint(-2, 2), rng.randint(1, 2))], rng.choice([0.5, 1, 1.7])
+    ways = Way(rng, True), Way(rng, True)
+    scene = {
+        "findspace": 1,
+        "shapes": {"A": a, "B": {"offset": r, "of": {"polyline": ends}}},
+        "moving": "B",
+        "motion": {"time": [0, 2], **{name: way.json() for name, way in zip("AB", ways)}},
+        "where": "true",
+    }
+    for _ in range(20):
+        t = rng.randrange(2**21) / 2**20  # so that it is said exactly
+        placed = ways[0].placed(rim, t)
+        value = max(math.dist(p, q) for q in ways[1].placed(ends, t) for p in placed) + r
+        found = ask(program, "measure", scene, "--at", "0,0", "--time", repr(t), "--only", "reach")["distances"]["reach(B, A)"]
+        tally.compare(value - ROUNDING <= found <= value + near, True, f"reach {value}, said {found} at {t}: {json.dumps(scene)}")
 
 
 class Atom:
@@ -308,10 +340,10 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=8, help="scenes of each kind")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", choices=["turns", "mixed", "lines"])
+    parser.add_argument("--only", choices=["turns", "instants", "mixed", "lines"])
     options = parser.parse_args()
     failed = False
-    for test in (turns, mixed, lines):
+    for test in (turns, instants, mixed, lines):
         if options.only not in (None, test.__name__):
             continue
         rng, tally = random.Random(options.seed), Tally()
